@@ -1,0 +1,68 @@
+"""Exhaustive testing of exploration algorithms on embedded graphs.
+
+Explorers are written against these names::
+
+    from allworlds import CombinatorialMap, Percept, Move, Drop, Pick
+    from allworlds import Estimate, Ambiguous, Choices, Checkpoint
+
+and everything that the command line does is a function of the same name, for example
+``allworlds.check(explore, edges=4)``.  The functions are loaded when they are first used, so
+importing the package is fast.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.protocol import (
+    Ambiguous,
+    Checkpoint,
+    Choices,
+    Drop,
+    Estimate,
+    Move,
+    Percept,
+    Pick,
+)
+from allworlds.version import __version__
+
+if TYPE_CHECKING:
+    from allworlds.checker import check, replay, run, worlds
+    from allworlds.counter import count
+
+_HOMES = {
+    "check": "allworlds.checker",
+    "count": "allworlds.counter",
+    "replay": "allworlds.checker",
+    "run": "allworlds.checker",
+    "worlds": "allworlds.checker",
+}
+
+__all__ = [
+    "Ambiguous",
+    "Checkpoint",
+    "Choices",
+    "CombinatorialMap",
+    "Drop",
+    "Estimate",
+    "InvalidMap",
+    "Move",
+    "Percept",
+    "Pick",
+    "__version__",
+    "check",
+    "count",
+    "replay",
+    "run",
+    "worlds",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'allworlds' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

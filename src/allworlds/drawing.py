@@ -1,0 +1,241 @@
+"""Exact text drawings of maps of any genus, loops and parallel edges included.
+
+The drawing is an arc diagram.  The darts stand in one row that reads as sigma in cycle
+notation: each pair of brackets is a vertex with its darts clockwise.  Each edge is an arc
+above the row that joins its two darts.  So the map, the names of its darts and the start can
+be read back from the picture.  A crossing of two arcs says nothing about the surface.
+
+The order of vertices and darts is fixed by the map rooted at the start: vertices breadth
+first, each from the dart by which it is found.  Renaming the darts changes nothing but the
+printed numbers.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+    from allworlds.maps import CombinatorialMap
+
+_LEGEND = {
+    "(": "( ) vertex with its darts clockwise",
+    "╭": "╭─╮ edge",
+    "→": "a→v.b the other end of dart a is dart b of v",
+    "┼": "┼ arcs cross, no vertex",
+    "▲": "▲ marker points along this dart",
+    "●": "● marker",
+    "S": "S start",
+}
+"""The signs in the order of the legend."""
+
+
+def draw(
+    map_: CombinatorialMap,
+    *,
+    start: int | None = None,
+    pointed: int | None = None,
+    marked: Mapping[int, int] | None = None,
+    labels: Sequence[str] | None = None,
+    width: int = 80,
+) -> str:
+    """The map as an arc diagram, or as :func:`rotation_table` where that is wider than ``width``.
+
+    ``start`` is the dart at which the picture begins (dart 0 if not given); ``pointed`` the
+    dart along which a directional marker points; ``marked[v]`` the number of markers at
+    vertex ``v``; ``labels[d]`` a short text printed under dart ``d``.  Vertex ``v`` is called
+    by its index in ``map_.vertices``.  Lines end in no space, the text in no newline.
+
+    Raises:
+        ValueError: for a dart or vertex that the map does not have, a negative number of
+            markers, or labels that are not one for each dart.
+
+    Cost: O(m^2).
+    """
+    marked = {} if marked is None else marked
+    _check(map_, start, pointed, marked, labels)
+    groups = _groups(map_, 0 if start is None else start)
+    names = [_names(map_, marked)[map_.vertex_of[group[0]]] for group in groups]
+    # Widths follow from the map alone, so that renaming the darts moves nothing.
+    cell = max(map(len, [str(len(map_.sigma) - 1), *(labels or ())]))
+    column = _columns(groups, cell, names)
+    arcs = list(_arcs([_span(column[d], column[e]) for d, e in map_.edges]))
+    rows = [*arcs, _darts(groups, column)]
+    if labels is not None:
+        rows.append(_row({column[dart]: labels[dart] for dart in column}))
+    rows.append(_row({column[group[0]]: name for group, name in zip(groups, names, strict=True)}))
+    for sign, dart in (("▲", pointed), ("S", start)):
+        if dart is not None:
+            rows.append(_row({column[dart]: sign}))
+    if max(map(len, rows)) > width:
+        return rotation_table(
+            map_, start=start, pointed=pointed, marked=marked, labels=labels, width=width
+        )
+    signs = {"(", *"".join(arcs)} | _signs(start, pointed, marked)
+    return "\n".join([*rows, "", _legend(signs, width)])
+
+
+def rotation_table(
+    map_: CombinatorialMap,
+    *,
+    start: int | None = None,
+    pointed: int | None = None,
+    marked: Mapping[int, int] | None = None,
+    labels: Sequence[str] | None = None,
+    width: int = 80,
+) -> str:
+    """The map as a table: a line for each vertex with name, degree and its darts clockwise.
+
+    Arguments, order and errors are those of :func:`draw`.  Each dart is written
+    ``dart→vertex.dart``: where its edge goes.  The signs stand before the dart, its label in
+    square brackets after it.  Only the legend is kept within ``width``.
+    """
+    marked = {} if marked is None else marked
+    _check(map_, start, pointed, marked, labels)
+    groups = _groups(map_, 0 if start is None else start)
+    names = _names(map_, marked)
+
+    def entry(dart: int) -> str:
+        signs = "S" * (dart == start) + "▲" * (dart == pointed)
+        label = "" if labels is None else f"[{labels[dart]}]"
+        other = map_.alpha[dart]
+        return f"{signs}{dart}{label}→v{map_.vertex_of[other]}.{other}"
+
+    rows = [
+        [names[map_.vertex_of[group[0]]], str(len(group)), *map(entry, group)] for group in groups
+    ]
+    name, degree = (max(len(row[i]) for row in rows) for i in (0, 1))
+    cell = max(len(text) for row in rows for text in row[2:])
+    lines = [
+        "  ".join(
+            [row[0].ljust(name), row[1].rjust(degree), *(text.ljust(cell) for text in row[2:])]
+        ).rstrip()
+        for row in rows
+    ]
+    return "\n".join([*lines, "", _legend({"→"} | _signs(start, pointed, marked), width)])
+
+
+def _check(
+    map_: CombinatorialMap,
+    start: int | None,
+    pointed: int | None,
+    marked: Mapping[int, int],
+    labels: Sequence[str] | None,
+) -> None:
+    size = len(map_.sigma)
+    for what, dart in (("start", start), ("pointed", pointed)):
+        if dart is not None and dart not in map_.darts:
+            raise ValueError(f"{what} = {dart} is no dart; darts are 0..{size - 1}")
+    for vertex, count in marked.items():
+        if not 0 <= vertex < map_.vertex_count:
+            raise ValueError(
+                f"marked vertex {vertex} does not exist; vertices are 0..{map_.vertex_count - 1}"
+            )
+        if count < 0:
+            raise ValueError(f"vertex {vertex} cannot have {count} markers; at least 0 are legal")
+    if labels is not None and len(labels) != size:
+        raise ValueError(f"{len(labels)} labels for {size} darts; there must be one for each")
+
+
+def _groups(map_: CombinatorialMap, root: int) -> list[list[int]]:
+    """The vertices breadth first from the root, each clockwise from the dart that found it.
+
+    A vertex finds its neighbours from its last dart back: so the nearer neighbour hangs at
+    the dart further right, and the arcs to them nest instead of crossing.
+    """
+    found = {map_.vertex_of[root]}
+    groups = [_turned(map_, root)]
+    for group in groups:
+        for dart in reversed(group):
+            other = map_.alpha[dart]
+            if map_.vertex_of[other] not in found:
+                found.add(map_.vertex_of[other])
+                groups.append(_turned(map_, other))
+    return groups
+
+
+def _turned(map_: CombinatorialMap, first: int) -> list[int]:
+    return [map_.turn(first, offset) for offset in range(map_.degree_at[first])]
+
+
+def _columns(groups: Sequence[Sequence[int]], cell: int, names: Sequence[str]) -> dict[int, int]:
+    """The column of each dart: cells of one width, brackets round each group, room for names."""
+    column = {}
+    left = 0
+    for group, name in zip(groups, names, strict=True):
+        for place, dart in enumerate(group):
+            column[dart] = left + 1 + place * (cell + 1)
+        left += 1 + max(len(group) * (cell + 1), len(name)) + 1
+    return column
+
+
+def _darts(groups: Sequence[Sequence[int]], column: Mapping[int, int]) -> str:
+    texts = {column[dart]: str(dart) for dart in column}
+    for group in groups:
+        texts[column[group[0]] - 1] = "("
+        texts[column[group[-1]]] += ")"
+    return _row(texts)
+
+
+def _names(map_: CombinatorialMap, marked: Mapping[int, int]) -> list[str]:
+    """``v0``, ``v1 ●``, ``v2 ●3``: all names of equal length, then the markers."""
+    length = len(f"v{map_.vertex_count - 1}")
+    names = []
+    for vertex in range(map_.vertex_count):
+        count = marked.get(vertex, 0)
+        sign = "" if count == 0 else " ●" if count == 1 else f" ●{count}"
+        names.append(f"v{vertex}".ljust(length) + sign)
+    return names
+
+
+def _span(a: int, b: int) -> tuple[int, int]:
+    return min(a, b), max(a, b)
+
+
+def _arcs(spans: Iterable[tuple[int, int]]) -> Iterator[str]:
+    """The rows of the arcs, highest first.
+
+    Shorter arcs lie lower, each on the lowest level where it meets no other.  An arc within
+    another is then below it, so only arcs whose ends alternate cross, and these once.
+    """
+    levels: list[list[tuple[int, int]]] = []
+    for left, right in sorted(spans, key=lambda span: (span[1] - span[0], span)):
+        free = (
+            level for level in levels if all(right < other[0] or other[1] < left for other in level)
+        )
+        level = next(free, None)
+        if level is None:
+            level = []
+            levels.append(level)
+        level.append((left, right))
+    legs: set[int] = set()
+    for level in reversed(levels):
+        signs = dict.fromkeys(legs, "│")
+        for left, right in level:
+            for x in range(left + 1, right):
+                signs[x] = "┼" if x in legs else "─"
+            signs[left], signs[right] = "╭", "╮"
+        yield _row(signs)
+        legs.update(x for span in level for x in span)
+
+
+def _row(texts: Mapping[int, str]) -> str:
+    """A line with each text at its column, and no space at its end."""
+    line = ""
+    for column, text in sorted(texts.items()):
+        line = line.ljust(column) + text
+    return line.rstrip()
+
+
+def _signs(start: int | None, pointed: int | None, marked: Mapping[int, int]) -> set[str]:
+    used = {"S": start is not None, "▲": pointed is not None, "●": any(marked.values())}
+    return {sign for sign in used if used[sign]}
+
+
+def _legend(signs: set[str], width: int) -> str:
+    # Spaces within an item hold together; only between items may the line break.
+    items = [text.replace(" ", "\0") for sign, text in _LEGEND.items() if sign in signs]
+    lines = textwrap.wrap("   ".join(items), max(width, 1), break_long_words=False)
+    return "\n".join(lines).replace("\0", " ")

@@ -1,0 +1,1 @@
+"""Explorers: generator functions that are written against the protocol alone."""

@@ -1,0 +1,135 @@
+"""Bounds on the number of traversals: the paper's, none, or an expression."""
+
+from __future__ import annotations
+
+import ast
+import operator
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+
+VARIABLES = ("n", "m", "d0", "D")
+
+
+class BoundError(ValueError):
+    """An expression that is none, or that has no value for some world."""
+
+
+@cache
+def paper_bound(vertices: int, edges: int) -> int:
+    """(1) + (2) of Section VI, summed exactly.
+
+    The upper limit of (2) is printed as 'n-n+1'; the text above it says m-n+1.
+    """
+    n, m = vertices, edges
+    growing = sum(s + 2 * (s - 1) * (2 * m - 2 * (s - 1)) for s in range(1, n))
+    closing = sum(
+        n + 2 * (n - 1) * (2 * m - 2 * (n - 1) - 2 * (i - 1)) for i in range(1, m - n + 2)
+    )
+    return growing + closing
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """A bound as it was named, with its value for every world."""
+
+    name: str
+    value: Callable[[int, int, int, int], int | None]
+
+    def of(self, map_: CombinatorialMap, start: Dart) -> int | None:
+        """The largest legal number of traversals in this map from this start."""
+        degrees = map_.degrees
+        return self.value(map_.vertex_count, map_.edge_count, map_.degree_at[start], max(degrees))
+
+
+def bound_named(text: str) -> Bound:
+    """The bound ``paper``, ``none`` or an expression.
+
+    An expression is built from integers, n (vertices), m (edges), d0 (degree of v0), D (the
+    largest degree), ``+ - * // **``, ``min``, ``max`` and parentheses; it is evaluated
+    exactly.
+
+    Raises:
+        BoundError: naming the part that is none of these.
+    """
+    if text == "paper":
+        return Bound(text, lambda n, m, _d0, _largest: paper_bound(n, m))
+    if text == "none":
+        return Bound(text, lambda _n, _m, _d0, _largest: None)
+    try:
+        tree = ast.parse(text, mode="eval")
+    except (SyntaxError, ValueError, MemoryError, RecursionError):
+        raise BoundError(f"bound {text!r} is none of paper, none or an expression") from None
+    try:
+        evaluate = _compile(tree.body, text)
+    except RecursionError:
+        raise BoundError(f"bound of {len(text)} characters is nested too deeply") from None
+
+    def value(n: int, m: int, d0: int, largest: int) -> int:
+        try:
+            return evaluate({"n": n, "m": m, "d0": d0, "D": largest})
+        except ZeroDivisionError:
+            raise BoundError(
+                f"bound {text!r} divides by zero at n={n} m={m} d0={d0} D={largest}"
+            ) from None
+
+    return Bound(text, value)
+
+
+_Evaluate = Callable[[dict[str, int]], int]
+_OPERATORS: dict[type[ast.operator], Callable[[int, int], int]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.FloorDiv: operator.floordiv,
+}
+_FUNCTIONS: dict[str, Callable[..., int]] = {"min": min, "max": max}
+_LARGEST_POWER = 64
+
+
+def _compile(node: ast.expr, text: str) -> _Evaluate:
+    match node:
+        case ast.Constant(value=int() as number) if not isinstance(number, bool):
+            return lambda _names: number
+        case ast.Name(id=name) if name in VARIABLES:
+            return lambda names: names[name]
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            inner = _compile(operand, text)
+            return lambda names: -inner(names)
+        case ast.BinOp(left=left, op=op, right=right):
+            return _binary(op, _compile(left, text), _compile(right, text), text)
+        case ast.Call(func=ast.Name(id=name), args=args, keywords=[]) if (
+            name in _FUNCTIONS and len(args) > 1
+        ):
+            parts = [_compile(part, text) for part in args]
+            function = _FUNCTIONS[name]
+            return lambda names: function(part(names) for part in parts)
+    part = ast.get_source_segment(text, node) or text
+    raise BoundError(
+        f"{part!r} in bound {text!r} is none of integers, {', '.join(VARIABLES)}, "
+        "+ - * // **, min(,), max(,) and parentheses"
+    )
+
+
+def _binary(op: ast.operator, left: _Evaluate, right: _Evaluate, text: str) -> _Evaluate:
+    if isinstance(op, ast.Pow):
+
+        def power(names: dict[str, int]) -> int:
+            exponent = right(names)
+            if not 0 <= exponent <= _LARGEST_POWER:
+                raise BoundError(
+                    f"bound {text!r} raises to the power {exponent}; legal are 0..{_LARGEST_POWER}"
+                )
+            result: int = left(names) ** exponent
+            return result
+
+        return power
+    if type(op) not in _OPERATORS:
+        sign = {ast.Div: "/", ast.Mod: "%"}.get(type(op), type(op).__name__)
+        raise BoundError(f"{sign} in bound {text!r} is none of + - * // **")
+    apply: Any = _OPERATORS[type(op)]
+    result: _Evaluate = lambda names: apply(left(names), right(names))  # noqa: E731
+    return result

@@ -1,0 +1,78 @@
+"""What lies before the judge."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+from allworlds.maps.canonical import carries, numbering
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol import Checkpoint, Estimate, Move, Transcript
+
+
+@dataclass(frozen=True)
+class Case:
+    """A finished run with the truth beside it.
+
+    Attributes:
+        map, start: the true map and the dart that the robot faced at the start.
+        transcript: the log.
+        checkpoints: what the explorer has published, each with the number of steps before it.
+        estimate: the answer; its map is valid and ``here`` one of its darts.
+        bound: the largest legal number of traversals, or None.
+        folds: whether the log of a correct explorer must determine the map.
+    """
+
+    map: CombinatorialMap
+    start: Dart
+    transcript: Transcript
+    checkpoints: tuple[tuple[int, Checkpoint], ...]
+    estimate: Estimate
+    bound: int | None = None
+    folds: bool = True
+
+    @cached_property
+    def trail(self) -> tuple[Dart, ...]:
+        """The robot's true dart at the start and after each step, walked anew from the log."""
+        turn, alpha = self.map.turn, self.map.alpha
+        dart = self.start
+        trail = [dart]
+        for action, _ in self.transcript.steps:
+            if type(action) is Move:
+                dart = alpha[turn(dart, action.k)]
+            trail.append(dart)
+        return tuple(trail)
+
+    @cached_property
+    def answer(self) -> Literal["right", "pose", "map"]:
+        """What the estimate is worth: right, or which of its two parts is wrong.
+
+        ``pose``: the map is the same, but no isomorphism takes ``here`` to the robot's dart.
+        """
+        estimate, truth = self.estimate.map, self.map
+        if len(estimate.sigma) != len(truth.sigma):
+            return "map"
+        order = numbering(estimate.sigma, estimate.alpha, self.estimate.here)
+
+        def fits(dart: Dart) -> bool:
+            return carries(estimate.sigma, estimate.alpha, order, truth.sigma, truth.alpha, dart)
+
+        if fits(self.trail[-1]):
+            return "right"
+        return "pose" if any(fits(dart) for dart in truth.darts) else "map"
+
+
+@dataclass(frozen=True, slots=True)
+class Violation:
+    """A broken law.
+
+    Attributes:
+        law: its name.
+        expected, seen: rooted maps for map and pose (JSON objects with ``here``), integers
+            for bound, else a sentence.
+    """
+
+    law: str
+    expected: Any
+    seen: Any

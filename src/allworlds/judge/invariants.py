@@ -1,0 +1,129 @@
+"""I-1, I-2 and the variant t of Section V, checked at every checkpoint.
+
+The judge embeds the published S into the true map by itself: the dart that the explorer
+calls its place goes to the robot's true dart, and everything else follows along sigma and
+the explored edges, because S is connected.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from allworlds.judge.case import Case, Violation
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol import Checkpoint, Move
+
+
+@dataclass(frozen=True, slots=True)
+class Broken:
+    """Why a published S cannot be embedded."""
+
+    reason: str
+
+
+def invariant_1(case: Case) -> Violation | None:
+    """I-1: S is the explored subgraph of the world, in the same cyclic orders.
+
+    That is: the embedding exists and is injective, whole vertices go to whole vertices, and
+    every edge of S has been walked.
+    """
+    for steps, checkpoint in case.checkpoints:
+        embedding = embed(case, case.trail[steps], checkpoint)
+        if isinstance(embedding, Broken):
+            return _violation(
+                "invariant-1", "S is the explored part of the world", steps, embedding
+            )
+        walked = _walked(case, steps)
+        for d, e in enumerate(checkpoint.alpha):
+            if e != d and embedding[d] not in walked:
+                reason = Broken(f"S holds an edge at its dart {d} that has never been walked")
+                return _violation(
+                    "invariant-1", "S is the explored part of the world", steps, reason
+                )
+    return None
+
+
+def invariant_2(case: Case) -> Violation | None:
+    """I-2: U is the set of unexplored darts at the explored vertices.
+
+    The darts of S's vertices are all there by I-1; what is left is that no dart in U belongs
+    to an edge of S.
+    """
+    for steps, checkpoint in case.checkpoints:
+        alpha = checkpoint.alpha
+        for d, e in enumerate(alpha):
+            if e != d and 0 <= e < len(alpha) and alpha[e] == e:
+                return _violation(
+                    "invariant-2",
+                    "U holds the unexplored darts at explored vertices, and no others",
+                    steps,
+                    Broken(f"dart {e} is in U, but it is the other end of the explored dart {d}"),
+                )
+    return None
+
+
+def variant(case: Case) -> Violation | None:
+    """The variant t = |E_G| - |E_S| falls at every checkpoint and has ended at 0."""
+    previous = None
+    for steps, checkpoint in case.checkpoints:
+        explored = sum(d != e for d, e in enumerate(checkpoint.alpha))
+        t = case.map.edge_count - (explored + 1) // 2
+        if previous is not None and t >= previous:
+            return Violation(
+                "variant",
+                f"t = |E_G| - |E_S| below {previous} after the next pass",
+                f"t = {t} {_when(steps)}",
+            )
+        previous = t
+    if previous:
+        return Violation("variant", "t = |E_G| - |E_S| = 0 at the end", f"t = {previous}")
+    return None
+
+
+def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken:
+    """The dart of the world for each dart of S, or why there is none.
+
+    A dart in U whose partner claims it (the fault of I-2) is embedded by its partner.
+    Cost: O(|S|).
+    """
+    sigma, alpha = checkpoint.sigma, checkpoint.alpha
+    size, here = len(sigma), checkpoint.here
+    if len(alpha) != size or not 0 <= here < size:
+        return Broken(f"here = {here}, with {size} darts in sigma and {len(alpha)} in alpha")
+    image = [-1] * size
+    owner: dict[Dart, int] = {dart: here}
+    image[here] = dart
+    true_sigma, true_alpha = case.map.sigma, case.map.alpha
+    for x in (queue := [here]):
+        neighbours = [("sigma", sigma[x], true_sigma[image[x]])]
+        if alpha[x] != x:
+            neighbours.append(("alpha", alpha[x], true_alpha[image[x]]))
+        for name, y, true in neighbours:
+            if not 0 <= y < size:
+                return Broken(f"{name}({x}) = {y} is no dart of S")
+            if image[y] == -1 and true not in owner:
+                image[y] = true
+                owner[true] = y
+                queue.append(y)
+            elif image[y] != true:
+                return Broken(
+                    f"{name}({x}) = {y} does not fit the world at the end of the walk so far"
+                )
+    if len(queue) < size:
+        return Broken(f"dart {image.index(-1)} of S is not connected with the robot's dart")
+    return image
+
+
+def _walked(case: Case, steps: int) -> set[Dart]:
+    """The darts of the edges traversed in the first steps."""
+    moves = case.transcript.steps
+    entered = {case.trail[i + 1] for i in range(steps) if type(moves[i][0]) is Move}
+    return entered | {case.map.alpha[dart] for dart in entered}
+
+
+def _when(steps: int) -> str:
+    return f"at the checkpoint after step {steps}"
+
+
+def _violation(law: str, expected: str, steps: int, broken: Broken) -> Violation:
+    return Violation(law, expected, f"{_when(steps)}: {broken.reason}")

@@ -1,0 +1,324 @@
+"""Maps made by hand, by name and by recipe.
+
+Two notations.  A *rotation* lists the neighbours of every vertex clockwise; it can tell
+simple graphs only.  *Cycles* list the names of the edges round every vertex clockwise; they
+can tell every map, loops and parallel edges included.  Everything else here is written in
+one of the two.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from typing import Any
+
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+
+
+def from_rotation(
+    rotation: Mapping[Any, Sequence[Any]] | Sequence[Sequence[Any]],
+) -> CombinatorialMap:
+    """The map of a simple graph from the clockwise list of neighbours of each vertex.
+
+    ``rotation`` maps each vertex to its neighbours; a plain sequence stands for the vertices
+    ``0, 1, ...``.  Darts are numbered vertex by vertex in the order given, and within a
+    vertex in the order of its list.
+
+    Raises:
+        InvalidMap: naming the vertex: an empty list, an unknown or repeated neighbour, a
+            loop, an edge that only one end lists, or a graph that is not connected.
+
+    Cost: O(m).
+    """
+    given = rotation if isinstance(rotation, Mapping) else dict(enumerate(rotation))
+    neighbours = {v: _around(v, listed) for v, listed in given.items()}
+    known = {v: set(around) for v, around in neighbours.items()}
+    for v, around in neighbours.items():
+        seen = set()
+        for w in around:
+            if w not in known:
+                legal = ", ".join(map(repr, known))
+                raise InvalidMap(f"vertex {v!r} lists {w!r}, but the vertices are {legal}")
+            if w == v:
+                raise InvalidMap(f"vertex {v!r} lists itself; write loops with from_cycles")
+            if w in seen:
+                raise InvalidMap(
+                    f"vertex {v!r} lists {w!r} twice; write parallel edges with from_cycles"
+                )
+            if v not in known[w]:
+                raise InvalidMap(
+                    f"vertex {v!r} lists {w!r}, but {w!r} does not list {v!r}; "
+                    "an edge is listed at both its ends"
+                )
+            seen.add(w)
+    return _assembled({v: [frozenset((v, w)) for w in ws] for v, ws in neighbours.items()})
+
+
+def from_cycles(vertices: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
+    """The map from the clockwise list of edge names round each vertex.
+
+    Every name stands exactly twice: ``["aab", "b"]`` is a loop ``a`` and an edge ``b`` to a
+    second vertex.  Darts are numbered vertex by vertex, and within a vertex in its order.
+
+    Raises:
+        InvalidMap: naming the edge or the vertex: an empty list, a name that does not stand
+            exactly twice, or a graph that is not connected.
+
+    Cost: O(m).
+    """
+    return _assembled({v: _around(v, names) for v, names in enumerate(vertices)})
+
+
+def _around(vertex: object, listed: object) -> Sequence[Any]:
+    if not isinstance(listed, Sequence):
+        raise InvalidMap(f"vertex {vertex!r} must have a clockwise list, not {listed!r}")
+    if not listed:
+        raise InvalidMap(f"vertex {vertex!r} has an empty list; a vertex has at least one edge")
+    for entry in listed:
+        try:
+            hash(entry)
+        except TypeError:
+            raise InvalidMap(
+                f"vertex {vertex!r} lists {entry!r}, which cannot be a name; "
+                "use numbers, strings or tuples of them"
+            ) from None
+    return listed
+
+
+def _assembled(vertices: Mapping[Any, Sequence[Any]]) -> CombinatorialMap:
+    darts_of: dict[Any, list[int]] = {}
+    vertex_at: list[Any] = []
+    sigma: list[int] = []
+    for v, names in vertices.items():
+        first = len(sigma)
+        sigma += [*range(first + 1, first + len(names)), first]
+        for dart, name in enumerate(names, first):
+            darts_of.setdefault(name, []).append(dart)
+            vertex_at.append(v)
+    alpha = [0] * len(sigma)
+    part = {v: v for v in vertices}
+    for name, darts in darts_of.items():
+        if len(darts) != 2:
+            raise InvalidMap(
+                f"edge {name!r} has {len(darts)} ends; every name must stand exactly twice"
+            )
+        d, e = darts
+        alpha[d], alpha[e] = e, d
+        _join(part, vertex_at[d], vertex_at[e])
+    for v in vertices:
+        if _part(part, v) != _part(part, vertex_at[0]):
+            raise InvalidMap(
+                f"vertex {v!r} cannot be reached from vertex {vertex_at[0]!r}; a map is connected"
+            )
+    return CombinatorialMap(tuple(sigma), tuple(alpha))
+
+
+def _part(part: dict[Any, Any], v: Any) -> Any:
+    """The representative of ``v`` in a union-find forest (path halving)."""
+    while part[v] != v:
+        part[v] = part[part[v]]
+        v = part[v]
+    return v
+
+
+def _join(part: dict[Any, Any], v: Any, w: Any) -> bool:
+    """Join the parts of ``v`` and ``w``; whether they were two."""
+    v, w = _part(part, v), _part(part, w)
+    part[v] = w
+    return bool(v != w)
+
+
+def cycle(n: int) -> CombinatorialMap:
+    """The cycle of ``n >= 1`` vertices: a loop for 1, two parallel edges for 2.
+
+    Raises:
+        ValueError: if ``n < 1``.
+    """
+    _at_least(1, n=n)
+    return from_cycles([((i - 1) % n, i) for i in range(n)])
+
+
+def lattice(rows: int, columns: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
+    """The grid of ``rows x columns`` vertices in the plane, with holes; vertices row by row.
+
+    The clockwise order is up, right, down, left.  ``holes`` is the fraction of the ``m``
+    edges to remove, ``round(holes * m)`` of them, at random but so that the rest stays
+    connected; the same ``seed`` removes the same edges.
+
+    Raises:
+        ValueError: if there is no edge, ``holes`` is not in 0..1, or so many edges cannot go.
+
+    Cost: O(m log m).  Source: Section VII of the paper (Fig. 3: holes = 0.1).
+    """
+    _at_least(1, rows=rows, columns=columns)
+    _at_least(2, **{"rows * columns": rows * columns})
+    rotation = {}
+    for r in range(rows):
+        for c in range(columns):
+            around = ((r - 1, c), (r, c + 1), (r + 1, c), (r, c - 1))
+            rotation[r * columns + c] = [
+                y * columns + x for y, x in around if 0 <= y < rows and 0 <= x < columns
+            ]
+    return from_rotation(_with_holes(rotation, holes, seed))
+
+
+def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
+    """The complete graph with every rotation in ascending order of neighbours, with holes.
+
+    ``holes`` and ``seed`` are those of :func:`lattice`.  The genus is whatever comes out.
+
+    Raises:
+        ValueError: if ``vertices < 2``, ``holes`` is not in 0..1, or so many edges cannot go.
+
+    Cost: O(m log m).  Source: Section VII of the paper (Fig. 3: holes = 0.1).
+    """
+    _at_least(2, vertices=vertices)
+    rotation = {v: [w for w in range(vertices) if w != v] for v in range(vertices)}
+    return from_rotation(_with_holes(rotation, holes, seed))
+
+
+def _with_holes(rotation: dict[int, list[int]], holes: float, seed: int) -> dict[int, list[int]]:
+    """The connected rotation less ``round(holes * m)`` edges, chosen in a random order.
+
+    Removing edges one after the other, bridges excepted, keeps in the end the spanning tree
+    that Kruskal's algorithm builds from the same order read backwards; so an edge is a bridge
+    in its turn exactly when it is in that tree.
+    """
+    if not 0 <= holes <= 1:
+        raise ValueError(f"holes = {holes} is not a fraction in 0..1")
+    edges = [(v, w) for v, around in rotation.items() for w in around if v < w]
+    wanted = round(holes * len(edges))
+    random.Random(seed).shuffle(edges)  # noqa: S311  # reproducible, not secret
+    part = {v: v for v in rotation}
+    tree = {edge for edge in reversed(edges) if _join(part, *edge)}
+    removable = [edge for edge in edges if edge not in tree]
+    if wanted > len(removable):
+        raise ValueError(
+            f"holes = {holes} would remove {wanted} of {len(edges)} edges, "
+            f"but at most {len(removable)} can go while the rest stays connected"
+        )
+    gone = set(removable[:wanted])
+    return {
+        v: [w for w in around if (min(v, w), max(v, w)) not in gone]
+        for v, around in rotation.items()
+    }
+
+
+def _at_least(least: int, **values: int) -> None:
+    for name, value in values.items():
+        if value < least:
+            raise ValueError(f"{name} = {value} is too small; it must be at least {least}")
+
+
+def named_map(name: str) -> CombinatorialMap:
+    """The map called ``name``; see :func:`named_maps` for the names.
+
+    The N of a family counts: edges (dipole), loops (bouquet), leaves (star), vertices (cycle,
+    path), spokes (wheel).  Dart 0 is at the hub of a wheel or star.  Families are in the plane.
+    ``theta`` is three parallel edges; ``k4-torus`` is K4 with faces of 4 and 8 edges.
+    ``fig1-left`` and ``fig1-right`` are a planar simple pair with all that the caption of the
+    paper's Fig. 1 says, its marked vertex first; that the paper drew this pair is a guess.
+
+    Raises:
+        ValueError: for another name, or an N out of range, naming what is legal.
+    """
+    if name in _SINGLE:
+        return _SINGLE[name]()
+    family, dash, number = name.rpartition("-")
+    if not dash or family not in _FAMILIES:
+        raise ValueError(f"no map is called {name!r}; the names are {', '.join(named_maps())}")
+    least, build = _FAMILIES[family]
+    digits = number.isascii() and number.isdigit()
+    if not digits or int(number) < least:
+        raise ValueError(f"{name!r} is no map: {family}-N needs an integer N >= {least}")
+    return build(int(number))
+
+
+def named_maps() -> tuple[str, ...]:
+    """The names :func:`named_map` knows, sorted; ``N`` in a name stands for a number."""
+    return tuple(sorted([*_SINGLE, *(f"{family}-N" for family in _FAMILIES)]))
+
+
+def _bouquet(n: int) -> CombinatorialMap:
+    return from_cycles([[i // 2 for i in range(2 * n)]])
+
+
+def _dipole(n: int) -> CombinatorialMap:
+    return from_cycles([range(n), range(n)[::-1]])
+
+
+def _path(n: int) -> CombinatorialMap:
+    return from_rotation([[w for w in (v - 1, v + 1) if 0 <= w < n] for v in range(n)])
+
+
+def _star(n: int) -> CombinatorialMap:
+    return from_rotation([range(1, n + 1), *([0] for _ in range(n))])
+
+
+def _wheel(n: int) -> CombinatorialMap:
+    rim = [[0, (i - 1) % n + 1, (i + 1) % n + 1] for i in range(n)]
+    return from_rotation([range(1, n + 1), *rim])
+
+
+def _cube() -> CombinatorialMap:
+    """Seen from above: vertices 0..3 clockwise round the outer square, 4..7 round the inner."""
+    outer = [[(i + 1) % 4, i + 4, (i - 1) % 4] for i in range(4)]
+    inner = [[i, (i + 1) % 4 + 4, (i - 1) % 4 + 4] for i in range(4)]
+    return from_rotation(outer + inner)
+
+
+def _fig1_left() -> CombinatorialMap:
+    return from_rotation(
+        [
+            [1, 2, 3, 5],
+            [0, 4, 6],
+            [0, 6, 7],
+            [0, 7, 8],
+            [1, 5, 6],
+            [0, 8, 4],
+            [2, 1, 4],
+            [3, 2, 8],
+            [5, 3, 7],
+        ]
+    )
+
+
+def _fig1_right() -> CombinatorialMap:
+    return from_rotation(
+        [
+            [1, 2, 3, 5],
+            [0, 4, 6],
+            [0, 6, 4],
+            [0, 7, 8],
+            [1, 2, 6],
+            [0, 8, 7],
+            [2, 1, 4],
+            [3, 5, 8],
+            [5, 3, 7],
+        ]
+    )
+
+
+_SINGLE: dict[str, Callable[[], CombinatorialMap]] = {
+    "cube": _cube,
+    "edge": lambda: from_cycles(["a", "a"]),
+    "fig1-left": _fig1_left,
+    "fig1-right": _fig1_right,
+    "k4": lambda: _wheel(3),
+    "k4-torus": lambda: dense(4),
+    "loop": lambda: from_cycles(["aa"]),
+    "theta": lambda: _dipole(3),
+    "theta-torus": lambda: from_cycles(["abc", "abc"]),
+    "two-loops-plane": lambda: _bouquet(2),
+    "two-loops-torus": lambda: from_cycles(["abab"]),
+}
+
+_FAMILIES: dict[str, tuple[int, Callable[[int], CombinatorialMap]]] = {
+    "bouquet": (1, _bouquet),
+    "cycle": (1, cycle),
+    "dipole": (1, _dipole),
+    "path": (2, _path),
+    "star": (1, _star),
+    "wheel": (3, _wheel),
+}
+"""For each family the least N and the map of N."""

@@ -1,0 +1,78 @@
+"""The four classes of maps, and the bounds that make one of them finite."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from allworlds.maps.combinatorial import CombinatorialMap
+
+
+class MapClass(StrEnum):
+    """Which maps are meant; the value is the name on the command line."""
+
+    MAPS = "maps"
+    SIMPLE = "simple"
+    PLANAR = "planar"
+    PLANAR_SIMPLE = "planar-simple"
+
+    @property
+    def simple(self) -> bool:
+        """Loops and parallel edges are excluded."""
+        return self in (MapClass.SIMPLE, MapClass.PLANAR_SIMPLE)
+
+    @property
+    def planar(self) -> bool:
+        """Only genus 0."""
+        return self in (MapClass.PLANAR, MapClass.PLANAR_SIMPLE)
+
+    def __contains__(self, map_: object) -> bool:
+        """Whether a map belongs to the class, by the map's own derived properties."""
+        return (
+            isinstance(map_, CombinatorialMap)
+            and (not self.simple or map_.is_simple)
+            and (not self.planar or map_.is_planar)
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """At most ``edges`` edges and at most ``vertices`` vertices of one class.
+
+    Attributes:
+        map_class: the class.
+        edges: M, or None where only the vertices are bounded (simple classes).
+        vertices: N, or None where only the edges are bounded.
+
+    Raises:
+        ValueError: naming the offending bound and what would be legal.
+    """
+
+    map_class: MapClass
+    edges: int | None
+    vertices: int | None = None
+
+    def __post_init__(self) -> None:
+        if self.edges is not None and self.edges < 1:
+            raise ValueError(f"edges = {self.edges}, but a map has at least 1 edge")
+        if self.vertices is not None and self.vertices < 2:
+            raise ValueError(f"vertices = {self.vertices}, but the bound must be at least 2")
+        if self.edges is None and self.vertices is None:
+            raise ValueError("a class needs a bound: edges, or vertices for the simple classes")
+        if self.edges is None and not self.map_class.simple:
+            raise ValueError(
+                f"vertices = {self.vertices} alone bounds no class with loops or parallel edges; "
+                f"give edges too, or the class simple or planar-simple instead of {self.map_class}"
+            )
+
+    @property
+    def levels(self) -> range:
+        """The numbers of edges m that are to be visited, ascending."""
+        if self.edges is not None:
+            return range(1, self.edges + 1)
+        assert self.vertices is not None
+        return range(1, self.vertices * (self.vertices - 1) // 2 + 1)
+
+    def vertex_limit(self, edges: int) -> int:
+        """The largest number of vertices that a map of the level can have within the bounds."""
+        return edges + 1 if self.vertices is None else min(edges + 1, self.vertices)

@@ -1,0 +1,293 @@
+"""The map itself: two permutations of darts, validated once."""
+
+from __future__ import annotations
+
+import json
+import operator
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeAlias
+
+Dart: TypeAlias = int
+"""A dart: an integer in ``0..2m-1``."""
+
+Vertex: TypeAlias = int
+"""A vertex: an index into :attr:`CombinatorialMap.vertices`."""
+
+
+class InvalidMap(ValueError):
+    """A pair of sequences that is no map; the message names the broken law."""
+
+
+@dataclass(frozen=True, init=False)
+class CombinatorialMap:
+    """A connected embedded graph: ``sigma`` clockwise round vertices, ``alpha`` across edges.
+
+    The one law: ``sigma`` is a permutation of ``0..2m-1`` with ``m >= 1``, ``alpha`` an
+    involution without fixed points on the same darts, and together they reach every dart
+    from every dart.  Everything else is derived.
+
+    Equality is equality of the two permutations.  For 'the same map up to the names of the
+    darts' see :func:`allworlds.maps.isomorphism`.
+
+    Raises:
+        InvalidMap: naming the first offending entry and what would be legal.
+
+    Cost: O(m).  Source: THEORY 1; Section II.A of the paper.
+    """
+
+    sigma: tuple[Dart, ...]
+    alpha: tuple[Dart, ...]
+
+    def __init__(self, sigma: Iterable[int], alpha: Iterable[int]) -> None:
+        valid_sigma, valid_alpha = _integers("sigma", sigma), _integers("alpha", alpha)
+        _check_law(valid_sigma, valid_alpha)
+        object.__setattr__(self, "sigma", valid_sigma)
+        object.__setattr__(self, "alpha", valid_alpha)
+
+    @classmethod
+    def trusted(cls, sigma: Sequence[Dart], alpha: Sequence[Dart]) -> CombinatorialMap:
+        """A map from permutations that the caller has made by a construction known to be right.
+
+        Nothing is checked; enumerators and builders use it, users should not.
+        """
+        self = object.__new__(cls)
+        object.__setattr__(self, "sigma", tuple(sigma))
+        object.__setattr__(self, "alpha", tuple(alpha))
+        return self
+
+    @property
+    def darts(self) -> range:
+        """All darts, ``0..2m-1``."""
+        return range(len(self.sigma))
+
+    @property
+    def edge_count(self) -> int:
+        """The number of edges, m."""
+        return len(self.sigma) // 2
+
+    @property
+    def vertex_count(self) -> int:
+        """The number of vertices, n."""
+        return len(self.vertices)
+
+    @cached_property
+    def vertices(self) -> tuple[tuple[Dart, ...], ...]:
+        """The cycles of sigma, each from its smallest dart, in the order of smallest darts."""
+        return cycles(self.sigma)
+
+    @cached_property
+    def edges(self) -> tuple[tuple[Dart, Dart], ...]:
+        """The pairs ``(d, alpha[d])`` with ``d < alpha[d]``, ascending."""
+        return tuple((d, e) for d, e in enumerate(self.alpha) if d < e)
+
+    @cached_property
+    def faces(self) -> tuple[tuple[Dart, ...], ...]:
+        """The cycles of ``phi = sigma . alpha``: each face's darts in the order of its walk."""
+        sigma, alpha = self.sigma, self.alpha
+        return cycles([sigma[alpha[d]] for d in self.darts])
+
+    @cached_property
+    def vertex_of(self) -> tuple[Vertex, ...]:
+        """For each dart the index of its vertex in :attr:`vertices`."""
+        owner = [0] * len(self.sigma)
+        for index, vertex in enumerate(self.vertices):
+            for dart in vertex:
+                owner[dart] = index
+        return tuple(owner)
+
+    @cached_property
+    def degree_at(self) -> tuple[int, ...]:
+        """For each dart the degree of its vertex."""
+        degrees = [len(vertex) for vertex in self.vertices]
+        return tuple(degrees[v] for v in self.vertex_of)
+
+    @property
+    def degrees(self) -> tuple[int, ...]:
+        """The degree of each vertex, in the order of :attr:`vertices`."""
+        return tuple(len(vertex) for vertex in self.vertices)
+
+    @cached_property
+    def genus(self) -> int:
+        """The genus g of the surface, from ``n - m + f = 2 - 2g``."""
+        return (2 - self.vertex_count + self.edge_count - len(self.faces)) // 2
+
+    @cached_property
+    def loop_count(self) -> int:
+        """The number of edges with both ends at one vertex."""
+        owner = self.vertex_of
+        return sum(owner[d] == owner[e] for d, e in self.edges)
+
+    @cached_property
+    def parallel_count(self) -> int:
+        """How many edges could go without changing which vertices are joined.
+
+        Loops do not count: two loops at one vertex are two loops.
+        """
+        owner = self.vertex_of
+        joined = [frozenset((owner[d], owner[e])) for d, e in self.edges]
+        proper = [ends for ends in joined if len(ends) == 2]
+        return len(proper) - len(set(proper))
+
+    @property
+    def is_simple(self) -> bool:
+        """No loop, and no two edges with the same two ends."""
+        return not self.loop_count and not self.parallel_count
+
+    @property
+    def is_planar(self) -> bool:
+        """The genus is 0."""
+        return self.genus == 0
+
+    def turn(self, dart: Dart, offset: int) -> Dart:
+        """``sigma^offset(dart)``: the dart ``offset`` places clockwise; any integer.
+
+        Cost: O(1) after the first call.
+        """
+        vertex = self.vertices[self.vertex_of[dart]]
+        return vertex[(self._place[dart] + offset) % len(vertex)]
+
+    def offset(self, start: Dart, end: Dart) -> int:
+        """The ``k`` in ``0..degree-1`` with ``sigma^k(start) == end``.
+
+        Raises:
+            ValueError: if the two darts are not at one vertex.
+        """
+        if self.vertex_of[start] != self.vertex_of[end]:
+            raise ValueError(f"darts {start} and {end} are not at one vertex")
+        return (self._place[end] - self._place[start]) % self.degree_at[start]
+
+    @cached_property
+    def _place(self) -> tuple[int, ...]:
+        """For each dart its position in its vertex's cycle."""
+        place = [0] * len(self.sigma)
+        for vertex in self.vertices:
+            for i, dart in enumerate(vertex):
+                place[dart] = i
+        return tuple(place)
+
+    def relabelled(self, names: Sequence[Dart]) -> CombinatorialMap:
+        """The same map with dart ``d`` renamed to ``names[d]``, a permutation of the darts."""
+        if sorted(names) != list(self.darts):
+            raise ValueError(f"{list(names)} is no permutation of the darts 0..{len(names) - 1}")
+        sigma, alpha = [0] * len(names), [0] * len(names)
+        for d, name in enumerate(names):
+            sigma[name] = names[self.sigma[d]]
+            alpha[name] = names[self.alpha[d]]
+        return CombinatorialMap.trusted(sigma, alpha)
+
+    def mirrored(self) -> CombinatorialMap:
+        """The mirror image: anticlockwise becomes clockwise, the darts keep their names."""
+        inverse = [0] * len(self.sigma)
+        for d, e in enumerate(self.sigma):
+            inverse[e] = d
+        return CombinatorialMap.trusted(inverse, self.alpha)
+
+    def dual(self) -> CombinatorialMap:
+        """The dual map: faces become vertices, and the genus stays."""
+        sigma, alpha = self.sigma, self.alpha
+        return CombinatorialMap.trusted([sigma[alpha[d]] for d in self.darts], alpha)
+
+    def to_json(self) -> dict[str, list[int]]:
+        """``{"sigma": [...], "alpha": [...]}``."""
+        return {"sigma": list(self.sigma), "alpha": list(self.alpha)}
+
+    @classmethod
+    def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:
+        """The map of :meth:`to_json`'s document, or of its text; other keys are ignored.
+
+        Raises:
+            InvalidMap: if the text is no JSON object with two lists, or no map.
+        """
+        if isinstance(document, str):
+            try:
+                document = json.loads(document)
+            except json.JSONDecodeError as error:
+                raise InvalidMap(f"not JSON: {error}") from None
+        if not isinstance(document, Mapping):
+            raise InvalidMap(f"a map is an object with 'sigma' and 'alpha', not {document!r}")
+        for key in ("sigma", "alpha"):
+            if not isinstance(document.get(key), list | tuple):
+                raise InvalidMap(f"{key!r} must be a list of darts, not {document.get(key)!r}")
+        return cls(document["sigma"], document["alpha"])
+
+
+def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
+    """The cycles of a permutation, each from its smallest element, ascending by it."""
+    seen = [False] * len(permutation)
+    found = []
+    for first in range(len(permutation)):
+        if seen[first]:
+            continue
+        cycle = []
+        x = first
+        while not seen[x]:
+            seen[x] = True
+            cycle.append(x)
+            x = permutation[x]
+        found.append(tuple(cycle))
+    return tuple(found)
+
+
+def integer(value: object) -> int:
+    """``value`` as an ``int`` if it is an integer and no boolean.
+
+    Raises:
+        TypeError: for booleans, floats, strings and everything else.
+    """
+    if isinstance(value, bool):
+        raise TypeError(f"{value!r} is a boolean, not an integer")
+    return operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer
+
+
+def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:
+    if isinstance(values, str | bytes | Mapping):
+        raise InvalidMap(f"{name} must be a sequence of darts, not {values!r}")
+    try:
+        entries = tuple(values)
+    except TypeError:
+        raise InvalidMap(f"{name} must be a sequence of darts, not {values!r}") from None
+    result = []
+    for d, value in enumerate(entries):
+        try:
+            result.append(integer(value))
+        except TypeError:
+            raise InvalidMap(f"{name}[{d}] = {value!r} is not an integer") from None
+    return tuple(result)
+
+
+def _check_law(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> None:
+    size = len(sigma)
+    if len(alpha) != size:
+        raise InvalidMap(f"sigma has {size} darts and alpha {len(alpha)}; they must agree")
+    if size == 0 or size % 2:
+        raise InvalidMap(f"a map has 2m darts with m >= 1, not {size}")
+    for name, permutation in (("sigma", sigma), ("alpha", alpha)):
+        seen: dict[int, int] = {}
+        for d, e in enumerate(permutation):
+            if not 0 <= e < size:
+                raise InvalidMap(f"{name}[{d}] = {e} is no dart; darts are 0..{size - 1}")
+            if e in seen:
+                raise InvalidMap(
+                    f"{name}[{seen[e]}] = {name}[{d}] = {e}, but {name} must be a permutation"
+                )
+            seen[e] = d
+    for d, e in enumerate(alpha):
+        if e == d:
+            raise InvalidMap(f"alpha[{d}] = {d}, but alpha must have no fixed point")
+        if alpha[e] != d:
+            raise InvalidMap(
+                f"alpha[{d}] = {e} but alpha[{e}] = {alpha[e]}; alpha must be an involution"
+            )
+    reached = [False] * size
+    reached[0] = True
+    todo = [0]
+    for d in todo:
+        for e in (sigma[d], alpha[d]):
+            if not reached[e]:
+                reached[e] = True
+                todo.append(e)
+    if len(todo) < size:
+        lost = reached.index(False)
+        raise InvalidMap(f"dart {lost} cannot be reached from dart 0; a map is connected")

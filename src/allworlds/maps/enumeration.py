@@ -1,0 +1,213 @@
+"""Every rooted map of a class, each exactly once, streamed.
+
+A map is glued together from its root: number the darts in the order in which they come
+into being, take the oldest open dart, and glue it either to another open dart or to the
+first dart of a new vertex of degree d, whose other darts open behind it.  Every rooted map
+has exactly one such history, so nothing is met twice.
+
+No history is begun that cannot be finished (classes ``maps`` and ``planar``): the last open
+dart may not close while darts are still owed.  In the plane a dart is glued only within its
+own face of the open boundary, and the darts owed must be enough to even out every face
+with an odd number of open darts.  In the simple classes a vertex needs enough partners left;
+there the rule is only necessary, so a few histories end in nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TypeAlias
+
+from allworlds.maps.classes import MapClass
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+
+Decision: TypeAlias = int
+"""What happens to the oldest open dart: ``z >= 0``: it is glued to the open dart ``z``;
+``-d``: it is glued to a new vertex of degree d.  The first decision is the root's degree."""
+
+OPEN = -1
+
+
+class Gluing:
+    """A partial map that grows by decisions and can take them back.
+
+    Attributes:
+        edges: m, the number of edges of the finished map.
+        limit: the largest allowed number of vertices.
+        alpha: for each dart so far its partner, or OPEN.
+        vertex: for each dart its vertex.
+        degrees: the degree of each vertex.
+        faces: the open darts round each face of the boundary, in the order in which they
+            are met; for classes that are not planar one face that holds them all.
+    """
+
+    def __init__(self, edges: int, map_class: MapClass, vertices: int | None = None) -> None:
+        self.edges = edges
+        self.limit = edges + 1 if vertices is None else min(edges + 1, vertices)
+        self.planar = map_class.planar
+        self.simple = map_class.simple
+        self.alpha: list[Dart] = []
+        self.vertex: list[int] = []
+        self.degrees: list[int] = []
+        self.neighbours: list[int] = []
+        self.faces: list[list[Dart]] = []
+
+    @property
+    def owed(self) -> int:
+        """The number of darts that have not come into being."""
+        return 2 * self.edges - len(self.alpha)
+
+    @property
+    def finished(self) -> bool:
+        """No dart is open, and none is owed."""
+        return bool(self.degrees) and not self.faces
+
+    def successors(self) -> Iterator[tuple[Decision, Gluing]]:
+        """What may happen next, in the fixed order: gluings ascending, then degrees ascending.
+
+        Each successor can be followed up to a finished map (simple classes: as far as the
+        counting of partners can tell).  Cost: O(m) for each.
+        """
+        if not self.degrees:
+            most = self.edges if self.simple else 2 * self.edges
+            decisions: list[Decision] = [-degree for degree in range(1, most + 1)]
+        else:
+            face = min(self.faces, key=min)
+            oldest = min(face)
+            decisions = sorted(z for z in face if z != oldest and not self._excluded(oldest, z))
+            if len(self.degrees) < self.limit:
+                decisions += [-degree for degree in range(1, self.owed + 1)]
+        for decision in decisions:
+            after = self._fork()
+            after.apply(decision)
+            if after._can_be_finished():  # noqa: SLF001  # its own kind
+                yield decision, after
+
+    def apply(self, decision: Decision) -> None:
+        """Take a decision.  Cost: O(m)."""
+        if not self.degrees:
+            self._new_vertex(-decision)
+            self.faces = [list(range(-decision))]
+            return
+        face = min(self.faces, key=min)
+        y = min(face)
+        rest = [other for other in self.faces if other is not face]
+        i = face.index(y)
+        around = face[i + 1 :] + face[:i]
+        if decision < 0:
+            first = self._new_vertex(-decision)
+            self._join(y, first)
+            parts = [list(range(first + 1, first - decision)) + around]
+        else:
+            self._join(y, decision)
+            j = around.index(decision)
+            between, beyond = around[:j], around[j + 1 :]
+            parts = [between, beyond] if self.planar else [between + beyond]
+        self.faces = rest + [part for part in parts if part]
+
+    def finish(self) -> CombinatorialMap:
+        """The finished map; its root is dart 0, and the darts of a vertex are consecutive."""
+        sigma = list(range(1, 2 * self.edges + 1))
+        first = 0
+        for degree in self.degrees:
+            sigma[first + degree - 1] = first
+            first += degree
+        return CombinatorialMap.trusted(sigma, self.alpha)
+
+    def _fork(self) -> Gluing:
+        twin = object.__new__(Gluing)
+        twin.edges, twin.limit = self.edges, self.limit
+        twin.planar, twin.simple = self.planar, self.simple
+        twin.alpha, twin.vertex = self.alpha[:], self.vertex[:]
+        twin.degrees, twin.neighbours = self.degrees[:], self.neighbours[:]
+        twin.faces = self.faces
+        return twin
+
+    def _new_vertex(self, degree: int) -> Dart:
+        first = len(self.alpha)
+        self.alpha.extend([OPEN] * degree)
+        self.vertex.extend([len(self.degrees)] * degree)
+        self.degrees.append(degree)
+        self.neighbours.append(0)
+        return first
+
+    def _join(self, a: Dart, b: Dart) -> None:
+        self.alpha[a], self.alpha[b] = b, a
+        u, v = self.vertex[a], self.vertex[b]
+        self.neighbours[u] |= 1 << v
+        self.neighbours[v] |= 1 << u
+
+    def _excluded(self, a: Dart, b: Dart) -> bool:
+        """Whether gluing ``a`` to ``b`` would make a loop or a parallel edge in a simple class."""
+        u, v = self.vertex[a], self.vertex[b]
+        return self.simple and (u == v or bool(self.neighbours[u] >> v & 1))
+
+    def _can_be_finished(self) -> bool:
+        owed = self.owed
+        if not self.faces:
+            return owed == 0
+        if owed and len(self.degrees) == self.limit:
+            return False
+        if self.planar and sum(len(face) % 2 for face in self.faces) > owed:
+            return False
+        return not self.simple or self._enough_partners()
+
+    def _enough_partners(self) -> bool:
+        open_darts = [0] * len(self.degrees)
+        for d, e in enumerate(self.alpha):
+            if e == OPEN:
+                open_darts[self.vertex[d]] += 1
+        new = min(self.owed, self.limit - len(self.degrees))
+        waiting = [v for v, count in enumerate(open_darts) if count]
+        for v in waiting:
+            partners = sum(u != v and not self.neighbours[v] >> u & 1 for u in waiting)
+            if open_darts[v] > partners + new:
+                return False
+        return True
+
+
+def rooted_maps(
+    edges: int,
+    map_class: MapClass = MapClass.MAPS,
+    vertices: int | None = None,
+    prefix: Sequence[Decision] = (),
+) -> Iterator[CombinatorialMap]:
+    """Every map of the class with exactly ``edges`` edges, rooted at dart 0, once each.
+
+    Args:
+        edges: m >= 1.
+        map_class: the class.
+        vertices: the largest number of vertices, or None.
+        prefix: only the maps whose history begins with these decisions (:func:`prefixes`).
+
+    Cost: a fixed order, constant memory.
+    """
+    gluing = Gluing(edges, map_class, vertices)
+    for decision in prefix:
+        gluing.apply(decision)
+    yield from _completions(gluing)
+
+
+def _completions(gluing: Gluing) -> Iterator[CombinatorialMap]:
+    if gluing.finished:
+        yield gluing.finish()
+        return
+    for _, after in gluing.successors():
+        yield from _completions(after)
+
+
+def prefixes(
+    edges: int,
+    map_class: MapClass = MapClass.MAPS,
+    vertices: int | None = None,
+    depth: int = 2,
+) -> Iterator[tuple[Decision, ...]]:
+    """The histories cut after ``depth`` decisions: each map extends exactly one of them."""
+
+    def histories(gluing: Gluing, history: tuple[Decision, ...]) -> Iterator[tuple[Decision, ...]]:
+        if gluing.finished or len(history) == depth:
+            yield history
+            return
+        for decision, after in gluing.successors():
+            yield from histories(after, (*history, decision))
+
+    yield from histories(Gluing(edges, map_class, vertices), ())

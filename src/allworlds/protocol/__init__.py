@@ -1,0 +1,42 @@
+"""What an explorer and the harness say to each other: small frozen values, nothing else.
+
+An explorer is a **generator function** ``explore(first)``.  It gets percepts, yields actions
+and returns an answer; it never holds a world.  Turning is free and has no action of its own:
+it is folded into the next :class:`Move`, or into ``here`` of the answer.
+"""
+
+from allworlds.protocol.actions import Action, Drop, Move, Pick
+from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
+from allworlds.protocol.choices import (
+    KINDS,
+    Choices,
+    Kind,
+    Policy,
+    PolicyError,
+    Schedules,
+    policy_named,
+)
+from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.percept import Percept
+from allworlds.protocol.transcript import Transcript
+
+__all__ = [
+    "KINDS",
+    "Action",
+    "Ambiguous",
+    "Answer",
+    "Checkpoint",
+    "Choices",
+    "Drop",
+    "Estimate",
+    "ExplorerFault",
+    "Kind",
+    "Move",
+    "Percept",
+    "Pick",
+    "Policy",
+    "PolicyError",
+    "Schedules",
+    "Transcript",
+    "policy_named",
+]

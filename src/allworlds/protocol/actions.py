@@ -1,0 +1,31 @@
+"""What the robot does."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """Leave by ``sigma^k`` of the dart one stands at; one edge traversal.
+
+    ``k`` may be any integer, negative too; it is taken modulo the degree.  ``Move(0)`` goes
+    back where one came from.
+    """
+
+    k: int
+
+
+@dataclass(frozen=True, slots=True)
+class Drop:
+    """Lay down one marker here; free.  Legal only where the lighthouse gives markers."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pick:
+    """Take up one marker from here; free.  Legal only where the lighthouse gives markers."""
+
+
+Action: TypeAlias = Move | Drop | Pick
+"""Everything that an explorer may yield, besides a checkpoint."""

@@ -1,0 +1,54 @@
+"""What an explorer says about the world, at the end and on the way."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from allworlds.maps.combinatorial import CombinatorialMap
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """A map of the world and the robot's place in it.
+
+    ``here`` is the dart of ``map`` that stands for the dart the robot arrived by last (at
+    the start: the dart it faces).  Nothing is validated here: the judge does that.
+    """
+
+    map: CombinatorialMap
+    here: int
+
+
+@dataclass(frozen=True, slots=True)
+class Ambiguous:
+    """The most that a robot with position only can know: the rooted quotient of its world.
+
+    ``alpha[d] == d`` is a semi-edge; ``degree`` and ``marks`` hold for each dart what is
+    sensed there; ``here`` is the robot's dart.
+    """
+
+    sigma: Sequence[int]
+    alpha: Sequence[int]
+    degree: Sequence[int]
+    marks: Sequence[int]
+    here: int
+
+
+@dataclass(frozen=True, slots=True)
+class Checkpoint:
+    """The paper's S and U after a pass, shown to the judge.
+
+    The darts known so far: ``alpha[d] == d`` marks an open dart, and U is the set of those;
+    ``here`` is the robot's dart.  Yielding it costs nothing, is answered with None, stands
+    in no transcript, and must not influence the walk.
+    """
+
+    sigma: Sequence[int]
+    alpha: Sequence[int]
+    here: int
+
+
+Answer: TypeAlias = Estimate | Ambiguous
+"""Everything that an explorer may return."""

@@ -1,0 +1,170 @@
+"""Where an algorithm is free it asks; a policy answers, or the harness tries every answer.
+
+Every call of :meth:`Choices.pick` is one choice and is recorded by the index of the element
+picked.  The record replays the run, and together with the number of options at each choice
+it is all that is needed to enumerate every schedule.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence, Sized
+from random import Random
+from typing import Literal, Protocol, TypeAlias, TypeVar, get_args
+
+T = TypeVar("T")
+
+Kind: TypeAlias = Literal["edge", "hypothesis", "path", "transit"]
+"""What is chosen: the dart to explore next, the hypothesis to test next, the next dart of a
+path that tests a hypothesis, the next dart on the way to the dart to be explored."""
+
+KINDS: tuple[Kind, ...] = get_args(Kind)
+
+
+class PolicyError(ValueError):
+    """A policy's name that is none."""
+
+
+class Policy(Protocol):
+    """Answers choices.  It sees how many options there are, their kind and their costs."""
+
+    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+        """An index below ``len(options)``."""
+
+
+class Fifo:
+    """The first option: darts in the order in which they came into S; cheapest way first."""
+
+    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+        """Always 0."""
+        return 0
+
+
+class Lifo:
+    """The dart that came into S last; all else as :class:`Fifo`."""
+
+    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+        """The last edge, else 0."""
+        return len(options) - 1 if kind == "edge" else 0
+
+
+class Nearest:
+    """The dart with the shortest walk, among equals the first; all else as :class:`Fifo`."""
+
+    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+        """The first of the cheapest edges, else 0."""
+        return min(range(len(cost)), key=cost.__getitem__) if kind == "edge" and cost else 0
+
+
+class Seeded:
+    """A random option of every kind, from a seed; the same on every machine."""
+
+    def __init__(self, seed: str) -> None:
+        self._random = Random(seed)  # noqa: S311  # reproducible, not secret
+
+    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+        """Uniform."""
+        return self._random.randrange(len(options))
+
+
+def policy_named(name: str, run: str = "") -> Policy:
+    """The policy ``fifo``, ``lifo``, ``nearest`` or ``random:SEED``, fresh for one run.
+
+    Args:
+        name: as on the command line.
+        run: names the run, so that a random policy draws anew in each, whatever the order
+            of the runs.
+
+    Raises:
+        PolicyError: naming the legal policies.
+    """
+    kind, _, seed = name.partition(":")
+    if kind == "random" and seed.isascii() and seed.isdigit():
+        return Seeded(f"{int(seed)}/{run}")
+    plain: dict[str, type[Fifo | Lifo | Nearest]] = {
+        "fifo": Fifo,
+        "lifo": Lifo,
+        "nearest": Nearest,
+    }
+    if name not in plain:
+        raise PolicyError(
+            f"policy {name!r} is none of fifo, lifo, nearest, random:SEED (SEED = 0, 1, 2, ...)"
+        )
+    return plain[name]()
+
+
+class Choices:
+    """The one door to freedom: ``choices.pick(options, of="edge")``.
+
+    Args:
+        policy: answers (default :class:`Fifo`).
+        script: answers for the first choices, by index; then the policy goes on.
+
+    Attributes:
+        record: the index taken at each choice so far.
+    """
+
+    def __init__(self, policy: Policy | None = None, script: Sequence[int] = ()) -> None:
+        self._policy = policy or Fifo()
+        self._script = script
+        self.record: list[int] = []
+
+    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
+        """One of the options.
+
+        Args:
+            options: in the canonical order of S; not empty.
+            of: what is chosen.
+            cost: the walking distance of each option, where known.
+
+        Raises:
+            ValueError: for a kind that is none, no option at all, or a script that does
+                not fit; inside an explorer that is a ``crash``.
+        """
+        if of not in KINDS:
+            raise ValueError(f"of={of!r} is none of {', '.join(KINDS)}")
+        turn = len(self.record)
+        if turn < len(self._script):
+            index = self._script[turn]
+            if not 0 <= index < len(options):
+                raise ValueError(
+                    f"choice {turn} is {index}, but there are {len(options)} options of {of}"
+                )
+        else:
+            index = self._policy.choose(of, options, cost)
+        picked = options[index]
+        self.record.append(index)
+        return picked
+
+
+class Schedules:
+    """Every schedule of one explorer on one world, in lexicographic order.
+
+    Usage: iterate; give each :class:`Choices` to one run; when the run has ended the next
+    one takes the next schedule.  An explorer that asks nothing has one schedule.
+    """
+
+    def __iter__(self) -> Iterator[Choices]:
+        """Choices for one run after the other."""
+        script: list[int] = []
+        while True:
+            choices = _Counted(script)
+            yield choices
+            script, widths = choices.record, choices.widths
+            while script and script[-1] == widths[len(script) - 1] - 1:
+                script.pop()
+            if not script:
+                return
+            script[-1] += 1
+
+
+class _Counted(Choices):
+    """Choices that also remember how many options there were."""
+
+    def __init__(self, script: Sequence[int]) -> None:
+        super().__init__(Fifo(), script)
+        self.widths: list[int] = []
+
+    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
+        picked = super().pick(options, of, cost)
+        self.widths.append(len(options))
+        return picked

@@ -1,0 +1,105 @@
+"""The log of one run: what was done and what was sensed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from allworlds.maps.combinatorial import integer
+from allworlds.protocol.actions import Action, Drop, Move, Pick
+from allworlds.protocol.percept import Percept
+
+
+@dataclass(frozen=True)
+class Transcript:
+    """The first percept, then each action with the percept that answered it.
+
+    Motions stand modulo the degree.  Checkpoints stand in no transcript.
+    """
+
+    first: Percept
+    steps: tuple[tuple[Action, Percept], ...] = ()
+
+    @cached_property
+    def cost(self) -> int:
+        """The number of edge traversals."""
+        return sum(type(action) is Move for action, _ in self.steps)
+
+    def to_json(self) -> list[dict[str, Any]]:
+        """``[{"percept": P}, {"move": k, "percept": P}, ...]``."""
+        rows: list[dict[str, Any]] = [{"percept": self.first.to_json()}]
+        rows += [
+            {**action_to_json(action), "percept": percept.to_json()}
+            for action, percept in self.steps
+        ]
+        return rows
+
+    @classmethod
+    def from_json(cls, rows: object) -> Transcript:
+        """The transcript of :meth:`to_json`'s rows.
+
+        Raises:
+            ValueError: naming the first row that is none.
+        """
+        if not isinstance(rows, list) or not rows:
+            raise ValueError("a transcript is a list that begins with the first percept")
+        steps = []
+        for i, row in enumerate(rows[1:], 1):
+            action = action_from_json(row)
+            if action is None:
+                raise ValueError(f"row {i} of the transcript has no move, drop or pick: {row!r}")
+            steps.append((action, _percept(i, row)))
+        return cls(_percept(0, rows[0]), tuple(steps))
+
+
+def action_to_json(action: Action) -> dict[str, Any]:
+    """``{"move": k}``, ``{"drop": true}`` or ``{"pick": true}``."""
+    match action:
+        case Move(k):
+            return {"move": k}
+        case Drop():
+            return {"drop": True}
+        case Pick():
+            return {"pick": True}
+
+
+def action_from_json(row: object) -> Action | None:
+    """The action of a JSON object, None where it holds none; other keys are ignored."""
+    match row:
+        case {"move": int() as k} if not isinstance(k, bool):
+            return Move(k)
+        case {"drop": True}:
+            return Drop()
+        case {"pick": True}:
+            return Pick()
+        case _:
+            return None
+
+
+def percept_from_json(value: object) -> Percept:
+    """The percept of ``{"degree", "marks", "bearing"}``.
+
+    Raises:
+        ValueError: if it is none.
+    """
+    if not isinstance(value, Mapping):
+        raise ValueError(f"a percept is an object with a degree, not {value!r}")
+    try:
+        bearing = value.get("bearing")
+        return Percept(
+            integer(value.get("degree")),
+            integer(value.get("marks", 0)),
+            None if bearing is None else integer(bearing),
+        )
+    except TypeError:
+        raise ValueError(f"a percept holds integers: {value!r}") from None
+
+
+def _percept(i: int, row: object) -> Percept:
+    value = row.get("percept") if isinstance(row, Mapping) else None
+    try:
+        return percept_from_json(value)
+    except ValueError as error:
+        raise ValueError(f"row {i} of the transcript: {error}") from None

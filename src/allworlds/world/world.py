@@ -1,0 +1,107 @@
+"""The world: pure, and the only thing that knows where the robot is."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
+from allworlds.protocol import Action, Move, Percept
+from allworlds.world.lighthouses import InvalidWorld, Lighthouse, lighthouse_from_json
+
+
+class IllegalAction(ValueError):
+    """An action that this world does not know."""
+
+
+@dataclass(frozen=True)
+class World:
+    """A map, a lighthouse that stands in it, and the dart that the robot faces at the start.
+
+    Raises:
+        InvalidWorld: if the start is no dart, or the lighthouse does not fit.
+    """
+
+    map: CombinatorialMap
+    lighthouse: Lighthouse
+    start: Dart = 0
+
+    def __post_init__(self) -> None:
+        if self.start not in self.map.darts:
+            raise InvalidWorld(
+                f"start = {self.start} is no dart; darts are 0..{len(self.map.sigma) - 1}"
+            )
+        self.lighthouse.check(self.map, self.start)
+
+    @cached_property
+    def percepts(self) -> tuple[Percept, ...]:
+        """For each dart what is sensed by a robot that has arrived by it."""
+        return self.lighthouse.percepts(self.map)
+
+    @property
+    def first(self) -> Percept:
+        """What is sensed before any motion."""
+        return self.percepts[self.start]
+
+    @property
+    def told(self) -> int | None:
+        """What the lighthouse tells the explorer before the start, if anything."""
+        return self.lighthouse.told(self.map)
+
+    def step(self, state: Dart, action: Action) -> tuple[Dart, Percept]:
+        """The robot's dart after the action, and what it senses there.
+
+        Raises:
+            IllegalAction: for markers where there are none.
+        """
+        if type(action) is not Move:
+            raise IllegalAction(f"the {self.lighthouse.kind} lighthouse gives no markers")
+        arrived = self.map.alpha[self.map.turn(state, action.k)]
+        return arrived, self.percepts[arrived]
+
+    def relabelled(self, names: Sequence[Dart]) -> World:
+        """The same world with dart ``d`` renamed to ``names[d]``."""
+        return World(
+            self.map.relabelled(names), self.lighthouse.relabelled(names), names[self.start]
+        )
+
+    def mirrored(self) -> World:
+        """The mirror image, marker and start included."""
+        return World(self.map.mirrored(), self.lighthouse, self.start)
+
+    def to_json(self) -> dict[str, Any]:
+        """``{"sigma", "alpha", "start", "lighthouse": {"kind", ...}}``."""
+        return {
+            **self.map.to_json(),
+            "start": self.start,
+            "lighthouse": self.lighthouse.to_json(),
+        }
+
+    @classmethod
+    def from_json(cls, document: str | Mapping[str, Any]) -> World:
+        """The world of :meth:`to_json`'s document, or of its text; other keys are ignored.
+
+        ``start`` may be missing (0), and so may the lighthouse (directional, pointing to the
+        start).
+
+        Raises:
+            InvalidMap, InvalidWorld: naming the offending value and what would be legal.
+        """
+        if isinstance(document, str):
+            try:
+                document = json.loads(document)
+            except json.JSONDecodeError as error:
+                raise InvalidWorld(f"not JSON: {error}") from None
+        if not isinstance(document, Mapping):
+            raise InvalidWorld(f"a world is an object with 'sigma' and 'alpha', not {document!r}")
+        map_ = CombinatorialMap.from_json(document)
+        try:
+            start = integer(document.get("start", 0))
+        except TypeError:
+            raise InvalidWorld(f"start = {document['start']!r} is not an integer") from None
+        if start not in map_.darts:
+            raise InvalidWorld(f"start = {start} is no dart; darts are 0..{len(map_.sigma) - 1}")
+        return cls(map_, lighthouse_from_json(document.get("lighthouse"), start), start)

@@ -1,0 +1,339 @@
+import ast
+import sys
+from fractions import Fraction
+from itertools import combinations
+from math import comb, factorial, prod
+from pathlib import Path
+
+import pytest
+
+from allworlds.maps import counting
+from allworlds.maps.counting import (
+    ROTATIONS_LIMIT,
+    catalan,
+    labelled_simple,
+    rooted_maps,
+    rooted_maps_by_genus,
+    rooted_of_genus,
+    rooted_of_genus_by_contraction,
+    rooted_planar,
+    rooted_planar_simple,
+    rooted_planar_simple_by_substitution,
+    rooted_planar_total,
+    rooted_simple,
+    rooted_simple_by_degrees,
+    source_for,
+    sources,
+)
+
+CLASSES = ["maps", "simple", "planar", "planar-simple"]
+
+# OEIS A000698, from its third term: rooted maps of any orientable genus by edges.
+ROOTED = [2, 10, 74, 706, 8162, 110410, 1708394, 29752066, 576037442]
+# OEIS A000168: rooted planar maps.  A006295, A006296: those of genus 1 and 2.
+GENUS_0 = [2, 9, 54, 378, 2916, 24057, 208494]
+GENUS_1 = [0, 1, 20, 307, 4280, 56914, 736568]
+GENUS_2 = [0, 0, 0, 21, 966, 27954, 650076]
+# OEIS A022558, from its second term: Bona's numbers, of permutations that avoid 1342; they
+# also count rooted simple planar maps.
+SIMPLE_PLANAR = [1, 2, 6, 23, 103, 512, 2740, 15485, 91245, 555662]
+# Tutte, A census of planar triangulations (1962): 2 (4n+1)! / ((n+1)! (3n+2)!), n = 0, 1, ...
+# rooted simple triangulations with n + 3 vertices.
+TRIANGULATIONS = [1, 1, 3, 13, 68, 399]
+# OEIS A000108.
+CATALAN = [1, 1, 2, 5, 14, 42, 132, 429, 1430]
+
+
+def test_rooted_maps_by_edges_are_the_published_numbers():
+    assert [sum(rooted_maps(m).values()) for m in range(1, 10)] == ROOTED
+
+
+def test_rooted_planar_maps_by_edges_are_the_published_numbers():
+    assert [sum(rooted_planar(m).values()) for m in range(1, 8)] == GENUS_0
+
+
+def test_rooted_maps_by_genus_are_the_published_numbers():
+    for m in range(1, 8):
+        published = {0: GENUS_0[m - 1], 1: GENUS_1[m - 1], 2: GENUS_2[m - 1]}
+        computed = rooted_maps_by_genus(m)
+        assert list(computed) == list(range(m // 2 + 1))
+        assert {g: computed.get(g, 0) for g in published} == published
+        assert sum(computed.values()) == ROOTED[m - 1]
+
+
+def test_trees_are_counted_by_catalan_numbers_in_every_class():
+    assert [catalan(n) for n in range(9)] == CATALAN
+    for map_class in CLASSES:
+        for source in sources(map_class):
+            assert [source.cells(m)[m + 1] for m in range(1, 8)] == CATALAN[1:8], source.name
+
+
+def test_maps_with_one_vertex_are_the_pairings_of_its_darts():
+    for m in range(1, 10):
+        assert rooted_maps(m)[1] == prod(range(1, 2 * m, 2))
+
+
+@pytest.mark.parametrize("map_class", CLASSES)
+def test_the_sources_of_a_class_agree_on_every_cell_that_two_of_them_know(map_class):
+    first, *others = sources(map_class)
+    assert others
+    for m in range(1, 10):
+        cells = first.cells(m)
+        for other in others:
+            known = other.cells(m)
+            assert len(known) >= min(m, 3)
+            assert known == {n: cells[n] for n in known}, (m, other.name)
+
+
+@pytest.mark.parametrize("map_class", CLASSES)
+def test_the_gate_of_a_class_knows_every_cell(map_class):
+    source = source_for(map_class)
+    assert source == sources(map_class)[0]
+    for m in range(1, 11):
+        assert list(source.cells(m)) == list(range(1, m + 2))
+
+
+@pytest.mark.parametrize("map_class", ["simple", "planar"])
+def test_a_class_that_is_confused_with_another_does_not_pass(map_class):
+    for other in CLASSES:
+        same = all(
+            source_for(other).cells(m) == source_for(map_class).cells(m) for m in range(1, 6)
+        )
+        assert same == (other == map_class)
+
+
+# The log-series
+
+
+def pairs_of_permutations(m, sign):
+    """``[z^m] sum_k (2k-1)!! x(x+sign)... z^k/(2k)!`` times 2m: disconnected pairs as well."""
+    polynomial = [Fraction(1)]
+    for i in range(2 * m):
+        shifted = [Fraction(0), *polynomial]
+        scaled = [sign * i * c for c in polynomial] + [Fraction(0)]
+        polynomial = [a + b for a, b in zip(shifted, scaled, strict=True)]
+    weight = Fraction(2 * m * prod(range(1, 2 * m, 2)), factorial(2 * m))
+    return {n: weight * c for n, c in enumerate(polynomial) if c}
+
+
+def test_without_the_logarithm_the_pairs_of_permutations_are_too_many():
+    assert pairs_of_permutations(1, 1) == rooted_maps(1)
+    assert all(pairs_of_permutations(2, 1)[n] >= rooted_maps(2)[n] for n in rooted_maps(2))
+    assert pairs_of_permutations(2, 1) != rooted_maps(2)
+
+
+def test_with_falling_factorials_the_pairs_of_permutations_are_wrong():
+    assert pairs_of_permutations(1, -1) != rooted_maps(1)
+
+
+# The recurrence of Carrell and Chapuy
+
+
+def planar_totals(up_to, coefficient):
+    """The recurrence at genus 0 and x = 1, with ``coefficient(n) / 3`` before Q^(n-1)."""
+    q = [Fraction(1)]
+    for n in range(1, up_to + 1):
+        pairs = sum((2 * k - 1) * (2 * (n - k) - 1) * q[k - 1] * q[n - k - 1] for k in range(1, n))
+        q.append((Fraction(coefficient(n), 3) * q[n - 1] + pairs / 2) * Fraction(6, n + 1))
+    return q[1:]
+
+
+def test_planar_totals_are_tuttes_closed_form():
+    for m in range(1, 30):
+        assert sum(rooted_planar(m).values()) == rooted_planar_total(m)
+
+
+def test_a_recurrence_with_a_wrong_coefficient_does_not_reproduce_tutte():
+    tutte = [rooted_planar_total(m) for m in range(1, 8)]
+    assert planar_totals(7, lambda n: 2 * (2 * n - 1)) == tutte
+    assert planar_totals(7, lambda n: 2 * (2 * n + 1)) != tutte
+    assert planar_totals(7, lambda n: 2 * n - 1) != tutte
+
+
+def test_exchanging_vertices_and_faces_keeps_the_counts_of_a_genus():
+    for m in range(1, 10):
+        for g in range(m // 2 + 1):
+            cells = rooted_of_genus(m, g)
+            ends = m + 2 - 2 * g  # vertices and faces together
+            for n in range(1, m + 2):
+                assert cells[n] == (cells[ends - n] if n < ends else 0)
+
+
+def test_exchanging_vertices_and_faces_mixes_the_genera():
+    # With 2 edges: 3 maps with one vertex, of which 1 is on the torus; 2 with three vertices.
+    cells = rooted_maps(2)
+    assert (cells[1], cells[3]) == (3, 2)
+
+
+def test_there_are_no_maps_of_a_genus_with_fewer_than_2g_edges():
+    assert set(rooted_of_genus(3, 2).values()) == {0}
+    assert set(rooted_of_genus_by_contraction(3, 2).values()) == {0}
+    # Euler: one vertex and one face.  OEIS A035319: 1, 1, 21, 1485.
+    assert [rooted_of_genus(2 * g, g)[1] for g in (1, 2, 3)] == [1, 21, 1485]
+
+
+def test_both_recurrences_agree_for_every_genus_and_number_of_vertices():
+    for m in range(1, 9):
+        for g in range(m // 2 + 1):
+            assert rooted_of_genus(m, g) == rooted_of_genus_by_contraction(m, g)
+
+
+# Simple maps
+
+
+def connected_graphs(n):
+    """The degrees of each connected graph on n labelled vertices."""
+    for bits in range(1 << comb(n, 2)):
+        edges = [e for i, e in enumerate(combinations(range(n), 2)) if bits >> i & 1]
+        component = list(range(n))
+        for u, v in edges:
+            kept, lost = component[u], component[v]
+            component = [kept if c == lost else c for c in component]
+        if len(set(component)) == 1:
+            yield [sum(v in e for e in edges) for v in range(n)]
+
+
+def test_labelled_rotation_systems_are_those_of_all_graphs_one_by_one():
+    for n in range(2, 6):
+        by_hand = sum(prod(factorial(d - 1) for d in ds) for ds in connected_graphs(n))
+        assert labelled_simple(n) == by_hand
+    # Each graph one by one, as above, in another program.
+    assert [labelled_simple(n) for n in range(2, 6)] == [1, 4, 87, 27868]
+
+
+def test_all_rotations_of_a_vertex_instead_of_the_cyclic_ones_are_too_many():
+    assert sum(prod(map(factorial, ds)) for ds in connected_graphs(4)) > labelled_simple(4)
+
+
+@pytest.mark.parametrize("rooted", [rooted_simple, rooted_simple_by_degrees])
+def test_simple_rooted_maps_by_vertices_are_the_known_numbers(rooted):
+    # All simple maps with up to 5 vertices, enumerated by another program.
+    totals = [sum(rooted(m)[n] for m in range(n - 1, comb(n, 2) + 1)) for n in range(2, 6)]
+    assert totals == [1, 3, 32, 3965]
+
+
+def test_labelling_vertices_and_rooting_count_the_same_simple_maps():
+    for n in range(2, 7):
+        edges = range(n - 1, comb(n, 2) + 1)
+        labelled = sum(Fraction(factorial(n), 2 * m) * rooted_simple(m)[n] for m in edges)
+        assert labelled == labelled_simple(n)
+
+
+def test_simple_maps_by_degrees_agree_with_the_atlas_on_all_its_graphs():
+    for m in range(1, 12):
+        atlas, degrees = rooted_simple(m), rooted_simple_by_degrees(m)
+        assert atlas == {n: degrees[n] for n in atlas}
+        assert set(atlas) == {*range(1, min(m + 1, 7) + 1), m + 1}
+
+
+def graph(n, edges):
+    both = [*edges, *((v, u) for u, v in edges)]
+    return tuple(frozenset(w for u, w in both if u == v) for v in range(n))
+
+
+def test_automorphisms_of_known_graphs():
+    # Permutations of the leaves, of all vertices, the dihedral group, the two ends.
+    assert counting._automorphisms(graph(7, [(0, v) for v in range(1, 7)])) == 720
+    assert counting._automorphisms(graph(7, list(combinations(range(7), 2)))) == 5040
+    assert counting._automorphisms(graph(6, [(v, (v + 1) % 6) for v in range(6)])) == 12
+    assert counting._automorphisms(graph(4, [(0, 1), (1, 2), (2, 3)])) == 2
+
+
+def test_weighing_no_graph_by_its_automorphisms_is_too_many():
+    stars_and_paths = counting._atlas(4, 3)
+    unweighed = sum(map(counting._rotation_count, stars_and_paths)) * 2 * 3
+    assert unweighed > rooted_simple(3)[4] == catalan(3)
+
+
+# Simple planar maps
+
+
+def test_simple_planar_maps_by_edges_are_the_published_numbers():
+    totals = [sum(rooted_planar_simple_by_substitution(m).values()) for m in range(1, 11)]
+    assert totals == SIMPLE_PLANAR
+
+
+def test_simple_planar_maps_with_the_most_edges_are_tuttes_triangulations():
+    most = [rooted_planar_simple_by_substitution(3 * n - 6)[n] for n in range(3, 9)]
+    assert most == TRIANGULATIONS
+    assert [rooted_planar_simple(3 * n - 6)[n] for n in range(3, 6)] == TRIANGULATIONS[:3]
+
+
+def test_simple_planar_maps_never_have_more_than_3n_minus_6_edges():
+    for m in range(2, 16):
+        for known in (rooted_planar_simple(m), rooted_planar_simple_by_substitution(m)):
+            assert all(not known[n] for n in known if 3 * n - 6 < m and n >= 3)
+
+
+def test_rotations_of_genus_0_of_known_graphs():
+    # K4 is 3-connected: one rotation system and its mirror image, of 2^4.  K5 has none.
+    four, five = (graph(n, list(combinations(range(n), 2))) for n in (4, 5))
+    assert counting._spherical_rotations(four) == 2 < counting._rotation_count(four) == 16
+    assert counting._spherical_rotations(five) == 0 < counting._rotation_count(five)
+    # All rotation systems of a tree are plane.
+    star = graph(5, [(0, v) for v in range(1, 5)])
+    assert counting._spherical_rotations(star) == counting._rotation_count(star) == 6
+
+
+def test_simple_planar_is_less_than_simple_from_five_edges_on():
+    # K4 without an edge has 4 rotation systems, 2 of them on the torus.
+    assert rooted_planar_simple(4) == rooted_simple(4)
+    assert rooted_planar_simple(5)[4] == 5 < rooted_simple(5)[4] == 10
+
+
+def test_a_cell_without_a_source_is_absent_and_an_impossible_cell_is_0():
+    assert 8 not in rooted_simple(8)
+    assert rooted_simple(8)[4] == rooted_simple_by_degrees(8)[4] == 0
+    assert sum(map(counting._rotation_count, counting._atlas(6, 12))) > ROTATIONS_LIMIT
+    assert 6 not in rooted_planar_simple(12)
+    assert rooted_planar_simple(12)[5] == 0
+
+
+# The gate
+
+
+@pytest.mark.parametrize(
+    "count",
+    [
+        rooted_maps,
+        rooted_maps_by_genus,
+        rooted_planar,
+        rooted_planar_total,
+        rooted_simple,
+        rooted_simple_by_degrees,
+        rooted_planar_simple,
+        rooted_planar_simple_by_substitution,
+    ],
+)
+def test_no_edge_is_no_map(count):
+    with pytest.raises(ValueError, match="at least 1 edge, not 0"):
+        count(0)
+
+
+def test_a_genus_or_class_that_does_not_exist_is_refused_by_name():
+    for count in (rooted_of_genus, rooted_of_genus_by_contraction):
+        with pytest.raises(ValueError, match="genus is at least 0, not -1"):
+            count(3, -1)
+    with pytest.raises(ValueError, match="'toroidal'; the classes are maps, planar, simple"):
+        sources("toroidal")
+    with pytest.raises(ValueError, match="at least 1 vertex, not 0"):
+        labelled_simple(0)
+
+
+def test_what_should_be_a_count_but_is_a_fraction_is_an_error():
+    with pytest.raises(ArithmeticError, match="7 / 2 should be a count"):
+        counting._exactly(7, 2)
+
+
+def test_the_gate_shares_no_code_with_the_enumerator():
+    tree = ast.parse(Path(counting.__file__).read_text(encoding="utf-8"))
+    imported = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)} | {
+        alias.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Import)
+        for alias in node.names
+    }
+    outside = {name for name in imported if name.split(".")[0] not in sys.stdlib_module_names}
+    assert outside == {"networkx"}
+    at_the_top = {node.module for node in tree.body if isinstance(node, ast.ImportFrom)}
+    assert "networkx" not in at_the_top
