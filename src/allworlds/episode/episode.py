@@ -210,11 +210,12 @@ def _answer(answer: object) -> Ending:
     expected = "Estimate(map, here) with a dart of the map"
     if type(answer) is not Estimate:
         return Fault("no-estimate", expected, describe(answer))
-    if not isinstance(answer.map, CombinatorialMap):
-        return Fault("no-estimate", expected, f"a map that is {describe(answer.map)}")
+    answered: object = answer.map
+    if not isinstance(answered, CombinatorialMap):
+        return Fault("no-estimate", expected, f"a map that is {describe(answered)}")
     try:
         # Anew: what an explorer hands over may be a subclass, or have been tampered with.
-        map_ = CombinatorialMap(answer.map.sigma, answer.map.alpha)
+        map_ = CombinatorialMap(answered.sigma, answered.alpha)
         here = integer(answer.here)
     except InvalidMap as error:
         return Fault("no-estimate", expected, f"no map: {error}")

@@ -9,12 +9,13 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from allworlds.errors import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 VARIABLES = ("n", "m", "d0", "D")
 
 
-class BoundError(ValueError):
+class BoundError(InputError):
     """An expression that is none, or that has no value for some world."""
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from allworlds.errors import InputError
 from allworlds.maps.combinatorial import CombinatorialMap
 
 
@@ -45,7 +46,7 @@ class Bounds:
         vertices: N, or None where only the edges are bounded.
 
     Raises:
-        ValueError: naming the offending bound and what would be legal.
+        InputError: naming the offending bound and what would be legal.
     """
 
     map_class: MapClass
@@ -54,13 +55,13 @@ class Bounds:
 
     def __post_init__(self) -> None:
         if self.edges is not None and self.edges < 1:
-            raise ValueError(f"edges = {self.edges}, but a map has at least 1 edge")
+            raise InputError(f"edges = {self.edges}, but a map has at least 1 edge")
         if self.vertices is not None and self.vertices < 2:
-            raise ValueError(f"vertices = {self.vertices}, but the bound must be at least 2")
+            raise InputError(f"vertices = {self.vertices}, but the bound must be at least 2")
         if self.edges is None and self.vertices is None:
-            raise ValueError("a class needs a bound: edges, or vertices for the simple classes")
+            raise InputError("a class needs a bound: edges, or vertices for the simple classes")
         if self.edges is None and not self.map_class.simple:
-            raise ValueError(
+            raise InputError(
                 f"vertices = {self.vertices} alone bounds no class with loops or parallel edges; "
                 f"give edges too, or the class simple or planar-simple instead of {self.map_class}"
             )

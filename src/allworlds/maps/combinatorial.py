@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeAlias
 
+from allworlds.errors import InputError
+
 Dart: TypeAlias = int
 """A dart: an integer in ``0..2m-1``."""
 
@@ -16,7 +18,7 @@ Vertex: TypeAlias = int
 """A vertex: an index into :attr:`CombinatorialMap.vertices`."""
 
 
-class InvalidMap(ValueError):
+class InvalidMap(InputError):
     """A pair of sequences that is no map; the message names the broken law."""
 
 
@@ -238,7 +240,8 @@ def integer(value: object) -> int:
     """
     if isinstance(value, bool):
         raise TypeError(f"{value!r} is a boolean, not an integer")
-    return operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer
+    index = operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer
+    return int.__index__(index)  # a plain int, also for a subclass with operators of its own
 
 
 def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:

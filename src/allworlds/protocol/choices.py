@@ -11,6 +11,8 @@ from collections.abc import Iterator, Sequence, Sized
 from random import Random
 from typing import Literal, Protocol, TypeAlias, TypeVar, get_args
 
+from allworlds.errors import InputError
+
 T = TypeVar("T")
 
 Kind: TypeAlias = Literal["edge", "hypothesis", "path", "transit"]
@@ -20,7 +22,7 @@ path that tests a hypothesis, the next dart on the way to the dart to be explore
 KINDS: tuple[Kind, ...] = get_args(Kind)
 
 
-class PolicyError(ValueError):
+class PolicyError(InputError):
     """A policy's name that is none."""
 
 

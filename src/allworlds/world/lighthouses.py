@@ -11,11 +11,12 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, ClassVar
 
+from allworlds.errors import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
 from allworlds.protocol import Percept
 
 
-class InvalidWorld(ValueError):
+class InvalidWorld(InputError):
     """A map, a start and a lighthouse that do not make a world."""
 
 

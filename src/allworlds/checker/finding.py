@@ -1,0 +1,167 @@
+"""A refuting run as a value: enough to replay it with nothing else."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from allworlds.checker.scope import Rules, ScopeError
+from allworlds.judge import PRECEDENCE
+from allworlds.maps.canonical import Code, rooted_code
+from allworlds.protocol import Transcript
+from allworlds.subjects.subject import EXEC
+from allworlds.world import World
+
+VERSION = 1
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A world, an explorer, what it did there, and the law that it broke.
+
+    Attributes:
+        explorer: its name.
+        law: the broken law.
+        world: in canonical numbering: the start is dart 0.
+        place: the lighthouse's place among those of the rooted map.
+        rules: how the run was played and judged.
+        choices: the index taken at each choice.
+        transcript: the log, up to the end of the run.
+        expected, seen: rooted maps for map and pose, integers for bound, else a sentence.
+        detail: a traceback or the tail of a program's stderr; may be empty.
+        confirmed: a fresh process has repeated it from the recorded percepts alone.
+        minimal: no smaller world of the scope is refuting.
+    """
+
+    explorer: str
+    law: str
+    world: World
+    place: int
+    rules: Rules
+    choices: tuple[int, ...]
+    transcript: Transcript
+    expected: Any
+    seen: Any
+    detail: str = ""
+    confirmed: bool = False
+    minimal: bool = False
+
+    @cached_property
+    def key(self) -> tuple[int, int, Code, int, tuple[int, ...]]:
+        """The order of findings: edges, vertices, canonical code, place, choices."""
+        map_ = self.world.map
+        code = rooted_code(map_.sigma, map_.alpha, self.world.start)
+        return (map_.edge_count, map_.vertex_count, code, self.place, self.choices)
+
+    @property
+    def reproduce(self) -> str:
+        """A shell command that runs the explorer in this world again."""
+        command = ["allworlds", "run"]
+        if self.explorer.startswith(EXEC):
+            command += ["--exec", self.explorer.removeprefix(EXEC)]
+        else:
+            command += [self.explorer]
+        command += [json.dumps(self.world.to_json(), separators=(",", ":"))]
+        if self.rules.policy != "fifo":
+            command += ["--policy", self.rules.policy]
+        if any(self.choices):
+            command += ["--choices", ",".join(map(str, self.choices))]
+        if self.rules.bound and self.rules.bound != self.rules.kind.default_bound:
+            command += ["--bound", self.rules.bound]
+        if self.rules.step_budget is not None:
+            command += ["--step-budget", str(self.rules.step_budget)]
+        if self.rules.laws:
+            command += ["--laws", ",".join(self.rules.laws)]
+        return shlex.join(command)
+
+    def marked(self, *, confirmed: bool, minimal: bool) -> Finding:
+        """The same finding with both remarks."""
+        return replace(self, confirmed=confirmed, minimal=minimal)
+
+    def to_json(self) -> dict[str, Any]:
+        """The document of a finding."""
+        document = {
+            "version": VERSION,
+            "explorer": self.explorer,
+            "law": self.law,
+            "world": self.world.to_json(),
+            "options": self.rules.to_json(),
+            "choices": list(self.choices),
+            "transcript": self.transcript.to_json(),
+            "expected": self.expected,
+            "seen": self.seen,
+            "confirmed": self.confirmed,
+            "minimal": self.minimal,
+            "reproduce": self.reproduce,
+        }
+        if self.detail:
+            document["detail"] = self.detail
+        return document
+
+    @classmethod
+    def from_json(cls, document: str | Mapping[str, Any]) -> Finding:
+        """The finding of :meth:`to_json`'s document, or of its text.
+
+        Raises:
+            InputError: naming the offending value and what would be legal.
+        """
+        if isinstance(document, str):
+            try:
+                document = json.loads(document)
+            except json.JSONDecodeError as error:
+                raise ScopeError(f"a finding that is not JSON: {error}") from None
+        if not isinstance(document, Mapping):
+            raise ScopeError(f"a finding is an object, not {document!r}")
+        if document.get("version") != VERSION:
+            raise ScopeError(
+                f"finding of version {document.get('version')!r}; this program reads {VERSION}"
+            )
+        explorer, law = document.get("explorer"), document.get("law")
+        if not isinstance(explorer, str):
+            raise ScopeError(f"a finding names its explorer, not {explorer!r}")
+        if law not in PRECEDENCE:
+            raise ScopeError(f"law {law!r} is none of {', '.join(PRECEDENCE)}")
+        world = World.from_json(document.get("world", {}))
+        options, choices = document.get("options", {}), document.get("choices", [])
+        if not isinstance(options, Mapping):
+            raise ScopeError(f"options must be an object, not {options!r}")
+        if not isinstance(choices, list) or not all(type(i) is int and i >= 0 for i in choices):
+            raise ScopeError(f"choices must be a list of integers from 0 on, not {choices!r}")
+        try:
+            transcript = Transcript.from_json(document.get("transcript"))
+        except ValueError as error:
+            raise ScopeError(str(error)) from None
+        return cls(
+            explorer,
+            law,
+            world,
+            place_of(world),
+            Rules.from_json(options, world),
+            tuple(choices),
+            transcript,
+            document.get("expected"),
+            document.get("seen"),
+            document.get("detail", ""),
+            document.get("confirmed") is True,
+            document.get("minimal") is True,
+        )
+
+
+def place_of(world: World) -> int:
+    """The number of the lighthouse's place among those of the rooted map."""
+    places = type(world.lighthouse).places(world.map, world.start)
+    return next(i for i, lighthouse in enumerate(places) if lighthouse == world.lighthouse)
+
+
+def canonical_world(world: World) -> World:
+    """The same world in canonical numbering: its start is dart 0."""
+    from allworlds.maps.canonical import numbering
+
+    names = [0] * len(world.map.sigma)
+    for number, dart in enumerate(numbering(world.map.sigma, world.map.alpha, world.start)):
+        names[dart] = number
+    return world.relabelled(names)

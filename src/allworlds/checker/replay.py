@@ -1,0 +1,79 @@
+"""A finding, run again."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from allworlds.checker.finding import Finding
+from allworlds.checker.report import SCHEMA
+from allworlds.checker.single import SingleRun, run
+from allworlds.subjects import subject_of
+
+FIXED = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Replay:
+    """What became of a finding.
+
+    Attributes:
+        recorded: the finding.
+        again: the run of today.
+    """
+
+    recorded: Finding
+    again: SingleRun
+
+    @property
+    def outcome(self) -> str:
+        """``reproduced`` if the run still breaks a law, ``fixed`` if it breaks none."""
+        return "reproduced" if self.again.finding else "fixed"
+
+    @property
+    def exit_code(self) -> int:
+        """The exit code of the command."""
+        return FIXED if self.outcome == "fixed" else 0
+
+    def to_json(self) -> dict[str, Any]:
+        """The document of ``replay --json``."""
+        return {
+            "schema": SCHEMA,
+            "outcome": self.outcome,
+            "exit_code": self.exit_code,
+            "explorer": self.again.explorer,
+            "law": self.recorded.law,
+            "law_now": self.again.finding.law if self.again.finding else None,
+            "run": self.again.to_json(),
+        }
+
+
+def replay(
+    finding: Finding,
+    explore: str | Callable[..., Any] | None = None,
+    *,
+    answer_timeout: float = 10.0,
+) -> Replay:
+    """Run a finding's world again under its rules, with ``explore`` in place of its explorer.
+
+    The recorded choices are repeated for the recorded explorer; another one answers to the
+    recorded policy.
+
+    Raises:
+        InputError: if the explorer is not to be found.
+    """
+    rules = finding.rules
+    same = explore is None or explore == finding.explorer
+    subject = subject_of(finding.explorer if explore is None else explore, answer_timeout)
+    again = run(
+        subject.name if subject.importable else subject.explore,
+        finding.world,
+        policy=rules.policy,
+        choices=finding.choices if same else (),
+        bound=rules.bound,
+        laws=rules.laws,
+        step_budget=rules.step_budget,
+        answer_timeout=answer_timeout,
+    )
+    return Replay(finding, again)

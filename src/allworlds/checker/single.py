@@ -1,0 +1,140 @@
+"""One world at a time: all of them for a loop of one's own, and a run that is told."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from allworlds.checker.examine import Examiner, Outcome, make_finding
+from allworlds.checker.finding import Finding, place_of
+from allworlds.checker.report import EXIT_CODES, SCHEMA, Verdict
+from allworlds.checker.scope import Rules, make_scope
+from allworlds.episode import Answered
+from allworlds.maps.enumeration import rooted_maps
+from allworlds.subjects import subject_of
+from allworlds.world import World
+
+
+def worlds(
+    *,
+    edges: int | None = None,
+    vertices: int | None = None,
+    map_class: str = "maps",
+    lighthouse: str = "directional",
+    places: Literal["all", "first"] = "first",
+) -> Iterator[World]:
+    """Every world of a class, in the fixed order.
+
+    Args:
+        edges: the largest number of edges (default: one that takes seconds).
+        vertices: the largest number of vertices.
+        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        lighthouse: the kind of lighthouse.
+        places: ``first``: one world a rooted map, as reports count worlds; ``all``: one for
+            every place of the lighthouse, as reports count runs.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
+    scope = make_scope(edges=edges, vertices=vertices, map_class=map_class, lighthouse=lighthouse)
+    bounds, kind = scope.bounds, scope.rules.kind
+    for level in bounds.levels:
+        for map_ in rooted_maps(level, bounds.map_class, bounds.vertices):
+            for placed in kind.places(map_, 0):
+                yield World(map_, placed, 0)
+                if places == "first":
+                    break
+
+
+@dataclass(frozen=True, slots=True)
+class SingleRun:
+    """One judged run.
+
+    Attributes:
+        explorer: its name.
+        world: as it was given.
+        rules: how it was played and judged.
+        outcome: the episode with its violation.
+        finding: the finding, if a law was broken.
+    """
+
+    explorer: str
+    world: World
+    rules: Rules
+    outcome: Outcome
+    finding: Finding | None
+
+    @property
+    def verdict(self) -> Verdict:
+        """``holds`` or ``refuted``, about this run alone."""
+        return Verdict.REFUTED if self.finding else Verdict.HOLDS
+
+    @property
+    def exit_code(self) -> int:
+        """The exit code of the command."""
+        return EXIT_CODES[self.verdict]
+
+    def to_json(self) -> dict[str, Any]:
+        """The document of ``run --json``."""
+        ending = self.outcome.episode.ending
+        estimate = None
+        if isinstance(ending, Answered):
+            estimate = {**ending.estimate.map.to_json(), "here": ending.estimate.here}
+        return {
+            "schema": SCHEMA,
+            "verdict": self.verdict.value,
+            "exit_code": self.exit_code,
+            "explorer": self.explorer,
+            "world": self.world.to_json(),
+            "options": self.rules.to_json(),
+            "choices": list(self.outcome.choices),
+            "cost": self.outcome.cost,
+            "bound": self.outcome.bound,
+            "estimate": estimate,
+            "transcript": self.outcome.episode.transcript.to_json(),
+            "finding": self.finding.to_json() if self.finding else None,
+        }
+
+
+def run(
+    explore: str | Callable[..., Any],
+    world: World,
+    *,
+    policy: str = "fifo",
+    choices: Sequence[int] = (),
+    bound: str = "",
+    laws: Iterable[str] = (),
+    step_budget: int | None = None,
+    answer_timeout: float = 10.0,
+) -> SingleRun:
+    """One episode, judged, in this process.
+
+    Args:
+        explore: a name or a generator function.
+        world: map, lighthouse and start.
+        policy: answers the choices after those of ``choices``.
+        choices: answers to the first choices, by index.
+        bound: ``paper``, ``none`` or an expression; empty takes the lighthouse's own.
+        laws: those to check; empty takes all that apply.
+        step_budget: the largest legal number of traversals.
+        answer_timeout: seconds of silence after which a foreign program is killed.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
+    rules = Rules(
+        lighthouse=world.lighthouse.kind,
+        policy=policy,
+        bound=bound,
+        laws=tuple(laws),
+        step_budget=step_budget,
+    )
+    subject = subject_of(explore, answer_timeout)
+    with subject.running():
+        examiner = Examiner(subject, rules)
+        place = place_of(world)
+        name = examiner.name_run(world.map, place)
+        outcome = examiner.examine(world, rules.choices(name, choices), name)
+        finding = make_finding(examiner, world, place, outcome) if outcome.violation else None
+    return SingleRun(subject.name, world, rules, outcome, finding)

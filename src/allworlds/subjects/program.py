@@ -1,0 +1,226 @@
+"""A program in any language as an explorer: JSON lines over a pipe.
+
+One process plays many episodes.  To it: ``{"episode": 1, "percept": P}`` (with ``"told"``
+where there is something to tell), then ``{"percept": P}`` after each action.  From it:
+``{"move": k}``, ``{"drop": true}``, ``{"pick": true}``, ``{"checkpoint": {...}}`` (unanswered)
+or ``{"estimate": {"sigma", "alpha", "here"}}``.  Unknown keys are ignored by both sides.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import json
+import os
+import select
+import shlex
+import shutil
+import subprocess
+import tempfile
+import time
+from collections.abc import Generator
+from typing import IO, Any, Literal
+
+from allworlds.errors import InputError
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.protocol import Action, Checkpoint, Estimate, ExplorerFault, Percept
+from allworlds.protocol.transcript import action_from_json
+
+STDERR_KEPT = 4096
+LONGEST_LINE = 1 << 24
+
+
+class Program:
+    """The process behind ``--exec COMMAND``; started at the first episode.
+
+    Args:
+        command: split as a shell splits words; no shell is involved.
+        answer_timeout: seconds of silence after which it is killed.
+
+    Raises:
+        InputError: if the command is empty or its program is not found.
+    """
+
+    def __init__(self, command: str, answer_timeout: float) -> None:
+        try:
+            self._arguments = shlex.split(command)
+        except ValueError as error:
+            raise InputError(f"--exec {command!r} cannot be split into words: {error}") from None
+        if not self._arguments:
+            raise InputError("--exec needs a command, not an empty string")
+        if shutil.which(self._arguments[0]) is None:
+            raise InputError(f"--exec {command!r}: there is no program {self._arguments[0]!r}")
+        self._timeout = answer_timeout
+        self._process: subprocess.Popen[bytes] | None = None
+        self._episodes = 0
+        self._stderr: IO[bytes] | None = None
+        self._out = b""
+
+    def explore(
+        self, first: Percept, *, told: int | None = None
+    ) -> Generator[Action | Checkpoint, Percept, Estimate]:
+        """One episode: what the program says, as an explorer would say it.
+
+        Raises:
+            ExplorerFault: when the program is silent, ends, or says something else.
+        """
+        finished = False
+        try:
+            self._begin(first, told)
+            while True:
+                message = self._message()
+                action = action_from_json(message)
+                if action is not None:
+                    percept = yield action
+                    self._send({"percept": percept.to_json()})
+                elif "checkpoint" in message:
+                    yield _checkpoint(message["checkpoint"])
+                elif "estimate" in message:
+                    finished = True
+                    return _estimate(message["estimate"])
+                else:
+                    raise self._fault("illegal-action", f"the line {_short(message)}")
+        finally:
+            if not finished:
+                # Whatever it would say next belongs to an episode that is over.
+                self._kill()
+
+    def close(self) -> None:
+        """Close the program's input, wait a second for its end, then kill it."""
+        process = self._process
+        if process is None:
+            return
+        if process.stdin:
+            with contextlib.suppress(OSError):
+                process.stdin.close()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(1)
+        self._kill()
+
+    def _begin(self, first: Percept, told: int | None) -> None:
+        if self._process is None:
+            self._start()
+        assert self._stderr is not None
+        self._stderr.truncate(0)
+        self._read(0)
+        if self._out:
+            raise self._fault("illegal-action", f"a line before it was asked: {_text(self._out)}")
+        self._episodes += 1
+        opening: dict[str, Any] = {"episode": self._episodes, "percept": first.to_json()}
+        if told is not None:
+            opening["told"] = told
+        self._send(opening)
+
+    def _start(self) -> None:
+        self._stderr = tempfile.TemporaryFile()  # noqa: SIM115  # closed with the process
+        # The program appends, so that each episode can begin with an empty file.
+        fcntl.fcntl(self._stderr, fcntl.F_SETFL, os.O_APPEND)
+        try:
+            self._process = subprocess.Popen(  # noqa: S603  # running it is what was asked for
+                self._arguments,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=self._stderr,
+                bufsize=0,
+                start_new_session=True,
+            )
+        except OSError as error:
+            raise ExplorerFault("crash", f"the program cannot be started: {error}") from None
+        self._out = b""
+
+    def _kill(self) -> None:
+        process, self._process = self._process, None
+        if process is None:
+            return
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(process.pid, 9)
+        process.wait()
+        for stream in (process.stdin, process.stdout, self._stderr):
+            if stream is not None:
+                with contextlib.suppress(OSError):
+                    stream.close()
+
+    def _send(self, message: dict[str, Any]) -> None:
+        assert self._process is not None
+        assert self._process.stdin is not None
+        try:
+            self._process.stdin.write(json.dumps(message).encode() + b"\n")
+        except OSError:
+            raise self._ended() from None
+
+    def _message(self) -> dict[str, Any]:
+        line = self._line()
+        try:
+            message = json.loads(line)
+        except (ValueError, RecursionError):
+            raise self._fault("illegal-action", f"a line that is no JSON: {_text(line)}") from None
+        if not isinstance(message, dict):
+            raise self._fault("illegal-action", f"a line that is no object: {_text(line)}")
+        return message
+
+    def _line(self) -> bytes:
+        deadline = time.monotonic() + self._timeout
+        while b"\n" not in self._out:
+            if len(self._out) > LONGEST_LINE:
+                raise self._fault("illegal-action", f"a line of over {LONGEST_LINE} bytes")
+            left = deadline - time.monotonic()
+            if left <= 0:
+                raise self._fault("timeout", f"silent for {self._timeout:g} s")
+            if not self._read(left):
+                raise self._ended()
+        line, _, self._out = self._out.partition(b"\n")
+        return line
+
+    def _read(self, wait: float) -> bool:
+        """Take in what the program says within ``wait`` seconds; False at its end of output."""
+        assert self._process is not None
+        assert self._process.stdout is not None
+        poll = select.poll()
+        poll.register(self._process.stdout, select.POLLIN)
+        if not poll.poll(wait * 1000):
+            return True
+        chunk = self._process.stdout.read(1 << 16) or b""
+        self._out += chunk
+        return bool(chunk)
+
+    def _ended(self) -> ExplorerFault:
+        assert self._process is not None
+        try:
+            code = self._process.wait(1)
+            seen = f"the end of its output (exit code {code})"
+        except subprocess.TimeoutExpired:
+            seen = "the end of its output"
+        return self._fault("crash", seen)
+
+    def _fault(
+        self, law: Literal["crash", "timeout", "illegal-action", "no-estimate"], seen: str
+    ) -> ExplorerFault:
+        assert self._stderr is not None
+        end = self._stderr.seek(0, os.SEEK_END)
+        self._stderr.seek(max(0, end - STDERR_KEPT))
+        detail = self._stderr.read().decode(errors="replace")
+        return ExplorerFault(law, seen, f"stderr:\n{detail}" if detail else "")
+
+
+def _checkpoint(value: object) -> Checkpoint:
+    if not isinstance(value, dict):
+        raise ExplorerFault("illegal-action", f"a checkpoint that is no object: {_short(value)}")
+    return Checkpoint(value.get("sigma", ()), value.get("alpha", ()), value.get("here", -1))
+
+
+def _estimate(value: object) -> Estimate:
+    if not isinstance(value, dict):
+        raise ExplorerFault("no-estimate", f"an estimate that is no object: {_short(value)}")
+    try:
+        return Estimate(CombinatorialMap.from_json(value), value.get("here"))  # type: ignore[arg-type]
+    except InvalidMap as error:
+        raise ExplorerFault("no-estimate", f"no map: {error}") from None
+
+
+def _short(value: object) -> str:
+    text = json.dumps(value)
+    return text if len(text) <= 200 else text[:197] + "..."
+
+
+def _text(line: bytes) -> str:
+    return repr(line[:200].decode(errors="replace"))
