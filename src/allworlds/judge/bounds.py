@@ -40,6 +40,10 @@ class Bound:
     name: str
     value: Callable[[int, int, int, int], int | None]
 
+    def __reduce__(self) -> tuple[Callable[[str], Bound], tuple[str]]:
+        # Compiled expressions do not pickle; their texts do.
+        return bound_named, (self.name,)
+
     def of(self, map_: CombinatorialMap, start: Dart) -> int | None:
         """The largest legal number of traversals in this map from this start."""
         degrees = map_.degrees

@@ -1,0 +1,6 @@
+"""``python -m allworlds``."""
+
+from allworlds.cli import main
+
+if __name__ == "__main__":
+    main()

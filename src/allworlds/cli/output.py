@@ -1,0 +1,80 @@
+"""Where results and progress go: results to stdout, all else to stderr."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import sys
+from collections.abc import Callable
+from types import TracebackType
+from typing import Any, Protocol, Self
+
+NARROWEST = 40
+
+
+class Document(Protocol):
+    """A result that has both forms."""
+
+    def to_json(self) -> dict[str, Any]:
+        """The JSON document."""
+
+
+def width() -> int:
+    """The width for texts: the terminal's, 100 where there is none."""
+    return max(NARROWEST, shutil.get_terminal_size((100, 24)).columns)
+
+
+def emit(result: Document, text: Callable[[int], str], *, as_json: bool) -> None:
+    """Print a result in the form that was asked for."""
+    if as_json:
+        print(json.dumps(result.to_json(), indent=2))
+    else:
+        print(text(width()))
+
+
+class Progress:
+    """A bar on stderr with the exact total and the time that is left; only on a terminal."""
+
+    def __init__(self, *, quiet: bool) -> None:
+        self._bar: Any = None
+        if not quiet and sys.stderr.isatty():
+            self._bar = _bar()
+
+    def __enter__(self) -> Self:
+        if self._bar:
+            self._bar.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._bar:
+            self._bar.stop()
+
+    def level(self, edges: int, worlds: int) -> None:
+        """A level begins."""
+        if self._bar:
+            self._task = self._bar.add_task(f"m = {edges}", total=worlds)
+
+    def progress(self, worlds: int) -> None:
+        """So many more worlds are done."""
+        if self._bar:
+            self._bar.advance(self._task, worlds)
+
+
+def _bar() -> Any:
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import Progress as RichProgress
+
+    return RichProgress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("worlds"),
+        TimeRemainingColumn(),
+        console=Console(stderr=True),
+    )

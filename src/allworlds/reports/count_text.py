@@ -1,0 +1,33 @@
+"""The text of ``count``."""
+
+from __future__ import annotations
+
+from allworlds.counter import Census
+from allworlds.reports.layout import entry, number, table
+
+
+def count_text(census: Census, width: int) -> str:
+    """A line for each number of edges, and what the counts were compared with."""
+    rows = [
+        [
+            str(row.edges),
+            number(row.rooted),
+            "-" if row.unrooted is None else number(row.unrooted),
+            " ".join(f"{n}:{count}" for n, count in sorted(row.by_vertices.items())),
+        ]
+        for row in census.rows
+    ]
+    lines = table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "rrrl")
+    total = sum(row.rooted for row in census.rows)
+    lines += ["", f"{number(total)} rooted maps of the class {census.bounds.map_class}", ""]
+    if all(row.agrees for row in census.rows):
+        lines += entry("gate", f"every count agrees with: {census.source}", width)
+    else:
+        for row in census.rows:
+            if not row.agrees:
+                text = (
+                    f"with {row.edges} edges {dict(sorted(row.by_vertices.items()))} were "
+                    f"enumerated, but {census.source} counts {row.counted}"
+                )
+                lines += entry("MISMATCH", text, width)
+    return "\n".join(lines)

@@ -1,0 +1,155 @@
+"""The judge's own comparison against the second opinion, which shares no code with it."""
+
+from functools import cache
+from itertools import islice
+from random import Random
+
+import pytest
+
+from allworlds.explorers.algorithm1 import algorithm1
+from allworlds.judge import Case
+from allworlds.judge.second_opinion import verdict
+from allworlds.maps.canonical import unrooted_code
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.enumeration import rooted_maps
+from allworlds.protocol import Checkpoint, Estimate, Percept, Transcript
+from allworlds.world import Directional, World
+
+PARTS = 8
+NOTHING_SENSED = Transcript(Percept(1))
+
+
+@cache
+def maps(m):
+    return tuple(rooted_maps(m))
+
+
+def part(values, k):
+    """Every eighth value, from the k-th."""
+    return islice(values, k, None, PARTS)
+
+
+def judged(truth, dart, estimate, here):
+    return Case(truth, dart, NOTHING_SENSED, (), Estimate(estimate, here)).answer
+
+
+def agreed(truth, dart, estimate, here):
+    """What both say."""
+    first = judged(truth, dart, estimate, here)
+    assert first == verdict(truth, dart, estimate, here), (truth, dart, estimate, here)
+    return first
+
+
+def shuffled(map_, random):
+    names = list(map_.darts)
+    random.shuffle(names)
+    return map_.relabelled(names), names
+
+
+@pytest.mark.parametrize("k", range(PARTS))
+def test_on_every_pair_of_maps_up_to_three_edges_and_every_pose(k):
+    # As truths all rooted maps stand for all maps and all darts.
+    small = [map_ for m in (1, 2, 3) for map_ in maps(m)]
+    seen = set()
+    for truth in part(small, k):
+        for estimate in small:
+            outcomes = [agreed(truth, 0, estimate, here) for here in estimate.darts]
+            assert not ({"map"} < set(outcomes)), "a map is the same or not, whatever the pose"
+            seen.update(outcomes)
+    assert seen == {"right", "pose", "map"}
+
+
+def test_a_rooted_map_is_right_for_itself_alone():
+    for m in (1, 2, 3):
+        for i, truth in enumerate(maps(m)):
+            right = [j for j, other in enumerate(maps(m)) if agreed(truth, 0, other, 0) == "right"]
+            assert right == [i]
+
+
+@cache
+def unrooted():
+    """One rooted map of four edges for each map, whatever its root."""
+    return tuple({unrooted_code(map_): map_ for map_ in maps(4)}.values())
+
+
+@pytest.mark.parametrize("k", range(PARTS))
+def test_on_every_map_of_four_edges_against_itself_at_every_dart(k):
+    random = Random(k)
+    for truth in part(unrooted(), k):
+        estimate, names = shuffled(truth, random)
+        outcomes = [agreed(truth, 0, estimate, names[here]) for here in truth.darts]
+        assert outcomes[0] == "right"
+        assert "map" not in outcomes
+
+
+@pytest.mark.parametrize("k", range(PARTS))
+def test_on_every_rooted_map_of_four_edges_against_itself_at_its_root_and_elsewhere(k):
+    random = Random(k)
+    for truth in part(maps(4), k):
+        estimate, names = shuffled(truth, random)
+        assert agreed(truth, 0, estimate, names[0]) == "right"
+        assert agreed(truth, 0, estimate, names[random.randrange(1, 8)]) != "map"
+
+
+@pytest.mark.parametrize("k", range(PARTS))
+def test_on_every_map_of_four_edges_against_its_mirror_image(k):
+    random = Random(k)
+    seen = set()
+    for truth in part(maps(4), k):
+        estimate, names = shuffled(truth.mirrored(), random)
+        seen.add(agreed(truth, 0, estimate, names[0]))
+        seen.add(agreed(truth, 0, estimate, random.choice(truth.darts)))
+    assert seen == {"right", "pose", "map"}
+
+
+@pytest.mark.parametrize("k", range(PARTS))
+def test_on_pairs_of_maps_of_four_edges_with_the_same_degrees(k):
+    # Other pairs are told apart by their degrees alone.
+    random = Random(100 + k)
+    for _ in range(60):
+        truth = random.choice(maps(4))
+        alike = [o for o in maps(4) if sorted(o.degrees) == sorted(truth.degrees)]
+        estimate, _ = shuffled(random.choice(alike), random)
+        agreed(truth, random.choice(truth.darts), estimate, random.choice(truth.darts))
+
+
+@pytest.mark.parametrize("k", range(PARTS))
+def test_on_a_map_whose_edge_has_been_reglued(k):
+    """Two edges exchange their ends: the smallest error that keeps every vertex."""
+    random = Random(200 + k)
+    done = 0
+    while done < 40:
+        truth = random.choice(maps(4))
+        (a, b), (c, d) = random.sample(truth.edges, 2)
+        alpha = list(truth.alpha)
+        for x, y in ((a, c), (b, d)):
+            alpha[x], alpha[y] = y, x
+        try:
+            estimate = CombinatorialMap(truth.sigma, alpha)
+        except ValueError:
+            continue  # no longer connected
+        done += 1
+        agreed(truth, 0, estimate, 0)
+
+
+def answer(world):
+    """Algorithm 1's estimate and the robot's dart when it answers."""
+    generator = algorithm1(world.first)
+    dart, reply = world.start, None
+    while True:
+        try:
+            message = generator.send(reply)
+        except StopIteration as stop:
+            return stop.value, dart
+        reply = None
+        if not isinstance(message, Checkpoint):
+            dart, reply = world.step(dart, message)
+
+
+@pytest.mark.parametrize("k", range(PARTS))
+def test_both_find_algorithm_1_right_in_every_world_up_to_four_edges(k):
+    for m in (1, 2, 3, 4):
+        for map_ in part(maps(m), k):
+            for place in Directional.places(map_, 0):
+                estimate, dart = answer(World(map_, place))
+                assert agreed(map_, dart, estimate.map, estimate.here) == "right"
