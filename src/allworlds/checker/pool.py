@@ -18,7 +18,7 @@ from typing import Any, Protocol, Self
 from allworlds.checker.examine import Examiner, examine_unit
 from allworlds.checker.scope import Limits, Scope, Unit
 from allworlds.checker.tally import Tally
-from allworlds.checker.worker import BEAT_WORDS, NO_RUN, Part, Setup, UnitJob
+from allworlds.checker.worker import BEAT_WORDS, NO_RUN, HarnessError, Part, Setup, UnitJob
 from allworlds.subjects import Subject, SubjectError
 
 _START = (
@@ -111,9 +111,10 @@ class WorkerProcess:
         Raises:
             EOFError: if the process has ended.
             SubjectError: if the explorer could not be loaded there.
+            HarnessError: if the worker itself has failed.
         """
         message = self.connection.recv()
-        if isinstance(message, SubjectError):
+        if isinstance(message, SubjectError | HarnessError):
             raise message
         return message
 

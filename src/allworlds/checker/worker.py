@@ -10,6 +10,7 @@ from __future__ import annotations
 import mmap
 import os
 import signal
+import traceback
 from collections.abc import Iterable, MutableSequence, Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
@@ -96,6 +97,10 @@ class Ended:
     ending: Answered | Fault
 
 
+class HarnessError(RuntimeError):
+    """A worker has failed, and no explorer is to blame."""
+
+
 class Recorded:
     """In place of a world: answers every action with the next recorded percept."""
 
@@ -177,13 +182,21 @@ class Worker:
                 job = self._connection.recv()
             except EOFError:
                 return
-            match job:
-                case UnitJob():
-                    self._examine(subject, job)
-                case TraceJob():
-                    self._trace(subject, job)
-                case ReplayJob():
-                    self._end(replay_recorded(subject, job, self._beat))
+            try:
+                self._do(subject, job)
+            except OSError:
+                raise
+            except Exception:  # noqa: BLE001  # explorers' errors never get here: it is ours
+                self._connection.send(HarnessError(traceback.format_exc()))
+
+    def _do(self, subject: Subject, job: UnitJob | TraceJob | ReplayJob) -> None:
+        match job:
+            case UnitJob():
+                self._examine(subject, job)
+            case TraceJob():
+                self._trace(subject, job)
+            case ReplayJob():
+                self._end(replay_recorded(subject, job, self._beat))
 
     def _examine(self, subject: Subject, job: UnitJob) -> None:
         examiner = Examiner(subject, job.scope.rules, self._beat)
