@@ -1,3 +1,4 @@
+import pickle
 import subprocess
 import sys
 import time
@@ -71,6 +72,13 @@ def test_the_named_bounds():
     assert bound_named("paper").name == "paper"
     assert bound_named("n + 1").name == "n + 1"
     assert isinstance(bound_named("n"), Bound)
+
+
+def test_a_bound_survives_pickling():
+    for text in ("paper", "none", "n*m + d0"):
+        copy = pickle.loads(pickle.dumps(bound_named(text)))
+        assert copy.name == text
+        assert copy.of(LOLLIPOP, 1) == bound_named(text).of(LOLLIPOP, 1)
 
 
 def test_the_four_variables():
@@ -225,6 +233,7 @@ def test_an_expression_may_have_a_value_in_some_worlds_only():
         "min(" * 50 + "n" + ", 9)" * 50,
         "min(" * 5_000 + "n" + ", 9)" * 5_000,
         "+".join("n" * 500),
+        "+".join("n" * 1_500),
         "+".join("n" * 5_000),
         "+".join("n" * 50_000),
         "**".join("n" * 500),

@@ -83,12 +83,11 @@ def test_on_every_map_of_four_edges_against_itself_at_every_dart(k):
 
 
 @pytest.mark.parametrize("k", range(PARTS))
-def test_on_every_rooted_map_of_four_edges_against_itself_at_its_root_and_elsewhere(k):
+def test_on_every_rooted_map_of_four_edges_against_itself_at_its_root(k):
     random = Random(k)
     for truth in part(maps(4), k):
         estimate, names = shuffled(truth, random)
         assert agreed(truth, 0, estimate, names[0]) == "right"
-        assert agreed(truth, 0, estimate, names[random.randrange(1, 8)]) != "map"
 
 
 @pytest.mark.parametrize("k", range(PARTS))
@@ -97,8 +96,7 @@ def test_on_every_map_of_four_edges_against_its_mirror_image(k):
     seen = set()
     for truth in part(maps(4), k):
         estimate, names = shuffled(truth.mirrored(), random)
-        seen.add(agreed(truth, 0, estimate, names[0]))
-        seen.add(agreed(truth, 0, estimate, random.choice(truth.darts)))
+        seen.add(agreed(truth, 0, estimate, names[random.choice((0, 0, *truth.darts))]))
     assert seen == {"right", "pose", "map"}
 
 

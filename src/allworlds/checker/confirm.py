@@ -13,10 +13,10 @@ from allworlds.checker.pool import POLL, Poisoned, WorkerProcess
 from allworlds.checker.scope import Limits, Scope
 from allworlds.checker.worker import Ended, ReplayJob, Traced, TraceJob
 from allworlds.episode import Answered, Fault
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol import Action, Percept, Transcript
 from allworlds.subjects import Subject
-from allworlds.world import World
+from allworlds.world import Lighthouse, World
 
 
 def unearth(poisoned: Poisoned, scope: Scope, subject: Subject) -> Finding:
@@ -24,13 +24,10 @@ def unearth(poisoned: Poisoned, scope: Scope, subject: Subject) -> Finding:
 
     The walk is not known yet; :func:`trace` finds it if the finding is to be reported.
     """
-    kind, bounds = scope.rules.kind, scope.bounds
-    runs = (
+    runs: Iterator[tuple[CombinatorialMap, int, Lighthouse | None]] = (
         (map_, place, lighthouse)
-        for map_ in rooted_maps(
-            poisoned.unit.edges, bounds.map_class, bounds.vertices, poisoned.unit.prefix
-        )
-        for place, lighthouse in enumerate([*kind.places(map_, 0)] or [None])
+        for map_, places in poisoned.unit.placed(scope)
+        for place, lighthouse in (*places,) or ((0, None),)
     )
     # A worker that dies behind its last run has been put down to a run that does not exist.
     map_, place, lighthouse = deque(islice(runs, poisoned.number + 1), maxlen=1).pop()

@@ -7,13 +7,12 @@ from collections.abc import Collection, Iterator, MutableSequence
 from dataclasses import dataclass
 
 from allworlds.checker.finding import Finding, canonical_world
-from allworlds.checker.scope import Rules, Scope, Unit
+from allworlds.checker.scope import Rules, Scope, Work
 from allworlds.checker.tally import Tally
 from allworlds.episode import Answered, Episode, Fault, Player, play
 from allworlds.judge import LAWS, PRECEDENCE, Case, Violation, judge
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Choices
 from allworlds.subjects import Subject
 from allworlds.world import World
@@ -120,7 +119,7 @@ class Examiner:
 def examine_unit(
     examiner: Examiner,
     scope: Scope,
-    unit: Unit,
+    unit: Work,
     keep: int,
     beat: MutableSequence[int],
     start: int = 0,
@@ -144,12 +143,10 @@ def examine_unit(
     tally = Tally(keep)
     due = time.monotonic() + REPORT_EVERY
     number = 0
-    kind = scope.rules.kind
-    for map_ in rooted_maps(unit.edges, scope.bounds.map_class, scope.bounds.vertices, unit.prefix):
-        places = list(kind.places(map_, 0))
-        for place, lighthouse in enumerate(places or [None]):
+    for map_, places in unit.placed(scope):
+        for i, (place, lighthouse) in enumerate(places or [(0, None)]):
             if number >= start:
-                if place == 0:
+                if i == 0:
                     _count_world(tally, map_)
                 if lighthouse is None:
                     tally.left_out += 1

@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import Any
 
 from allworlds.checker.scope import Rules, ScopeError
+from allworlds.errors import parse_json
 from allworlds.judge import PRECEDENCE
 from allworlds.maps.canonical import Code, rooted_code
 from allworlds.protocol import Transcript
@@ -110,10 +111,7 @@ class Finding:
             InputError: naming the offending value and what would be legal.
         """
         if isinstance(document, str):
-            try:
-                document = json.loads(document)
-            except json.JSONDecodeError as error:
-                raise ScopeError(f"a finding that is not JSON: {error}") from None
+            document = parse_json(document, ScopeError)
         if not isinstance(document, Mapping):
             raise ScopeError(f"a finding is an object, not {document!r}")
         if document.get("version") != VERSION:

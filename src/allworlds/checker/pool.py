@@ -16,7 +16,7 @@ from types import TracebackType
 from typing import Any, Protocol, Self
 
 from allworlds.checker.examine import Examiner, examine_unit
-from allworlds.checker.scope import Limits, Scope, Unit
+from allworlds.checker.scope import Limits, Scope, Work
 from allworlds.checker.tally import Tally
 from allworlds.checker.worker import BEAT_WORDS, NO_RUN, HarnessError, Part, Setup, UnitJob
 from allworlds.subjects import Subject, SubjectError
@@ -41,7 +41,7 @@ class TimeIsUp(Exception):
 class Poisoned:
     """A run that cost a worker its life: the explorer was silent, or the interpreter died."""
 
-    unit: Unit
+    unit: Work
     number: int
     law: str
     seen: str
@@ -50,7 +50,7 @@ class Poisoned:
 class Pool(Protocol):
     """Examines units, in any order."""
 
-    def examine(self, scope: Scope, units: Iterable[Unit], keep: int) -> Iterator[Tally | Poisoned]:
+    def examine(self, scope: Scope, units: Iterable[Work], keep: int) -> Iterator[Tally | Poisoned]:
         """Tallies of parts, as they come, and the runs that could not be finished."""
 
 
@@ -63,7 +63,7 @@ class LocalPool:
     def __init__(self, subject: Subject, deadline: float | None) -> None:
         self._subject, self._deadline = subject, deadline
 
-    def examine(self, scope: Scope, units: Iterable[Unit], keep: int) -> Iterator[Tally | Poisoned]:
+    def examine(self, scope: Scope, units: Iterable[Work], keep: int) -> Iterator[Tally | Poisoned]:
         """The units one after the other."""
         beat = [0, 0]
         examiner = Examiner(self._subject, scope.rules, beat)
@@ -145,7 +145,7 @@ class WorkerProcess:
 class _Task:
     """A unit with how far it has been tallied, and the runs that are not to be tried again."""
 
-    unit: Unit
+    unit: Work
     start: int = 0
     skip: frozenset[int] = frozenset()
 
@@ -180,7 +180,7 @@ class WorkerPool:
         self._idle.clear()
         self._busy.clear()
 
-    def examine(self, scope: Scope, units: Iterable[Unit], keep: int) -> Iterator[Tally | Poisoned]:
+    def examine(self, scope: Scope, units: Iterable[Work], keep: int) -> Iterator[Tally | Poisoned]:
         """The units, as many at a time as there are workers."""
         waiting = (_Task(unit) for unit in units)
         task = next(waiting, None)

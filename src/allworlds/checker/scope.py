@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, Protocol, TypeAlias
 
 from allworlds.episode import default_step_budget
 from allworlds.errors import InputError
 from allworlds.judge import LAWS, Bound, bound_named, paper_bound
 from allworlds.maps.classes import Bounds, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.enumeration import prefixes
+from allworlds.maps.enumeration import prefixes, rooted_maps
 from allworlds.protocol import Choices, Schedules, policy_named
 from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouse_named
 
@@ -166,12 +166,41 @@ class Scope:
             yield from Schedules()
 
 
+Placed: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
+"""A map rooted at dart 0, and the numbered places of its lighthouse that are to be tried."""
+
+
+class Work(Protocol):
+    """What one worker does at a time."""
+
+    def placed(self, scope: Scope) -> Iterator[Placed]:
+        """Every map with its places, in a fixed order."""
+
+
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """All maps of a level whose history begins with ``prefix``."""
+    """All maps of a level whose history begins with ``prefix``, with every place."""
 
     edges: int
     prefix: tuple[int, ...]
+
+    def placed(self, scope: Scope) -> Iterator[Placed]:
+        """The maps in the order of the enumeration."""
+        kind, bounds = scope.rules.kind, scope.bounds
+        for map_ in rooted_maps(self.edges, bounds.map_class, bounds.vertices, self.prefix):
+            yield map_, list(enumerate(kind.places(map_, 0)))
+
+
+@dataclass(frozen=True, slots=True)
+class Picked:
+    """Worlds that somebody has picked, each with its own place; their start is dart 0."""
+
+    worlds: tuple[tuple[World, int], ...]
+
+    def placed(self, scope: Scope) -> Iterator[Placed]:  # noqa: ARG002  # they are all there
+        """The worlds as they are."""
+        for world, place in self.worlds:
+            yield world.map, [(place, world.lighthouse)]
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ from multiprocessing.connection import Connection
 from typing import TypeVar, cast
 
 from allworlds.checker.examine import Examiner, examine_unit
-from allworlds.checker.scope import Rules, Scope, Unit
+from allworlds.checker.scope import Rules, Scope, Work
 from allworlds.checker.tally import Tally
 from allworlds.episode import Answered, Episode, Fault, play
 from allworlds.protocol import Action, Choices, Kind, Percept, Transcript
@@ -47,7 +47,7 @@ class UnitJob:
     """Examine a unit from run ``start`` on, without the runs of ``skip``."""
 
     scope: Scope
-    unit: Unit
+    unit: Work
     keep: int
     start: int
     skip: frozenset[int]

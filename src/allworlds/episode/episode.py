@@ -5,10 +5,10 @@ from __future__ import annotations
 import signal
 import traceback
 from collections.abc import Generator, MutableSequence
-from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, Protocol, TypeAlias
 
+from allworlds.errors import SHOWN, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap, integer
 from allworlds.protocol import (
     Action,
@@ -75,6 +75,10 @@ class Episode:
     ending: Ending
 
 
+ADAPTERS_LAWS = ("crash", "timeout", "illegal-action", "no-estimate")
+LONGEST = 20_000
+"""The number of characters that are kept of a traceback."""
+
 _ANSWER = "an action, or an estimate at the end"
 _MOVES = tuple(Move(k) for k in range(64))
 
@@ -97,7 +101,7 @@ def play(
         world: is not changed and not shown.
         player: the explorer.
         choices: given to an explorer that takes choices.
-        budget: the largest legal number of traversals, and of checkpoints.
+        budget: the largest legal number of traversals; one checkpoint more is legal.
         beat: ``beat[1]`` grows at each turn of the explorer and is 0 when it has ended, so
             that someone else can see a silent explorer.
 
@@ -123,6 +127,7 @@ class _Run:
         reply: Percept | None = None
         ticks = 1
         beat[1] = ticks
+        generator = None
         try:
             generator = player(world.first, choices, world.told)
             while True:
@@ -134,20 +139,13 @@ class _Run:
                 else:
                     fault, state, reply = self._act(state, message)
                 if fault:
-                    _close(generator)
                     return fault
         except StopIteration as stop:
             return _answer(stop.value)
-        except ExplorerFault as error:
-            return Fault(error.law, _ANSWER, error.seen, error.detail)
-        except KeyboardInterrupt as error:
-            # Where interrupts are ignored (a worker) only the explorer can have raised it.
-            if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
-                raise
-            return _crash(error)
         except BaseException as error:  # noqa: BLE001  # an explorer may raise anything
-            return _crash(error)
+            return _raised(error)
         finally:
+            _close(generator)
             beat[1] = 0
 
     def _publish(self, message: Checkpoint) -> Fault | None:
@@ -161,11 +159,12 @@ class _Run:
             sigma = tuple([integer(d) for d in message.sigma])
             alpha = tuple([integer(d) for d in message.alpha])
             here = integer(message.here)
-        except Exception:  # noqa: BLE001  # the explorer's own sequences may raise anything
+        except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+            _let_users_interrupt(error)
             return Fault(
                 "illegal-action",
                 "a checkpoint of two sequences of integers and an integer",
-                describe(message),
+                show(message),
             )
         self.checkpoints.append((len(self.steps), Checkpoint(sigma, alpha, here)))
         return None
@@ -186,65 +185,74 @@ class _Run:
         try:
             state, percept = self.world.step(state, action)
         except IllegalAction as error:
-            return Fault("illegal-action", str(error), describe(message)), state, None
+            return Fault("illegal-action", str(error), show(message)), state, None
         self.steps.append((action, percept))
         return None, state, percept
 
 
 def _action(message: object, degree: int) -> Action | Fault:
     if type(message) is Move:
-        k = message.k
-        if type(k) is not int:
-            try:
+        try:
+            k = message.k
+            if type(k) is not int:
                 k = integer(k)
-            except BaseException:  # noqa: BLE001  # __index__ is the explorer's code
-                return Fault("illegal-action", "Move(k) with an integer k", describe(message))
+        except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
+            _let_users_interrupt(error)
+            return Fault("illegal-action", "Move(k) with an integer k", show(message))
         k %= degree
         return _MOVES[k] if k < len(_MOVES) else Move(k)
     if type(message) is Drop or type(message) is Pick:
         return message
-    return Fault("illegal-action", "a Move, Drop, Pick or Checkpoint", describe(message))
+    return Fault("illegal-action", "a Move, Drop, Pick or Checkpoint", show(message))
 
 
 def _answer(answer: object) -> Ending:
+    """The estimate, made anew: what is handed over may be a subclass, or tampered with."""
     expected = "Estimate(map, here) with a dart of the map"
     if type(answer) is not Estimate:
-        return Fault("no-estimate", expected, describe(answer))
-    answered: object = answer.map
-    if not isinstance(answered, CombinatorialMap):
-        return Fault("no-estimate", expected, f"a map that is {describe(answered)}")
+        return Fault("no-estimate", expected, show(answer))
     try:
-        # Anew: what an explorer hands over may be a subclass, or have been tampered with.
-        map_ = CombinatorialMap(answered.sigma, answered.alpha)
+        claimed: object = answer.map
+        if not isinstance(claimed, CombinatorialMap):
+            return Fault("no-estimate", expected, f"a map that is {show(claimed)}")
+        map_ = CombinatorialMap(claimed.sigma, claimed.alpha)
         here = integer(answer.here)
     except InvalidMap as error:
         return Fault("no-estimate", expected, f"no map: {error}")
-    except Exception:  # noqa: BLE001  # as above
-        return Fault("no-estimate", expected, f"here = {describe(answer.here)}")
+    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+        _let_users_interrupt(error)
+        return Fault("no-estimate", expected, show(answer))
     if here not in map_.darts:
-        return Fault(
-            "no-estimate", expected, f"here = {here}, but the darts are 0..{len(map_.sigma) - 1}"
-        )
+        last = len(map_.sigma) - 1
+        return Fault("no-estimate", expected, f"here = {show(here)}, but the darts are 0..{last}")
     return Answered(Estimate(map_, here))
 
 
-def _crash(error: BaseException) -> Fault:
-    frames = error.__traceback__.tb_next if error.__traceback__ else None
-    lines = traceback.format_exception(type(error), error, frames)
-    what = traceback.format_exception_only(type(error), error)[-1].strip()
-    return Fault("crash", _ANSWER, what, "".join(lines))
-
-
-def _close(generator: Generator[Any, Any, Any]) -> None:
-    # The run has been decided; whatever the explorer does now, nobody asks any more.
-    with suppress(BaseException):
-        generator.close()
-
-
-def describe(value: object) -> str:
-    """A short text for any object, also for one whose repr fails."""
+def _raised(error: BaseException) -> Fault:
+    _let_users_interrupt(error)
+    if type(error) is ExplorerFault and error.law in ADAPTERS_LAWS:
+        return Fault(error.law, _ANSWER, error.seen, error.detail)
+    name = type(error).__name__
     try:
-        text = repr(value)
-    except BaseException:  # noqa: BLE001  # repr is the explorer's code
-        text = f"an object of type {type(value).__name__} whose repr fails"
-    return text if len(text) <= 200 else text[:197] + "..."
+        frames = error.__traceback__.tb_next if error.__traceback__ else None
+        message = str.__str__(str(error))[:SHOWN]
+        detail = "".join(traceback.format_exception(type(error), error, frames))
+    except BaseException as another:  # noqa: BLE001  # an exception may not even be printable
+        _let_users_interrupt(another)
+        return Fault("crash", _ANSWER, f"{name}, which cannot be shown")
+    return Fault("crash", _ANSWER, f"{name}: {message}" if message else name, detail[-LONGEST:])
+
+
+def _let_users_interrupt(error: BaseException) -> None:
+    """Raise an interrupt again; where interrupts are ignored only the explorer raises one."""
+    ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    if isinstance(error, KeyboardInterrupt) and not ignored:
+        raise error
+
+
+def _close(generator: Generator[Any, Any, Any] | None) -> None:
+    try:
+        if generator is not None:
+            generator.close()
+    except BaseException as error:  # noqa: BLE001  # the run has been decided all the same
+        _let_users_interrupt(error)

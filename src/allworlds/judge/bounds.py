@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from allworlds.errors import InputError
+from allworlds.errors import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 VARIABLES = ("n", "m", "d0", "D")
@@ -65,9 +65,10 @@ def bound_named(text: str) -> Bound:
     if text == "none":
         return Bound(text, lambda _n, _m, _d0, _largest: None)
     try:
-        tree = ast.parse(text, mode="eval")
+        # Python would take other letters that look like n and m for n and m.
+        tree = ast.parse(text if text.isascii() else "", mode="eval")
     except (SyntaxError, ValueError, MemoryError, RecursionError):
-        raise BoundError(f"bound {text!r} is none of paper, none or an expression") from None
+        raise BoundError(f"bound {show(text)} is none of paper, none or an expression") from None
     try:
         evaluate = _compile(tree.body, text)
     except RecursionError:
@@ -78,8 +79,10 @@ def bound_named(text: str) -> Bound:
             return evaluate({"n": n, "m": m, "d0": d0, "D": largest})
         except ZeroDivisionError:
             raise BoundError(
-                f"bound {text!r} divides by zero at n={n} m={m} d0={d0} D={largest}"
+                f"bound {show(text)} divides by zero at n={n} m={m} d0={d0} D={largest}"
             ) from None
+        except RecursionError:
+            raise BoundError(f"bound of {len(text)} characters is nested too deeply") from None
 
     return Bound(text, value)
 
@@ -93,6 +96,7 @@ _OPERATORS: dict[type[ast.operator], Callable[[int, int], int]] = {
 }
 _FUNCTIONS: dict[str, Callable[..., int]] = {"min": min, "max": max}
 _LARGEST_POWER = 64
+_LARGEST_BITS = 4096
 
 
 def _compile(node: ast.expr, text: str) -> _Evaluate:
@@ -114,7 +118,7 @@ def _compile(node: ast.expr, text: str) -> _Evaluate:
             return lambda names: function(part(names) for part in parts)
     part = ast.get_source_segment(text, node) or text
     raise BoundError(
-        f"{part!r} in bound {text!r} is none of integers, {', '.join(VARIABLES)}, "
+        f"{show(part)} in bound {show(text)} is none of integers, {', '.join(VARIABLES)}, "
         "+ - * // **, min(,), max(,) and parentheses"
     )
 
@@ -123,18 +127,21 @@ def _binary(op: ast.operator, left: _Evaluate, right: _Evaluate, text: str) -> _
     if isinstance(op, ast.Pow):
 
         def power(names: dict[str, int]) -> int:
-            exponent = right(names)
+            base, exponent = left(names), right(names)
             if not 0 <= exponent <= _LARGEST_POWER:
                 raise BoundError(
-                    f"bound {text!r} raises to the power {exponent}; legal are 0..{_LARGEST_POWER}"
+                    f"bound {show(text)} raises to the power {show(exponent)}; "
+                    f"legal are 0..{_LARGEST_POWER}"
                 )
-            result: int = left(names) ** exponent
+            if base.bit_length() * exponent > _LARGEST_BITS:
+                raise BoundError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
+            result: int = base**exponent
             return result
 
         return power
     if type(op) not in _OPERATORS:
         sign = {ast.Div: "/", ast.Mod: "%"}.get(type(op), type(op).__name__)
-        raise BoundError(f"{sign} in bound {text!r} is none of + - * // **")
+        raise BoundError(f"{sign} in bound {show(text)} is none of + - * // **")
     apply: Any = _OPERATORS[type(op)]
     result: _Evaluate = lambda names: apply(left(names), right(names))  # noqa: E731
     return result

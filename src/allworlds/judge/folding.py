@@ -61,8 +61,9 @@ class _Folding:
     """
 
     def __init__(self, first: Percept) -> None:
-        if first.bearing is None:
-            raise Contradiction("the first percept has no bearing; only a directional log folds")
+        if not first.marks:
+            raise Contradiction("the first percept has no mark; only a directional log folds")
+        _check(first)
         self.home = first
         self.node: list[int] = []
         self.link: list[int] = []
@@ -70,10 +71,12 @@ class _Folding:
         self.degree: list[int] = []
         self.parent: list[int] = []
         self.shift: list[int] = []
+        self.seen_unmarked: list[bool] = []
         self._add(first.degree)
 
     def walk(self, dart: int, k: int, percept: Percept) -> int:
         """Leave by ``sigma^k(dart)``, arrive with the percept: the dart arrived by."""
+        _check(percept)
         dart = self._root(dart)
         first, degree = self._span(dart)
         leaving = first + (dart - first + k) % degree
@@ -82,9 +85,13 @@ class _Folding:
             arrived = self._add(percept.degree)
             self.link[leaving], self.link[arrived] = arrived, leaving
         if percept.marks:
-            if percept.bearing is None or self.home.bearing is None:
-                raise Contradiction(f"a marked vertex without a bearing: {percept}")
+            assert self.home.bearing is not None
+            assert percept.bearing is not None
             self._merge(arrived, (self.home.bearing - percept.bearing) % self.home.degree)
+        else:
+            self.seen_unmarked[self.node[self._root(arrived)]] = True
+        if self.seen_unmarked[0]:
+            raise Contradiction("the marked vertex has been seen without its mark")
         arrived = self._root(arrived)
         if self._span(arrived)[1] != percept.degree:
             raise Contradiction(f"a vertex of degree {self._span(arrived)[1]} seen as {percept}")
@@ -104,6 +111,8 @@ class _Folding:
         for d, own in number.items():
             target = self.link[d]
             alpha.append(own if target == -1 else number[self._root(target)])
+            if target != -1 and alpha[-1] == own:
+                raise Contradiction("a dart leads back to itself")
         return Folded(tuple(sigma), tuple(alpha), number[self._root(dart)])
 
     def _add(self, degree: int) -> int:
@@ -115,6 +124,7 @@ class _Folding:
         self.degree.append(degree)
         self.parent.append(v)
         self.shift.append(0)
+        self.seen_unmarked.append(False)
         return start
 
     def _span(self, dart: int) -> tuple[int, int]:
@@ -145,6 +155,7 @@ class _Folding:
                 # The older node stays, so that v0 is always a root.
                 a, b, v, w = b, a, w, v
             self.parent[v] = w
+            self.seen_unmarked[w] |= self.seen_unmarked[v]
             self.shift[v] = ((b - self.first[w]) - (a - self.first[v])) % degree
             for i in range(degree):
                 x = self.first[v] + i
@@ -155,3 +166,11 @@ class _Folding:
                     self.link[y] = self.link[x]
                 else:
                     todo.append((self.link[x], self.link[y]))
+
+
+def _check(percept: Percept) -> None:
+    """A vertex has a dart, and exactly the marked one has a bearing, below its degree."""
+    bearing = percept.bearing
+    legal = bearing is None if not percept.marks else bearing in range(percept.degree)
+    if percept.degree < 1 or not legal:
+        raise Contradiction(f"no directional lighthouse is sensed like this: {percept}")

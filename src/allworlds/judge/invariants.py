@@ -94,10 +94,12 @@ def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken
     owner: dict[Dart, int] = {dart: here}
     image[here] = dart
     true_sigma, true_alpha = case.map.sigma, case.map.alpha
+    claims = {e: d for d, e in enumerate(alpha) if e != d and 0 <= e < size and alpha[e] == e}
     for x in (queue := [here]):
         neighbours = [("sigma", sigma[x], true_sigma[image[x]])]
-        if alpha[x] != x:
-            neighbours.append(("alpha", alpha[x], true_alpha[image[x]]))
+        partner = claims.get(x, alpha[x])
+        if partner != x:
+            neighbours.append(("alpha", partner, true_alpha[image[x]]))
         for name, y, true in neighbours:
             if not 0 <= y < size:
                 return Broken(f"{name}({x}) = {y} is no dart of S")

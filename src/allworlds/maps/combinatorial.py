@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import operator
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeAlias
 
-from allworlds.errors import InputError
+from allworlds.errors import InputError, parse_json, show
 
 Dart: TypeAlias = int
 """A dart: an integer in ``0..2m-1``."""
@@ -203,15 +202,12 @@ class CombinatorialMap:
             InvalidMap: if the text is no JSON object with two lists, or no map.
         """
         if isinstance(document, str):
-            try:
-                document = json.loads(document)
-            except json.JSONDecodeError as error:
-                raise InvalidMap(f"not JSON: {error}") from None
+            document = parse_json(document, InvalidMap)
         if not isinstance(document, Mapping):
-            raise InvalidMap(f"a map is an object with 'sigma' and 'alpha', not {document!r}")
+            raise InvalidMap(f"a map is an object with 'sigma' and 'alpha', not {show(document)}")
         for key in ("sigma", "alpha"):
             if not isinstance(document.get(key), list | tuple):
-                raise InvalidMap(f"{key!r} must be a list of darts, not {document.get(key)!r}")
+                raise InvalidMap(f"{key!r} must be a list of darts, not {show(document.get(key))}")
         return cls(document["sigma"], document["alpha"])
 
 
@@ -246,17 +242,17 @@ def integer(value: object) -> int:
 
 def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:
     if isinstance(values, str | bytes | Mapping):
-        raise InvalidMap(f"{name} must be a sequence of darts, not {values!r}")
+        raise InvalidMap(f"{name} must be a sequence of darts, not {show(values)}")
     try:
         entries = tuple(values)
     except TypeError:
-        raise InvalidMap(f"{name} must be a sequence of darts, not {values!r}") from None
+        raise InvalidMap(f"{name} must be a sequence of darts, not {show(values)}") from None
     result = []
     for d, value in enumerate(entries):
         try:
             result.append(integer(value))
         except TypeError:
-            raise InvalidMap(f"{name}[{d}] = {value!r} is not an integer") from None
+            raise InvalidMap(f"{name}[{d}] = {show(value)} is not an integer") from None
     return tuple(result)
 
 
@@ -270,7 +266,7 @@ def _check_law(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> None:
         seen: dict[int, int] = {}
         for d, e in enumerate(permutation):
             if not 0 <= e < size:
-                raise InvalidMap(f"{name}[{d}] = {e} is no dart; darts are 0..{size - 1}")
+                raise InvalidMap(f"{name}[{d}] = {show(e)} is no dart; darts are 0..{size - 1}")
             if e in seen:
                 raise InvalidMap(
                     f"{name}[{seen[e]}] = {name}[{d}] = {e}, but {name} must be a permutation"

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, ClassVar
 
-from allworlds.errors import InputError
+from allworlds.errors import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
 from allworlds.protocol import Percept
 
@@ -87,10 +87,14 @@ class Directional(Lighthouse):
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """The pointed dart is one of the start's vertex."""
+        try:
+            dart = integer(self.dart)
+        except TypeError:
+            raise InvalidWorld(f"lighthouse.dart = {show(self.dart)} is not an integer") from None
         at_start = map_.vertices[map_.vertex_of[start]]
-        if self.dart not in at_start:
+        if dart not in at_start:
             raise InvalidWorld(
-                f"the lighthouse points to dart {self.dart}, which is not at the start's vertex; "
+                f"the lighthouse points to dart {show(dart)}, which is not at the start's vertex; "
                 f"legal are {', '.join(map(str, at_start))}"
             )
 
@@ -114,12 +118,7 @@ class Directional(Lighthouse):
     @classmethod
     def from_json(cls, document: Mapping[str, Any], start: Dart) -> Directional:
         """Pointing to ``dart``, or to the start where no dart is named."""
-        try:
-            return cls(integer(document.get("dart", start)))
-        except TypeError:
-            raise InvalidWorld(
-                f"lighthouse.dart = {document['dart']!r} is not an integer"
-            ) from None
+        return cls(document.get("dart", start))
 
 
 LIGHTHOUSES: dict[str, type[Lighthouse]] = {Directional.kind: Directional}

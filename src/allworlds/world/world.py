@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from allworlds.errors import parse_json, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
 from allworlds.protocol import Action, Move, Percept
 from allworlds.world.lighthouses import InvalidWorld, Lighthouse, lighthouse_from_json
@@ -30,9 +30,13 @@ class World:
     start: Dart = 0
 
     def __post_init__(self) -> None:
-        if self.start not in self.map.darts:
+        try:
+            start = integer(self.start)
+        except TypeError:
+            raise InvalidWorld(f"start = {show(self.start)} is not an integer") from None
+        if start not in self.map.darts:
             raise InvalidWorld(
-                f"start = {self.start} is no dart; darts are 0..{len(self.map.sigma) - 1}"
+                f"start = {show(start)} is no dart; darts are 0..{len(self.map.sigma) - 1}"
             )
         self.lighthouse.check(self.map, self.start)
 
@@ -91,17 +95,15 @@ class World:
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.
         """
         if isinstance(document, str):
-            try:
-                document = json.loads(document)
-            except json.JSONDecodeError as error:
-                raise InvalidWorld(f"not JSON: {error}") from None
+            document = parse_json(document, InvalidWorld)
         if not isinstance(document, Mapping):
-            raise InvalidWorld(f"a world is an object with 'sigma' and 'alpha', not {document!r}")
+            raise InvalidWorld(
+                f"a world is an object with 'sigma' and 'alpha', not {show(document)}"
+            )
         map_ = CombinatorialMap.from_json(document)
         try:
             start = integer(document.get("start", 0))
         except TypeError:
-            raise InvalidWorld(f"start = {document['start']!r} is not an integer") from None
-        if start not in map_.darts:
-            raise InvalidWorld(f"start = {start} is no dart; darts are 0..{len(map_.sigma) - 1}")
+            given = show(document["start"])
+            raise InvalidWorld(f"start = {given} is not an integer") from None
         return cls(map_, lighthouse_from_json(document.get("lighthouse"), start), start)
