@@ -27,15 +27,30 @@ from allworlds.protocol import (
 from allworlds.version import __version__
 
 if TYPE_CHECKING:
+    from allworlds import ambiguity
+    from allworlds.ambiguity import twins
     from allworlds.checker import check, replay, run, worlds
     from allworlds.counter import count
+    from allworlds.worst_case import worst
+    from allworlds.explaining import explain
+    from allworlds.fuzzer import fuzz
+    from allworlds.mutation import mutants
+    from allworlds.smt import search
+
+_PACKAGES = {"ambiguity"}
 
 _HOMES = {
+    "mutants": "allworlds.mutation",
+    "fuzz": "allworlds.fuzzer",
     "check": "allworlds.checker",
     "count": "allworlds.counter",
+    "explain": "allworlds.explaining",
     "replay": "allworlds.checker",
     "run": "allworlds.checker",
+    "search": "allworlds.smt",
+    "twins": "allworlds.ambiguity",
     "worlds": "allworlds.checker",
+    "worst": "allworlds.worst_case",
 }
 
 __all__ = [
@@ -50,15 +65,24 @@ __all__ = [
     "Percept",
     "Pick",
     "__version__",
+    "ambiguity",
     "check",
     "count",
+    "explain",
+    "fuzz",
+    "mutants",
     "replay",
     "run",
+    "search",
+    "twins",
     "worlds",
+    "worst",
 ]
 
 
 def __getattr__(name: str) -> Any:
+    if name in _PACKAGES:
+        return import_module(f"allworlds.{name}")
     if name not in _HOMES:
         raise AttributeError(f"module 'allworlds' has no attribute {name!r}")
     return getattr(import_module(_HOMES[name]), name)

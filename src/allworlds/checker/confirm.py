@@ -4,19 +4,31 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
-from dataclasses import replace
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from itertools import islice
 
+from allworlds.checker.examine import Outcome
 from allworlds.checker.finding import Finding, canonical_world
 from allworlds.checker.pool import POLL, Poisoned, WorkerProcess
-from allworlds.checker.scope import Limits, Scope
-from allworlds.checker.worker import Ended, ReplayJob, Traced, TraceJob
-from allworlds.episode import Answered, Fault
+from allworlds.checker.scope import Limits, Rules, Schedule, Scope
+from allworlds.checker.worker import Ended, ReplayJob, RunJob, Traced, TraceJob
+from allworlds.episode import Answered, Episode, Fault
+from allworlds.judge import Violation
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol import Action, Percept, Transcript
 from allworlds.subjects import Subject
 from allworlds.world import Lighthouse, World
+
+_ANSWER = "an action, or an estimate at the end"
+
+
+@dataclass(frozen=True, slots=True)
+class Lost:
+    """In place of a worker's message: it was silent for too long, or has died."""
+
+    law: str
+    seen: str
 
 
 def unearth(poisoned: Poisoned, scope: Scope, subject: Subject) -> Finding:
@@ -41,8 +53,39 @@ def unearth(poisoned: Poisoned, scope: Scope, subject: Subject) -> Finding:
         scope.rules,
         (),
         Transcript(world.first),
-        "an action, or an estimate at the end",
+        _ANSWER,
         poisoned.seen,
+    )
+
+
+def examine_apart(
+    subject: Subject,
+    rules: Rules,
+    world: World,
+    place: int,
+    script: tuple[int, ...],
+    limits: Limits,
+) -> Outcome:
+    """One judged episode, played in a process of its own, whatever becomes of that process."""
+    with _fresh(subject, limits) as worker:
+        worker.send(RunJob(rules, world, place, script))
+        outcome = _await(worker)
+    if isinstance(outcome, Lost):
+        job = TraceJob(rules, world, place, "one", script)
+        return _lost_run(job, outcome, subject, limits)
+    assert isinstance(outcome, Outcome)
+    return outcome
+
+
+def _lost_run(job: TraceJob, lost: Lost, subject: Subject, limits: Limits) -> Outcome:
+    fault = Fault(lost.law, _ANSWER, lost.seen)
+    transcript, choices, _ = _trace(job, subject, limits)
+    return Outcome(
+        Episode(transcript, (), fault),
+        Violation(fault.law, fault.expected, fault.seen),
+        "",
+        choices,
+        job.rules.the_bound.of(job.world.map, job.world.start),
     )
 
 
@@ -61,7 +104,7 @@ def repeat(finding: Finding, subject: Subject, limits: Limits) -> bool:
     with _fresh(subject, limits) as worker:
         worker.send(job)
         ended = _await(worker)
-    if ended is None:
+    if isinstance(ended, Lost):
         return False
     assert isinstance(ended, Ended)
     same = ended.actions == tuple(action for action, _ in finding.transcript.steps)
@@ -81,15 +124,25 @@ def _ends_alike(finding: Finding, ended: Ended) -> bool:
             return answer == finding.seen
 
 
-def trace(finding: Finding, scope: Scope, subject: Subject, limits: Limits) -> Finding:
+def trace(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
     """The finding of a run that killed its worker, with its walk, and whether it did so again.
 
     The run is played in a fresh process that tells every step before it can be lost.
     """
+    job = TraceJob(finding.rules, finding.world, finding.place, schedules)
+    transcript, choices, end = _trace(job, subject, limits)
+    confirmed = isinstance(end, Lost) and end.law == finding.law
+    return replace(finding, choices=choices, transcript=transcript, confirmed=confirmed)
+
+
+def _trace(
+    job: TraceJob, subject: Subject, limits: Limits
+) -> tuple[Transcript, tuple[int, ...], object]:
+    """The walk and the choices, as far as they are known, and the last message."""
     steps: list[tuple[Action, Percept]] = []
     choices: list[int] = []
     with _fresh(subject, limits) as worker:
-        worker.send(TraceJob(scope, finding.world, finding.place))
+        worker.send(job)
         while isinstance(message := _await(worker), Traced):
             match message.what:
                 case None:
@@ -98,17 +151,12 @@ def trace(finding: Finding, scope: Scope, subject: Subject, limits: Limits) -> F
                     choices.append(index)
                 case tuple() as step:
                     steps.append(step)
-    return replace(
-        finding,
-        choices=tuple(choices),
-        transcript=Transcript(finding.world.first, tuple(steps)),
-        confirmed=message is None,
-    )
+    return Transcript(job.world.first, tuple(steps)), tuple(choices), message
 
 
 @contextmanager
 def _fresh(subject: Subject, limits: Limits) -> Iterator[WorkerProcess]:
-    worker = WorkerProcess(subject, limits)
+    worker = WorkerProcess(subject, limits, hash_seed=1)
     try:
         yield worker
     finally:
@@ -116,10 +164,13 @@ def _fresh(subject: Subject, limits: Limits) -> Iterator[WorkerProcess]:
 
 
 def _await(worker: WorkerProcess) -> object:
-    """The worker's next message, or None if it has died or has been silent for too long."""
+    """The worker's next message, or how it was lost."""
     while not worker.connection.poll(POLL):
         if worker.is_silent():
-            return None
-    with suppress(EOFError, ConnectionResetError):
+            return Lost("timeout", worker.silence)
+        if worker.has_ended():
+            return Lost("crash", worker.death())
+    try:
         return worker.receive()
-    return None
+    except (EOFError, ConnectionResetError):
+        return Lost("crash", worker.death())

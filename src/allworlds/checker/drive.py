@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterable
-from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, Protocol
 
-from allworlds.checker.confirm import repeat, trace, unearth
-from allworlds.checker.finding import Finding
-from allworlds.checker.pool import LocalPool, Poisoned, Pool, TimeIsUp, WorkerPool
+from allworlds.checker.engines import Engine, engine_for
+from allworlds.checker.laboratory import Laboratory
+from allworlds.checker.past import Past
+from allworlds.checker.pool import Pool, TimeIsUp
 from allworlds.checker.report import Cell, Report, Verdict
 from allworlds.checker.scope import Limits, Scope, ScopeError, Shard, make_scope
 from allworlds.checker.tally import Tally
@@ -28,6 +28,9 @@ class Listener(Protocol):
     def progress(self, worlds: int) -> None:
         """So many more worlds are done."""
 
+    def notice(self, text: str) -> None:
+        """Something that the user may want to know now."""
+
 
 class Silent:
     """The listener who is not there."""
@@ -36,6 +39,9 @@ class Silent:
         """Nothing."""
 
     def progress(self, worlds: int) -> None:
+        """Nothing."""
+
+    def notice(self, text: str) -> None:
         """Nothing."""
 
 
@@ -58,6 +64,7 @@ def check(
     memory: int | None = None,
     max_findings: int = 1,
     engine: str = "auto",
+    corpus: Path | None = None,
     listener: Listener | None = None,
 ) -> Report:
     """Run an explorer on every start and every marker orientation of every map in a class.
@@ -79,14 +86,14 @@ def check(
         time_limit: seconds for everything.
         memory: MB of address space of a worker.
         max_findings: with so many findings in finished levels the check ends.
-        engine: ``auto`` or ``python``.
+        engine: ``auto``, ``python`` or ``kernel``.
+        corpus: a directory of past findings, which are tried first; new ones are written
+            to it.
         listener: is told of the progress.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    if engine not in ("auto", "python"):
-        raise ScopeError(f"engine {engine!r} is none of auto, python")
     limits = Limits(workers, answer_timeout, time_limit, memory, max_findings)
     subject = subject_of(explore, answer_timeout)
     scope = make_scope(
@@ -103,36 +110,72 @@ def check(
     )
     if schedules == "all" and not subject.takes_choices:
         raise ScopeError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
-    return _Drive(scope, subject, limits, listener or Silent()).run()
+    chosen = engine_for(engine, scope, subject)
+    return _Drive(scope, subject, limits, listener or Silent(), chosen, corpus).run()
 
 
 class _Drive:
     """One check on its way."""
 
-    def __init__(self, scope: Scope, subject: Subject, limits: Limits, listener: Listener) -> None:
+    def __init__(
+        self,
+        scope: Scope,
+        subject: Subject,
+        limits: Limits,
+        listener: Listener,
+        engine: Engine = "python",
+        corpus: Path | None = None,
+    ) -> None:
         self._scope, self._subject, self._limits = scope, subject, limits
         self._listener = listener
-        self._deadline = limits.time_limit and time.monotonic() + limits.time_limit
-        self._report = Report(subject.name, "python", scope, Tally(limits.max_findings))
-        self._lost: set[object] = set()
+        self._laboratory = Laboratory(scope, subject, limits)
+        self._report = Report(subject.name, engine, scope, Tally(limits.max_findings))
+        self._past = None if corpus is None else Past(corpus)
 
     def run(self) -> Report:
         report = self._report
         try:
-            with self._pool() as pool:
-                self._levels(pool)
-        except TimeIsUp:
-            report.stopped = f"the time limit of {self._limits.time_limit:g} s was reached"
+            if self._past is not None:
+                report.corpus = self._past
+                report.tally.findings = self._past.retry(self._subject, self._limits)
+            if len(report.findings) < self._limits.max_findings:
+                self._examine()
+                self._confirm()
+            else:
+                report.stopped = "past findings stand"
         except KeyboardInterrupt:
             report.stopped, report.interrupted = "interrupted", True
-        if not report.interrupted:
-            report.tally.findings = [self._confirmed(found) for found in report.findings]
         return report
 
-    def _pool(self) -> AbstractContextManager[Pool]:
-        if self._subject.importable:
-            return WorkerPool(self._subject, self._limits, self._deadline)
-        return nullcontext(LocalPool(self._subject, self._deadline))
+    def _confirm(self) -> None:
+        report, past = self._report, self._past
+        report.tally.findings = [
+            found if past and past.holds(found) else self._laboratory.confirmed(found)
+            for found in report.findings
+        ]
+        if past is not None:
+            past.write(report.findings)
+
+    def _examine(self) -> None:
+        try:
+            if self._report.engine == "kernel":
+                self._examine_compiled()
+                return
+            with self._laboratory.open() as pool:
+                self._levels(pool)
+        except TimeIsUp:
+            self._report.stopped = f"the time limit of {self._limits.time_limit:g} s was reached"
+
+    def _examine_compiled(self) -> None:
+        """The same with the compiled engine in the place of worker processes."""
+        from allworlds.checker.kernel_pool import SYMMETRY, EnginesDisagree, KernelPool
+
+        self._report.symmetry = SYMMETRY
+        try:
+            with KernelPool(self._subject, self._limits, self._listener.notice) as pool:
+                self._levels(pool)
+        except EnginesDisagree as error:
+            self._report.stopped = self._report.disagreement = str(error)
 
     def _levels(self, pool: Pool) -> None:
         report, scope = self._report, self._scope
@@ -144,7 +187,7 @@ class _Drive:
                 return
             if len(report.findings) >= self._limits.max_findings:
                 break
-        report.complete = report.levels == list(scope.bounds.levels)
+        report.complete = report.levels[-1] == scope.bounds.levels[-1]
         if not report.complete:
             report.stopped = f"{len(report.findings)} findings in finished levels"
         elif scope.shard == (0, 1):
@@ -160,14 +203,9 @@ class _Drive:
         tally = Tally(keep)
         finished = False
         try:
-            for part in pool.examine(scope, scope.units(edges), keep):
-                if isinstance(part, Poisoned):
-                    found = unearth(part, scope, self._subject)
-                    self._lost.add(found.key[:4])
-                    tally.find(found)
-                else:
-                    tally.add(part)
-                    self._listener.progress(part.worlds)
+            for part in self._laboratory.examine(pool, scope.units(edges)):
+                tally.add(part)
+                self._listener.progress(part.worlds)
             finished = True
         finally:
             minimal = finished and scope.shard == (0, 1)
@@ -180,25 +218,18 @@ class _Drive:
         if scope.shard == (0, 1):
             report.gate += count_gate(scope.bounds, edges, tally)
 
-    def _confirmed(self, finding: Finding) -> Finding:
-        subject, limits = self._subject, self._limits
-        if not subject.importable:
-            return finding
-        if finding.law in ("timeout", "crash") and finding.key[:4] in self._lost:
-            return trace(finding, self._scope, subject, limits)
-        return replace(finding, confirmed=repeat(finding, subject, limits))
-
     def _missing_witnesses(self) -> list[str]:
         """The events that this scope must have seen and has not."""
-        scope, seen = self._scope, self._report.tally.witnesses
-        simple, last = scope.bounds.map_class.simple, max(scope.bounds.levels)
-        required = {} if simple else {"loop-edge": 1, "parallel-edge": 2}
-        required |= {
-            event: least[1] if simple else least[0]
-            for event, least in self._subject.witnesses.items()
-        }
+        bounds, seen = self._scope.bounds, self._report.tally.witnesses
+        simple, last = bounds.map_class.simple, bounds.levels[-1]
+        required = {} if simple else {"loop-edge": (1, 1), "parallel-edge": (2, 1)}
+        for event, least in self._subject.witnesses.items():
+            if (size := least[simple]) is not None:
+                required[event] = size
         return sorted(
-            event for event, least in required.items() if least <= last and not seen[event]
+            event
+            for event, (edges, vertices) in required.items()
+            if edges <= last and vertices <= bounds.vertex_limit(last) and not seen[event]
         )
 
 

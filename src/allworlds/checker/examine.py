@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Collection, Iterator, MutableSequence
+from collections.abc import Callable, Collection, Iterator, MutableSequence
 from dataclasses import dataclass
 
 from allworlds.checker.finding import Finding, canonical_world
@@ -52,10 +52,15 @@ class Examiner:
         subject: the explorer.
         rules: how runs are played and judged.
         beat: see :func:`allworlds.episode.play`.
+        intact: called after each episode, to look at what the explorer may have broken.
     """
 
     def __init__(
-        self, subject: Subject, rules: Rules, beat: MutableSequence[int] | None = None
+        self,
+        subject: Subject,
+        rules: Rules,
+        beat: MutableSequence[int] | None = None,
+        intact: Callable[[], None] = lambda: None,
     ) -> None:
         self.subject = subject
         self.rules = rules
@@ -63,20 +68,31 @@ class Examiner:
         self._beat = beat if beat is not None else [0, 0]
         self._laws = [LAWS[law] for law in rules.applying]
         self._player: Player = subject.player(self.events.append)
+        self._intact = intact
 
     def examine(self, world: World, choices: Choices, run: str = "") -> Outcome:
         """Play one episode, and judge it; a foreign explorer plays a second one."""
         map_ = world.map
         bound = self.rules.the_bound.of(map_, world.start)
         budget = self.rules.budget(map_)
-        episode = play(world, self._player, choices, budget, self._beat)
+        episode = self._play(world, choices, budget)
         record = tuple(choices.record)
         violation = self.verdict(world, episode, bound)
-        if self.subject.foreign and _may_be_overruled(violation):
-            violation = self._second_run(world, episode, budget, run, record) or violation
         ending = episode.ending
+        if self.subject.foreign and _may_be_overruled(violation):
+            again = self.rules.choices(run, record)
+            second = self._play(_renamed(world), again, budget)
+            difference = _difference(episode, second)
+            violation = difference or violation
+            if difference and isinstance(second.ending, Fault):
+                ending = second.ending
         detail = ending.detail if isinstance(ending, Fault) else ""
         return Outcome(episode, violation, detail, record, bound)
+
+    def _play(self, world: World, choices: Choices, budget: int) -> Episode:
+        episode = play(world, self._player, choices, budget, self._beat)
+        self._intact()
+        return episode
 
     def verdict(self, world: World, episode: Episode, bound: int | None) -> Violation | None:
         """The first law that a finished episode breaks."""
@@ -92,22 +108,6 @@ class Examiner:
             bound,
         )
         return judge(case, self._laws)
-
-    def _second_run(
-        self, world: World, first: Episode, budget: int, run: str, record: tuple[int, ...]
-    ) -> Violation | None:
-        """Whether the same explorer does something else when the darts have other names."""
-        other = world.relabelled([*reversed(world.map.darts)])
-        choices = self.rules.choices(run, record)
-        second = play(other, self._player, choices, budget, self._beat)
-        if first.transcript != second.transcript:
-            steps = zip(first.transcript.steps, second.transcript.steps, strict=False)
-            same = next((i for i, (a, b) in enumerate(steps) if a != b), None)
-            where = "in its length" if same is None else f"at step {same + 1}"
-            return _nondeterministic(f"the second walk differs {where}")
-        if _meaning(first) != _meaning(second):
-            return _nondeterministic("the second answer differs")
-        return None
 
     def name_run(self, map_: CombinatorialMap, place: int) -> str:
         """A name for a run that does not depend on the order of runs; empty if unused."""
@@ -135,7 +135,7 @@ def examine_unit(
         beat: ``beat[0]`` is set to the number of the run within the unit.
         start: the number of the first run that has not been tallied yet; a world without a
             place counts as one.
-        skip: runs that must not be tried (they have killed a worker).
+        skip: runs that must not be tried (they have killed a worker); they are counted.
 
     Yields:
         After some time, and at the end, the number of the next run and the tally since.
@@ -150,7 +150,9 @@ def examine_unit(
                     _count_world(tally, map_)
                 if lighthouse is None:
                     tally.left_out += 1
-                elif number not in skip:
+                elif number in skip:
+                    tally.row(map_.edge_count, map_.vertex_count).runs += 1
+                else:
                     beat[0] = number
                     _run(examiner, scope, World(map_, lighthouse, 0), place, tally)
             number += 1
@@ -220,6 +222,31 @@ def _may_be_overruled(violation: Violation | None) -> bool:
     if violation is None:
         return True
     return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
+
+
+def _renamed(world: World) -> World:
+    """The same world under other names of its darts."""
+    return world.relabelled([*reversed(world.map.darts)])
+
+
+def _difference(first: Episode, second: Episode) -> Violation | None:
+    """What the same explorer has done otherwise when the darts had other names.
+
+    A second run that ended without an answer has broken a law of its own, which precedes.
+    """
+    if first.transcript == second.transcript and _meaning(first) == _meaning(second):
+        return None
+    fault = second.ending
+    if isinstance(fault, Fault) and not isinstance(first.ending, Fault):
+        return Violation(
+            fault.law, fault.expected, f"in the second run of this world: {fault.seen}"
+        )
+    if first.transcript == second.transcript:
+        return _nondeterministic("the second answer differs")
+    steps = zip(first.transcript.steps, second.transcript.steps, strict=False)
+    same = next((i for i, (a, b) in enumerate(steps) if a != b), None)
+    where = "in its length" if same is None else f"at step {same + 1}"
+    return _nondeterministic(f"the second walk differs {where}")
 
 
 def _nondeterministic(seen: str) -> Violation:

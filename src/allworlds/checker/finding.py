@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import Any
 
 from allworlds.checker.scope import Rules, ScopeError
-from allworlds.errors import parse_json
+from allworlds.errors import parse_json, show
 from allworlds.judge import PRECEDENCE
 from allworlds.maps.canonical import Code, rooted_code
 from allworlds.protocol import Transcript
@@ -69,14 +69,14 @@ class Finding:
         command += [json.dumps(self.world.to_json(), separators=(",", ":"))]
         if self.rules.policy != "fifo":
             command += ["--policy", self.rules.policy]
-        if any(self.choices):
+        if any(self.choices) or (self.choices and self.rules.policy != "fifo"):
             command += ["--choices", ",".join(map(str, self.choices))]
         if self.rules.bound and self.rules.bound != self.rules.kind.default_bound:
             command += ["--bound", self.rules.bound]
         if self.rules.step_budget is not None:
             command += ["--step-budget", str(self.rules.step_budget)]
-        if self.rules.laws:
-            command += ["--laws", ",".join(self.rules.laws)]
+        if self.rules.applying != Rules(self.rules.lighthouse).applying:
+            command += ["--laws", ",".join(self.rules.applying)]
         return shlex.join(command)
 
     def marked(self, *, confirmed: bool, minimal: bool) -> Finding:
@@ -107,13 +107,16 @@ class Finding:
     def from_json(cls, document: str | Mapping[str, Any]) -> Finding:
         """The finding of :meth:`to_json`'s document, or of its text.
 
+        Of a report of ``check`` it is the first finding, of a report of ``run`` its finding.
+
         Raises:
             InputError: naming the offending value and what would be legal.
         """
         if isinstance(document, str):
             document = parse_json(document, ScopeError)
+        document = _of_report(document)
         if not isinstance(document, Mapping):
-            raise ScopeError(f"a finding is an object, not {document!r}")
+            raise ScopeError(f"a finding is an object, not {show(document)}")
         if document.get("version") != VERSION:
             raise ScopeError(
                 f"finding of version {document.get('version')!r}; this program reads {VERSION}"
@@ -147,6 +150,19 @@ class Finding:
             document.get("confirmed") is True,
             document.get("minimal") is True,
         )
+
+
+def _of_report(document: Any) -> Any:
+    """The finding inside a report; anything else as it is."""
+    match document:
+        case {"schema": 1, "findings": [first, *_]}:
+            return first
+        case {"schema": 1, "finding": {} as finding}:
+            return finding
+        case {"schema": 1, "verdict": verdict}:
+            raise ScopeError(f"the report, with the verdict {verdict!r}, holds no finding")
+        case _:
+            return document
 
 
 def place_of(world: World) -> int:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import mmap
+import os
+import signal
 import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection, wait
@@ -19,6 +22,7 @@ from allworlds.checker.examine import Examiner, examine_unit
 from allworlds.checker.scope import Limits, Scope, Work
 from allworlds.checker.tally import Tally
 from allworlds.checker.worker import BEAT_WORDS, NO_RUN, HarnessError, Part, Setup, UnitJob
+from allworlds.errors import InputError
 from allworlds.subjects import Subject, SubjectError
 
 _START = (
@@ -74,9 +78,17 @@ class LocalPool:
 
 
 class WorkerProcess:
-    """A worker with its pipe and the memory in which its heart beats."""
+    """A worker with its pipe and the memory in which its heart beats.
 
-    def __init__(self, subject: Subject, limits: Limits) -> None:
+    Args:
+        subject: the explorer, which the worker finds by its name.
+        limits: patience and memory.
+        hash_seed: of the interpreter.  All workers have the same, so that an explorer that
+            depends on the order of a set does the same in each; another one tells.
+    """
+
+    def __init__(self, subject: Subject, limits: Limits, hash_seed: int = 0) -> None:
+        self.silence = f"silent for {limits.answer_timeout:g} s"
         self.patience = limits.answer_timeout + (GRACE if subject.program else 0.0)
         self.connection, theirs = Pipe()
         with tempfile.TemporaryFile() as memory:
@@ -94,8 +106,12 @@ class WorkerProcess:
                 ],
                 stdin=subprocess.DEVNULL,
                 pass_fds=(theirs.fileno(), memory.fileno()),
+                # A Ctrl-C is for the parent; and what an explorer leaves behind dies with it.
+                start_new_session=True,
+                env={**os.environ, "PYTHONHASHSEED": str(hash_seed)},
             )
         theirs.close()
+        self._program = subject.program is not None
         self._seen: tuple[int, int] = (0, 0)
         self._since = time.monotonic()
         self.beat[0] = NO_RUN
@@ -110,11 +126,11 @@ class WorkerProcess:
 
         Raises:
             EOFError: if the process has ended.
-            SubjectError: if the explorer could not be loaded there.
+            InputError: if the explorer could not be loaded there, or a bound has no value.
             HarnessError: if the worker itself has failed.
         """
         message = self.connection.recv()
-        if isinstance(message, SubjectError | HarnessError):
+        if isinstance(message, InputError | HarnessError):
             raise message
         return message
 
@@ -126,15 +142,31 @@ class WorkerProcess:
             return False
         return now - self._since > self.patience
 
+    def has_ended(self) -> bool:
+        """The process is no more, and all that it has said has been heard.
+
+        The pipe alone does not tell: a process forked by the explorer may hold it open.
+        """
+        return self.process.poll() is not None and not self.connection.poll()
+
     def death(self) -> str:
         """How the process ended, as a sentence."""
-        code = self.process.wait()
+        try:
+            code = self.process.wait(GRACE)
+        except subprocess.TimeoutExpired:
+            return "the end of the interpreter's pipe"
         how = f"exit code {code}" if code >= 0 else f"signal {-code}"
         return f"the end of the interpreter ({how})"
 
     def kill(self) -> None:
-        """End the process now."""
-        self.process.kill()
+        """End the process now, and all that it has started."""
+        if self._program:
+            # The worker alone knows the program, which stands in a session of its own.
+            self.process.terminate()
+            with suppress(subprocess.TimeoutExpired):
+                self.process.wait(GRACE)
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(self.process.pid, signal.SIGKILL)
         self.process.wait()
         self.connection.close()
         self.beat.release()
@@ -193,12 +225,15 @@ class WorkerPool:
                 yield from self._hear(connection, scope, keep)
             for worker, _ in list(self._busy.values()):
                 if worker.is_silent():
-                    seen = f"silent for {self.limits.answer_timeout:g} s"
-                    yield self._bury(worker, scope, keep, "timeout", seen)
+                    yield self._bury(worker, scope, keep, "timeout", worker.silence)
+                elif worker.has_ended():
+                    yield self._bury(worker, scope, keep, "crash", worker.death())
             _check_deadline(self.deadline)
 
     def _hand_out(self, scope: Scope, task: _Task, keep: int) -> None:
         worker = self._idle.pop() if self._idle else WorkerProcess(self.subject, self.limits)
+        # The number of a run within another unit would name a wrong world.
+        worker.beat[0] = task.start if worker.beat[0] != NO_RUN else NO_RUN
         self._busy[worker.connection] = (worker, task)
         worker.send(UnitJob(scope, task.unit, keep, task.start, task.skip))
 

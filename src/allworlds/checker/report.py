@@ -7,6 +7,7 @@ from enum import StrEnum
 from typing import Any
 
 from allworlds.checker.finding import Finding
+from allworlds.checker.past import Past
 from allworlds.checker.scope import Scope
 from allworlds.checker.tally import Tally
 
@@ -63,7 +64,7 @@ class Report:
 
     Attributes:
         explorer: the name of the subject.
-        engine: ``python``.
+        engine: ``python`` or ``kernel``.
         scope: what was to be checked.
         tally: the counts of the finished levels, and the smallest findings.
         levels: the numbers of edges of the finished levels.
@@ -72,6 +73,9 @@ class Report:
         missing: witnesses that a complete check must have seen and has not.
         stopped: why the check is not complete; empty if it is.
         interrupted: by the user.
+        corpus: what became of the past findings, if there is a corpus of them.
+        symmetry: where one run has been counted for several, why that is right; else empty.
+        disagreement: what two engines say differently; empty if they agree.
     """
 
     explorer: str
@@ -84,6 +88,9 @@ class Report:
     missing: list[str] = field(default_factory=list)
     stopped: str = ""
     interrupted: bool = False
+    corpus: Past | None = None
+    symmetry: str = ""
+    disagreement: str = ""
 
     @property
     def findings(self) -> list[Finding]:
@@ -103,13 +110,15 @@ class Report:
     @property
     def verdict(self) -> Verdict:
         """The verdict, about the scope and nothing else."""
-        if not all(cell.agrees for cell in self.gate):
+        if self.disagreement or not all(cell.agrees for cell in self.gate):
             return Verdict.ERROR
         if self.findings:
             return Verdict.REFUTED
+        if self.scope.sample and self.runs and not self.stopped:
+            return Verdict.NOT_REFUTED
         if not self.complete:
             return Verdict.INCONCLUSIVE
-        if not self.runs or self.missing:
+        if self.missing or (not self.runs and self.scope.shard == (0, 1)):
             return Verdict.VACUOUS
         return Verdict.HOLDS
 
@@ -138,6 +147,7 @@ class Report:
             "rows": self.rows(),
             "witnesses": dict(sorted(self.tally.witnesses.items())),
             "missing_witnesses": self.missing,
+            "corpus": self.corpus and self.corpus.to_json(),
             "findings": [finding.to_json() for finding in self.findings],
         }
 
@@ -172,6 +182,8 @@ class Report:
             "bound": rules.the_bound.name,
             "step_budget": rules.step_budget,
             "shard": f"{index}/{count}",
+            "sample": self.scope.sample and dict(self.scope.sample),
+            "symmetry": self.symmetry or None,
             "gate": self._gate_json(),
             "complete": self.complete,
             "finished_levels": self.levels,
@@ -179,6 +191,8 @@ class Report:
         }
 
     def _gate_json(self) -> list[dict[str, Any]] | str:
+        if self.scope.sample:
+            return "absent"
         if self.scope.shard != (0, 1):
             return "deferred to the merge of all shards"
         return [

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from math import inf
 from typing import Any, Literal, Protocol, TypeAlias
 
 from allworlds.episode import default_step_budget
@@ -133,12 +134,14 @@ class Scope:
         rules: how each run is played and judged.
         schedules: ``one`` (the policy's) or ``all`` (every sequence of choices).
         shard: ``(K, N)``: only every N-th unit of work, beginning with the K-th.
+        sample: how the worlds were drawn, if they are only a sample of the class.
     """
 
     bounds: Bounds
     rules: Rules
     schedules: Schedule = "one"
     shard: Shard = (0, 1)
+    sample: Mapping[str, int] | None = None
 
     def __post_init__(self) -> None:
         index, count = self.shard
@@ -215,7 +218,7 @@ class Limits:
         max_findings: with so many findings in finished levels the check ends.
 
     Raises:
-        ScopeError: for values that are not positive.
+        ScopeError: for values that are not positive, and for infinite ones.
     """
 
     workers: int = 1
@@ -227,8 +230,8 @@ class Limits:
     def __post_init__(self) -> None:
         for name in ("workers", "answer_timeout", "time_limit", "memory", "max_findings"):
             value = getattr(self, name)
-            if value is not None and not value > 0:
-                raise ScopeError(f"{name.replace('_', '-')} {value} is not positive")
+            if value is not None and not 0 < value < inf:
+                raise ScopeError(f"{name.replace('_', '-')} {value} is not positive and finite")
 
 
 def make_scope(

@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from allworlds.checker.confirm import examine_apart
 from allworlds.checker.examine import Examiner, Outcome, make_finding
 from allworlds.checker.finding import Finding, place_of
 from allworlds.checker.report import EXIT_CODES, SCHEMA, Verdict
-from allworlds.checker.scope import Rules, make_scope
+from allworlds.checker.scope import Limits, Rules, make_scope
 from allworlds.episode import Answered
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.subjects import subject_of
@@ -108,7 +109,10 @@ def run(
     step_budget: int | None = None,
     answer_timeout: float = 10.0,
 ) -> SingleRun:
-    """One episode, judged, in this process.
+    """One episode, judged.
+
+    An explorer that is not ours and that another process can import is played in one of its
+    own, as in a check; any other in this process.
 
     Args:
         explore: a name or a generator function.
@@ -118,7 +122,7 @@ def run(
         bound: ``paper``, ``none`` or an expression; empty takes the lighthouse's own.
         laws: those to check; empty takes all that apply.
         step_budget: the largest legal number of traversals.
-        answer_timeout: seconds of silence after which a foreign program is killed.
+        answer_timeout: seconds of silence after which the explorer is killed.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -130,11 +134,14 @@ def run(
         laws=tuple(laws),
         step_budget=step_budget,
     )
+    limits = Limits(answer_timeout=answer_timeout)
     subject = subject_of(explore, answer_timeout)
-    with subject.running():
-        examiner = Examiner(subject, rules)
-        place = place_of(world)
+    examiner = Examiner(subject, rules)
+    place = place_of(world)
+    if subject.foreign and subject.importable:
+        outcome = examine_apart(subject, rules, world, place, tuple(choices), limits)
+    else:
         name = examiner.name_run(world.map, place)
         outcome = examiner.examine(world, rules.choices(name, choices), name)
-        finding = make_finding(examiner, world, place, outcome) if outcome.violation else None
+    finding = make_finding(examiner, world, place, outcome) if outcome.violation else None
     return SingleRun(subject.name, world, rules, outcome, finding)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import mmap
 import os
 import signal
+import sys
 import traceback
 from collections.abc import Iterable, MutableSequence, Sequence
 from dataclasses import dataclass
@@ -17,11 +18,12 @@ from multiprocessing.connection import Connection
 from typing import TypeVar, cast
 
 from allworlds.checker.examine import Examiner, examine_unit
-from allworlds.checker.scope import Rules, Scope, Work
+from allworlds.checker.scope import Rules, Schedule, Scope, Work
 from allworlds.checker.tally import Tally
 from allworlds.episode import Answered, Episode, Fault, play
-from allworlds.protocol import Action, Choices, Kind, Percept, Transcript
-from allworlds.subjects import Subject, SubjectError, load
+from allworlds.errors import InputError
+from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, Transcript
+from allworlds.subjects import Subject, load
 from allworlds.world import IllegalAction, World
 
 T = TypeVar("T")
@@ -54,12 +56,27 @@ class UnitJob:
 
 
 @dataclass(frozen=True, slots=True)
-class TraceJob:
-    """Play one world and tell every step at once, because the process may not survive it."""
+class RunJob:
+    """Play and judge one run."""
 
-    scope: Scope
+    rules: Rules
     world: World
     place: int
+    script: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TraceJob:
+    """Play one world and tell every step at once, because the process may not survive it.
+
+    The schedules are all, or the policy's after the choices of ``script``.
+    """
+
+    rules: Rules
+    world: World
+    place: int
+    schedules: Schedule
+    script: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,6 +179,7 @@ class Worker:
     def __init__(self, connection: Connection, beat: MutableSequence[int]) -> None:
         self._connection = connection
         self._beat = beat
+        self._pid = os.getpid()
 
     def run(self) -> None:
         """Serve until the parent hangs up."""
@@ -170,9 +188,10 @@ class Worker:
             _limit_memory(setup.memory)
         try:
             subject = load(setup.explorer, setup.answer_timeout)
-        except SubjectError as error:
+        except InputError as error:
             self._connection.send(error)
             return
+        signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
         with subject.running():
             self._serve(subject)
 
@@ -186,39 +205,59 @@ class Worker:
                 self._do(subject, job)
             except OSError:
                 raise
+            except InputError as error:  # a bound without a value for some world
+                self._connection.send(error)
             except Exception:  # noqa: BLE001  # explorers' errors never get here: it is ours
                 self._connection.send(HarnessError(traceback.format_exc()))
 
-    def _do(self, subject: Subject, job: UnitJob | TraceJob | ReplayJob) -> None:
+    def _do(self, subject: Subject, job: UnitJob | RunJob | TraceJob | ReplayJob) -> None:
         match job:
             case UnitJob():
                 self._examine(subject, job)
+            case RunJob():
+                self._run(subject, job)
             case TraceJob():
                 self._trace(subject, job)
             case ReplayJob():
                 self._end(replay_recorded(subject, job, self._beat))
 
     def _examine(self, subject: Subject, job: UnitJob) -> None:
-        examiner = Examiner(subject, job.scope.rules, self._beat)
+        examiner = Examiner(subject, job.scope.rules, self._beat, self._intact)
         parts = examine_unit(
             examiner, job.scope, job.unit, job.keep, self._beat, job.start, job.skip
         )
         for part, last in _with_last(parts):
             self._connection.send(Part(*part, last))
 
+    def _intact(self) -> None:
+        """Leave, if the explorer has forked this process or closed its pipe."""
+        if os.getpid() != self._pid:
+            # The original goes on with the work; its copy must not do it a second time.
+            os._exit(0)
+        os.fstat(self._connection.fileno())
+
+    def _run(self, subject: Subject, job: RunJob) -> None:
+        examiner = Examiner(subject, job.rules, self._beat, self._intact)
+        name = examiner.name_run(job.world.map, job.place)
+        choices = job.rules.choices(name, job.script)
+        self._connection.send(examiner.examine(job.world, choices, name))
+
     def _trace(self, subject: Subject, job: TraceJob) -> None:
-        examiner = Examiner(subject, job.scope.rules, self._beat)
+        rules = job.rules
+        name = Examiner(subject, rules).name_run(job.world.map, job.place)
+        every = job.schedules == "all"
         told_world = cast("World", _Told(job.world, self._connection))
-        for choices in job.scope.schedule(examiner.name_run(job.world.map, job.place)):
+        for choices in Schedules() if every else [rules.choices(name, job.script)]:
             self._connection.send(Traced(None))
             told = _ToldChoices(choices, self._connection)
             episode = play(
                 told_world,
                 subject.player(),
                 told,
-                job.scope.rules.budget(job.world.map),
+                rules.budget(job.world.map),
                 self._beat,
             )
+            self._intact()
         self._end(episode)
 
     def _end(self, episode: Episode) -> None:
@@ -239,8 +278,16 @@ def _with_last(items: Iterable[T]) -> Iterable[tuple[T, bool]]:
 def _limit_memory(megabytes: int) -> None:
     import resource
 
-    size = megabytes << 20
+    _, most = resource.getrlimit(resource.RLIMIT_AS)
+    size = min(megabytes << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
     resource.setrlimit(resource.RLIMIT_AS, (size, size))
+
+
+def _leave(subject: Subject) -> None:
+    """End this process now, but not without the foreign program behind the explorer."""
+    if subject.program:
+        subject.program.close()
+    os._exit(0)
 
 
 def main(arguments: Sequence[str]) -> None:
@@ -254,11 +301,21 @@ def main(arguments: Sequence[str]) -> None:
         beat = memoryview(shared).cast("Q")
         try:
             Worker(connection, cast("MutableSequence[int]", beat)).run()
-        except BrokenPipeError:
-            # The parent has gone: nobody is left to report to.
-            return
+        except OSError:
+            # The parent has gone, or the explorer has closed the pipe: there is nobody to
+            # report to, and the parent sees the end of the pipe.
+            os._exit(1)
         finally:
             beat.release()
 
 
-__all__: list[str] = ["Ended", "Part", "ReplayJob", "Setup", "TraceJob", "Traced", "UnitJob"]
+__all__: list[str] = [
+    "Ended",
+    "Part",
+    "ReplayJob",
+    "RunJob",
+    "Setup",
+    "TraceJob",
+    "Traced",
+    "UnitJob",
+]

@@ -9,11 +9,12 @@ from typing import Annotated
 
 import typer
 
-from allworlds.errors import InputError
+from allworlds.corpora import own_corpus
+from allworlds.errors import InputError, show
 from allworlds.maps.build import named_map, named_maps
 from allworlds.maps.families import family
 from allworlds.subjects.subject import EXEC
-from allworlds.world import Directional, World
+from allworlds.world import Directional, World, lighthouse_named
 
 SCOPE, RULES, EFFORT, OUTPUT = "What is checked", "How it is judged", "Effort", "Output"
 
@@ -22,7 +23,7 @@ Explorer = Annotated[
     typer.Argument(
         metavar="[EXPLORER]",
         help="A built-in name, module:attribute, path/to/file.py:attribute or an entry point "
-        "[default: algorithm1].",
+        "(default: algorithm1).",
         show_default=False,
     ),
 ]
@@ -74,7 +75,7 @@ BoundName = Annotated[
         "--bound",
         metavar="BOUND",
         help="Largest number of traversals: paper (1)+(2), none, or an expression over n, m, d0, "
-        "D with + - * // **, min, max [default: the lighthouse's own].",
+        "D with + - * // **, min, max (default: the lighthouse's own).",
         rich_help_panel=RULES,
         show_default=False,
     ),
@@ -85,7 +86,7 @@ LawNames = Annotated[
         "--laws",
         metavar="LAWS",
         help="Of map, pose, invariant-1, invariant-2, variant, folding, bound, with commas "
-        "[default: all that apply].",
+        "(default: all that apply).",
         rich_help_panel=RULES,
         show_default=False,
     ),
@@ -95,7 +96,7 @@ StepBudget = Annotated[
     typer.Option(
         "--step-budget",
         metavar="B",
-        help="More traversals break the law 'budget' [default: 8 x ((1)+(2)) + 100].",
+        help="More traversals break the law 'budget' (default: 8 x ((1)+(2)) + 100).",
         rich_help_panel=RULES,
         show_default=False,
     ),
@@ -107,6 +108,16 @@ AnswerTimeout = Annotated[
         metavar="S",
         help="Seconds of silence that break the law 'timeout'.",
         rich_help_panel=EFFORT,
+    ),
+]
+CorpusDirectory = Annotated[
+    Path | None,
+    typer.Option(
+        "--corpus",
+        metavar="DIR",
+        help="A directory of findings: tried first, and new ones are written to it.",
+        rich_help_panel=EFFORT,
+        show_default=False,
     ),
 ]
 Json = Annotated[
@@ -137,16 +148,16 @@ def worker_count(text: str) -> int:
     """A number of processes, or one a usable core for ``auto``."""
     if text == "auto":
         return len(os.sched_getaffinity(0))
-    if re.fullmatch(r"[0-9]+", text) and int(text) > 0:
+    if re.fullmatch(r"[0-9]{1,9}", text) and int(text) > 0:
         return int(text)
-    raise InputError(f"workers {text!r} is neither auto nor a positive number")
+    raise InputError(f"workers {show(text)} is neither auto nor a positive number")
 
 
 def shard_numbers(text: str) -> tuple[int, int]:
     """``K/N``."""
-    match = re.fullmatch(r"([0-9]+)/([0-9]+)", text)
+    match = re.fullmatch(r"([0-9]{1,9})/([0-9]{1,9})", text)
     if match is None:
-        raise InputError(f"shard {text!r} is not of the form K/N, counted from 0")
+        raise InputError(f"shard {show(text)} is not of the form K/N, counted from 0")
     return int(match[1]), int(match[2])
 
 
@@ -161,23 +172,38 @@ def fraction(text: str) -> float:
 
 def index_list(text: str) -> tuple[int, ...]:
     """Integers from 0 on with commas."""
-    if not re.fullmatch(r"([0-9]+(,[0-9]+)*)?", text):
-        raise InputError(f"choices {text!r} are not indices from 0 on with commas")
+    if not re.fullmatch(r"([0-9]{1,9}(,[0-9]{1,9})*)?", text):
+        raise InputError(f"choices {show(text)} are not indices from 0 on with commas")
     return tuple(int(part) for part in text.split(",") if part)
 
 
-def world_named(text: str) -> World:
-    """The world of inline JSON, of ``@file``, or of a named map with its marker on dart 0."""
+def world_named(text: str, kind: str = Directional.kind) -> World:
+    """The world of inline JSON, of ``@file``, of the corpus, or of a named map.
+
+    Where no lighthouse is named it is of that kind, at its default place: at dart 0 of a
+    named map.
+    """
+    lighthouse_named(kind)
     if text.startswith("@"):
-        return World.from_json(read_text(text[1:]))
+        return World.from_json(read_text(text[1:]), missing=kind)
     if text.lstrip().startswith("{"):
-        return World.from_json(text)
+        return World.from_json(text, missing=kind)
     try:
-        return World(named_map(text), Directional(0))
+        map_ = named_map(text)
     except ValueError:
-        raise InputError(
-            f"world {text!r} is neither JSON, nor @file, nor one of {', '.join(named_maps())}"
-        ) from None
+        return _world_of_corpus(text, kind)
+    return World.from_json(map_.to_json(), missing=kind)
+
+
+def _world_of_corpus(name: str, kind: str) -> World:
+    corpus = own_corpus()
+    for entry in corpus.of_kind("world"):
+        if entry.name == name:
+            return World.from_json(corpus.document(entry), missing=kind)
+    raise InputError(
+        f"world {show(name)} is neither JSON, nor @file, nor one of {', '.join(named_maps())}, "
+        "nor a world of the corpus"
+    )
 
 
 def world_of_family(text: str, holes: str, seed: int) -> World:

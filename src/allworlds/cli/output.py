@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import sys
 from collections.abc import Callable
@@ -26,16 +27,19 @@ def width() -> int:
 
 def emit(result: Document, text: Callable[[int], str], *, as_json: bool) -> None:
     """Print a result in the form that was asked for."""
-    if as_json:
-        print(json.dumps(result.to_json(), indent=2))
-    else:
-        print(text(width()))
+    try:
+        print(json.dumps(result.to_json(), indent=2) if as_json else text(width()))
+        sys.stdout.flush()
+    except BrokenPipeError:
+        # The reader has gone (a pipe to head); the exit code is still to be told.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 class Progress:
     """A bar on stderr with the exact total and the time that is left; only on a terminal."""
 
     def __init__(self, *, quiet: bool) -> None:
+        self._quiet = quiet
         self._bar: Any = None
         if not quiet and sys.stderr.isatty():
             self._bar = _bar()
@@ -63,6 +67,11 @@ class Progress:
         """So many more worlds are done."""
         if self._bar:
             self._bar.advance(self._task, worlds)
+
+    def notice(self, text: str) -> None:
+        """One line on stderr."""
+        if not self._quiet:
+            print(f"allworlds: {text}", file=sys.stderr)
 
 
 def _bar() -> Any:

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
+from allworlds.cli.junit import Junit, ensure_writable, write_junit
 from allworlds.cli.output import Progress, emit
 from allworlds.errors import InputError
 
@@ -41,10 +42,14 @@ def check(
     laws: opt.LawNames = "",
     step_budget: opt.StepBudget = None,
     engine: Annotated[
-        str, typer.Option(metavar="auto|python", rich_help_panel=opt.EFFORT, help="Which engine.")
+        str,
+        typer.Option(
+            metavar="auto|python|kernel", rich_help_panel=opt.EFFORT, help="Which engine."
+        ),
     ] = "auto",
     workers: Annotated[
-        str, typer.Option(metavar="N|auto", rich_help_panel=opt.EFFORT, help="Processes.")
+        str,
+        typer.Option(metavar="N|auto", rich_help_panel=opt.EFFORT, help="Processes, or threads."),
     ] = "auto",
     max_findings: Annotated[
         int,
@@ -63,6 +68,8 @@ def check(
             metavar="MB", rich_help_panel=opt.EFFORT, help="Address space of each worker."
         ),
     ] = None,
+    corpus: opt.CorpusDirectory = None,
+    junit: Junit = None,
     as_json: opt.Json = False,
     quiet: opt.Quiet = False,
 ) -> int:
@@ -75,6 +82,7 @@ def check(
     from allworlds.checker import check as run_check
     from allworlds.reports import check_text
 
+    ensure_writable(junit)
     with Progress(quiet=quiet) as progress:
         report = run_check(
             opt.explorer_name(explorer, command),
@@ -94,8 +102,10 @@ def check(
             memory=memory,
             max_findings=max_findings,
             engine=engine,
+            corpus=corpus,
             listener=progress,
         )
+    write_junit(junit, report)
     emit(report, lambda width: check_text(report, width), as_json=as_json)
     return report.exit_code
 

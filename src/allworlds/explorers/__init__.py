@@ -5,9 +5,12 @@ A new built-in explorer is a module of this package and an entry of :data:`BUILT
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeAlias
 
 from allworlds.explorers.algorithm1 import algorithm1
+
+Size: TypeAlias = tuple[int, int]
+"""Numbers of edges and of vertices."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,14 +21,15 @@ class BuiltIn:
         explore: the generator function; it takes ``choices`` and ``notice``.
         lighthouse: the kind it is written for.
         witnesses: the events that a complete check must have seen, each with the least
-            number of edges from which on every policy meets it, for classes with loops and
-            parallel edges and for simple classes.  An event met later, or never, would mean
-            that a branch of the algorithm has not been tried.
+            (edges, vertices) within which every policy meets it, for classes with loops and
+            parallel edges and for simple classes; None where some policy never meets it.
+            An event met later, or never, would mean that a branch of the algorithm has not
+            been tried.
     """
 
     explore: Callable[..., Any]
     lighthouse: str
-    witnesses: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
 
 
 BUILT_IN: dict[str, BuiltIn] = {
@@ -33,16 +37,18 @@ BUILT_IN: dict[str, BuiltIn] = {
         algorithm1,
         "directional",
         {
-            "case-1": (4, 6),
-            "case-2": (3, 4),
-            "case-3": (1, 3),
-            "empty-H": (1, 1),
-            "loop": (1, 3),
-            "non-loop": (1, 1),
-            "v0-hypothesis": (1, 3),
+            "case-1": ((4, 3), (6, 5)),
+            "case-2": ((3, 2), (5, 4)),
+            "case-3": ((1, 1), (3, 3)),
+            "empty-H": ((1, 2), (1, 2)),
+            "loop": ((1, 1), (3, 3)),
+            "non-loop": ((1, 2), (1, 2)),
+            # First in, first out explores every dart of v0 before any other: without loops
+            # no dart of v0 is open when the robot comes back to it.
+            "v0-hypothesis": ((1, 1), None),
         },
     ),
 }
 """The built-in explorers by the names they have on the command line."""
 
-__all__ = ["BUILT_IN", "BuiltIn", "algorithm1"]
+__all__ = ["BUILT_IN", "BuiltIn", "Size", "algorithm1"]

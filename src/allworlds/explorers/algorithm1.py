@@ -22,13 +22,13 @@ answering 0 always takes a shortest one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterator, Sequence
-from functools import cached_property
-from typing import TypeAlias, TypeVar, overload
+from collections.abc import Callable, Generator
+from typing import TypeAlias, TypeVar
 
 from allworlds.explorers.partial_map import PartialMap
+from allworlds.explorers.paths import simple_path, walks
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.protocol import Checkpoint, Choices, Estimate, Kind, Move, Percept
+from allworlds.protocol import Checkpoint, Choices, Estimate, Move, Percept
 
 R = TypeVar("R")
 Walk: TypeAlias = Generator[Move | Checkpoint, Percept, R]
@@ -56,189 +56,130 @@ def algorithm1(
 
     Cost: at most (1) + (2) of Section VI traversals.  Source: Algorithm 1, Section IV.
     """
-    choices = choices or Choices()
-    s = PartialMap(first)  # line 1
-    here = 0
-    while s.unexplored:  # line 2
-        goal = _take_from_u(s, here, choices)
-        percept = yield from _follow(s, here, goal, choices)
-        hypotheses = [d for d in s.unexplored if d != goal and s.expected[d] == percept]  # line 6
-        if not hypotheses:
-            notice("empty-H")
-        confirmed, turned = yield from _test_all(s, hypotheses, choices, notice)
-        if confirmed is None:  # lines 20-21
-            notice("non-loop")
-            entry = s.add_vertex(goal, percept)
-            here = s.turn(entry, turned)
-        else:  # lines 18-19
-            notice("loop")
-            partner, here = confirmed
-            s.add_loop(goal, partner)
-        yield s.checkpoint(here)
-    return Estimate(CombinatorialMap(s.sigma, s.alpha), here)  # line 22
+    return (yield from Algorithm1(first, choices or Choices(), notice).explore())
 
 
-def _take_from_u(s: PartialMap, here: int, choices: Choices) -> int:
-    """Line 3: the dart e to be explored."""
-    cost = _walks(s, s.vertex[here], s.unexplored)
-    return choices.pick(s.unexplored, of="edge", cost=cost)
+class Algorithm1:
+    """One exploration.  Each method is a group of lines, and can be overridden by a variant.
 
-
-def _follow(s: PartialMap, here: int, goal: int, choices: Choices) -> Walk[Percept]:
-    """Lines 4-5: walk through S to the known end of the dart, then follow it; the percept."""
-    for dart in _simple_path(s, s.vertex[here], s.vertex[goal], choices, "transit"):
-        yield Move(s.offset(here, dart))
-        here = s.alpha[dart]
-    return (yield Move(s.offset(here, goal)))
-
-
-def _test_all(
-    s: PartialMap, hypotheses: list[int], choices: Choices, notice: Callable[[str], None]
-) -> Walk[tuple[tuple[int, int] | None, int]]:
-    """Lines 7-17: test hypotheses until one is confirmed or H is empty.
-
-    Returns:
-        ``((e', here), 0)`` with the confirmed hypothesis and the robot's dart in S, or
-        ``(None, turned)``: the robot is back at v_u, ``turned`` places clockwise of the dart
-        by which it entered.
-    """
-    turned = 0
-    while hypotheses:
-        partner = choices.pick(hypotheses, of="hypothesis", cost=_walks(s, 0, hypotheses))
-        hypotheses.remove(partner)  # line 8
-        path = list(_simple_path(s, s.vertex[partner], 0, choices, "path"))  # line 9
-        if not path:
-            # At v0 the signature already holds the direction: the whole test is done.
-            notice("v0-hypothesis")
-        motions, matched = yield from _try_path(s, partner, path, turned)
-        if matched:  # case (3)
-            notice("case-3")
-            return (partner, s.alpha[path[-1]] if path else partner), 0
-        notice("case-2" if len(motions) == len(path) else "case-1")
-        turned = yield from _retrace(motions)
-    return None, turned
-
-
-def _try_path(
-    s: PartialMap, partner: int, path: list[int], turned: int
-) -> Walk[tuple[list[int], bool]]:
-    """Lines 10-13: execute the motions M while the percepts are those expected, P.
-
-    Returns:
-        The motions executed, counted from the dart of entry, and whether all matched.
-    """
-    motions: list[int] = []
-    at = partner
-    for dart in path:
-        motion = s.offset(at, dart)
-        seen = yield Move(motion - turned)
-        turned = 0
-        motions.append(motion)
-        at = s.alpha[dart]
-        if seen != s.expected[at]:
-            return motions, False
-    return motions, True
-
-
-def _retrace(motions: list[int]) -> Walk[int]:
-    """Line 15: undo the motions; how far the robot is now turned from its dart of entry.
-
-    The run ``k1..kr`` is undone by ``0, -kr, ..., -k2``; the turn by ``-k1`` that is left
-    costs nothing and is folded into the next motion.
-    """
-    back = 0
-    for motion in reversed(motions):
-        yield Move(back)
-        back = -motion
-    return motions[0]
-
-
-def _simple_path(
-    s: PartialMap, start: int, goal: int, choices: Choices, kind: Kind
-) -> Iterator[int]:
-    """The darts by which a simple path in S from vertex ``start`` leaves its vertices."""
-    vertex = start
-    visited: list[int] = []
-    lengths = s.distances(goal) if start != goal else {}
-    while vertex != goal:
-        visited.append(vertex)
-        options = _NextDarts(s, vertex, goal, visited, lengths)
-        dart = choices.pick(options, of=kind, cost=options.cost)
-        vertex = s.vertex[s.alpha[dart]]
-        yield dart
-
-
-class _NextDarts(Sequence[int]):
-    """The options of one step of a path.  The first is found without looking at the others.
-
-    While a path has only taken first options it is a shortest one, and the first option is
-    the first dart that is one step nearer to the goal.
+    Attributes:
+        s: the map S with its open darts U.
+        here: the robot's dart in S; only meaningful between two passes.
+        turned: after a rejected hypothesis, how far clockwise of the dart by which it has
+            entered v_u the robot stands.
     """
 
     def __init__(
-        self, s: PartialMap, vertex: int, goal: int, visited: list[int], lengths: dict[int, int]
+        self, first: Percept, choices: Choices, notice: Callable[[str], None] = nobody
     ) -> None:
-        self._s, self._vertex, self._goal = s, vertex, goal
-        self._visited = tuple(visited)
-        self._lengths = lengths
-        self.cost = _Lazy(lambda: [length for length, _ in self._ranked])
+        self.s = PartialMap(first)  # line 1
+        self.here = 0
+        self.turned = 0
+        self.choices = choices
+        self.notice = notice
 
-    def __len__(self) -> int:
-        return len(self._ranked)
+    def explore(self) -> Walk[Estimate]:
+        """Lines 2-22: passes until U is empty."""
+        while self.s.unexplored:
+            goal = self.take_from_u()
+            percept = yield from self.follow(goal)
+            hypotheses = self.hypotheses(goal, percept)
+            if not hypotheses:
+                self.notice("empty-H")
+            partner = yield from self.test_all(hypotheses)
+            if partner is None:
+                self.notice("non-loop")
+                self.augment_by_vertex(goal, percept)
+            else:
+                self.notice("loop")
+                self.augment_by_loop(goal, partner)
+            yield self.s.checkpoint(self.here)
+        return self.answer()
 
-    @overload
-    def __getitem__(self, index: int) -> int: ...
-    @overload
-    def __getitem__(self, index: slice) -> Sequence[int]: ...
-    def __getitem__(self, index: int | slice) -> int | Sequence[int]:
-        if index == 0 and self._on_a_shortest_path():
-            nearer = self._lengths[self._vertex] - 1
-            ways = self._s.ways(self._vertex)
-            return next(dart for dart, other in ways if self._lengths[other] == nearer)
-        darts = [dart for _, dart in self._ranked]
-        return darts[index]
+    def take_from_u(self) -> int:
+        """Line 3: the dart e to be explored."""
+        s = self.s
+        cost = walks(s, s.vertex[self.here], s.unexplored)
+        return self.choices.pick(s.unexplored, of="edge", cost=cost)
 
-    def _on_a_shortest_path(self) -> bool:
-        steps = len(self._visited) - 1
-        return self._lengths[self._vertex] + steps == self._lengths[self._visited[0]]
+    def follow(self, goal: int) -> Walk[Percept]:
+        """Lines 4-5: walk through S to the known end of the dart, then follow it."""
+        s, at = self.s, self.here
+        for dart in simple_path(s, s.vertex[at], s.vertex[goal], self.choices, "transit"):
+            yield Move(s.offset(at, dart))
+            at = s.alpha[dart]
+        return (yield Move(s.offset(at, goal)))
 
-    @cached_property
-    def _ranked(self) -> list[tuple[int, int]]:
-        """``(length of the way to go, dart)`` for every option, ascending."""
-        lengths = self._s.distances(self._goal, self._visited)
-        return sorted(
-            (lengths[other] + 1, dart)
-            for dart, other in self._s.ways(self._vertex)
-            if other in lengths and other not in self._visited
-        )
+    def hypotheses(self, goal: int, percept: Percept) -> list[int]:
+        """Line 6: H, the other darts in U by which a robot would sense just this.
 
+        At v0 that includes the direction, which is the whole test of such a hypothesis.
+        """
+        s = self.s
+        return [d for d in s.unexplored if d != goal and s.expected[d] == percept]
 
-class _Lazy(Sequence[int]):
-    """Costs that are computed when a policy looks at the first of them."""
+    def test_all(self, hypotheses: list[int]) -> Walk[int | None]:
+        """Lines 7-17: the hypothesis e' that is confirmed, or None."""
+        self.turned = 0
+        while hypotheses:
+            cost = walks(self.s, 0, hypotheses)
+            partner = self.choices.pick(hypotheses, of="hypothesis", cost=cost)
+            hypotheses.remove(partner)  # line 8
+            path = self.path_to_v0(partner)
+            if not path:
+                self.notice("v0-hypothesis")
+            motions, matched = yield from self.try_path(partner, path)
+            if matched:  # case (3)
+                self.notice("case-3")
+                self.here = self.s.alpha[path[-1]] if path else partner
+                return partner
+            self.notice("case-2" if len(motions) == len(path) else "case-1")
+            yield from self.retrace(motions)
+        return None
 
-    def __init__(self, compute: Callable[[], list[int]]) -> None:
-        self._compute = compute
+    def path_to_v0(self, partner: int) -> list[int]:
+        """Line 9: the darts by which a simple path in S from v_k' leaves its vertices."""
+        return list(simple_path(self.s, self.s.vertex[partner], 0, self.choices, "path"))
 
-    @cached_property
-    def _values(self) -> list[int]:
-        return self._compute()
+    def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
+        """Lines 10-13: execute the motions M while the percepts are those expected, P.
 
-    def __len__(self) -> int:
-        return len(self._values)
+        Returns:
+            The motions executed, counted from the dart of entry, and whether all matched.
+        """
+        s, at = self.s, partner
+        motions: list[int] = []
+        for dart in path:
+            motion = s.offset(at, dart)
+            seen = yield Move(motion - self.turned)
+            self.turned = 0
+            motions.append(motion)
+            at = s.alpha[dart]
+            if seen != s.expected[at]:
+                return motions, False
+        return motions, True
 
-    @overload
-    def __getitem__(self, index: int) -> int: ...
-    @overload
-    def __getitem__(self, index: slice) -> Sequence[int]: ...
-    def __getitem__(self, index: int | slice) -> int | Sequence[int]:
-        return self._values[index]
+    def retrace(self, motions: list[int]) -> Walk[None]:
+        """Line 15: undo the motions.
 
+        The run ``k1..kr`` is undone by ``0, -kr, ..., -k2``; the turn by ``-k1`` that is left
+        costs nothing and is folded into the next motion.
+        """
+        back = 0
+        for motion in reversed(motions):
+            yield Move(back)
+            back = -motion
+        self.turned = motions[0]
 
-def _walks(s: PartialMap, start: int, darts: list[int]) -> _Lazy:
-    """For each dart the length of a shortest walk in S from vertex ``start`` to its vertex."""
+    def augment_by_vertex(self, goal: int, percept: Percept) -> None:
+        """Lines 20-21: v_u is a new vertex; its first dart is the one of entry."""
+        entry = self.s.add_vertex(goal, percept)
+        self.here = self.s.turn(entry, self.turned)
 
-    def compute() -> list[int]:
-        lengths = s.distances(start)
-        return [lengths[s.vertex[dart]] for dart in darts]
+    def augment_by_loop(self, goal: int, partner: int) -> None:
+        """Lines 18-19: e and e' are one edge, and e' leaves U."""
+        self.s.add_loop(goal, partner)
 
-    return _Lazy(compute)
+    def answer(self) -> Estimate:
+        """Line 22: S, and the robot's place in it."""
+        return Estimate(CombinatorialMap(self.s.sigma, self.s.alpha), self.here)

@@ -99,6 +99,5 @@ class PartialMap:
 
     def _explore(self, dart: int, partner: int) -> None:
         self.alpha[dart], self.alpha[partner] = partner, dart
-        for end in (dart, partner):
-            if end in self.unexplored:
-                self.unexplored.remove(end)
+        self.unexplored.remove(dart)
+        self.unexplored.remove(partner)

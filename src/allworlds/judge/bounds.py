@@ -76,13 +76,16 @@ def bound_named(text: str) -> Bound:
 
     def value(n: int, m: int, d0: int, largest: int) -> int:
         try:
-            return evaluate({"n": n, "m": m, "d0": d0, "D": largest})
+            result = evaluate({"n": n, "m": m, "d0": d0, "D": largest})
         except ZeroDivisionError:
             raise BoundError(
                 f"bound {show(text)} divides by zero at n={n} m={m} d0={d0} D={largest}"
             ) from None
         except RecursionError:
             raise BoundError(f"bound of {len(text)} characters is nested too deeply") from None
+        if result.bit_length() > _LARGEST_BITS:
+            raise BoundError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
+        return result
 
     return Bound(text, value)
 
@@ -101,7 +104,9 @@ _LARGEST_BITS = 4096
 
 def _compile(node: ast.expr, text: str) -> _Evaluate:
     match node:
-        case ast.Constant(value=int() as number) if not isinstance(number, bool):
+        case ast.Constant(value=int() as number) if not (
+            isinstance(number, bool) or number.bit_length() > _LARGEST_BITS
+        ):
             return lambda _names: number
         case ast.Name(id=name) if name in VARIABLES:
             return lambda names: names[name]

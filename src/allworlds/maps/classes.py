@@ -27,13 +27,9 @@ class MapClass(StrEnum):
         """Only genus 0."""
         return self in (MapClass.PLANAR, MapClass.PLANAR_SIMPLE)
 
-    def __contains__(self, map_: object) -> bool:
+    def includes(self, map_: CombinatorialMap) -> bool:
         """Whether a map belongs to the class, by the map's own derived properties."""
-        return (
-            isinstance(map_, CombinatorialMap)
-            and (not self.simple or map_.is_simple)
-            and (not self.planar or map_.is_planar)
-        )
+        return (not self.simple or map_.is_simple) and (not self.planar or map_.is_planar)
 
 
 @dataclass(frozen=True, slots=True)

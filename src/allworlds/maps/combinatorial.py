@@ -35,7 +35,7 @@ class CombinatorialMap:
     Raises:
         InvalidMap: naming the first offending entry and what would be legal.
 
-    Cost: O(m).  Source: THEORY 1; Section II.A of the paper.
+    Cost: O(m).  Source: Section II.A of the paper; docs/theory.md.
     """
 
     sigma: tuple[Dart, ...]
@@ -171,7 +171,8 @@ class CombinatorialMap:
     def relabelled(self, names: Sequence[Dart]) -> CombinatorialMap:
         """The same map with dart ``d`` renamed to ``names[d]``, a permutation of the darts."""
         if sorted(names) != list(self.darts):
-            raise ValueError(f"{list(names)} is no permutation of the darts 0..{len(names) - 1}")
+            last = len(self.sigma) - 1
+            raise ValueError(f"{show(list(names))} is no permutation of the darts 0..{last}")
         sigma, alpha = [0] * len(names), [0] * len(names)
         for d, name in enumerate(names):
             sigma[name] = names[self.sigma[d]]

@@ -7,8 +7,8 @@ has exactly one such history, so nothing is met twice.
 
 No history is begun that cannot be finished (classes ``maps`` and ``planar``): the last open
 dart may not close while darts are still owed.  In the plane a dart is glued only within its
-own face of the open boundary, and the darts owed must be enough to even out every face
-with an odd number of open darts.  In the simple classes a vertex needs enough partners left;
+own face of the open boundary, and the vertices to come must be enough to even out every
+face with an odd number of open darts.  In the simple classes a vertex needs enough partners left;
 there the rule is only necessary, so a few histories end in nothing.
 """
 
@@ -147,8 +147,11 @@ class Gluing:
             return owed == 0
         if owed and len(self.degrees) == self.limit:
             return False
-        if self.planar and sum(len(face) % 2 for face in self.faces) > owed:
-            return False
+        if self.planar:
+            # Each face with an odd number of open darts needs a new vertex of its own.
+            new = min(owed, self.limit - len(self.degrees))
+            if sum(len(face) % 2 for face in self.faces) > new:
+                return False
         return not self.simple or self._enough_partners()
 
     def _enough_partners(self) -> bool:

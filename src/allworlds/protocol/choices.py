@@ -81,7 +81,7 @@ def policy_named(name: str, run: str = "") -> Policy:
     """
     kind, _, seed = name.partition(":")
     if kind == "random" and seed.isascii() and seed.isdigit():
-        return Seeded(f"{int(seed)}/{run}")
+        return Seeded(f"{seed.lstrip('0') or '0'}/{run}")
     plain: dict[str, type[Fifo | Lifo | Nearest]] = {
         "fifo": Fifo,
         "lifo": Lifo,
@@ -133,7 +133,10 @@ class Choices:
                 )
         else:
             index = self._policy.choose(of, options, cost)
-        picked = options[index]
+        try:
+            picked = options[index]
+        except IndexError:
+            raise ValueError(f"there is nothing to choose from: no option of {of}") from None
         self.record.append(index)
         return picked
 
@@ -151,7 +154,7 @@ class Schedules:
         while True:
             choices = _Counted(script)
             yield choices
-            script, widths = choices.record, choices.widths
+            script, widths = list(choices.record), choices.widths
             while script and script[-1] == widths[len(script) - 1] - 1:
                 script.pop()
             if not script:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, assert_never
 
 from allworlds.maps.combinatorial import integer
 from allworlds.protocol.actions import Action, Drop, Move, Pick
@@ -63,6 +63,8 @@ def action_to_json(action: Action) -> dict[str, Any]:
             return {"drop": True}
         case Pick():
             return {"pick": True}
+        case _:
+            assert_never(action)
 
 
 def action_from_json(row: object) -> Action | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from allworlds.checker.past import Past
 from allworlds.checker.report import Report, Verdict
 from allworlds.reports.layout import entry, number, plural, table
 from allworlds.reports.run_text import finding_text
@@ -67,6 +68,8 @@ def _scope(report: Report, width: int) -> list[str]:
     if not report.complete:
         finished = ", ".join(map(str, report.levels)) or "none"
         lines += entry("", f"NOT complete: finished levels (edges): {finished}", width)
+    if report.symmetry:
+        lines += entry("symmetry", report.symmetry, width)
     lines += entry("laws", _laws(report), width)
     lines += entry("gate", _gate(report), width)
     witnesses = report.tally.witnesses
@@ -74,10 +77,24 @@ def _scope(report: Report, width: int) -> list[str]:
     lines += entry("witnesses", seen or "none", width)
     if report.missing:
         lines += entry("MISSING", ", ".join(report.missing), width)
+    if report.corpus:
+        past = report.corpus
+        lines += entry("corpus", f"{past.directory}: {_corpus(past)}", width)
     if report.tally.left_out:
         left = plural(report.tally.left_out, "world")
         lines += entry("left out", f"{left} without a place for the lighthouse", width)
     return lines
+
+
+def _corpus(past: Past) -> str:
+    return "; ".join(
+        f"{len(names)} {what}" + (f" ({', '.join(names)})" if names else "")
+        for what, names in (
+            ("past findings reproduced", past.reproduced),
+            ("fixed and kept", past.fixed),
+            ("written", past.written),
+        )
+    )
 
 
 def _schedules(report: Report) -> str:

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from allworlds.checker.belief import believed_percepts, true_trail
 from allworlds.checker.finding import Finding
 from allworlds.checker.replay import Replay
 from allworlds.checker.single import SingleRun
-from allworlds.drawing import draw
 from allworlds.episode import Answered
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Move, Percept, Transcript
-from allworlds.reports.belief import believed_percepts
 from allworlds.reports.layout import entry, plural, table
-from allworlds.world import Directional, World
+from allworlds.reports.picture import answer_picture, world_picture
+from allworlds.world import World
 
 LONGEST_WALK = 60
 """The steps of a longer walk are told from both ends."""
@@ -23,12 +23,12 @@ LONGEST_WALK = 60
 def finding_text(finding: Finding, width: int) -> str:
     """The smallest refuting world as one can read it."""
     world = finding.world
-    map_ = world.map
+    map_, robot = world.map, true_trail(world, finding.transcript)[-1]
     seen = finding.seen if isinstance(finding.seen, Mapping) else None
     answer = None if seen is None else (CombinatorialMap.from_json(seen), int(seen["here"]))
     size = f"{plural(map_.edge_count, 'edge')}, {plural(map_.vertex_count, 'vertex', 'vertices')}"
     lines = [f"FINDING: {finding.explorer} breaks the law '{finding.law}' in a world with {size}"]
-    lines += ["", "the world", "", _drawing(world, _trail(world, finding.transcript)[-1], width)]
+    lines += ["", "the world", "", world_picture(world, robot, width)]
     lines += ["", *_walk(world, finding.transcript, answer)]
     lines += ["", *_broken(finding, answer, width)]
     if finding.choices:
@@ -48,11 +48,11 @@ def run_text(run: SingleRun, width: int) -> str:
     ending = episode.ending
     assert isinstance(ending, Answered)
     transcript, estimate = episode.transcript, ending.estimate
-    trail = _trail(world, transcript)
-    lines = ["the world", "", _drawing(world, trail[-1], width), ""]
+    trail = true_trail(world, transcript)
+    lines = ["the world", "", world_picture(world, trail[-1], width), ""]
     lines += _walk(world, transcript, (estimate.map, estimate.here))
     lines += ["", "the answer", ""]
-    lines += [_answer_drawing(estimate.map, estimate.here, width), ""]
+    lines += [answer_picture(estimate.map, estimate.here, width), ""]
     bound = "" if run.outcome.bound is None else f" of at most {run.outcome.bound}"
     cost = plural(transcript.cost, "traversal")
     laws = ", ".join(run.rules.applying)
@@ -72,31 +72,11 @@ def replay_text(replay: Replay, width: int) -> str:
     return "\n".join([*entry("REPRODUCED", law, width), "", finding_text(again, width)])
 
 
-def _drawing(world: World, robot: Dart, width: int) -> str:
-    lighthouse = world.lighthouse
-    pointed = lighthouse.dart if isinstance(lighthouse, Directional) else None
-    labels = ["R" if dart == robot else "" for dart in world.map.darts]
-    text = draw(world.map, start=world.start, pointed=pointed, labels=labels, width=width)
-    return text + "   R robot at the end"
-
-
-def _answer_drawing(map_: CombinatorialMap, here: Dart, width: int) -> str:
-    labels = ["R" if dart == here else "" for dart in map_.darts]
-    return draw(map_, start=here, labels=labels, width=width)
-
-
-def _trail(world: World, transcript: Transcript) -> list[Dart]:
-    trail = [world.start]
-    for action, _ in transcript.steps:
-        trail.append(world.step(trail[-1], action)[0])
-    return trail
-
-
 def _walk(
     world: World, transcript: Transcript, answer: tuple[CombinatorialMap, Dart] | None
 ) -> list[str]:
     """The steps: where the robot came to, what it sensed, and what the answer makes expect."""
-    trail = _trail(world, transcript)
+    trail = true_trail(world, transcript)
     seen = [transcript.first, *(percept for _, percept in transcript.steps)]
     believed = answer and believed_percepts(world, *answer, transcript)
     motions = ["start", *(_motion(action) for action, _ in transcript.steps)]
@@ -139,7 +119,7 @@ def _broken(
         "pose": "the answer is the same map, but 'here' is not the robot's dart",
     }
     lines = entry("law", f"{finding.law}: {what.get(finding.law, '')}", width)
-    return [*lines, "", "the answer (S, R: the robot)", "", _answer_drawing(*answer, width), ""]
+    return [*lines, "", "the answer (S, R: the robot)", "", answer_picture(*answer, width), ""]
 
 
 def _value(value: Any) -> str:

@@ -54,7 +54,7 @@ class Program:
         self._process: subprocess.Popen[bytes] | None = None
         self._episodes = 0
         self._stderr: IO[bytes] | None = None
-        self._out = b""
+        self._out = bytearray()
 
     def explore(
         self, first: Percept, *, told: int | None = None
@@ -76,8 +76,13 @@ class Program:
                 elif "checkpoint" in message:
                     yield _checkpoint(message["checkpoint"])
                 elif "estimate" in message:
+                    if self._out:
+                        raise self._fault(
+                            "illegal-action", f"a line after its estimate: {_text(self._out)}"
+                        )
+                    estimate = _estimate(message["estimate"])
                     finished = True
-                    return _estimate(message["estimate"])
+                    return estimate
                 else:
                     raise self._fault("illegal-action", f"the line {_short(message)}")
         finally:
@@ -125,8 +130,9 @@ class Program:
                 start_new_session=True,
             )
         except OSError as error:
+            self._stderr.close()
             raise ExplorerFault("crash", f"the program cannot be started: {error}") from None
-        self._out = b""
+        self._out.clear()
 
     def _kill(self) -> None:
         process, self._process = self._process, None
@@ -160,7 +166,9 @@ class Program:
 
     def _line(self) -> bytes:
         deadline = time.monotonic() + self._timeout
-        while b"\n" not in self._out:
+        searched = 0
+        while (end := self._out.find(b"\n", searched)) < 0:
+            searched = len(self._out)
             if len(self._out) > LONGEST_LINE:
                 raise self._fault("illegal-action", f"a line of over {LONGEST_LINE} bytes")
             left = deadline - time.monotonic()
@@ -168,7 +176,8 @@ class Program:
                 raise self._fault("timeout", f"silent for {self._timeout:g} s")
             if not self._read(left):
                 raise self._ended()
-        line, _, self._out = self._out.partition(b"\n")
+        line = bytes(self._out[:end])
+        del self._out[: end + 1]
         return line
 
     def _read(self, wait: float) -> bool:
@@ -222,5 +231,5 @@ def _short(value: object) -> str:
     return text if len(text) <= 200 else text[:197] + "..."
 
 
-def _text(line: bytes) -> str:
+def _text(line: bytes | bytearray) -> str:
     return repr(line[:200].decode(errors="replace"))

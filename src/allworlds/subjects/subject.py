@@ -8,14 +8,14 @@ import importlib.util
 import inspect
 import sys
 from collections.abc import Callable, Generator, Mapping
-from contextlib import AbstractContextManager, closing, nullcontext
+from contextlib import AbstractContextManager, closing, nullcontext, redirect_stdout
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from allworlds.episode import Player
 from allworlds.errors import InputError
-from allworlds.explorers import BUILT_IN
+from allworlds.explorers import BUILT_IN, Size
 from allworlds.explorers.algorithm1 import nobody
 from allworlds.protocol import Choices, Percept
 from allworlds.subjects.program import Program
@@ -48,7 +48,7 @@ class Subject:
     keywords: frozenset[str]
     foreign: bool = True
     importable: bool = True
-    witnesses: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
     program: Program | None = None
 
     @property
@@ -92,10 +92,7 @@ def load(name: str, answer_timeout: float = 10.0) -> Subject:
         return _subject(name, _attribute(module, attribute, place))
     points = importlib.metadata.entry_points(group=ENTRY_POINTS)
     if name in points.names:
-        try:
-            return _subject(name, points[name].load())
-        except (ImportError, AttributeError) as error:
-            raise SubjectError(f"entry point {name!r} does not load: {error}") from None
+        return _subject(name, _imported(name, points[name].load))
     known = ", ".join(sorted({*BUILT_IN, *points.names}))
     raise SubjectError(
         f"explorer {name!r} is none of {known}, module:attribute or path/to/file.py:attribute"
@@ -164,13 +161,16 @@ def _file(path: str) -> Any:
     file = Path(path).resolve()
     if not file.is_file():
         raise SubjectError(f"there is no file {path!r}")
+    # Behind all others: what lies beside the file must not hide modules that we need.
     if str(file.parent) not in sys.path:
-        sys.path.insert(0, str(file.parent))
-    spec = importlib.util.spec_from_file_location(file.stem, file)
+        sys.path.append(str(file.parent))
+    # A file may be called as a module that is already there, and must not take its place.
+    name = f"{file.stem} in {file.parent}" if file.stem in sys.modules else file.stem
+    spec = importlib.util.spec_from_file_location(name, file)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
-    sys.modules[file.stem] = module
+    sys.modules[name] = module
     loader = spec.loader
 
     def execute() -> Any:
@@ -182,7 +182,9 @@ def _file(path: str) -> Any:
 
 def _imported(name: str, importing: Callable[[], Any]) -> Any:
     try:
-        return importing()
+        # What a module prints must not get into a document on stdout.
+        with redirect_stdout(sys.stderr):
+            return importing()
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # noqa: BLE001  # a module may raise anything

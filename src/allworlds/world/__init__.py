@@ -2,9 +2,12 @@
 
 from allworlds.world.lighthouses import (
     LIGHTHOUSES,
+    Compass,
     Directional,
     InvalidWorld,
     Lighthouse,
+    Nothing,
+    Position,
     lighthouse_from_json,
     lighthouse_named,
 )
@@ -12,10 +15,13 @@ from allworlds.world.world import IllegalAction, World
 
 __all__ = [
     "LIGHTHOUSES",
+    "Compass",
     "Directional",
     "IllegalAction",
     "InvalidWorld",
     "Lighthouse",
+    "Nothing",
+    "Position",
     "World",
     "lighthouse_from_json",
     "lighthouse_named",

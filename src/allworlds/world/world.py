@@ -10,7 +10,12 @@ from typing import Any
 from allworlds.errors import parse_json, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
 from allworlds.protocol import Action, Move, Percept
-from allworlds.world.lighthouses import InvalidWorld, Lighthouse, lighthouse_from_json
+from allworlds.world.lighthouses import (
+    Directional,
+    InvalidWorld,
+    Lighthouse,
+    lighthouse_from_json,
+)
 
 
 class IllegalAction(ValueError):
@@ -85,11 +90,13 @@ class World:
         }
 
     @classmethod
-    def from_json(cls, document: str | Mapping[str, Any]) -> World:
+    def from_json(
+        cls, document: str | Mapping[str, Any], *, missing: str = Directional.kind
+    ) -> World:
         """The world of :meth:`to_json`'s document, or of its text; other keys are ignored.
 
-        ``start`` may be missing (0), and so may the lighthouse (directional, pointing to the
-        start).
+        ``start`` may be missing (0), and so may the lighthouse: then it is of the kind
+        ``missing``, at its default place.
 
         Raises:
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.
@@ -106,4 +113,5 @@ class World:
         except TypeError:
             given = show(document["start"])
             raise InvalidWorld(f"start = {given} is not an integer") from None
-        return cls(map_, lighthouse_from_json(document.get("lighthouse"), start), start)
+        lighthouse = lighthouse_from_json(document.get("lighthouse"), map_, start, missing)
+        return cls(map_, lighthouse, start)

@@ -1,0 +1,137 @@
+"""Write every file of the corpus and its manifest anew from the recipes below."""
+
+import hashlib
+import json
+from pathlib import Path
+
+from allworlds.checker import check
+from allworlds.maps import from_cycles, lattice, named_map
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.world import Directional, World
+
+HERE = Path(__file__).parent
+
+# name: map, pointed dart, provenance, (edges, vertices, faces, genus, automorphisms, cost).
+# The numbers of the map are elementary; the cost is that of an independent implementation of
+# Algorithm 1 with the same policy.
+WORLDS = {
+    "loop": (named_map("loop"), 0, "the smallest map with one vertex", (1, 1, 2, 0, 2, 1)),
+    "edge": (named_map("edge"), 0, "the smallest map with two vertices", (1, 2, 1, 0, 2, 1)),
+    "two-loops-plane": (
+        named_map("two-loops-plane"), 0,
+        "with its twin on the torus the smallest pair that position alone does not tell apart",
+        (2, 1, 3, 0, 2, 2),
+    ),
+    "two-loops-torus": (
+        named_map("two-loops-torus"), 0, "the twin of two-loops-plane", (2, 1, 1, 1, 4, 2),
+    ),
+    "theta": (named_map("theta"), 1, "three parallel edges in the plane", (3, 2, 3, 0, 6, 8)),
+    "theta-torus": (
+        named_map("theta-torus"), 1, "three parallel edges on the torus", (3, 2, 1, 1, 6, 6),
+    ),
+    "dipole-4": (named_map("dipole-4"), 2, "four parallel edges in the plane", (4, 2, 4, 0, 8, 14)),
+    "dipole-5": (named_map("dipole-5"), 0, "five parallel edges in the plane", (5, 2, 5, 0, 10, 22)),
+    "k4": (named_map("k4"), 0, "the tetrahedron", (6, 4, 4, 0, 12, 35)),
+    "k4-torus": (
+        named_map("k4-torus"), 0, "K4 on the torus, with faces of 4 and 8 darts", (6, 4, 2, 1, 4, 31),
+    ),
+    "wheel-4": (named_map("wheel-4"), 0, "the wheel with four spokes, from its hub", (8, 5, 5, 0, 4, 56)),
+    "cube": (named_map("cube"), 0, "the cube", (12, 8, 6, 0, 24, 152)),
+    "lattice-with-holes": (
+        lattice(4, 4, 0.1, 7), 0,
+        "a lattice of 4 x 4 vertices without 10 % of its edges, as in Fig. 3", (22, 16, 8, 0, 1, 178),
+    ),
+    "fig2-step": (
+        from_cycles(["ab", "acd", "bec", "de"]), 0,
+        "Fig. 2: the smallest simple planar world (by enumeration) in whose exploration a loop is "
+        "closed after other hypotheses were rejected, and a vertex is added after all were",
+        (5, 4, 3, 0, 2, 22),
+    ),
+    "fig1-left": (
+        named_map("fig1-left"), 0,
+        "a candidate for Fig. 1, whose drawing is not known: planar, simple, n = 9, m = 14",
+        (14, 9, 7, 0, 2, 212),
+    ),
+    "fig1-right": (named_map("fig1-right"), 0, "the twin of fig1-left", (14, 9, 7, 0, 2, 198)),
+}
+
+# By the number of edges, from 1 on.
+COUNTS = {
+    "maps": {
+        "provenance": "rooted: OEIS A000698 shifted; unrooted: OEIS A170946",
+        "rooted": [2, 10, 74, 706, 8162, 110410],
+        "unrooted": [2, 5, 20, 107, 870],
+    },
+    "planar": {
+        "provenance": "rooted: OEIS A000168 (Tutte 1963); unrooted: OEIS A006384",
+        "rooted": [2, 9, 54, 378, 2916, 24057],
+        "unrooted": [2, 4, 14, 57],
+    },
+    "simple": {
+        "provenance": "labelled rotation systems of connected simple graphs summed over graphs",
+        "rooted": [1, 2, 6, 23],
+        "unrooted": [1, 1, 3, 5],
+    },
+}
+
+
+def write(folder: str, name: str, document: object) -> dict[str, str]:
+    """Write a document; its file and digest."""
+    path = HERE / folder / f"{name}.json"
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+    digest = hashlib.sha256(path.read_bytes()).hexdigest()
+    return {"file": f"{folder}/{name}.json", "sha256": digest}
+
+
+def world_entries() -> list[dict[str, object]]:
+    """The named worlds."""
+    keys = ("edges", "vertices", "faces", "genus", "automorphisms", "cost")
+    return [
+        {
+            "name": name,
+            "kind": "world",
+            **write("worlds", name, World(map_, Directional(dart)).to_json()),
+            "provenance": provenance,
+            "expected": {"verdict": "holds", **dict(zip(keys, numbers, strict=True))},
+        }
+        for name, (map_, dart, provenance, numbers) in WORLDS.items()
+    ]
+
+
+def finding_entries() -> list[dict[str, object]]:
+    """The smallest finding of every mutant."""
+    entries = []
+    for mutant in WRONG_EXPLORERS:
+        name = f"allworlds.mutation.explorers:{mutant.name.replace('-', '_')}"
+        finding = check(name, edges=4).findings[0]
+        entries.append(
+            {
+                "name": f"mutant-{mutant.name}",
+                "kind": "finding",
+                **write("findings", mutant.name, finding.to_json()),
+                "provenance": f"the smallest world that refutes this mutant: {mutant.breaks}",
+                "expected": {"law": finding.law, "outcome": "reproduced"},
+            }
+        )
+    return entries
+
+
+def count_entries() -> list[dict[str, object]]:
+    """The known numbers of maps."""
+    return [
+        {
+            "name": f"counts-{name}",
+            "kind": "counts",
+            **write("counts", name, {"class": name, **numbers}),
+            "provenance": numbers["provenance"],
+            "expected": {"agrees": True},
+        }
+        for name, numbers in COUNTS.items()
+    ]
+
+
+if __name__ == "__main__":
+    entries = [*world_entries(), *finding_entries(), *count_entries()]
+    manifest = {"schema": 1, "entries": entries}
+    (HERE / "manifest.json").write_text(json.dumps(manifest, indent=1) + "\n", encoding="utf-8")

@@ -1,0 +1,43 @@
+"""What no robot can tell apart: ambiguity classes, twins and their certificates.
+
+Glossary
+--------
+quotient
+    The world with the darts that no motion tells apart taken together
+    (:mod:`allworlds.maps.quotient`).
+ambiguity class
+    All worlds with the same rooted quotient; a world with a class of one member can be
+    mapped.
+pose hypothesis
+    A member of the class and a dart in it, up to automorphisms, at which the robot can be.
+bisimulation
+    Classes of darts that prove that no motion tells two worlds apart
+    (:mod:`allworlds.ambiguity.certificate`).
+separation
+    Motions that tell them apart.
+"""
+
+from allworlds.ambiguity.census import AmbiguityCensus, CensusRow, census
+from allworlds.ambiguity.certificate import flaw
+from allworlds.ambiguity.criterion import Disagreement, class_size, is_ambiguous, pose_count
+from allworlds.ambiguity.members import DEFAULT_LIMIT, AmbiguityClass, class_of, projection_of
+from allworlds.ambiguity.twins import Bisimulation, Comparison, Separation, twins
+
+__all__ = [
+    "DEFAULT_LIMIT",
+    "AmbiguityCensus",
+    "AmbiguityClass",
+    "Bisimulation",
+    "CensusRow",
+    "Comparison",
+    "Disagreement",
+    "Separation",
+    "census",
+    "class_of",
+    "class_size",
+    "flaw",
+    "is_ambiguous",
+    "pose_count",
+    "projection_of",
+    "twins",
+]

@@ -1,0 +1,97 @@
+"""How many worlds share a quotient, decided and counted without making one of them.
+
+The setting is one marked vertex v0 that is sensed, so that all darts over the root's vertex
+of the quotient lie at v0.  The k sheets are permuted once round each vertex and across each
+edge outside a spanning tree; a world is given by these permutations:
+
+- round v0 by ``c = (0 1 .. k-1)``, since one vertex lies there;
+- round any other vertex of cone index b by a permutation with cycles of length b only;
+- across each of the beta1 ordinary edges by any permutation;
+- across each semi-edge by an involution without fixed points, since no edge is half.
+
+Renaming the sheets by a power of c gives the same world, and nothing else does.  So the
+number of choices is the number of pose hypotheses P (which dart of which world stands for the
+robot's), and the number of worlds is the number of orbits under the powers of c.
+"""
+
+from __future__ import annotations
+
+from math import factorial, gcd, prod
+
+from allworlds.maps.quotient import Quotient
+
+
+class Disagreement(RuntimeError):
+    """Two ways to one number gave two numbers: a fault of this program."""
+
+
+def is_ambiguous(quotient: Quotient) -> bool:
+    """Whether two or more worlds have this quotient under position.
+
+    That is so iff k >= 2, and not: there is no cycle (beta1 = 0), and k = 2, or there is no
+    semi-edge and every cone index but that of v0 is 1.
+
+    Cost: O(m).
+    """
+    if quotient.sheets == 1 or quotient.beta1:
+        return quotient.sheets > 1
+    rigid = not quotient.semi_edges and all(b == 1 for b in quotient.cone_indices[1:])
+    return quotient.sheets > 2 and not rigid
+
+
+def pose_count(quotient: Quotient) -> int:
+    """P = (k!)^beta1 N(k,2)^s prod N(k,b_v): in how many (world, dart of v0) the robot can be.
+
+    N(k,b) is the number of permutations of k things with cycles of length b only, s the
+    number of semi-edges; the product is over the vertices other than v0.
+    """
+    return _fixed_by_rotations(quotient, quotient.sheets)
+
+
+def class_size(quotient: Quotient) -> int:
+    """The number of worlds with this quotient, by Burnside's count of orbits.
+
+    Cost: O(k^2) products for each vertex and edge of the quotient; no world is made.
+    """
+    k = quotient.sheets
+    return sum(_fixed_by_rotations(quotient, gcd(k, j)) for j in range(k)) // k
+
+
+def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
+    """The choices that commute with a power of c that has so many cycles."""
+    k = quotient.sheets
+    fixed = [_uniform(k, cycles, b) for b in quotient.cone_indices[1:]]
+    fixed += [_uniform(k, cycles, 2)] * len(quotient.semi_edges)
+    fixed += [(k // cycles) ** cycles * factorial(cycles)] * quotient.beta1
+    return prod(fixed)
+
+
+def _uniform(k: int, cycles: int, b: int) -> int:
+    """The permutations of k things with cycles of length b only that commute with a power of c.
+
+    The power has ``cycles`` cycles of length ``r = k / cycles``.  What commutes with it
+    permutes these cycles, and turns each on the way.  Where it takes t of them round, with
+    turns that add up to an element of order o in Z_r, it has cycles of length t o = b: there
+    are ``r^(t-1) phi(o)`` such turns.
+    """
+    r = k // cycles
+    weight = {
+        t: r ** (t - 1) * _totient(b // t)
+        for t in range(1, min(b, cycles) + 1)
+        if b % t == 0 and r % (b // t) == 0
+    }
+    ways = [1]
+    for g in range(1, cycles + 1):
+        # The cycle of the g-th thing has t things: the others are arranged in (g-1)!/(g-t)! ways.
+        ways.append(
+            sum(
+                factorial(g - 1) // factorial(g - t) * w * ways[g - t]
+                for t, w in weight.items()
+                if t <= g
+            )
+        )
+    return ways[cycles]
+
+
+def _totient(n: int) -> int:
+    return sum(gcd(n, j) == 1 for j in range(1, n + 1))

@@ -1,0 +1,287 @@
+"""Engines and other programs side by side: who walks how many worlds a second.
+
+Contenders take turns, round after round, and a ratio is taken within each round: what else
+the machine does then befalls both sides.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+import re
+import resource
+import shlex
+import subprocess
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from allworlds.checker.examine import Examiner
+from allworlds.checker.scope import Limits, make_scope
+from allworlds.errors import InputError
+from allworlds.maps.counting import source_for
+from allworlds.maps.enumeration import prefixes, rooted_maps
+from allworlds.subjects import load
+from allworlds.version import __version__
+from allworlds.world import Directional, World
+
+SCHEMA = 1
+REFERENCE = "kernel"
+"""The contender to whose rate all others are compared."""
+
+PYTHON_EDGES = 4
+THOROUGH_EDGES = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Contender:
+    """Something that walks every world with ``edges`` edges when it is called.
+
+    Attributes:
+        name: how it is called in the report.
+        edges: m.
+        does: what it does, in words, or its command.
+        work: does it once.
+    """
+
+    name: str
+    edges: int
+    does: str
+    work: Callable[[], object]
+
+    @property
+    def worlds(self) -> int:
+        """The rooted maps of the level, from the count's source."""
+        return sum(source_for("maps").cells(self.edges).values())
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """A contender with the seconds that each of its rounds took."""
+
+    contender: Contender
+    seconds: tuple[float, ...]
+
+    @property
+    def rates(self) -> list[float]:
+        """Worlds a second in each round."""
+        return [self.contender.worlds / seconds for seconds in self.seconds]
+
+    def to_json(self) -> dict[str, Any]:
+        """One row of the document."""
+        return {
+            "name": self.contender.name,
+            "does": self.contender.does,
+            "edges": self.contender.edges,
+            "worlds": self.contender.worlds,
+            "seconds": [round(seconds, 4) for seconds in self.seconds],
+            "worlds_per_second": _spread(self.rates, 1),
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class BenchReport:
+    """All contenders of one run.
+
+    Attributes:
+        edges: the level of the compiled engines.
+        measured: the contenders; the first is the reference.
+        peak_mb: the largest memory that this process has had.
+    """
+
+    edges: int
+    measured: tuple[Measured, ...]
+    peak_mb: int
+
+    @property
+    def exit_code(self) -> int:
+        """0: measured."""
+        return 0
+
+    def ratios(self) -> list[dict[str, Any]]:
+        """How many times the rate of each other contender the reference's is."""
+        reference = self.measured[0]
+        return [
+            {
+                "of": reference.contender.name,
+                "to": other.contender.name,
+                "ratio": _spread(
+                    [a / b for a, b in zip(reference.rates, other.rates, strict=True)], 4
+                ),
+            }
+            for other in self.measured[1:]
+        ]
+
+    def to_json(self) -> dict[str, Any]:
+        """The document of ``bench --json``."""
+        return {
+            "schema": SCHEMA,
+            "version": __version__,
+            "commit": commit(),
+            "machine": machine(),
+            "edges": self.edges,
+            "rounds": len(self.measured[0].seconds),
+            "peak_mb": self.peak_mb,
+            "contenders": [measured.to_json() for measured in self.measured],
+            "ratios": self.ratios(),
+        }
+
+
+def bench(*, edges: int = 7, rounds: int = 3, peers: Sequence[str] = ()) -> BenchReport:
+    """Measure the engines of this package and other programs, side by side.
+
+    Args:
+        edges: the level m that the compiled engines do.
+        rounds: how often each contender takes its turn.
+        peers: ``NAME=COMMAND``, or ``NAME@M=COMMAND`` for a program that does another level.
+
+    Raises:
+        InputError: naming the offending option, or the peer that failed.
+    """
+    if not 4 <= edges <= 10:
+        raise InputError(f"edges = {edges}; a benchmark takes 4 up to 10")
+    if rounds < 1:
+        raise InputError(f"rounds = {rounds} is not positive")
+    contenders = [*own_contenders(edges), *(peer(text, edges) for text in peers)]
+    for contender in contenders[:-len(peers) or None]:
+        # Compiling and loading is not what is measured.
+        _warm(contender)
+    seconds: list[list[float]] = [[] for _ in contenders]
+    for _ in range(rounds):
+        for contender, taken in zip(contenders, seconds, strict=True):
+            start = time.perf_counter()
+            contender.work()
+            taken.append(time.perf_counter() - start)
+    measured = tuple(
+        Measured(contender, tuple(taken))
+        for contender, taken in zip(contenders, seconds, strict=True)
+    )
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
+    return BenchReport(edges, measured, peak)
+
+
+def own_contenders(edges: int) -> list[Contender]:
+    """The engines of this package; the reference comes first."""
+    less = min(edges, THOROUGH_EDGES)
+    least = min(edges, PYTHON_EDGES)
+    return [
+        Contender(REFERENCE, edges, "check --engine kernel, 1 thread", lambda: _walk(edges, 1)),
+        Contender(
+            "kernel-2", edges, "check --engine kernel, 2 threads", lambda: _walk(edges, 2)
+        ),
+        Contender("count", edges, "count, compiled", lambda: _count(edges)),
+        Contender("thorough", less, "every map finished, then judged", lambda: _thorough(less)),
+        Contender("python", least, "the python engine, one bearing", lambda: _python(least)),
+    ]
+
+
+def peer(text: str, edges: int) -> Contender:
+    """The contender of ``NAME=COMMAND`` or ``NAME@M=COMMAND``.
+
+    Raises:
+        InputError: if it is of another form.
+    """
+    match = re.fullmatch(r"([^=@]+)(?:@([0-9]+))?=(.+)", text)
+    if match is None:
+        raise InputError(f"peer {text!r} is not of the form NAME=COMMAND or NAME@M=COMMAND")
+    name, level, command = match.groups()
+    return Contender(name, int(level or edges), command, lambda: _run(name, command))
+
+
+def _run(name: str, command: str) -> None:
+    try:
+        done = subprocess.run(  # noqa: S603  # the user's own command
+            shlex.split(command), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False
+        )
+    except (OSError, ValueError) as error:
+        raise InputError(f"peer {name!r} does not start: {error}") from None
+    if done.returncode:
+        said = done.stderr.decode(errors="replace").strip().splitlines()
+        raise InputError(f"peer {name!r} ended with {done.returncode}: {' '.join(said[-1:])}")
+
+
+def _warm(contender: Contender) -> None:
+    small = {"kernel": _walk, "kernel-2": _walk, "count": _count, "thorough": _thorough}
+    match small.get(contender.name):
+        case None:
+            return
+        case work:
+            work(3)
+
+
+def _walk(edges: int, threads: int = 1) -> None:
+    from allworlds.checker.kernel_pool import KernelPool
+
+    scope = make_scope(edges=edges)
+    with KernelPool(load("algorithm1"), Limits(threads)) as pool:
+        for _ in pool.examine(scope, scope.units(edges), 1):
+            pass
+
+
+def _count(edges: int) -> None:
+    from allworlds.kernel.engine import by_vertices_and_faces
+
+    for prefix in prefixes(edges, depth=2):
+        by_vertices_and_faces(edges, edges + 1, prefix)
+
+
+def _thorough(edges: int) -> None:
+    from allworlds.checker.kernel_pool import level_tables
+    from allworlds.kernel.engine import examine
+
+    rules = make_scope(edges=edges).rules
+    for prefix in prefixes(edges, depth=1):
+        examine(edges, edges + 1, "fifo", prefix, level_tables(rules, edges), mode="thorough")
+
+
+def _python(edges: int) -> None:
+    rules = make_scope(edges=edges).rules
+    examiner = Examiner(load("algorithm1"), rules)
+    for map_ in rooted_maps(edges):
+        examiner.examine(World(map_, Directional(0), 0), rules.choices(""))
+
+
+def machine() -> dict[str, Any]:
+    """What the measurements were made on."""
+    import numba
+
+    model = platform.processor()
+    info = Path("/proc/cpuinfo")
+    if info.exists():
+        found = re.search(r"^model name\s*:\s*(.+)$", info.read_text(encoding="utf-8"), re.M)
+        model = found[1] if found else model
+    return {
+        "system": platform.system(),
+        "machine": platform.machine(),
+        "processor": model,
+        "cores": os.cpu_count(),
+        "load": round(os.getloadavg()[0], 2),
+        "python": platform.python_version(),
+        "numba": numba.__version__,
+    }
+
+
+def commit() -> str | None:
+    """The commit of the sources; None outside a checkout."""
+    try:
+        said = subprocess.run(
+            ["git", "describe", "--always", "--dirty"],  # noqa: S607  # whichever git there is
+            cwd=Path(__file__).parent,
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+    except (OSError, subprocess.CalledProcessError):
+        return None
+    return said.stdout.strip()
+
+
+def _spread(values: Sequence[float], digits: int) -> dict[str, float]:
+    return {
+        "median": round(median(values), digits),
+        "lowest": round(min(values), digits),
+        "highest": round(max(values), digits),
+    }

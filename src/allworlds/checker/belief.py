@@ -1,0 +1,69 @@
+"""What a robot with a wrong answer would have done and sensed if the answer were right."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import islice
+
+from allworlds.checker.finding import place_of
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol import Move, Percept, Transcript
+from allworlds.world import Lighthouse, World
+from allworlds.world.lighthouses import Compass
+
+
+def true_trail(world: World, transcript: Transcript) -> list[Dart]:
+    """The robot's dart in the world at the start and after each step."""
+    trail = [world.start]
+    for action, _ in transcript.steps:
+        trail.append(world.step(trail[-1], action)[0])
+    return trail
+
+
+def believed_trail(estimate: CombinatorialMap, here: Dart, transcript: Transcript) -> list[Dart]:
+    """The robot's dart in the estimated map at the start and after each step.
+
+    Motion is reversible: from ``here`` the walk is traced back to the dart where it must have
+    begun.
+    """
+    trail = [here]
+    for action, _ in reversed(transcript.steps):
+        dart = trail[-1]
+        if type(action) is Move:
+            dart = estimate.turn(estimate.alpha[dart], -action.k)
+        trail.append(dart)
+    trail.reverse()
+    return trail
+
+
+def believed_percepts(
+    world: World, estimate: CombinatorialMap, here: Dart, transcript: Transcript
+) -> list[Percept] | None:
+    """The percepts, first one included, of the same walk in the estimated map.
+
+    The lighthouse is put where the walk must have begun, as in the true world; a compass's
+    reference darts are those that were sensed when the robot first came to a vertex.  None
+    where the estimated start has no such place.
+    """
+    trail = believed_trail(estimate, here, transcript)
+    lighthouse: Lighthouse | None
+    if isinstance(world.lighthouse, Compass):
+        lighthouse = _believed_compass(estimate, trail, transcript)
+    else:
+        places = type(world.lighthouse).places(estimate, trail[0])
+        lighthouse = next(islice(places, place_of(world), None), None)
+    if lighthouse is None:
+        return None
+    percepts = World(estimate, lighthouse, trail[0]).percepts
+    return [percepts[dart] for dart in trail]
+
+
+def _believed_compass(
+    estimate: CombinatorialMap, trail: Sequence[Dart], transcript: Transcript
+) -> Compass:
+    north = {vertex: darts[0] for vertex, darts in enumerate(estimate.vertices)}
+    sensed = [transcript.first, *(percept for _, percept in transcript.steps)]
+    for dart, percept in reversed([*zip(trail, sensed, strict=True)]):
+        assert percept.bearing is not None
+        north[estimate.vertex_of[dart]] = estimate.turn(dart, percept.bearing)
+    return Compass(tuple(sorted(north.values())))

@@ -1,0 +1,139 @@
+"""The corpus that ships with the package: everything known, and everything ever caught.
+
+A manifest, and a file for each of its entries: named worlds, findings, pairs of worlds that
+no motion tells apart, and counts, with their provenance and what is expected of them.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any, Literal, TypeAlias, get_args
+
+from allworlds.errors import InputError, parse_json, show
+
+Kind: TypeAlias = Literal["world", "finding", "pair", "counts"]
+KINDS: tuple[Kind, ...] = get_args(Kind)
+
+MANIFEST = "manifest.json"
+SCHEMA = 1
+
+
+class CorpusError(InputError):
+    """A corpus that is not what its manifest says."""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One thing that is kept.
+
+    Attributes:
+        name: unique in the corpus.
+        kind: what the file holds: a WORLD, a FINDING, a pair of worlds, or counts.
+        file: where it stands, below the corpus.
+        sha256: of the file, in hexadecimal.
+        provenance: where it comes from.
+        expected: what must come out when it is tried.
+    """
+
+    name: str
+    kind: Kind
+    file: str
+    sha256: str
+    provenance: str
+    expected: Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Corpus:
+    """A directory with its manifest, which has been checked for shape.
+
+    Files are checked against their digests when they are read.
+    """
+
+    directory: Path
+    entries: tuple[Entry, ...]
+
+    def of_kind(self, kind: Kind) -> list[Entry]:
+        """The entries that hold that, in the order of the manifest."""
+        return [entry for entry in self.entries if entry.kind == kind]
+
+    def named(self, name: str) -> Entry:
+        """The entry of that name.
+
+        Raises:
+            CorpusError: naming those that there are.
+        """
+        for entry in self.entries:
+            if entry.name == name:
+                return entry
+        raise CorpusError(
+            f"corpus entry {name!r} is none of {', '.join(entry.name for entry in self.entries)}"
+        )
+
+    def document(self, entry: Entry) -> Any:
+        """The JSON document of an entry.
+
+        Raises:
+            CorpusError: naming the entry, if its file is missing or is not what it was.
+        """
+        try:
+            content = (self.directory / entry.file).read_bytes()
+        except OSError as error:
+            raise CorpusError(f"corpus entry {entry.name!r}: {error.strerror}") from None
+        digest = hashlib.sha256(content).hexdigest()
+        if digest != entry.sha256:
+            raise CorpusError(
+                f"corpus entry {entry.name!r}: {entry.file} has the digest {digest[:12]}..., "
+                f"but its manifest says {entry.sha256[:12]}..."
+            )
+        return parse_json(content.decode(), CorpusError)
+
+
+def load_corpus(directory: Path) -> Corpus:
+    """The corpus of a directory.
+
+    Raises:
+        CorpusError: if there is no manifest, or naming the entry that is none.
+    """
+    try:
+        text = (directory / MANIFEST).read_text(encoding="utf-8")
+    except OSError as error:
+        raise CorpusError(f"corpus {directory}: {MANIFEST}: {error.strerror}") from None
+    manifest = parse_json(text, CorpusError)
+    if not isinstance(manifest, dict) or manifest.get("schema") != SCHEMA:
+        raise CorpusError(f"corpus {directory}: {MANIFEST} is not of schema {SCHEMA}")
+    entries = [_entry(row) for row in manifest.get("entries", [])]
+    names = [entry.name for entry in entries]
+    for name in names:
+        if names.count(name) > 1:
+            raise CorpusError(f"corpus entry {name!r} occurs twice")
+    return Corpus(directory, tuple(entries))
+
+
+@cache
+def own_corpus() -> Corpus:
+    """The corpus that ships with the package."""
+    package = Path(__file__).parent
+    installed = package / "corpus"
+    return load_corpus(installed if installed.is_dir() else package.parents[1] / "corpus")
+
+
+def _entry(row: object) -> Entry:
+    match row:
+        case {
+            "name": str(name),
+            "kind": str(kind),
+            "file": str(file),
+            "sha256": str(digest),
+            "provenance": str(provenance),
+            "expected": dict(expected),
+        } if kind in KINDS:
+            return Entry(name, kind, file, digest, provenance, expected)
+    raise CorpusError(
+        "a corpus entry has name, kind (world, finding, pair or counts), file, sha256, provenance "
+        f"and expected, not {show(row)}"
+    )

@@ -1,0 +1,60 @@
+"""Sets of numbers below 63 as bit masks."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from llvmlite import ir
+from numba import types
+from numba.extending import intrinsic, overload
+
+
+def lowest(mask: int) -> int:
+    """The least element of a set that is not empty."""
+    return (mask & -mask).bit_length() - 1
+
+
+def highest(mask: int) -> int:
+    """The greatest element of a set that is not empty."""
+    return mask.bit_length() - 1
+
+
+def size(mask: int) -> int:
+    """The number of elements."""
+    return mask.bit_count()
+
+
+def _unary(instruction: str) -> Any:
+    """One machine instruction on an integer of 64 bits."""
+
+    @intrinsic
+    def single(_context, _mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+        def generate(_context, builder, _signature, arguments):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+            (value,) = arguments
+            if instruction == "ctpop":
+                return builder.ctpop(value)
+            return getattr(builder, instruction)(value, ir.Constant(ir.IntType(1), 1))
+
+        return types.int64(types.int64), generate
+
+    return single
+
+
+_trailing = _unary("cttz")
+_leading = _unary("ctlz")
+_population = _unary("ctpop")
+
+
+@overload(lowest, inline="always")
+def _lowest(mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+    return lambda mask: _trailing(mask)
+
+
+@overload(highest, inline="always")
+def _highest(mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+    return lambda mask: 63 - _leading(mask)
+
+
+@overload(size, inline="always")
+def _size(mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+    return lambda mask: _population(mask)

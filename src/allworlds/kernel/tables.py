@@ -1,0 +1,56 @@
+"""What the engines look up instead of knowing it: here a mutant can be made without a compiler."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from numpy import array, int64, ones
+
+from allworlds.judge import paper_bound
+
+MOST_EDGES = 12
+"""The largest number of edges for which every packed number has its room."""
+
+_UNBOUNDED = 1 << 40
+
+
+class Tables(NamedTuple):
+    """The tables of one level.
+
+    Attributes:
+        bound: the largest legal cost, by vertices.
+        viable: by darts owed and darts open after a decision: a map can still be finished.
+        sensed: the degree that the robot senses, by the degree of the vertex.
+        fuel: a walk that costs more has failed.
+        back_weight: the cost of a step of retracing.
+    """
+
+    bound: Any
+    viable: Any
+    sensed: Any
+    fuel: int
+    back_weight: int
+
+
+def tables(edges: int, fuel: int, bounds: Sequence[int | None] = ()) -> Tables:
+    """The tables of the level.
+
+    Args:
+        edges: m.
+        fuel: a walk that costs more has failed.
+        bounds: the largest legal cost for 1, 2, ... vertices, None where there is none;
+            empty takes (1) + (2).
+    """
+    darts = 2 * edges
+    bounds = bounds or [paper_bound(n, edges) for n in range(1, edges + 2)]
+    viable = ones((darts + 1, 2 * darts + 1), int64)
+    # The last open dart may not close while darts are owed.
+    viable[1:, 0] = 0
+    return Tables(
+        bound=array([0, *(_UNBOUNDED if b is None else min(b, _UNBOUNDED) for b in bounds)], int64),
+        viable=viable,
+        sensed=array(range(darts + 1), int64),
+        fuel=fuel,
+        back_weight=1,
+    )

@@ -1,0 +1,204 @@
+"""The kill matrix: which check kills which mutant, at which smallest world."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from allworlds.checker import check
+from allworlds.checker.finding import canonical_world
+from allworlds.checker.scope import ScopeError
+from allworlds.checker.single import worlds
+from allworlds.episode import Answered, play
+from allworlds.judge import LAWS, Case, judge, paper_bound
+from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.counting import source_for
+from allworlds.mutation.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
+from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
+from allworlds.mutation.judges import WEAK_JUDGES
+from allworlds.protocol import Choices
+from allworlds.subjects import subject_of
+from allworlds.world import Directional, World
+
+LARGEST_LEVEL = 4
+"""The dumb enumerator, which some mutants need, goes no further in reasonable time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Kill:
+    """One row of the matrix.
+
+    Attributes:
+        mutant: its name.
+        kind: ``explorer``, ``judge`` or ``enumerator``.
+        breaks: what is wrong with it.
+        killed_by: the law or the check that caught it; empty for a survivor.
+        world: the smallest world at which it is caught; None for a survivor.
+        equivalent: why it may survive; empty for one that must be killed.
+    """
+
+    mutant: str
+    kind: str
+    breaks: str
+    killed_by: str = ""
+    world: World | None = None
+    equivalent: str = ""
+
+    @property
+    def as_it_should(self) -> bool:
+        """Killed if it must be, alive if it is equivalent."""
+        return bool(self.killed_by) != bool(self.equivalent)
+
+    def to_json(self) -> dict[str, Any]:
+        """The row as it stands in the document."""
+        return {
+            "mutant": self.mutant,
+            "kind": self.kind,
+            "breaks": self.breaks,
+            "killed_by": self.killed_by or None,
+            "world": self.world.to_json() if self.world else None,
+            "equivalent": self.equivalent or None,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class KillMatrix:
+    """What became of every mutant within a bound.
+
+    Attributes:
+        edges: the largest number of edges that was tried.
+        kills: one row a mutant.
+    """
+
+    edges: int
+    kills: tuple[Kill, ...]
+
+    @property
+    def survivors(self) -> list[str]:
+        """The mutants that should have been killed, and the equivalent ones that were."""
+        return [kill.mutant for kill in self.kills if not kill.as_it_should]
+
+    @property
+    def exit_code(self) -> int:
+        """1 if a mutant survived."""
+        return 1 if self.survivors else 0
+
+    def to_json(self) -> dict[str, Any]:
+        """The document of ``mutants --json``."""
+        return {
+            "schema": 1,
+            "edges": self.edges,
+            "mutants": len(self.kills),
+            "kill_matrix": [kill.to_json() for kill in self.kills],
+            "survivors": self.survivors,
+        }
+
+
+def mutants(*, edges: int = LARGEST_LEVEL) -> KillMatrix:
+    """Try every mutant on every world with at most ``edges`` edges.
+
+    Raises:
+        InputError: for a bound that is not 1, 2, 3 or 4.
+
+    Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
+    """
+    if not 1 <= edges <= LARGEST_LEVEL:
+        raise ScopeError(f"edges = {edges}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
+    kills = [_explorer(mutant, edges) for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)]
+    kills += _judges(edges, [kill.mutant for kill in kills if kill.killed_by in LAWS])
+    kills += [_enumerator(mutant, edges) for mutant in BROKEN_ENUMERATORS]
+    return KillMatrix(edges, tuple(kills))
+
+
+def _explorer(mutant: WrongExplorer, edges: int) -> Kill:
+    """Killed by the law that an ordinary check finds broken first."""
+    report = check(mutant.explorer(), edges=edges)
+    row = Kill(mutant.name, "explorer", mutant.breaks, equivalent=mutant.equivalent)
+    if not report.findings:
+        return row
+    finding = report.findings[0]
+    return Kill(
+        row.mutant, row.kind, row.breaks, finding.law, finding.world, equivalent=row.equivalent
+    )
+
+
+def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:
+    """Each killed by the smallest case that only the sound judge refuses.
+
+    Cases come from the explorers that are known to answer wrongly.
+    """
+    alive = {weak.name: weak for weak in WEAK_JUDGES}
+    killed: dict[str, tuple[str, World]] = {}
+    for level in range(1, edges + 1):
+        smallest: dict[str, tuple[Any, str, World]] = {}
+        for case, world, name in _refused(level, explorers) if alive else ():
+            for weak in alive.values():
+                if judge(case, weak.laws().values()) is None:
+                    canonical = canonical_world(world)
+                    key = (world.map.vertex_count, *_code(canonical.map), name)
+                    if weak.name not in smallest or key < smallest[weak.name][0]:
+                        smallest[weak.name] = (key, name, canonical)
+        for weak_name, (_, explorer, world) in smallest.items():
+            killed[weak_name] = (f"sound judge on {explorer}", world)
+            del alive[weak_name]
+    for weak in WEAK_JUDGES:
+        yield Kill(weak.name, "judge", weak.breaks, *killed.get(weak.name, ("", None)))
+
+
+def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, World, str]]:
+    """Every run of those explorers, one a rooted map, whose answer breaks a law."""
+    players = [
+        (mutant.name, subject_of(mutant.explorer()).player())
+        for mutant in WRONG_EXPLORERS
+        if mutant.name in explorers
+    ]
+    for world in worlds(edges=level):
+        if world.map.edge_count < level:
+            continue
+        bound = paper_bound(world.map.vertex_count, level)
+        for name, player in players:
+            episode = play(world, player, Choices(), 8 * bound + 100)
+            if isinstance(episode.ending, Answered):
+                case = Case(
+                    world.map,
+                    world.start,
+                    episode.transcript,
+                    episode.checkpoints,
+                    episode.ending.estimate,
+                    bound,
+                )
+                if judge(case, LAWS.values()):
+                    yield case, world, name
+
+
+def _enumerator(mutant: BrokenEnumerator, edges: int) -> Kill:
+    """Killed by the count gate, or else by the dumb enumerator."""
+    for level in range(1, edges + 1):
+        level_maps = list(mutant.enumerate(level))
+        counted = source_for("maps").cells(level)
+        by_vertices = Counter(map_.vertex_count for map_ in level_maps)
+        gate_agrees = all(by_vertices[n] == known for n, known in counted.items())
+        wrong = _first_difference(level_maps, level)
+        if wrong is not None:
+            by = "brute-force enumerator" if gate_agrees else "count gate"
+            world = World(wrong, Directional(0))
+            return Kill(mutant.name, "enumerator", mutant.breaks, by, world)
+        if not gate_agrees:
+            raise AssertionError(f"the count gate alone complains about {mutant.name}")
+    return Kill(mutant.name, "enumerator", mutant.breaks)
+
+
+def _first_difference(maps: Iterable[CombinatorialMap], level: int) -> CombinatorialMap | None:
+    """The smallest rooted map of the level that does not come exactly once."""
+    found = Counter(_code(map_) for map_ in maps)
+    expected = Counter(_code(map_) for map_ in all_rooted_maps(level))
+    wrong = [code for code in found | expected if found[code] != expected[code]]
+    return CombinatorialMap(*min(wrong)) if wrong else None
+
+
+def _code(map_: CombinatorialMap) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    return rooted_code(map_.sigma, map_.alpha, 0)

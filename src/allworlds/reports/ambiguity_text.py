@@ -1,0 +1,164 @@
+"""The texts of ``twins`` and ``ambiguity``: the worlds drawn, and why they look alike."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from allworlds.ambiguity import (
+    AmbiguityCensus,
+    AmbiguityClass,
+    Comparison,
+    Separation,
+    projection_of,
+)
+from allworlds.drawing import draw
+from allworlds.maps.quotient import Quotient
+from allworlds.reports.layout import entry, number, plural, table
+from allworlds.world import Compass, Directional, Position, World
+
+DRAWN = 4
+"""Of a larger class so many worlds are drawn."""
+
+
+def twins_text(comparison: Comparison, width: int) -> str:
+    """The verdict, both worlds, and the quotient they share or the walk that separates them."""
+    if isinstance(comparison.proof, Separation):
+        return "\n".join(_told_apart(comparison, comparison.proof, width))
+    projections = [projection_of(world) for world in comparison.worlds]
+    quotients = [projection.quotient for projection in projections]
+    head = {
+        "same": ("SAME", "the two are one world, start included; "),
+        "same-map": (
+            "ALIKE",
+            "one world, entered at two darts that look alike; ",
+        ),
+        "different": ("TWINS", "two different worlds; "),
+    }
+    title, what = head[comparison.relation]
+    lines = [*entry(title, what + _why_alike(quotients), width)]
+    for name, world, (_, classes) in zip("AB", comparison.worlds, projections, strict=True):
+        lines += ["", f"world {name}; under each dart its class", ""]
+        lines += [_drawing(world, classes, width)]
+    return "\n".join([*lines, "", *_quotient(quotients[0])])
+
+
+def class_text(found: AmbiguityClass, width: int) -> str:
+    """The size of the class, some of its worlds, and the quotient they share."""
+    quotient = found.quotient
+    universe = f"in the class {found.universe}"
+    if found.size == 1:
+        text = f"no other world {universe} has its quotient: a robot can map it"
+        lines = entry("ALONE", text, width)
+    else:
+        text = f"{plural(found.size, 'world')} {universe}; " + _why_alike([quotient])
+        lines = entry("AMBIGUOUS", text, width)
+    lines += entry(
+        "poses", f"{number(found.poses)} (a world, and a dart where the robot is)", width
+    )
+    for i, world in enumerate(found.worlds[:DRAWN]):
+        name = "the given world" if i == 0 else f"world {i + 1}"
+        genus = f"genus {world.map.genus}; under each dart its class"
+        lines += ["", f"{name}: {genus}", ""]
+        lines += [_drawing(world, projection_of(world).classes, width)]
+    if len(found.worlds) > DRAWN:
+        lines += ["", f"and {number(len(found.worlds) - DRAWN)} more: see --json"]
+    if found.notice:
+        lines += ["", *entry("notice", found.notice, width)]
+    return "\n".join([*lines, "", *_quotient(quotient)])
+
+
+def census_text(census: AmbiguityCensus, width: int) -> str:
+    """A line for each number of edges, and what the counts were compared with."""
+    header = ["edges", "marked worlds", "ambiguous", "classes", "largest class"]
+    rows = [
+        [
+            str(row.edges),
+            number(row.marked_worlds),
+            number(row.ambiguous_worlds),
+            number(row.classes),
+            number(row.largest_class) if row.classes else "-",
+        ]
+        for row in census.rows
+    ]
+    lines = table(header, rows, "rrrrr")
+    universe = census.bounds.map_class
+    text = (
+        "maps with one marked vertex, up to isomorphism; ambiguous are those from which no "
+        f"motion tells another world of the class {universe}"
+    )
+    lines += ["", *entry("scope", text, width)]
+    if census.agrees:
+        text = f"the rooted maps that were met number as in: {census.source}"
+        return "\n".join([*lines, *entry("gate", text, width)])
+    for row in census.rows:
+        if row.rooted != row.counted:
+            text = (
+                f"with {row.edges} edges {row.rooted} rooted maps were met, but {census.source} "
+                f"counts {row.counted}"
+            )
+            lines += entry("MISMATCH", text, width)
+    return "\n".join(lines)
+
+
+def _told_apart(comparison: Comparison, proof: Separation, width: int) -> list[str]:
+    motions = ", ".join(map(str, proof.motions)) or "none: the first percepts differ"
+    count = plural(len(proof.motions), "motion")
+    lines = entry("TOLD APART", f"by {count}, and by no fewer: {motions}", width)
+    for name, world in zip("AB", comparison.worlds, strict=True):
+        lines += ["", f"world {name}", "", _drawing(world, None, width)]
+    rows = [
+        [str(i), str(motion), str(p), "=" if p == q else "≠", str(q)]
+        for i, (motion, p, q) in enumerate(
+            zip(("start", *proof.motions), *proof.percepts, strict=True)
+        )
+    ]
+    header = ["step", "motion", "sensed in A", "", "sensed in B"]
+    return [*lines, "", *table(header, rows, "rr")]
+
+
+def _why_alike(quotients: Sequence[Quotient]) -> str:
+    """The one sentence; ``quotients`` differ at most in their sheets."""
+    sheets = [quotient.sheets for quotient in quotients]
+    if len(sheets) == 1:
+        who = f"all are covers, with {plural(sheets[0], 'sheet')},"
+    elif sheets[0] == sheets[1]:
+        who = f"both are covers, with {plural(sheets[0], 'sheet')},"
+    else:
+        who = f"A is a cover with {plural(sheets[0], 'sheet')}, B one with {sheets[1]},"
+    size = plural(len(quotients[0].sigma), "class", "classes")
+    return (
+        f"{who} of one quotient of {size} of darts, and as darts of one class sense the same and "
+        "lead to darts of one class, no motion tells the worlds apart"
+    )
+
+
+def _drawing(world: World, classes: Sequence[int] | None, width: int) -> str:
+    """The world; under each dart its class, and N where a compass points."""
+    lighthouse, map_ = world.lighthouse, world.map
+    norths = lighthouse.darts if isinstance(lighthouse, Compass) else ()
+    marked = {map_.vertex_of[world.start]: 1} if isinstance(lighthouse, Position) else {}
+    labels = [
+        ("" if classes is None else str(classes[d])) + "N" * (d in norths) for d in map_.darts
+    ]
+    text = draw(
+        map_,
+        start=world.start,
+        pointed=lighthouse.dart if isinstance(lighthouse, Directional) else None,
+        marked=marked,
+        labels=labels if any(labels) else None,
+        width=width,
+    )
+    return text + ("   N north of its vertex" if norths else "")
+
+
+def _quotient(quotient: Quotient) -> list[str]:
+    """A line a vertex: its classes clockwise with where alpha leads, and what lies over it."""
+    rows = []
+    for vertex, cone in zip(quotient.vertices, quotient.cone_indices, strict=True):
+        around = " ".join(
+            f"{q}→{quotient.alpha[q]}" if quotient.alpha[q] != q else f"{q}↺" for q in vertex
+        )
+        rows.append([around, str(quotient.labels[vertex[0]]), str(cone)])
+    header = ["classes clockwise", "sensed there", "times round"]
+    lines = ["the quotient (a→b: alpha takes class a to b; a↺: to itself, a semi-edge)", ""]
+    return lines + table(header, rows, "llr")

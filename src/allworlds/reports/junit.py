@@ -1,0 +1,140 @@
+"""Reports as JUnit XML, which most CI services show."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+from xml.etree import ElementTree as ET
+
+from allworlds.checker.finding import Finding
+from allworlds.checker.report import Report, Verdict
+from allworlds.reports.layout import plural
+from allworlds.reports.run_text import finding_text
+
+WIDTH = 100
+_FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+@dataclass(frozen=True, slots=True)
+class _Case:
+    """One test case; ``kind`` tells which list of the sum it is in."""
+
+    name: str
+    result: Literal["passed", "failure", "error", "skipped"] = "passed"
+    kind: str = ""
+    message: str = ""
+    text: str = ""
+
+
+def junit(report: Report) -> str:
+    """The report as a JUnit XML document with one suite.
+
+    An exhaustive check has one case for each number of edges of its scope: passed; failed,
+    with its findings; an error where the count gate or two engines disagree; skipped, with
+    the reason, where the level was not finished.  Where they are judged, a case ``past
+    findings`` comes before them and a case ``witnesses`` after.  A sample is one case.
+    """
+    sample = report.scope.sample
+    cases = [_sample(report)] if sample else [*_past(report), *_levels(report), *_whole(report)]
+    verb = "fuzz" if sample else "check"
+    totals = {"tests": str(len(cases))}
+    for result, name in (("failure", "failures"), ("error", "errors"), ("skipped", "skipped")):
+        totals[name] = str(sum(case.result == result for case in cases))
+    root = ET.Element("testsuites", {"name": f"allworlds {verb}", **totals})
+    suite = ET.SubElement(root, "testsuite", {"name": _legal(report.explorer), **totals})
+    _properties(suite, report)
+    for case in cases:
+        element = ET.SubElement(
+            suite, "testcase", {"classname": f"allworlds.{verb}", "name": _legal(case.name)}
+        )
+        if case.result == "passed":
+            continue
+        message = {"message": _legal(case.message)}
+        kind = {} if case.result == "skipped" else {"type": case.kind}
+        ET.SubElement(element, case.result, {**message, **kind}).text = _legal(case.text) or None
+    ET.indent(root)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, "unicode") + "\n"
+
+
+def _properties(suite: ET.Element, report: Report) -> None:
+    """Verdict and scope, which no result is worth anything without."""
+    document = report.to_json()
+    named = ("verdict", "exit_code", "engine", "worlds", "runs", "traversals")
+    told = {name: document[name] for name in named}
+    told |= {f"scope.{name}": value for name, value in document["scope"].items()}
+    properties = ET.SubElement(suite, "properties")
+    for name, value in told.items():
+        text = value if isinstance(value, str) else json.dumps(value)
+        ET.SubElement(properties, "property", {"name": name, "value": _legal(text)})
+
+
+def _past(report: Report) -> Iterator[_Case]:
+    """One case for a user's corpus, if there is one."""
+    if report.corpus:
+        standing = [finding for finding in report.findings if report.corpus.holds(finding)]
+        yield _failure("past findings", standing) if standing else _Case("past findings")
+
+
+def _levels(report: Report) -> Iterator[_Case]:
+    """One case a level."""
+    past = report.corpus
+    new = [finding for finding in report.findings if not (past and past.holds(finding))]
+    for edges in report.scope.bounds.levels:
+        name = f"every world with {plural(edges, 'edge')}"
+        found = [finding for finding in new if finding.key[0] == edges]
+        wrong = [cell for cell in report.gate if cell.edges == edges and not cell.agrees]
+        if wrong:
+            text = "\n".join(
+                f"{cell.enumerated} maps with {cell.edges} edges and {cell.vertices} vertices "
+                f"were enumerated, but {cell.source} counts {cell.counted}"
+                for cell in wrong
+            )
+            told = "\n\n".join([text, *(finding_text(finding, WIDTH) for finding in found)])
+            yield _Case(name, "error", "count-gate", text.splitlines()[0], told)
+        elif found:
+            yield _failure(name, found)
+        elif edges in report.levels:
+            yield _Case(name)
+        else:
+            yield _Case(name, "skipped", message=report.stopped or "the level was not finished")
+
+
+def _whole(report: Report) -> Iterator[_Case]:
+    """What is judged about the scope as a whole."""
+    if report.disagreement:
+        yield _Case(
+            "engines", "error", "engines-disagree", "two engines disagree", report.disagreement
+        )
+    if not report.complete:
+        return
+    if not report.runs:
+        yield _Case("witnesses", "failure", "vacuous", "nothing was checked: there is no run")
+    elif report.missing:
+        missing = f"never seen: {', '.join(report.missing)}"
+        yield _Case("witnesses", "failure", "vacuous", missing)
+    elif report.scope.shard == (0, 1):
+        yield _Case("witnesses")
+
+
+def _sample(report: Report) -> _Case:
+    sample = report.scope.sample or {}
+    name = f"{plural(sample['runs'], 'random world')} with up to {plural(sample['edges'], 'edge')}"
+    if report.findings:
+        return _failure(name, report.findings)
+    if report.verdict is Verdict.NOT_REFUTED:
+        return _Case(name)
+    return _Case(name, "skipped", message=report.stopped or "no world was tried")
+
+
+def _failure(name: str, findings: list[Finding]) -> _Case:
+    first = findings[0]
+    text = "\n\n".join(finding_text(finding, WIDTH) for finding in findings)
+    return _Case(name, "failure", first.law, f"law '{first.law}' is broken", text)
+
+
+def _legal(text: str) -> str:
+    """The text with a sign in place of each character that XML does not allow."""
+    return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", text)

@@ -1,0 +1,81 @@
+"""The text of ``search``: the two worlds drawn, and why no motion tells them apart."""
+
+from __future__ import annotations
+
+from allworlds.drawing import draw
+from allworlds.reports.layout import entry, plural, table
+from allworlds.smt import SearchResult
+from allworlds.smt.witness import MarkedMap
+
+
+def search_text(result: SearchResult, width: int) -> str:
+    """The answer, the levels it rests on, and where the certificate is."""
+    lines = {"sat": _found, "unsat": _none, "unknown": _undecided}[result.status](result, width)
+    rows = [
+        [
+            searched.level.name,
+            searched.status,
+            f"{searched.seconds:.2f}",
+            searched.formula.name,
+            "-" if searched.proof is None else searched.proof.name,
+        ]
+        for searched in result.levels
+    ]
+    if rows:
+        lines += ["", *table(["level", "status", "seconds", "formula", "proof"], rows, "llr"), ""]
+    lines += entry("files", str(result.directory), width)
+    for notice in result.notices:
+        lines += entry("notice", notice, width)
+    return "\n".join(lines)
+
+
+def _found(result: SearchResult, width: int) -> list[str]:
+    assert result.pair is not None
+    assert result.classes is not None
+    lines = entry("FOUND", f"{result.question.describes}.", width)
+    for name, world, classes in zip("AB", result.pair, result.classes, strict=True):
+        size = (
+            f"{plural(world.map.edge_count, 'edge')}, "
+            f"{plural(world.map.vertex_count, 'vertex', 'vertices')}, genus {world.map.genus}"
+        )
+        lines += ["", f"world {name} ({size}); under each dart its class", ""]
+        lines.append(_drawing(world, [f"c{k}" for k in classes], width))
+    count = len(set(result.classes[0]))
+    why = (
+        f"the {plural(count, 'class', 'classes')} are kept by sigma and alpha, the two starts "
+        f"are in class c{result.classes[0][result.pair[0].start]}, and the darts of a class "
+        "sense the same: so whatever the motions, both robots stand at darts of one class. "
+        "No start makes the two worlds the same."
+    )
+    lines += ["", *entry("why", why, width)]
+    if result.certificate is not None:
+        lines += entry("pair", str(result.certificate), width)
+    return lines
+
+
+def _drawing(world: MarkedMap, labels: list[str], width: int) -> str:
+    marked = {world.map.vertex_of[world.start]: 1} if world.kind == "position" else None
+    pointed = world.darts[0] if world.kind == "directional" else None
+    if world.kind == "compass":
+        labels = [f"{text}*" if d in world.darts else text for d, text in enumerate(labels)]
+    text = draw(
+        world.map, start=world.start, pointed=pointed, marked=marked, labels=labels, width=width
+    )
+    return text + ("   * reference dart" if world.kind == "compass" else "")
+
+
+def _none(result: SearchResult, width: int) -> list[str]:
+    if result.vacuous:
+        return entry("VACUOUS", f"{result.question.describes}: there is no world at all.", width)
+    lines = entry("NONE", f"{result.question.describes}: there are none.", width)
+    if result.certificate is None:
+        return lines + entry("proof", "no certificate for every level; the notices say why", width)
+    text = (
+        f"{result.certificate}: a formula and an LRAT proof for every level, each proof checked "
+        "by a program that is no solver"
+    )
+    return lines + entry("proof", text, width)
+
+
+def _undecided(result: SearchResult, width: int) -> list[str]:
+    return entry("UNKNOWN", f"{result.question.describes}: undecided.", width)

@@ -1,0 +1,62 @@
+"""The text of ``worst``."""
+
+from __future__ import annotations
+
+from allworlds.reports.layout import entry, number, plural, table
+from allworlds.worst_case import WorstReport
+
+
+def worst_text(report: WorstReport, width: int) -> str:
+    """A line for each size, and what the numbers are about."""
+    header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
+    rows = []
+    for row in report.rows:
+        cells = [row.edges, row.vertices, row.worlds, row.best, row.worst, row.bound]
+        rows.append([*map(number, cells), f"{row.worst / row.bound:.3f}"])
+    lines = table(header, rows, "r" * len(header))
+    tests = sum(row.tests for row in report.rows)
+    wrong = sum(row.wrong for row in report.rows)
+    lines += [""]
+    lines += entry(
+        "scope",
+        f"every schedule of algorithm1 in every map of the class {report.bounds.map_class.value} "
+        f"with at most {plural(report.bounds.edges or 0, 'edge')}, from every vertex; "
+        f"transit on {_WAYS[report.transit]}",
+        width,
+    )
+    lines += entry(
+        "worst, best",
+        "the dearest schedule of the dearest world; the largest cost of the cheapest schedule "
+        "of a world",
+        width,
+    )
+    verdict = "all rejected" if not wrong else f"{number(wrong)} CONFIRMED"
+    lines += entry(
+        "tests", f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}", width
+    )
+    if report.agrees:
+        text = f"the numbers of worlds are those of: {report.source}"
+        lines += entry("gate", text, width)
+        lines += entry("replay", "every worst cost was attained by the python engine", width)
+    else:
+        lines += entry("MISMATCH", _mismatch(report), width)
+    return "\n".join(lines)
+
+
+_WAYS = {"shortest": "a shortest path", "simple": "any simple path"}
+
+
+def _mismatch(report: WorstReport) -> str:
+    if report.missing:
+        edges, vertices = report.missing[0]
+        return f"no map with {edges} edges and {vertices} vertices was met"
+    row = next(row for row in report.rows if not row.agrees)
+    if row.worlds != row.counted:
+        return (
+            f"{row.worlds} maps with {row.edges} edges and {row.vertices} vertices were "
+            f"enumerated, but {report.source} counts {row.counted}"
+        )
+    return (
+        f"with {row.edges} edges and {row.vertices} vertices the worst cost is {row.worst}, but "
+        f"the python engine walks {row.replayed}"
+    )

@@ -1,0 +1,8 @@
+"""Search by solvers for worlds that no motion tells apart; the only importer of z3 and pysat.
+
+What comes out are plain values: maps, numbers and the paths of files.
+"""
+
+from allworlds.smt.twin_search import Searched, SearchResult, search
+
+__all__ = ["SearchResult", "Searched", "search"]

@@ -1,0 +1,225 @@
+"""What is searched for, checked once: level of information, class, bounds and the walk."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import NamedTuple
+
+from allworlds.errors import InputError
+from allworlds.maps.classes import MapClass
+from allworlds.smt.one_world import Degrees, Size
+
+
+class Information(StrEnum):
+    """What a robot senses besides the degree; the value is the name on the command line.
+
+    ``none``: nothing.  ``position``: whether it is at v0, the vertex of the start.
+    ``compass``: at every vertex the bearing of a reference dart.  ``directional``: at v0 the
+    bearing of a reference dart, elsewhere nothing.
+    """
+
+    NONE = "none"
+    POSITION = "position"
+    COMPASS = "compass"
+    DIRECTIONAL = "directional"
+
+    @property
+    def marks_a_vertex(self) -> bool:
+        """There is a v0 that can be sensed."""
+        return self in (Information.POSITION, Information.DIRECTIONAL)
+
+    @property
+    def points(self) -> bool:
+        """There are reference darts that can be sensed."""
+        return self in (Information.COMPASS, Information.DIRECTIONAL)
+
+
+ANY = Degrees()
+"""Nothing is required of degrees."""
+
+
+class Sensed(NamedTuple):
+    """A percept as the caption of Fig. 1 writes it: ``3A`` or ``4P``; ``present`` at v0."""
+
+    degree: int
+    present: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Walk:
+    """Motions from the start, and what is sensed after each of them.
+
+    Raises:
+        InputError: if there are not equally many.
+    """
+
+    motions: tuple[int, ...] = ()
+    percepts: tuple[Sensed, ...] = ()
+
+    def __post_init__(self) -> None:
+        if len(self.motions) != len(self.percepts):
+            raise InputError(
+                f"{len(self.motions)} motions and {len(self.percepts)} percepts, but there is "
+                "one percept after each motion"
+            )
+
+
+NOWHERE = Walk()
+"""No walk."""
+
+
+def percept_named(text: str) -> Sensed:
+    """The percept of ``3A`` (degree 3, marker absent) or ``4P`` (degree 4, marker present).
+
+    Raises:
+        InputError: naming the text and what would be legal.
+    """
+    match = re.fullmatch(r"([1-9][0-9]*)([AP]*)", text.strip().strip("[]").replace(",", ""))
+    if match is None or not match[2]:
+        raise InputError(f"percept {text!r} is not of the form 3A (marker absent) or 4P (present)")
+    if match[2].count("P") > 1:
+        raise InputError(
+            f"percept {text!r} has {match[2].count('P')} position markers, but a world has one"
+        )
+    if len(match[2]) > 1:
+        raise InputError(f"percept {text!r} says more than once whether the marker is there")
+    return Sensed(int(match[1]), match[2] == "P")
+
+
+class Level(NamedTuple):
+    """One formula's worth of pairs: the sizes of the two worlds."""
+
+    one: Size
+    two: Size
+
+    @property
+    def name(self) -> str:
+        """For file names: ``m4`` or ``m3-m4``, with the numbers of vertices."""
+        sizes = [self.one] if self.one == self.two else [self.one, self.two]
+        return "-".join(
+            f"m{size.edges}n{size.fewest}" + (f"to{size.most}" if size.most > size.fewest else "")
+            for size in sizes
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """Is there a pair of different worlds that no motion separates?
+
+    Attributes:
+        information: what is sensed.
+        map_class: of both worlds.
+        max_vertices, max_edges: of each of them.
+        degrees: of v0, the start's vertex, and of all others.
+        walk: what a walk from the start senses, in both worlds.
+
+    Raises:
+        InputError: naming the offending bound or percept.
+    """
+
+    information: Information
+    map_class: MapClass
+    max_vertices: int
+    max_edges: int
+    degrees: Degrees = ANY
+    walk: Walk = NOWHERE
+
+    def __post_init__(self) -> None:
+        for name, value in (("vertices", self.max_vertices), ("edges", self.max_edges)):
+            if value < 1:
+                raise InputError(f"max-{name} = {value}, but a map has at least 1")
+        for name, degree in (("marked", self.degrees.root), ("others", self.degrees.others)):
+            if degree is not None and degree < 1:
+                raise InputError(f"degree-{name} = {degree}, but every vertex has at least 1 dart")
+        if not self.information.marks_a_vertex:
+            for percept in self.walk.percepts:
+                if percept.present:
+                    raise InputError(
+                        f"percept {percept.degree}P needs a marked vertex, but there is none with "
+                        f"--info {self.information}; legal is {percept.degree}A"
+                    )
+
+    def levels(self) -> Iterator[Level]:
+        """The sizes that are to be searched, the smaller first.
+
+        Where a vertex is marked, worlds that look alike have equally many edges: exactly one
+        dart class lies over each dart of v0's quotient, and its size is the same for all.
+        Elsewhere the sizes are ordered by the larger number of edges, then by the smaller.
+        Sizes for which simple counting leaves no world are left out.
+        """
+        sizes = [size for m in range(1, self.max_edges + 1) if (size := self._size(m))]
+        for two in sizes:
+            for one in sizes:
+                if one.edges == two.edges or (
+                    one.edges < two.edges and not self.information.marks_a_vertex
+                ):
+                    yield Level(one, two)
+
+    def _size(self, edges: int) -> Size | None:
+        numbers = [n for n in range(1, self.max_vertices + 1) if self._possible(edges, n)]
+        return Size(edges, numbers[0], numbers[-1]) if numbers else None
+
+    def _possible(self, m: int, n: int) -> bool:
+        root, others = self.degrees.root, self.degrees.others
+        if n > m + 1:
+            return False
+        if self.map_class.simple and (n < 2 or m > n * (n - 1) // 2):
+            return False
+        if self.map_class is MapClass.PLANAR_SIMPLE and n >= 3 and m > 3 * n - 6:
+            return False
+        if root is not None and root > 2 * m - (n - 1):
+            return False
+        if root is not None and others is not None:
+            return 2 * m == root + others * (n - 1)
+        if others is not None:
+            return 2 * m > others * (n - 1)
+        return True
+
+    @property
+    def describes(self) -> str:
+        """The question as a sentence, for comments in files."""
+        extra = [f"at most {self.max_vertices} vertices", f"at most {self.max_edges} edges"]
+        if self.degrees.root is not None:
+            extra.append(f"degree {self.degrees.root} at the start's vertex")
+        if self.degrees.others is not None:
+            extra.append(f"degree {self.degrees.others} elsewhere")
+        if self.walk.motions:
+            seen = ", ".join(f"{p.degree}{'P' if p.present else 'A'}" for p in self.walk.percepts)
+            extra.append(f"motions {', '.join(map(str, self.walk.motions))} sensing {seen}")
+        return (
+            f"Two different worlds that no motion tells apart: information {self.information}, "
+            f"class {self.map_class}, {', '.join(extra)}"
+        )
+
+
+def question(
+    info: str,
+    map_class: str,
+    max_vertices: int,
+    max_edges: int,
+    *,
+    degree_marked: int | None = None,
+    degree_others: int | None = None,
+    motions: Sequence[int] = (),
+    percepts: Sequence[str] = (),
+) -> Question:
+    """The question of these names and numbers.
+
+    Raises:
+        InputError: naming the offending value and what would be legal.
+    """
+    if info not in list(Information):
+        raise InputError(f"info {info!r} is none of {', '.join(Information)}")
+    if map_class not in list(MapClass):
+        raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")
+    return Question(
+        Information(info),
+        MapClass(map_class),
+        max_vertices,
+        max_edges,
+        Degrees(degree_marked, degree_others),
+        Walk(tuple(motions), tuple(percept_named(text) for text in percepts)),
+    )

@@ -1,0 +1,278 @@
+"""Hypothesis strategies: maps, worlds, motions and choices that shrink to small, plain ones.
+
+Everything shrinks in the order in which findings are reported: fewer edges, then fewer
+vertices, then dart 0.  For example, a property of every explorer that you write::
+
+    from hypothesis import given
+    from allworlds import run, strategies
+
+    @given(strategies.worlds(), strategies.choices())
+    def test_my_explorer_is_right(world, choices): ...
+
+Maps grow edge by edge from their root edge, and no step is one that cannot be gone on from,
+so nothing is drawn in vain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence, Sized
+from itertools import combinations_with_replacement, count
+from math import comb
+from typing import TypeAlias
+
+from hypothesis import assume
+from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, integers, lists
+
+from allworlds.errors import InputError
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.classes import MapClass
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
+from allworlds.protocol import Choices, Kind
+from allworlds.world import Lighthouse, World, lighthouse_named
+
+__all__ = [
+    "choices",
+    "maps",
+    "motions",
+    "planar_maps",
+    "planar_simple_maps",
+    "simple_maps",
+    "worlds",
+]
+
+
+def maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[CombinatorialMap]:
+    """Maps with loops and parallel edges, of any genus; the root is dart 0.
+
+    Every rooted map with so many edges is drawn now and then, in its canonical numbering.  A
+    failing one shrinks towards fewer edges, then towards fewer vertices: at last to one loop.
+
+    Example:
+        ``@given(maps(max_edges=4))``
+
+    Raises:
+        InputError: unless ``1 <= min_edges <= max_edges``.
+
+    Cost: O(m^3) for a map.
+    """
+    return _of_class(MapClass.MAPS, min_edges, max_edges)
+
+
+def simple_maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[CombinatorialMap]:
+    """Maps without loops and parallel edges; all else as :func:`maps`.
+
+    Example:
+        ``@given(simple_maps(min_edges=3))``
+    """
+    return _of_class(MapClass.SIMPLE, min_edges, max_edges)
+
+
+def planar_maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[CombinatorialMap]:
+    """Maps of genus 0; all else as :func:`maps`.
+
+    Example:
+        ``@given(planar_maps(max_edges=10))``
+    """
+    return _of_class(MapClass.PLANAR, min_edges, max_edges)
+
+
+def planar_simple_maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[CombinatorialMap]:
+    """Maps of genus 0 without loops and parallel edges; all else as :func:`maps`.
+
+    Example:
+        ``@given(planar_simple_maps(max_edges=10))``
+    """
+    return _of_class(MapClass.PLANAR_SIMPLE, min_edges, max_edges)
+
+
+def worlds(
+    map_strategy: SearchStrategy[CombinatorialMap] | None = None,
+    lighthouse: str = "directional",
+) -> SearchStrategy[World]:
+    """Worlds: a map, the dart that the robot faces at the start, a place of the lighthouse.
+
+    A failing one shrinks as its map does, then towards start 0 and the first place (a
+    directional marker points where the robot looks).  Starts without a place are not drawn.
+
+    Args:
+        map_strategy: draws the map (default: :func:`maps`).
+        lighthouse: ``KIND[:key=value,...]``.
+
+    Example:
+        ``@given(worlds(simple_maps(), lighthouse="directional"))``
+
+    Raises:
+        InputError: for a lighthouse that is none.
+    """
+    return _lit(maps() if map_strategy is None else map_strategy, lighthouse_named(lighthouse))
+
+
+def motions(max_size: int = 20) -> SearchStrategy[list[int]]:
+    """Lists of at most ``max_size`` motions ``k``, as :class:`allworlds.Move` takes them.
+
+    Turns either way by less than 13 darts.  A failing list shrinks towards few motions back
+    where one came from (0).
+
+    Example:
+        ``@given(worlds(), motions(max_size=8))``
+    """
+    return lists(integers(-12, 12), max_size=max_size)
+
+
+def choices(max_size: int = 40) -> SearchStrategy[Choices]:
+    """Choices for one run: the first ``max_size`` at most are free, later ones take option 0.
+
+    A failing run shrinks towards option 0 everywhere, which is first in, first out.  Choices
+    keep a record and are used up by a run: draw two for two runs.
+
+    Example:
+        ``@given(worlds(), choices())``
+    """
+    return builds(Choices, builds(Answers, lists(integers(min_value=0), max_size=max_size)))
+
+
+class Answers:
+    """The policy of :func:`choices`: these numbers modulo the number of options, then 0."""
+
+    def __init__(self, answers: Sequence[int] = ()) -> None:
+        self.answers = tuple(answers)
+        self._left = iter(self.answers)
+
+    def __repr__(self) -> str:
+        return f"Answers({list(self.answers)})"
+
+    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:  # noqa: ARG002
+        """The next answer."""
+        return next(self._left, 0) % len(options)
+
+
+def _of_class(map_class: MapClass, least: int, most: int) -> SearchStrategy[CombinatorialMap]:
+    if least < 1:
+        raise InputError(f"min_edges = {least}, but a map has at least 1 edge")
+    if most < least:
+        raise InputError(f"max_edges = {most} is less than min_edges = {least}")
+    return _grown(map_class, least, most)
+
+
+@composite
+def _lit(
+    draw: DrawFn, map_strategy: SearchStrategy[CombinatorialMap], kind: type[Lighthouse]
+) -> World:
+    map_ = draw(map_strategy)
+    start = draw(integers(0, len(map_.sigma) - 1))
+    places = list(kind.places(map_, start))
+    assume(places)
+    return World(map_, places[draw(integers(0, len(places) - 1))], start)
+
+
+@composite
+def _grown(draw: DrawFn, map_class: MapClass, least: int, most: int) -> CombinatorialMap:
+    """A map of the class: its size first, then where each edge is added."""
+    edges = draw(integers(least, most))
+    vertices = draw(integers(_fewest_vertices(map_class, edges), edges + 1))
+    return grow(map_class, edges, vertices, lambda options: draw(integers(0, len(options) - 1)))
+
+
+def grow(
+    map_class: MapClass, edges: int, vertices: int, pick: Callable[[Sized], int]
+) -> CombinatorialMap:
+    """A map of the class and the size, canonically numbered, as ``pick`` has it grow.
+
+    Args:
+        map_class: the class.
+        edges: m.
+        vertices: n; the class has maps with so many edges and vertices.
+        pick: the index of one of these options; called ``m`` times.
+
+    Cost: O(m^3).
+    """
+    loops = [] if map_class.simple or vertices > edges else [LOOP]
+    links = [LINK] if vertices > 1 else []
+    roots = loops + links
+    growth = _Growth(map_class, roots[pick(roots)])
+    for edge in range(1, edges):
+        new_vertices, new_edges = vertices - growth.vertex_count, edges - edge
+        ways: list[Way] = []
+        if new_vertices < new_edges:
+            ways += growth.between()
+        if new_vertices:
+            ways += growth.outward()
+        growth.add(ways[pick(ways)])
+    return CombinatorialMap.trusted(*rooted_code(growth.sigma, growth.alpha, 0))
+
+
+def _fewest_vertices(map_class: MapClass, edges: int) -> int:
+    """The smallest number of vertices that a map of the class with so many edges can have."""
+    if not map_class.simple:
+        return 1
+    # The largest maps are complete graphs, in the plane triangulations.
+    largest = ((n, 3 * n - 6 if map_class.planar and n > 2 else comb(n, 2)) for n in count(2))
+    return next(n for n, most in largest if most >= edges)
+
+
+LOOP = CombinatorialMap((1, 0), (1, 0))
+LINK = CombinatorialMap((0, 1), (1, 0))
+
+Way: TypeAlias = tuple[Dart, Dart]
+"""Where an edge is added: from the corner behind dart a to the corner behind dart b, or
+to a new vertex where b is OUTWARD."""
+
+OUTWARD: Dart = -1
+
+
+class _Growth:
+    """A map to which edges are added; it stays in its class.
+
+    Every rooted map grows like this: its root edge first, then the rest of a spanning tree,
+    then the others.  In a simple class with fewer edges than any map with so many vertices can
+    have there is always a way between two corners: a plane one that has none is a triangulation.
+    """
+
+    def __init__(self, map_class: MapClass, root: CombinatorialMap) -> None:
+        self.map_class = map_class
+        self.sigma, self.alpha = list(root.sigma), list(root.alpha)
+        self.vertex_count = root.vertex_count
+
+    def between(self) -> list[Way]:
+        """Every way to add an edge without a new vertex, ascending."""
+        darts = range(len(self.sigma))
+        face = self._owner([self.sigma[e] for e in self.alpha])
+        vertex = self._owner(self.sigma)
+        joined = {(vertex[d], vertex[self.alpha[d]]) for d in darts}
+
+        def allowed(a: Dart, b: Dart) -> bool:
+            if self.map_class.planar and face[self.sigma[a]] != face[self.sigma[b]]:
+                return False
+            ends = vertex[a], vertex[b]
+            return not self.map_class.simple or (ends[0] != ends[1] and ends not in joined)
+
+        return [way for way in combinations_with_replacement(darts, 2) if allowed(*way)]
+
+    def outward(self) -> list[Way]:
+        """Every way to add an edge with a new vertex, ascending."""
+        return [(d, OUTWARD) for d in range(len(self.sigma))]
+
+    def add(self, way: Way) -> None:
+        """Add an edge."""
+        a, b = way
+        first = len(self.sigma)
+        self.sigma += [first, first + 1]
+        self.alpha += [first + 1, first]
+        self._insert(first, a)
+        if b == OUTWARD:
+            self.vertex_count += 1
+        else:
+            self._insert(first + 1, b)
+
+    def _insert(self, dart: Dart, behind: Dart) -> None:
+        self.sigma[dart] = self.sigma[behind]
+        self.sigma[behind] = dart
+
+    @staticmethod
+    def _owner(permutation: Sequence[Dart]) -> list[int]:
+        """For each dart the number of its cycle."""
+        owner = [0] * len(permutation)
+        for i, cycle in enumerate(cycles(permutation)):
+            for dart in cycle:
+                owner[dart] = i
+        return owner

@@ -1,0 +1,107 @@
+"""Direction without position: a reference dart at every vertex."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import islice, product
+from typing import Any, ClassVar
+
+from allworlds.errors import show
+from allworlds.maps.canonical import numbering
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
+from allworlds.protocol import Percept
+from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, percept
+
+ALL_CHOICES = 3
+"""The largest number of edges for which every choice of reference darts is a place."""
+
+
+@dataclass(frozen=True, slots=True)
+class Compass(Lighthouse):
+    """At every vertex a reference dart (its north), and no mark.
+
+    Sensed: the degree, and the bearing of the vertex's reference dart.  ``darts`` holds one
+    dart of each vertex, ascending.
+    Source: Section III of the paper ('global orientation information but no position').
+    """
+
+    darts: tuple[Dart, ...]
+
+    kind: ClassVar[str] = "compass"
+    default_bound: ClassVar[str] = "none"
+    folds: ClassVar[bool] = False
+
+    @classmethod
+    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Compass]:
+        """Up to three edges every choice of reference darts; beyond, the first choice only.
+
+        Vertices and their darts come in canonical numbering from ``start``.  So in a map that
+        is numbered so itself, the first choice is the smallest dart of each vertex.
+        """
+        around: dict[int, list[Dart]] = {}
+        for dart in numbering(map_.sigma, map_.alpha, start):
+            around.setdefault(map_.vertex_of[dart], []).append(dart)
+        wanted = None if map_.edge_count <= ALL_CHOICES else 1
+        for choice in islice(product(*around.values()), wanted):
+            yield cls(tuple(sorted(choice)))
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any start
+        """The reference darts are ascending integers, one at each vertex."""
+        darts = _integers(self.darts)
+        for dart in darts:
+            if dart not in map_.darts:
+                raise InvalidWorld(
+                    f"lighthouse.darts names {show(dart)}, which is no dart; "
+                    f"darts are 0..{len(map_.sigma) - 1}"
+                )
+        if list(darts) != sorted(darts):
+            raise InvalidWorld(f"lighthouse.darts = {show(list(darts))} must be ascending")
+        chosen = [map_.vertex_of[dart] for dart in darts]
+        for v, vertex in enumerate(map_.vertices):
+            if chosen.count(v) != 1:
+                raise InvalidWorld(
+                    f"lighthouse.darts = {show(list(darts))} has {chosen.count(v)} darts of the "
+                    f"vertex {show(list(vertex))}; it must have one of each vertex"
+                )
+
+    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
+        """At every vertex the degree and the bearing."""
+        sensed = [percept(degree) for degree in map_.degree_at]
+        for north in self.darts:
+            degree = map_.degree_at[north]
+            for back in range(degree):
+                sensed[map_.turn(north, -back)] = percept(degree, 0, back)
+        return tuple(sensed)
+
+    def relabelled(self, names: Sequence[Dart]) -> Compass:
+        """The renamed reference darts."""
+        return Compass(tuple(sorted(names[dart] for dart in self.darts)))
+
+    def to_json(self) -> dict[str, Any]:
+        """``{"kind": "compass", "darts": [...]}``."""
+        return {"kind": self.kind, "darts": list(self.darts)}
+
+    @classmethod
+    def from_json(
+        cls,
+        document: Mapping[str, Any],
+        map_: CombinatorialMap,
+        start: Dart,  # noqa: ARG003  # any start will do
+    ) -> Compass:
+        """With ``darts`` in any order; where they are left out, the smallest of each vertex."""
+        if "darts" not in document:
+            return cls(tuple(vertex[0] for vertex in map_.vertices))
+        return cls(tuple(sorted(_integers(document["darts"]))))
+
+
+def _integers(values: object) -> tuple[int, ...]:
+    if not isinstance(values, list | tuple):
+        raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
+    found = []
+    for i, value in enumerate(values):
+        try:
+            found.append(integer(value))
+        except TypeError:
+            raise InvalidWorld(f"lighthouse.darts[{i}] = {show(value)} is not an integer") from None
+    return tuple(found)

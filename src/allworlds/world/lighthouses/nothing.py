@@ -1,0 +1,57 @@
+"""No lighthouse at all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol import Percept
+from allworlds.world.lighthouses.base import Lighthouse, percept
+
+
+@dataclass(frozen=True, slots=True)
+class Nothing(Lighthouse):
+    """No marker and no direction: only the degree is sensed.
+
+    Source: Section III of the paper ('lacking any position and orientation information').
+    """
+
+    kind: ClassVar[str] = "none"
+    default_bound: ClassVar[str] = "none"
+    folds: ClassVar[bool] = False
+
+    @classmethod
+    def places(
+        cls,
+        map_: CombinatorialMap,  # noqa: ARG003  # nothing stands anywhere
+        start: Dart,  # noqa: ARG003
+    ) -> Iterator[Nothing]:
+        """One place."""
+        yield cls()
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """Every map and every start will do."""
+
+    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
+        """The degree everywhere."""
+        return tuple(percept(degree) for degree in map_.degree_at)
+
+    def relabelled(self, names: Sequence[Dart]) -> Nothing:  # noqa: ARG002  # it has no dart
+        """The same."""
+        return self
+
+    def to_json(self) -> dict[str, Any]:
+        """``{"kind": "none"}``."""
+        return {"kind": self.kind}
+
+    @classmethod
+    def from_json(
+        cls,
+        document: Mapping[str, Any],  # noqa: ARG003  # it says nothing else
+        map_: CombinatorialMap,  # noqa: ARG003
+        start: Dart,  # noqa: ARG003
+    ) -> Nothing:
+        """The one there is."""
+        return cls()

@@ -1,0 +1,66 @@
+"""Position without direction: one undirected immovable marker."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol import Percept
+from allworlds.world.lighthouses.base import Lighthouse, check_at_start, percept
+
+
+@dataclass(frozen=True, slots=True)
+class Position(Lighthouse):
+    """One marker at the start vertex v0 that points nowhere.
+
+    Sensed at v0: one mark; at every vertex the degree.  ``dart`` is any dart of v0.  It is
+    not compared: in worlds with one start, two of these stand at one vertex.
+    Source: Section III of the paper ('unique position information').
+    """
+
+    dart: Dart = field(compare=False)
+
+    kind: ClassVar[str] = "position"
+    default_bound: ClassVar[str] = "none"
+    folds: ClassVar[bool] = False
+
+    @classmethod
+    def places(
+        cls,
+        map_: CombinatorialMap,  # noqa: ARG003  # there is one place in every map
+        start: Dart,
+    ) -> Iterator[Position]:
+        """One place: the start's vertex."""
+        yield cls(start)
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """The marked vertex is the start's."""
+        check_at_start("stands at", self.dart, map_, start)
+
+    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
+        """One mark at v0, none elsewhere, and the degree everywhere."""
+        v0 = map_.vertex_of[self.dart]
+        return tuple(
+            percept(degree, int(vertex == v0))
+            for degree, vertex in zip(map_.degree_at, map_.vertex_of, strict=True)
+        )
+
+    def relabelled(self, names: Sequence[Dart]) -> Position:
+        """At the renamed dart."""
+        return Position(names[self.dart])
+
+    def to_json(self) -> dict[str, Any]:
+        """``{"kind": "position", "dart": d}``."""
+        return {"kind": self.kind, "dart": self.dart}
+
+    @classmethod
+    def from_json(
+        cls,
+        document: Mapping[str, Any],
+        map_: CombinatorialMap,  # noqa: ARG003  # for kinds that need it
+        start: Dart,
+    ) -> Position:
+        """At the vertex of ``dart``, or of the start where no dart is named."""
+        return cls(document.get("dart", start))

@@ -1,0 +1,12 @@
+"""The exact worst and best cost of Algorithm 1 over all worlds and all schedules.
+
+``one_world``
+    one world, readably; also a sequence of choices that attains the worst cost;
+``search``
+    every world of a class, with the compiled engine, and what is reported.
+"""
+
+from allworlds.worst_case.one_world import EverySchedule
+from allworlds.worst_case.search import WorstReport, WorstRow, worst
+
+__all__ = ["EverySchedule", "WorstReport", "WorstRow", "worst"]

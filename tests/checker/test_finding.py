@@ -1,0 +1,86 @@
+import json
+
+import pytest
+
+from allworlds.checker import Finding, check, replay, run
+from allworlds.checker.finding import canonical_world, place_of
+from allworlds.errors import InputError
+from allworlds.maps.build import named_map
+from allworlds.world import Directional, World
+
+
+def lazy(first):
+    return (yield from algorithm(first)) if first.degree > 2 else None
+
+
+def algorithm(first):
+    from allworlds.explorers import algorithm1
+
+    return (yield from algorithm1(first))
+
+
+@pytest.fixture(scope="module")
+def finding():
+    return check(lambda first: (yield from lazy(first)), edges=1).findings[0]
+
+
+def test_a_finding_survives_its_json(finding):
+    document = finding.to_json()
+    again = Finding.from_json(json.dumps(document))
+    assert again.to_json() == document
+    assert again.key == finding.key
+
+
+def test_the_findings_of_all_numberings_are_one_finding():
+    map_ = named_map("k4")
+    findings = set()
+    for names in ([*range(12)], [*reversed(range(12))], [(5 * d + 3) % 12 for d in range(12)]):
+        world = World(map_, Directional(map_.turn(0, 2))).relabelled(names)
+        canonical = canonical_world(world)
+        assert canonical.start == 0
+        assert place_of(canonical) == place_of(world) == 2
+        findings.add(canonical)
+    assert len(findings) == 1
+
+
+@pytest.mark.parametrize(
+    ("change", "named"),
+    [
+        ({"version": 2}, "2"),
+        ({"explorer": 3}, "3"),
+        ({"law": "luck"}, "luck"),
+        ({"world": []}, r"\[\]"),
+        ({"options": []}, "options"),
+        ({"options": {"policy": 3}}, "policy"),
+        ({"options": {"policy": "nonsense"}}, "nonsense"),
+        ({"options": {"bound": "n +"}}, "n +"),
+        ({"options": {"laws": "map"}}, "map"),
+        ({"options": {"step_budget": True}}, "True"),
+        ({"choices": [-1]}, "-1"),
+        ({"choices": [True]}, "True"),
+        ({"transcript": []}, "transcript"),
+    ],
+)
+def test_a_document_that_is_no_finding_is_refused(finding, change, named):
+    with pytest.raises(InputError, match=named):
+        Finding.from_json({**finding.to_json(), **change})
+
+
+def test_the_recorded_choices_are_honoured(wrong):
+    report = check(wrong("one_schedule"), schedules="all", edges=1)
+    again = replay(Finding.from_json(report.findings[0].to_json()))
+    assert (again.outcome, again.again.outcome.choices) == ("reproduced", (1, 0))
+    assert replay(report.findings[0], wrong("right")).outcome == "fixed"
+    assert replay(report.findings[0], algorithm).exit_code == 5
+
+
+def test_a_report_of_one_run_is_a_finding_too(finding):
+    report = run(lambda first: (yield from lazy(first)), finding.world).to_json()
+    assert Finding.from_json(report).key == finding.key
+
+
+def test_all_zero_choices_are_told_where_another_policy_would_choose_otherwise(wrong):
+    finding = check(
+        wrong("hang_after_choices"), edges=1, schedules="all", policy="lifo", answer_timeout=0.3
+    ).findings[0]
+    assert "--choices 0,0" in finding.reproduce

@@ -1,0 +1,192 @@
+"""Whatever an explorer does to its process, the check ends soon and says what was wrong."""
+
+import time
+
+import pytest
+
+from allworlds.checker import Finding, check, replay, run
+from allworlds.errors import InputError
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.world import Directional, World
+
+EDGE = World(CombinatorialMap((0, 1), (1, 0)), Directional(0))
+LOOP = World(CombinatorialMap((1, 0), (1, 0)), Directional(0))
+RUNS = 3  # with one edge: one run in the edge, two in the loop
+
+pytestmark = pytest.mark.usefixtures("no_orphans")
+
+
+def only_finding(name, **options):
+    begun = time.monotonic()
+    report = check(name, edges=1, answer_timeout=0.5, **options)
+    assert time.monotonic() - begun < 15
+    assert report.exit_code == 1
+    assert report.runs == RUNS
+    (finding,) = report.findings
+    assert finding.minimal
+    return finding
+
+
+@pytest.mark.parametrize(
+    ("name", "law", "seen"),
+    [
+        ("hang", "timeout", "silent for 0.5 s"),
+        ("hang_gil", "timeout", "silent for 0.5 s"),
+        ("hang_regex", "timeout", "silent for 0.5 s"),
+        ("os_exit", "crash", "exit code 0"),
+        ("segfault", "crash", "signal 11"),
+        ("reads", "crash", "EOFError"),
+        ("closes", "crash", "end of the interpreter"),
+        ("closes_and_hangs", "crash", "the interpreter's pipe"),
+        ("sys_exit", "crash", "SystemExit"),
+        ("interrupt", "crash", "KeyboardInterrupt"),
+        ("raises", "crash", "ZeroDivisionError"),
+        ("deep", "crash", "RecursionError"),
+        ("orphan", "crash", "exit code 3"),
+    ],
+)
+def test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen):
+    finding = only_finding(wrong(name))
+    assert finding.law == law
+    assert finding.world == EDGE
+    assert seen in finding.seen
+    assert finding.transcript.steps == ()
+    assert finding.confirmed
+
+
+def test_memory_beyond_the_limit_is_a_crash(wrong):
+    finding = only_finding(wrong("memory"), memory=1000)
+    assert (finding.law, finding.world) == ("crash", EDGE)
+    assert "MemoryError" in finding.seen
+    assert finding.confirmed
+
+
+@pytest.mark.parametrize("memory", [1, 10**30])
+def test_no_limit_of_memory_breaks_the_check(wrong, memory):
+    try:
+        assert check(wrong("right"), edges=1, memory=memory, bound="none").exit_code == 0
+    except InputError as error:
+        assert memory == 1, error  # noqa: PT017  # either is fine
+
+
+@pytest.mark.parametrize("name", ["prints", "reads_quietly", "child", "thread", "forks"])
+def test_what_harms_nobody_is_no_finding(wrong, capfd, name):
+    report = check(wrong(name), edges=2, workers=2)
+    assert (report.verdict.value, report.worlds, report.runs) == ("holds", 12, 30)
+    assert capfd.readouterr().out == ""
+
+
+def test_the_walk_of_a_killed_explorer_is_known(wrong):
+    finding = only_finding(wrong("hang_in_the_middle"))
+    assert finding.law == "timeout"
+    assert [action.k for action, _ in finding.transcript.steps] == [0]
+    assert finding.confirmed
+
+
+def test_the_choices_of_a_killed_explorer_are_known(wrong):
+    finding = only_finding(wrong("hang_after_choices"), schedules="all", laws=["map"])
+    assert (finding.law, finding.choices) == ("timeout", (0, 0))
+    assert len(finding.transcript.steps) == 1
+
+
+def test_an_explorer_that_takes_its_interpreter_with_it_when_it_is_closed(wrong):
+    report = check(wrong("ends_at_its_close"), edges=1)
+    assert [finding.law for finding in report.findings] == ["crash"]
+
+
+@pytest.mark.parametrize("name", ["by_random", "by_time", "by_id", "by_hash", "by_state"])
+def test_a_walk_that_is_another_one_the_second_time_is_nondeterministic(wrong, name):
+    finding = only_finding(wrong(name))
+    assert finding.law == "nondeterministic"
+    assert finding.world.map.loop_count == 1
+    assert "walk differs" in finding.seen
+
+
+def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong):
+    finding = only_finding(wrong("by_answer"), laws=["map"])
+    assert (finding.law, finding.seen) == ("nondeterministic", "the second answer differs")
+
+
+def test_a_crash_in_the_second_run_is_a_crash(wrong):
+    finding = only_finding(wrong("crashes_the_second_time"))
+    assert finding.law == "crash"
+    assert finding.seen.startswith("in the second run of this world: ZeroDivisionError")
+    assert "Traceback" in finding.detail
+
+
+@pytest.mark.parametrize(
+    ("kind", "law", "seen"),
+    [
+        ("silent", "timeout", "silent for 0.5 s"),
+        ("silent-later", "timeout", "silent for 0.5 s"),
+        ("ends", "crash", "exit code 7"),
+        ("no-json", "illegal-action", "no JSON: 'move 0'"),
+        ("empty-line", "illegal-action", "no JSON"),
+        ("no-object", "illegal-action", "no object: '[1, 2]'"),
+        ("bad-utf8", "illegal-action", "no JSON"),
+        ("huge-line", "illegal-action", "a line of over"),
+        ("deep", "illegal-action", "no JSON"),
+        ("bool-move", "illegal-action", '{"move": true}'),
+        ("float-move", "illegal-action", '{"move": 1.0}'),
+        ("unknown", "illegal-action", '{"jump": 1}'),
+        ("drop", "illegal-action", "Drop()"),
+        ("checkpoint-no-object", "illegal-action", "checkpoint"),
+        ("no-map", "no-estimate", "no map"),
+        ("no-object-estimate", "no-estimate", "null"),
+        ("here-is-none", "no-estimate", "None"),
+        ("two-estimates", "illegal-action", "after its estimate"),
+        ("dies-between", "crash", "in the second run"),
+        ("lazy", "map", ""),
+    ],
+)
+def test_the_law_that_a_program_breaks(program, kind, law, seen):
+    finding = only_finding(program(kind))
+    assert (finding.law, finding.world) == (law, LOOP)  # fewer vertices than the edge
+    assert seen in str(finding.seen)
+    assert ("I am tired" in finding.detail) == (kind == "ends")
+    assert finding.confirmed == (kind != "dies-between")
+    assert len(finding.transcript.steps) == (
+        kind in ("silent-later", "two-estimates", "dies-between")
+    )
+
+
+def test_a_program_that_does_not_listen_is_stopped(program, tmp_path, gone):
+    finding = only_finding(program("deaf", tmp_path / "pids"))
+    assert finding.law in ("budget", "timeout")
+    assert gone(tmp_path / "pids")
+
+
+def test_a_program_that_does_not_end_with_its_input_is_ended(program, tmp_path, gone):
+    report = check(program("never-exits", tmp_path / "pids"), edges=2, workers=2)
+    assert (report.verdict.value, report.runs) == ("holds", 30)
+    assert gone(tmp_path / "pids")
+
+
+@pytest.mark.parametrize("time_limit", [0.3, 1.5])
+def test_a_program_in_the_middle_of_a_run_is_ended_with_the_check(
+    program, tmp_path, gone, time_limit
+):
+    (tmp_path / "pids").write_text("999999999\n")
+    name = program("silent", tmp_path / "pids")
+    report = check(name, edges=1, answer_timeout=100, time_limit=time_limit)
+    assert (report.exit_code, report.runs) == (3, 0)
+    assert gone(tmp_path / "pids")
+
+
+def test_one_run_of_an_explorer_that_hangs_is_stopped_too(wrong):
+    told = run(wrong("hang_in_the_middle"), EDGE, answer_timeout=0.5)
+    assert (told.exit_code, told.finding.law, told.outcome.cost) == (1, "timeout", 1)
+    again = replay(Finding.from_json(told.finding.to_json()), answer_timeout=0.5)
+    assert again.outcome == "reproduced"
+
+
+@pytest.mark.parametrize("name", ["os_exit", "segfault", "reads", "closes", "orphan", "raises"])
+def test_one_run_of_an_explorer_that_dies_is_a_crash(wrong, name):
+    told = run(wrong(name), EDGE, answer_timeout=0.5)
+    assert (told.exit_code, told.finding.law, told.outcome.cost) == (1, "crash", 0)
+
+
+def test_one_run_of_a_program_that_is_silent(program, tmp_path, gone):
+    told = run(program("silent", tmp_path / "pids"), EDGE, answer_timeout=0.5)
+    assert told.finding.law == "timeout"
+    assert gone(tmp_path / "pids")

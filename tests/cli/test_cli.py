@@ -1,0 +1,328 @@
+"""The command line from outside: exit codes, what is on stdout, what is on stderr."""
+
+# ruff: noqa: UP031
+import json
+import os
+import shlex
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from allworlds.cli.app import _guarded
+
+EXPLORERS = Path(__file__).parents[1] / "explorers_for_tests"
+WRONG = f"{EXPLORERS / 'wrong.py'}"
+EDGE = '{"sigma": [0, 1], "alpha": [1, 0]}'
+
+
+def start(*arguments, **options):
+    command = [sys.executable, "-m", "allworlds", *map(str, arguments)]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    return subprocess.Popen(command, text=True, **pipes, **options)
+
+
+def allworlds(*arguments, **options):
+    process = start(*arguments, **options)
+    out, err = process.communicate(timeout=60)
+    return process.returncode, out, err
+
+
+@pytest.fixture
+def guarded(capsys):
+    def call(*arguments):
+        code = _guarded([str(argument) for argument in arguments])
+        return code, *capsys.readouterr()
+
+    return call
+
+
+BAD = [
+    (["check", "nonsense"], "nonsense"),
+    (["check", "no.such.module:explore"], "no.such.module"),
+    (["check", "no_such_file.py:explore"], "no_such_file.py"),
+    (["check", f"{WRONG}:nobody"], "nobody"),
+    (["check", f"{WRONG}:EDGE"], "EDGE"),
+    (["check", f"{WRONG}:signature"], "signature"),
+    (["check", f"{WRONG}:"], "wrong.py"),
+    (["check", ":"], ":"),
+    (["check", "json:loads"], "json:loads"),
+    (["check", "--exec", ""], "empty"),
+    (["check", "--exec", "no-such-program x"], "no-such-program"),
+    (["check", "--exec", "'"], "'"),
+    (["check", "algorithm1", "--exec", "cat"], "algorithm1"),
+    (["check", "--edges", "0"], "0"),
+    (["check", "--edges", "-3"], "-3"),
+    (["check", "--edges", "x"], "x"),
+    (["check", "--edges", "2.5"], "2.5"),
+    (["check", "--vertices", "1", "--edges", "2"], "1"),
+    (["check", "--vertices", "3"], "3"),
+    (["check", "--class", "nonsense"], "nonsense"),
+    (["check", "--lighthouse", "nonsense"], "nonsense"),
+    (["check", "--policy", "random:x"], "random:x"),
+    (["check", "--laws", "map,nonsense"], "nonsense"),
+    (["check", "--engine", "nonsense"], "nonsense"),
+    (["check", "--schedules", "some"], "some"),
+    (["check", "--schedules", "all", f"{WRONG}:right"], "all"),
+    (["check", "--bound", "n +"], "n +"),
+    (["check", "--bound", "__import__('os')"], "__import__"),
+    (["check", "--shard", "2/2"], "2/2"),
+    (["check", "--shard", "1"], "1"),
+    (["check", "--shard", "9" * 5000 + "/1"], "999"),
+    (["check", "--workers", "0"], "0"),
+    (["check", "--workers", "many"], "many"),
+    (["check", "--workers", "9" * 5000], "999"),
+    (["check", "--answer-timeout", "-1"], "-1"),
+    (["check", "--answer-timeout", "nan"], "nan"),
+    (["check", "--answer-timeout", "inf"], "inf"),
+    (["check", "--time-limit", "0"], "0"),
+    (["check", "--time-limit", "inf"], "inf"),
+    (["check", "--memory", "-5"], "-5"),
+    (["check", "--max-findings", "0"], "0"),
+    (["check", "--step-budget", "0"], "0"),
+    (["check", "--nonsense"], "--nonsense"),
+    (["nonsense"], "nonsense"),
+    (["count"], "edges"),
+    (["count", "--edges", "0"], "0"),
+    (["count", "--edges", "2", "--class", "nonsense"], "nonsense"),
+    (["run"], "nothing"),
+    (["run", "a", "b", "c"], "a b c"),
+    (["run", "nonsense"], "nonsense"),
+    (["run", "algorithm1", "{"], "JSON"),
+    (["run", "algorithm1", '{"sigma": [0, 0], "alpha": [1, 0]}'], "sigma"),
+    (["run", "algorithm1", '{"sigma": [true, 0], "alpha": [1, 0]}'], "True"),
+    (["run", "algorithm1", "@no-such-file"], "no-such-file"),
+    (["run", "algorithm1", "theta", "--choices", "1,x"], "1,x"),
+    (["run", "algorithm1", "theta", "--answer-timeout", "nan"], "nan"),
+    (["run", "--family", "nonsense:3"], "nonsense:3"),
+    (["run", "--family", "cycle:0"], "cycle:0"),
+    (["run", "--family", "cycle:5", "--holes", "10%"], "cycle:5"),
+    (["run", "--family", "lattice:3x3", "--holes", "100%"], "100%"),
+    (["replay", "no-such-file.json"], "no-such-file.json"),
+    (["replay", "/"], "/"),
+]
+
+
+@pytest.mark.parametrize(("arguments", "named"), BAD, ids=lambda value: str(value)[:60])
+def test_bad_input_is_one_line_that_names_it(guarded, arguments, named):
+    if arguments[0] == "check" and "--edges" not in arguments and "--vertices" not in arguments:
+        arguments = [*arguments, "--edges", "1"]
+    code, out, err = guarded(*arguments)
+    assert (code, out) == (2, "")
+    assert err.count("\n") == 1, err
+    assert named in err
+    assert "Traceback" not in err
+
+
+@pytest.mark.parametrize(
+    ("text", "named"),
+    [
+        ("", "JSON"),
+        ('{"version": 1, "explorer"', "JSON"),
+        ("[" * 100_000, "JSON"),
+        ("[1, 2]", "[1, 2]"),
+        ('{"version": 99}', "99"),
+        ('{"version": 1, "law": "map"}', "explorer"),
+        ('{"version": 1, "explorer": "algorithm1", "law": "nonsense"}', "nonsense"),
+        ('{"version": 1, "explorer": "algorithm1", "law": []}', "law"),
+        ('{"version": 1, "explorer": "algorithm1", "law": "map", "world": 3}', "3"),
+        (
+            '{"version": 1, "explorer": "algorithm1", "law": "map", "world": %s}' % EDGE,
+            "transcript",
+        ),
+        ('{"schema": 1, "verdict": "holds", "findings": []}', "holds"),
+    ],
+)
+def test_a_file_that_is_no_finding_is_bad_input(guarded, tmp_path, text, named):
+    file = tmp_path / "finding.json"
+    file.write_text(text)
+    code, out, err = guarded("replay", file)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert named in err
+
+
+def test_a_binary_file_is_bad_input(guarded, tmp_path):
+    file = tmp_path / "finding.json"
+    file.write_bytes(bytes(range(256)))
+    code, out, err = guarded("replay", file)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+
+
+def test_a_module_that_does_not_import_is_bad_input(guarded, tmp_path):
+    for i, source in enumerate(["1/0", "import sys; sys.exit(0)", "def", "raise BaseException"]):
+        file = tmp_path / f"broken{i}.py"
+        file.write_text(source)
+        code, out, err = guarded("check", f"{file}:explore", "--edges", "1")
+        assert (code, out, err.count("\n")) == (2, "", 1)
+        assert file.name in err
+
+
+@pytest.mark.parametrize(
+    "signature", ["first, more", "", "first, *, chosen", "first, choices, /", "*, first"]
+)
+def test_an_explorer_with_another_signature_is_bad_input(guarded, tmp_path, signature):
+    file = tmp_path / "explorer.py"
+    file.write_text(f"def explore({signature}):\n    yield\n")
+    code, out, err = guarded("check", f"{file}:explore", "--edges", "1")
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert "explorer.py" in err
+
+
+def test_what_an_explorer_prints_is_not_in_the_document(tmp_path):
+    file = tmp_path / "random.py"  # and it does not take the place of a module of that name
+    file.write_text(
+        "print('imported')\nfrom allworlds.explorers import algorithm1\n"
+        "def explore(first):\n    print('explored')\n    return (yield from algorithm1(first))\n"
+    )
+    for verb in (["check", f"{file}:explore", "--edges", "2"], ["run", f"{file}:explore", "theta"]):
+        code, out, err = allworlds(*verb, "--json")
+        assert (code, json.loads(out)["verdict"]) == (0, "holds"), err
+        assert "imported" in err
+        assert "explored" in err
+
+
+def test_a_finding_is_replayed_from_its_report_and_from_its_command(tmp_path):
+    code, out, _ = allworlds("check", f"{WRONG}:here_of_another", "--edges", "3", "--json")
+    report = json.loads(out)
+    assert (code, report["exit_code"], report["verdict"]) == (1, 1, "refuted")
+    finding = report["findings"][0]
+    assert (finding["version"], finding["law"], finding["confirmed"]) == (1, "pose", True)
+    for name, document in (("report", report), ("finding", finding)):
+        (tmp_path / name).write_text(json.dumps(document))
+        code, out, _ = allworlds("replay", tmp_path / name, "--json")
+        assert (code, json.loads(out)["outcome"]) == (0, "reproduced")
+        code, out, _ = allworlds("replay", tmp_path / name, "--explorer", "algorithm1", "--json")
+        assert (code, json.loads(out)["outcome"]) == (5, "fixed")
+    command = shlex.split(finding["reproduce"])
+    assert command[0] == "allworlds"
+    code, out, _ = allworlds(*command[1:], "--json")
+    again = json.loads(out)["finding"]
+    for key in ("law", "world", "transcript", "choices", "expected", "seen", "options"):
+        assert again[key] == finding[key]
+
+
+@pytest.mark.parametrize(
+    ("name", "options"),
+    [
+        ("one_schedule", ["--schedules", "all", "--edges", "1"]),
+        ("one_schedule", ["--schedules", "all", "--edges", "1", "--policy", "lifo"]),
+        ("here_of_another", ["--edges", "3", "--class", "planar", "--policy", "random:5"]),
+        ("everywhere", ["--edges", "2", "--laws", "folding"]),
+        ("right", ["--edges", "2", "--bound", "m", "--laws", "bound,map", "--step-budget", "20"]),
+        ("right", ["--edges", "2", "--bound", "m", "--class", "planar"]),
+    ],
+)
+def test_the_command_of_a_finding_shows_the_same_law(guarded, name, options):
+    code, out, _ = guarded("check", f"{WRONG}:{name}", *options, "--json")
+    assert code == 1
+    (finding,) = json.loads(out)["findings"]
+    code, out, _ = guarded(*shlex.split(finding["reproduce"])[1:], "--json")
+    again = json.loads(out)["finding"]
+    assert code == 1
+    for key in ("law", "world", "transcript", "choices", "expected", "seen"):
+        assert again[key] == finding[key]
+
+
+def test_the_command_of_a_program_shows_the_same_law(guarded):
+    command = f"{sys.executable} {EXPLORERS / 'program.py'} no-json"
+    code, out, _ = guarded("check", "--exec", command, "--edges", "1", "--json")
+    (finding,) = json.loads(out)["findings"]
+    code, out, _ = guarded(*shlex.split(finding["reproduce"])[1:], "--json")
+    assert (code, json.loads(out)["finding"]["law"]) == (1, "illegal-action")
+
+
+def test_the_exit_code_is_in_the_document(guarded):
+    code, out, err = guarded("check", "--edges", "1", "--json", "--engine", "python")
+    document = json.loads(out)
+    assert (code, document["exit_code"], document["schema"], err) == (0, 0, 1, "")
+    assert document["scope"]["complete"] is True
+
+
+def test_counts(guarded):
+    code, out, _ = guarded("count", "--edges", "4", "--json")
+    rows = json.loads(out)["rows"]
+    # A000698 and the unrooted counts 2, 5, 20, 107.
+    assert code == 0
+    assert [row["rooted"] for row in rows] == [2, 10, 74, 706]
+    assert [row["unrooted"] for row in rows] == [2, 5, 20, 107]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("explorer", ["hang", "right"])
+def test_an_interrupt_leaves_a_report_and_no_worker(number, explorer):
+    process = start(
+        *["check", f"{WRONG}:{explorer}", "--edges", "9", "--json", "--workers", "2"],
+        *["--answer-timeout", "100", "--engine", "python"],
+        start_new_session=True,
+    )
+    deadline = time.monotonic() + 20
+    while len(workers := workers_of(process.pid)) < 2 and time.monotonic() < deadline:
+        time.sleep(0.05)
+    time.sleep(1)
+    os.killpg(process.pid, number)
+    out, err = process.communicate(timeout=20)
+    document = json.loads(out)
+    assert (process.returncode, document["exit_code"]) == (130, 130)
+    assert document["scope"]["complete"] is False
+    assert document["scope"]["stopped"] == "interrupted"
+    assert "Traceback" not in err
+    assert workers
+    deadline = time.monotonic() + 5
+    while any(map(runs, workers)) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert not any(map(runs, workers))
+
+
+def runs(pid):
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def workers_of(parent):
+    found = []
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdigit():
+            try:
+                after = (entry / "stat").read_text().rpartition(")")[2].split()
+            except OSError:
+                continue
+            if int(after[1]) == parent:
+                found.append(int(entry.name))
+    return found
+
+
+def test_a_terminal_without_the_characters_is_no_error():
+    environment = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    code, out, err = allworlds("check", f"{WRONG}:everywhere", "--edges", "1", env=environment)
+    assert (code, err) == (1, "")
+    assert out.isascii()
+
+
+def test_an_internal_error_has_its_own_exit_code(guarded, monkeypatch):
+    from allworlds import counter
+
+    monkeypatch.setattr(counter, "rooted_maps", lambda *_: 1 // 0)
+    code, out, err = guarded("count", "--edges", "1")
+    assert (code, out) == (70, "")
+    assert "internal error" in err
+
+
+def test_a_count_that_its_source_contradicts_is_an_internal_error(guarded, monkeypatch):
+    from allworlds import counter
+
+    monkeypatch.setattr(counter, "rooted_maps", lambda *_: iter(()))
+    code, out, _ = guarded("count", "--edges", "1")
+    assert code == 70
+    assert "MISMATCH" in out
+
+
+@pytest.mark.parametrize("verb", ["check", "count", "run", "replay"])
+def test_help_begins_with_an_example(guarded, verb):
+    code, out, _ = guarded(verb, "--help")
+    assert code == 0
+    assert f"Example: allworlds {verb}" in out

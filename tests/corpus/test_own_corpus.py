@@ -1,0 +1,129 @@
+import json
+import shutil
+
+import pytest
+
+from allworlds.checker import Finding, replay, run
+from allworlds.corpora import MANIFEST, CorpusError, load_corpus, own_corpus
+from allworlds.counter import count
+from allworlds.maps import CombinatorialMap, automorphisms
+from allworlds.world import World
+
+CORPUS = own_corpus()
+
+
+def entries(kind):
+    return pytest.mark.parametrize("entry", CORPUS.of_kind(kind), ids=lambda entry: entry.name)
+
+
+@entries("world")
+def test_a_named_world_is_what_it_is_said_to_be(entry):
+    world, expected = World.from_json(CORPUS.document(entry)), entry.expected
+    map_ = world.map
+    assert (map_.edge_count, map_.vertex_count) == (expected["edges"], expected["vertices"])
+    assert (len(map_.faces), map_.genus) == (expected["faces"], expected["genus"])
+    assert automorphisms(map_) == expected["automorphisms"]
+
+
+@entries("world")
+def test_algorithm_1_explores_a_named_world_at_the_known_cost(entry):
+    told = run("algorithm1", World.from_json(CORPUS.document(entry)))
+    assert told.verdict.value == entry.expected["verdict"]
+    assert told.outcome.cost == entry.expected["cost"]
+
+
+@entries("finding")
+def test_a_finding_is_reproduced_by_its_mutant_to_the_letter(entry):
+    finding = Finding.from_json(CORPUS.document(entry))
+    replayed = replay(finding)
+    assert replayed.outcome == entry.expected["outcome"]
+    again = replayed.again.finding
+    assert again.law == finding.law == entry.expected["law"]
+    assert again.world == finding.world
+    assert again.transcript == finding.transcript
+    assert (again.expected, again.seen) == (finding.expected, finding.seen)
+
+
+@entries("finding")
+def test_a_finding_is_fixed_by_algorithm_1(entry):
+    finding = Finding.from_json(CORPUS.document(entry))
+    assert replay(finding, "algorithm1").outcome == "fixed"
+
+
+@entries("counts")
+def test_the_enumeration_gives_the_known_numbers(entry):
+    known = CORPUS.document(entry)
+    census = count(edges=len(known["rooted"]), map_class=known["class"])
+    assert [row.rooted for row in census.rows] == known["rooted"]
+    assert [row.unrooted for row in census.rows][: len(known["unrooted"])] == known["unrooted"]
+
+
+@pytest.fixture
+def copy(tmp_path):
+    target = tmp_path / "corpus"
+    shutil.copytree(CORPUS.directory, target)
+    return target
+
+
+@pytest.mark.parametrize("entry", CORPUS.entries, ids=lambda entry: entry.name)
+def test_an_entry_with_a_flipped_digit_is_refused_by_name(entry, copy):
+    path = copy / entry.file
+    text = path.read_text()
+    i = next(i for i, c in enumerate(text) if c in "01234")
+    path.write_text(text[:i] + str(int(text[i]) + 1) + text[i + 1 :])
+    with pytest.raises(CorpusError, match=entry.name):
+        load_corpus(copy).document(entry)
+
+
+def test_an_entry_whose_file_is_missing_is_refused_by_name(copy):
+    entry = CORPUS.entries[0]
+    (copy / entry.file).unlink()
+    with pytest.raises(CorpusError, match=entry.name):
+        load_corpus(copy).document(entry)
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [("kind", "rumour"), ("name", 3), ("expected", []), ("sha256", None), ("provenance", None)],
+)
+def test_a_manifest_with_a_wrong_entry_is_refused(copy, key, value):
+    manifest = json.loads((copy / MANIFEST).read_text())
+    manifest["entries"][0][key] = value
+    (copy / MANIFEST).write_text(json.dumps(manifest))
+    with pytest.raises(CorpusError, match="a corpus entry has"):
+        load_corpus(copy)
+
+
+def test_a_manifest_with_a_name_twice_is_refused(copy):
+    manifest = json.loads((copy / MANIFEST).read_text())
+    manifest["entries"].append(manifest["entries"][0])
+    (copy / MANIFEST).write_text(json.dumps(manifest))
+    with pytest.raises(CorpusError, match="twice"):
+        load_corpus(copy)
+
+
+@pytest.mark.parametrize("text", ["{", "[]", '{"schema": 2}'])
+def test_a_manifest_of_another_form_is_refused(copy, text):
+    (copy / MANIFEST).write_text(text)
+    with pytest.raises(CorpusError):
+        load_corpus(copy)
+
+
+def test_a_directory_without_a_manifest_is_no_corpus(tmp_path):
+    with pytest.raises(CorpusError, match=MANIFEST):
+        load_corpus(tmp_path)
+
+
+def test_an_unknown_name_is_refused_with_the_known_ones():
+    with pytest.raises(CorpusError, match="theta"):
+        CORPUS.named("atlantis")
+
+
+def test_every_file_of_the_corpus_stands_in_its_manifest():
+    files = {str(path.relative_to(CORPUS.directory)) for path in CORPUS.directory.rglob("*.json")}
+    assert files == {entry.file for entry in CORPUS.entries} | {MANIFEST}
+
+
+def test_the_worlds_of_the_corpus_are_maps():
+    for entry in CORPUS.of_kind("world"):
+        assert CombinatorialMap.from_json(CORPUS.document(entry)).edge_count >= 1

@@ -1,0 +1,146 @@
+"""The folded log of an explorer that is right is the world."""
+
+from random import Random
+
+import pytest
+from hypothesis import find, given, settings
+from hypothesis.strategies import integers, tuples
+
+from allworlds.episode import play
+from allworlds.explorers import algorithm1
+from allworlds.judge import Case
+from allworlds.judge.folding import fold
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.protocol import Choices, Estimate, Move, Transcript
+from allworlds.strategies import choices, maps, motions, worlds
+
+LONG = 3000
+MANY = settings(max_examples=2000)
+
+
+def random_walk(seed):
+    """Walks at random, folds what it has sensed, and stops when no dart is open."""
+
+    def explore(first, _choices, _told):
+        random = Random(seed)
+        steps = []
+        while True:
+            folded = fold(Transcript(first, tuple(steps)))
+            if not folded.open_darts:
+                return Estimate(CombinatorialMap(folded.sigma, folded.alpha), folded.here)
+            for _ in range(8):
+                move = Move(random.randrange(12))
+                steps.append((move, (yield move)))
+
+    return explore
+
+
+def paper(first, own, _told):
+    return algorithm1(first, choices=own)
+
+
+def case_of(world, player, own=None):
+    episode = play(world, player, own or Choices(), LONG)
+    return Case(
+        world.map,
+        world.start,
+        episode.transcript,
+        episode.checkpoints,
+        episode.ending.estimate,
+    )
+
+
+def folds_to_the_world(case):
+    """Whether the log alone gives the world, the robot's first and its last dart included."""
+    folded = fold(case.transcript)
+    return all(
+        rooted_code(folded.sigma, folded.alpha, mine)
+        == rooted_code(case.map.sigma, case.map.alpha, true)
+        for mine, true in ((0, case.start), (folded.here, case.trail[-1]))
+    )
+
+
+@given(worlds(maps(max_edges=8)), choices())
+def test_the_folded_log_of_algorithm_1_is_the_world(world, own):
+    case = case_of(world, paper, own)
+    assert case.answer == "right"
+    assert folds_to_the_world(case)
+
+
+@given(worlds(maps(max_edges=4)), integers(0, 99))
+def test_the_folded_log_of_a_random_walk_is_the_world_when_it_is_closed(world, seed):
+    case = case_of(world, random_walk(seed))
+    assert case.answer == "right"
+    assert folds_to_the_world(case)
+
+
+@pytest.mark.parametrize(
+    "mutant", [mutant for mutant in WRONG_EXPLORERS if mutant.name == "lucky-guess"]
+)
+def test_the_folded_log_of_one_who_guesses_is_not_the_world(mutant):
+    def player(first, own, _told):
+        return mutant.explorer()(first, choices=own)
+
+    def lucky(world):
+        case = case_of(world, player)
+        return case.answer == "right" and not folds_to_the_world(case)
+
+    assert find(worlds(), lucky, settings=MANY).map.edge_count == 1
+
+
+@given(worlds(), motions())
+def test_what_is_folded_from_any_walk_is_a_part_of_the_world(world, ks):
+    def scripted(_first, _choices, _told):
+        for k in ks:
+            yield Move(k)
+        return Estimate(world.map, 0)
+
+    case = case_of(world, scripted)
+    folded = fold(case.transcript)
+    # Dart by dart into the world, from the start; a known edge is one there.
+    place = {0: world.start}
+    for dart in (order := [0]):
+        image = place[dart]
+        steps = [(folded.sigma[dart], world.map.sigma[image])]
+        if folded.alpha[dart] != dart:
+            steps.append((folded.alpha[dart], world.map.alpha[image]))
+        for mine, true in steps:
+            assert place.setdefault(mine, true) == true
+            if mine not in order:
+                order.append(mine)
+    assert place[folded.here] == case.trail[-1]
+
+
+@given(worlds(), motions())
+def test_going_on_never_opens_what_was_known(world, ks):
+    case = case_of(world, paper)
+    logs = [Transcript(case.transcript.first, case.transcript.steps[:i]) for i in range(len(ks))]
+    known = [sum(d != e for d, e in enumerate(fold(log).alpha)) for log in logs]
+    # Merging makes two known edges one, so what grows is what is left to be known.
+    assert all(count <= 2 * world.map.edge_count for count in known[-1:])
+
+
+def test_a_log_with_another_bearing_does_not_fold_to_its_world():
+    from dataclasses import replace
+
+    def misfolded(drawn):
+        world, shift = drawn
+        case = case_of(world, paper)
+        first = case.transcript.first
+        wrong = replace(first, bearing=(first.bearing + shift) % first.degree)
+        if wrong == first:
+            return False
+        return not folds_to_the_world(
+            Case(
+                case.map,
+                case.start,
+                Transcript(wrong, case.transcript.steps),
+                (),
+                case.estimate,
+            )
+        )
+
+    world, _ = find(tuples(worlds(maps(min_edges=3)), integers(1, 3)), misfolded, settings=MANY)
+    assert world.first.degree > 1

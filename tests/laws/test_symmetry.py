@@ -1,0 +1,260 @@
+"""Nothing depends on the names of the darts, on where a robot looks, or on clockwise."""
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import find, given, settings
+from hypothesis.strategies import data, integers, permutations, tuples
+
+from allworlds.episode import Answered, play
+from allworlds.explorers import algorithm1
+from allworlds.judge.folding import fold
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
+from allworlds.protocol import Checkpoint, Choices, Estimate, Move, Transcript
+from allworlds.strategies import choices, maps, motions, worlds
+
+WRONG = {
+    mutant.name: mutant.explorer()
+    for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)
+    if mutant.name != "state-kept"  # whose runs depend on how many there were before
+}
+EXPLORERS = {"algorithm1": algorithm1, **WRONG}
+FEW = settings(max_examples=25)
+MANY = settings(max_examples=2000)
+STEPS = 300
+
+
+def episode_of(explore, world, script=()):
+    """A run of an explorer that takes choices; they begin with those of the script."""
+    return play(
+        world, lambda first, own, _: explore(first, choices=own), Choices(script=script), STEPS
+    )
+
+
+def walked(world, ks):
+    """The transcript of fixed motions."""
+
+    def scripted(_first, _choices, _told):
+        for k in ks:
+            yield Move(k)
+        return Estimate(world.map, 0)
+
+    return play(world, scripted, Choices(), len(ks)).transcript
+
+
+def code(answer, root):
+    return rooted_code(answer.sigma, answer.alpha, root)
+
+
+def mirrored(transcript):
+    """The transcript of the same walk as a robot behind a mirror would have it."""
+
+    def seen(percept):
+        if percept.bearing is None:
+            return percept
+        return replace(percept, bearing=-percept.bearing % percept.degree)
+
+    degrees = [transcript.first.degree, *(percept.degree for _, percept in transcript.steps)]
+    return Transcript(
+        seen(transcript.first),
+        tuple(
+            (Move(-action.k % degree), seen(percept))
+            for (action, percept), degree in zip(transcript.steps, degrees, strict=False)
+        ),
+    )
+
+
+# ---------------------------------------------------------------- names of darts
+
+
+@pytest.mark.parametrize("explore", EXPLORERS.values(), ids=EXPLORERS)
+def test_relabelling_the_world_leaves_the_transcript_and_the_answer_unchanged(explore):
+    @FEW
+    @given(worlds(maps(max_edges=5)), data())
+    def law(world, drawn):
+        other = world.relabelled(drawn.draw(permutations(world.map.darts)))
+        one, two = episode_of(explore, world), episode_of(explore, other)
+        assert one.transcript == two.transcript
+        assert one.checkpoints == two.checkpoints
+        assert replace_details(one.ending) == replace_details(two.ending)
+
+    law()
+
+
+def replace_details(ending):
+    """Tracebacks aside."""
+    return ending if isinstance(ending, Answered) else replace(ending, detail="")
+
+
+@given(worlds(), data(), motions())
+def test_relabelling_the_world_leaves_every_walk_unchanged(world, drawn, ks):
+    other = world.relabelled(drawn.draw(permutations(world.map.darts)))
+    assert walked(world, ks) == walked(other, ks)
+
+
+def test_a_robot_that_sees_the_name_of_its_dart_would_be_noticed():
+    def cheating(world):
+        def explore(_first, *, choices):
+            yield Move(world.start)
+            return Estimate(world.map, 0)
+
+        return episode_of(explore, world).transcript
+
+    def noticed(pair):
+        world, swap = pair
+        darts = list(world.map.darts)
+        darts[0], darts[swap % len(darts)] = darts[swap % len(darts)], 0
+        return cheating(world) != cheating(world.relabelled(darts))
+
+    world, _ = find(tuples(worlds(), integers(1, 5)), noticed, settings=MANY)
+    # A loop looks the same from both its ends, but not with a marker at one of them.
+    assert (world.map.edge_count, world.map.vertex_count) == (1, 1)
+
+
+# ---------------------------------------------------------------- the way it looks at the start
+
+
+def turned(world, k):
+    """The world of a robot that faces another dart of v0 at the start."""
+    return replace(world, start=world.map.turn(world.start, k))
+
+
+@given(worlds(), integers(-12, 12), integers(-12, 12), motions())
+def test_turning_the_start_shifts_the_first_motion_and_nothing_else(world, k, first, ks):
+    other = turned(world, k)
+    one, two = walked(world, [first, *ks]), walked(other, [first - k, *ks])
+    assert [percept for _, percept in one.steps] == [percept for _, percept in two.steps]
+    assert one.steps[1:] == two.steps[1:]
+    assert two.first.bearing == (one.first.bearing - k) % one.first.degree
+
+
+@given(worlds(), integers(-12, 12), choices())
+def test_turning_the_start_turns_the_answer(world, k, script):
+    one, two = (
+        episode_of(algorithm1, at, script).ending.estimate
+        for at, script in ((world, ()), (turned(world, k), ()))
+    )
+    # Dart 0 of an estimate of Algorithm 1 is the dart that the robot faced at the start.
+    assert code(one.map, one.map.turn(0, k)) == code(two.map, 0)
+
+
+def test_an_answer_turned_the_wrong_way_would_be_noticed():
+    def noticed(drawn):
+        world, k = drawn
+        explore = WRONG["mirror-image"]
+        one, two = (episode_of(explore, at).ending.estimate.map for at in (world, turned(world, k)))
+        return code(one, one.turn(0, k)) != code(two, 0)
+
+    world, _ = find(tuples(worlds(), integers(0, 5)), noticed, settings=MANY)
+    assert world.first.degree > 2  # a turn by one of two darts is the same either way
+
+
+# ---------------------------------------------------------------- the mirror
+
+
+@given(worlds(), motions())
+def test_in_a_mirrored_world_mirrored_motions_are_answered_by_mirrored_percepts(world, ks):
+    there = walked(world.mirrored(), [-k for k in ks])
+    assert there == mirrored(walked(world, ks))
+
+
+def test_motions_that_are_not_mirrored_would_be_noticed():
+    def noticed(drawn):
+        world, ks = drawn
+        return walked(world.mirrored(), ks) != mirrored(walked(world, ks))
+
+    world, ks = find(tuples(worlds(), motions()), noticed, settings=MANY)
+    # A turn by 1 of 3 darts, for by 1 of 2 either way is the same.
+    assert world.map.edge_count == 2
+    assert len(ks) == 1
+
+
+def behind_a_mirror(explore):
+    """The explorer whose motions, percepts and answer are mirrored."""
+
+    def mirror(first, *, choices):
+        def flip(percept):
+            bearing = percept.bearing
+            return (
+                percept
+                if bearing is None
+                else replace(percept, bearing=-bearing % degree_of(percept))
+            )
+
+        walk = explore(flip(first), choices=choices)
+        reply = None
+        while True:
+            try:
+                message = walk.send(reply)
+            except StopIteration as stop:
+                return reflected(stop.value)
+            if isinstance(message, Checkpoint):
+                yield message
+                reply = None
+            else:
+                k = getattr(message, "k", None)
+                reply = flip((yield message if k is None else Move(-k)))
+
+    return mirror
+
+
+def degree_of(percept):
+    return percept.degree
+
+
+def reflected(answer):
+    if not isinstance(answer, Estimate):
+        return answer
+    return Estimate(answer.map.mirrored(), answer.here)
+
+
+@pytest.mark.parametrize("explore", EXPLORERS.values(), ids=EXPLORERS)
+def test_a_mirrored_explorer_in_the_mirrored_world_walks_and_answers_mirrored(explore):
+    @FEW
+    @given(worlds(maps(max_edges=5)))
+    def law(world):
+        one = episode_of(explore, world)
+        two = episode_of(behind_a_mirror(explore), world.mirrored())
+        assert two.transcript == mirrored(one.transcript)
+        if isinstance(one.ending, Answered):
+            assert two.ending.estimate == reflected(one.ending.estimate)
+        else:
+            assert two.ending.law == one.ending.law
+
+    law()
+
+
+def test_algorithm_1_is_not_its_own_mirror_image():
+    def noticed(world):
+        here, there = episode_of(algorithm1, world), episode_of(algorithm1, world.mirrored())
+        return there.transcript != mirrored(here.transcript)
+
+    assert find(worlds(), noticed, settings=MANY).map.edge_count == 2
+
+
+@given(worlds(maps(max_edges=8)))
+def test_but_its_map_of_the_mirrored_world_is_the_mirrored_map(world):
+    here = episode_of(algorithm1, world).ending.estimate.map
+    there = episode_of(algorithm1, world.mirrored()).ending.estimate.map
+    assert code(there, 0) == code(here.mirrored(), 0)
+
+
+@given(worlds(), motions())
+def test_the_folded_log_of_the_mirrored_world_is_mirrored(world, ks):
+    here, there = fold(walked(world, ks)), fold(walked(world.mirrored(), [-k for k in ks]))
+    inverse = [here.sigma.index(d) for d in range(len(here.sigma))]
+    assert rooted_code(there.sigma, there.alpha, 0) == rooted_code(inverse, here.alpha, 0)
+    assert rooted_code(there.sigma, there.alpha, there.here) == rooted_code(
+        inverse, here.alpha, here.here
+    )
+
+
+def test_a_mirror_image_is_in_general_another_map():
+    def chiral(map_):
+        return all(code(map_.mirrored(), root) != code(map_, 0) for root in map_.darts)
+
+    found = find(maps(), chiral, settings=MANY)
+    assert isinstance(found, CombinatorialMap)
+    assert found.edge_count == 3  # no map of one or two edges differs from its mirror image

@@ -1,0 +1,90 @@
+"""Two judges and two enumerators that share no code say the same of whatever is drawn."""
+
+from collections import Counter
+from functools import cache
+
+import pytest
+from hypothesis import find, given, settings
+from hypothesis.strategies import composite, data, integers, permutations, sampled_from
+
+from allworlds.judge import Case
+from allworlds.judge.second_opinion import verdict
+from allworlds.maps import bruteforce
+from allworlds.maps.canonical import isomorphism, rooted_code
+from allworlds.maps.classes import MapClass
+from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps.surgery import moved
+from allworlds.mutation.enumerators import BROKEN_ENUMERATORS
+from allworlds.protocol import Estimate, Percept, Transcript
+from allworlds.strategies import maps
+
+MANY = settings(max_examples=2000)
+SMALL = maps(max_edges=4)
+
+
+def darts(map_):
+    return integers(0, len(map_.sigma) - 1)
+
+
+@composite
+def answers(draw):
+    """A true map with a dart, and an answer that may be right, or only just wrong."""
+    truth = draw(SMALL)
+    how = draw(sampled_from(["same", "mirrored", "moved", "other"]))
+    if how == "moved":
+        near = list(moved(truth))
+        estimate = near[draw(integers(0, len(near) - 1))] if near else truth
+    else:
+        others = {"same": truth, "mirrored": truth.mirrored()}
+        estimate = others[how] if how in others else draw(SMALL)
+    estimate = estimate.relabelled(draw(permutations(estimate.darts)))
+    return truth, draw(darts(truth)), estimate, draw(darts(estimate))
+
+
+def judged(truth, dart, estimate, here):
+    return Case(truth, dart, Transcript(Percept(1)), (), Estimate(estimate, here)).answer
+
+
+@settings(max_examples=400)
+@given(answers())
+def test_both_judges_say_the_same_of_every_answer(answer):
+    assert judged(*answer) == verdict(*answer)
+
+
+@pytest.mark.parametrize("outcome", ["right", "pose", "map"])
+def test_every_outcome_is_drawn(outcome):
+    assert verdict(*find(answers(), lambda a: judged(*a) == outcome, settings=MANY)) == outcome
+
+
+def test_a_judge_that_takes_mirror_images_for_the_same_would_be_noticed():
+    def soft(truth, dart, estimate, here):
+        said = judged(truth, dart, estimate, here)
+        return "right" if said == "map" and isomorphism(estimate.mirrored(), truth) else said
+
+    truth, *_ = find(answers(), lambda a: soft(*a) != verdict(*a), settings=MANY)
+    assert truth.edge_count == 3  # every smaller map is its own mirror image
+
+
+@cache
+def level(enumerate_, edges, map_class=MapClass.MAPS):
+    found = enumerate_(edges, map_class) if map_class is not MapClass.MAPS else enumerate_(edges)
+    return Counter(rooted_code(m.sigma, m.alpha, 0) for m in found)
+
+
+@given(SMALL, data())
+def test_both_enumerators_have_every_rooting_of_a_drawn_map_once_or_not_at_all(map_, drawn):
+    root = drawn.draw(darts(map_))
+    code = rooted_code(map_.sigma, map_.alpha, root)
+    for map_class in MapClass:
+        expected = int(map_class.includes(map_))
+        assert level(rooted_maps, map_.edge_count, map_class)[code] == expected
+        assert level(bruteforce.rooted_maps, map_.edge_count, map_class)[code] == expected
+
+
+@pytest.mark.parametrize("broken", BROKEN_ENUMERATORS, ids=lambda broken: broken.name)
+def test_a_broken_enumerator_differs_at_some_drawn_map(broken):
+    def differs(map_):
+        code = rooted_code(map_.sigma, map_.alpha, 0)
+        return level(broken.enumerate, map_.edge_count)[code] != 1
+
+    assert differs(find(SMALL, differs, settings=MANY))

@@ -1,0 +1,359 @@
+from itertools import permutations, product
+
+import networkx as nx
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from allworlds.maps import bruteforce
+from allworlds.maps.build import cycle, dense, from_cycles, from_rotation, lattice, named_map
+from allworlds.maps.canonical import (
+    Mismatch,
+    automorphisms,
+    carries,
+    isomorphism,
+    numbering,
+    rooted_code,
+    rooted_isomorphism,
+    unrooted_code,
+)
+from allworlds.maps.combinatorial import CombinatorialMap
+
+settings.register_profile("laws", deadline=None, database=None)
+settings.load_profile("laws")
+
+CLASSES = ["maps", "simple", "planar", "planar-simple"]
+LOOP = CombinatorialMap((1, 0), (1, 0))
+# Symmetric maps: of each the number of rotations that carry it into itself.  A solid has two
+# for each edge; a cycle of n in the plane turns and turns over; the path of two edges turns
+# round its middle; n loops side by side turn round their vertex; two loops that cross turn
+# on the torus by quarters; three edges between two vertices turn and turn over, in the plane
+# and on the torus.
+SYMMETRIC = [
+    (named_map("edge"), 2),
+    (named_map("loop"), 2),
+    (from_cycles(["a", "ab", "b"]), 2),
+    (named_map("k4"), 12),
+    (named_map("cube"), 24),
+    (named_map("cube").dual(), 24),
+    (named_map("theta"), 6),
+    (named_map("theta-torus"), 6),
+    (named_map("two-loops-torus"), 4),
+    (from_cycles(["aabb"]), 2),
+    (from_cycles(["aabbcc"]), 3),
+    (cycle(3), 6),
+    (cycle(7), 14),
+    (from_cycles(["abc", "a", "b", "c"]), 3),
+    (lattice(2, 3), 2),
+    (lattice(3, 3), 4),
+]
+
+
+@st.composite
+def maps(draw, most=6):
+    darts = range(2 * draw(st.integers(1, most)))
+    sigma = draw(st.permutations(darts))
+    paired = draw(st.permutations(darts))
+    alpha = [0] * len(darts)
+    for a, b in zip(paired[::2], paired[1::2], strict=True):
+        alpha[a], alpha[b] = b, a
+    graph = nx.Graph([*enumerate(sigma), *enumerate(alpha)])
+    assume(nx.is_connected(graph))
+    return CombinatorialMap(sigma, alpha)
+
+
+def renamed(map_, names):
+    """The two permutations after renaming, from their definition."""
+    return tuple(
+        tuple(name for _, name in sorted((names[d], names[e]) for d, e in enumerate(p)))
+        for p in (map_.sigma, map_.alpha)
+    )
+
+
+def is_witness(w, a, b):
+    return (
+        sorted(w) == list(a.darts) == list(b.darts)
+        and all(w[a.sigma[d]] == b.sigma[w[d]] for d in a.darts)
+        and all(w[a.alpha[d]] == b.alpha[w[d]] for d in a.darts)
+    )
+
+
+def codes(map_):
+    return [rooted_code(map_.sigma, map_.alpha, root) for root in map_.darts]
+
+
+def small_maps(edges):
+    """Every labelled map whose edges are 01, 23, ..."""
+    alpha = [d ^ 1 for d in range(2 * edges)]
+    for sigma in permutations(range(2 * edges)):
+        if nx.is_connected(nx.Graph([*enumerate(sigma), *enumerate(alpha)])):
+            yield CombinatorialMap(sigma, alpha)
+
+
+# ---------------------------------------------------------------- rooted codes
+
+
+@given(maps(), st.data())
+def test_relabelling_the_darts_keeps_the_rooted_code(map_, data):
+    names = data.draw(st.permutations(map_.darts))
+    root = data.draw(st.sampled_from(map_.darts))
+    other = map_.relabelled(names)
+    code = rooted_code(map_.sigma, map_.alpha, root)
+    assert code == rooted_code(other.sigma, other.alpha, names[root])
+    order = numbering(map_.sigma, map_.alpha, root)
+    assert [names[d] for d in order] == numbering(other.sigma, other.alpha, names[root])
+
+
+@given(maps(), st.data())
+def test_a_rooted_code_is_the_map_itself_in_canonical_numbers(map_, data):
+    root = data.draw(st.sampled_from(map_.darts))
+    order = numbering(map_.sigma, map_.alpha, root)
+    assert order[0] == root
+    assert sorted(order) == list(map_.darts)
+    met = [root]
+    for d in order:
+        met = list(dict.fromkeys([*met, map_.sigma[d], map_.alpha[d]]))
+        assert met == order[: len(met)]
+    code = rooted_code(map_.sigma, map_.alpha, root)
+    assert code == renamed(map_, [order.index(d) for d in map_.darts])
+    assert code == rooted_code(*code, 0)
+
+
+@pytest.mark.parametrize("edges", [1, 2, 3])
+def test_two_rooted_maps_have_one_code_exactly_if_a_renaming_carries_one_into_the_other(edges):
+    # The yardstick: the least of all renamings that give the root the name 0.
+    namings = [(0, *rest) for rest in permutations(range(1, 2 * edges))]
+    pairs = {
+        (rooted_code(map_.sigma, map_.alpha, 0), min(renamed(map_, n) for n in namings))
+        for map_ in small_maps(edges)
+    }
+    by_code, by_trial = zip(*pairs, strict=True)
+    # OEIS A000698: 2, 10, 74 rooted maps.
+    assert len(pairs) == len(set(by_code)) == len(set(by_trial)) == [2, 10, 74][edges - 1]
+
+
+# ---------------------------------------------------------------- unrooted codes
+
+
+@given(maps(most=9), st.data())
+def test_the_unrooted_code_is_the_least_rooted_code_and_knows_no_names(map_, data):
+    assert unrooted_code(map_) == min(codes(map_))
+    names = data.draw(st.permutations(map_.darts))
+    assert unrooted_code(map_.relabelled(names)) == unrooted_code(map_)
+
+
+@pytest.mark.parametrize("edges", [1, 2, 3, 4])
+def test_all_small_maps_have_the_least_rooted_code(edges):
+    for map_ in bruteforce.rooted_maps(edges):
+        assert unrooted_code(map_) == min(codes(map_))
+
+
+@given(st.sampled_from(SYMMETRIC), st.data())
+def test_symmetric_maps_have_the_least_rooted_code_whatever_the_darts_are_called(known, data):
+    map_, _ = known
+    other = map_.relabelled(data.draw(st.permutations(map_.darts)))
+    assert unrooted_code(other) == min(codes(map_))
+
+
+@pytest.mark.parametrize("map_class", CLASSES)
+@pytest.mark.parametrize("edges", [1, 2, 3, 4])
+def test_as_many_unrooted_codes_as_maps(edges, map_class):
+    found = {unrooted_code(map_) for map_ in bruteforce.rooted_maps(edges, map_class)}
+    assert found == {(a.sigma, a.alpha) for a in bruteforce.unrooted_maps(edges, map_class)}
+
+
+# ---------------------------------------------------------------- automorphisms
+
+
+@pytest.mark.parametrize(("map_", "expected"), SYMMETRIC)
+def test_symmetric_maps_have_the_rotations_that_one_sees(map_, expected):
+    assert automorphisms(map_) == expected
+
+
+@given(st.one_of(maps(), st.sampled_from([map_ for map_, _ in SYMMETRIC])))
+def test_automorphisms_times_distinct_rootings_is_the_number_of_darts(map_):
+    assert automorphisms(map_) * len(set(codes(map_))) == 2 * map_.edge_count
+
+
+@pytest.mark.parametrize("edges", [1, 2, 3])
+def test_automorphisms_are_the_renamings_that_change_nothing(edges):
+    for map_ in bruteforce.unrooted_maps(edges):
+        trials = permutations(map_.darts)
+        assert automorphisms(map_) == sum(is_witness(w, map_, map_) for w in trials)
+
+
+@given(maps(most=4), maps(most=4), st.data())
+def test_a_dart_carries_the_map_exactly_if_the_rooted_codes_agree(a, b, data):
+    b = data.draw(st.sampled_from([b, a.relabelled(data.draw(st.permutations(a.darts)))]))
+    assume(a.edge_count == b.edge_count)
+    root = data.draw(st.sampled_from(a.darts))
+    image = data.draw(st.sampled_from(b.darts))
+    order = numbering(a.sigma, a.alpha, root)
+    same = rooted_code(a.sigma, a.alpha, root) == rooted_code(b.sigma, b.alpha, image)
+    assert carries(a.sigma, a.alpha, order, b.sigma, b.alpha, image) == same
+
+
+# ---------------------------------------------------------------- isomorphism
+
+
+@given(maps(), st.data())
+def test_a_relabelled_map_is_the_same_and_the_witness_proves_it(map_, data):
+    other = map_.relabelled(data.draw(st.permutations(map_.darts)))
+    w = isomorphism(map_, other)
+    assert w
+    assert is_witness(w, map_, other)
+    code = rooted_code(map_.sigma, map_.alpha, 0)
+    images = [d for d, rooted in enumerate(codes(other)) if rooted == code]
+    assert w[0] == min(images)
+
+
+@pytest.mark.parametrize("edges", [1, 2, 3])
+def test_small_maps_are_the_same_exactly_if_their_unrooted_codes_are(edges):
+    known = [(a, unrooted_code(a)) for a in bruteforce.rooted_maps(edges)]
+    for (a, code), (b, other) in product(known, repeat=2):
+        answer = isomorphism(a, b)
+        assert bool(answer) == (code == other)
+        assert is_witness(answer, a, b) if answer else isinstance(answer, Mismatch)
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "reason"),
+    [
+        (cycle(3), cycle(4), "the edges differ: 3 and 4"),
+        (cycle(2), from_cycles(["a", "ab", "b"]), "the vertices differ: 2 and 3"),
+        (
+            named_map("two-loops-plane"),
+            named_map("two-loops-torus"),
+            "the faces differ: 3 and 1",
+        ),
+        (
+            from_rotation([[1], [0, 2], [1, 3], [2]]),
+            from_rotation([[1, 2, 3], [0], [0], [0]]),
+            "the degrees differ: [1, 1, 2, 2] and [1, 1, 1, 3]",
+        ),
+        # A vertex with legs of 1, 2 and 3 edges, clockwise and anticlockwise.
+        (
+            from_cycles(["abc", "a", "bd", "d", "ce", "ef", "f"]),
+            from_cycles(["acb", "a", "bd", "d", "ce", "ef", "f"]),
+            "edges, vertices, faces and degrees agree, but no image of dart 0 extends to all darts",
+        ),
+    ],
+)
+def test_maps_that_differ_are_told_apart_by_the_first_number_that_differs(a, b, reason):
+    assert isomorphism(a, b) == Mismatch(reason)
+    assert not isomorphism(a, b)
+    assert not isomorphism(b, a)
+
+
+@pytest.mark.parametrize("edges", [2, 3, 4])
+def test_a_chiral_map_is_not_its_mirror_image_though_all_numbers_agree(edges):
+    for map_ in bruteforce.unrooted_maps(edges):
+        mirrored = map_.mirrored()
+        same = unrooted_code(map_) == unrooted_code(mirrored)
+        assert bool(isomorphism(map_, mirrored)) == same
+        if not same:
+            assert "no image of dart 0" in isomorphism(map_, mirrored).reason
+
+
+def test_planar_maps_up_to_mirror_images_are_the_published_numbers():
+    # OEIS A006385: 2, 4, 14, 52 planar maps with 1, 2, 3, 4 edges up to reflection; without
+    # reflection A006384 has 57 with 4 edges, so five pairs of them are chiral.
+    for edges, published in enumerate([2, 4, 14, 52], 1):
+        unsensed = {
+            min(unrooted_code(map_), unrooted_code(map_.mirrored()))
+            for map_ in bruteforce.unrooted_maps(edges, "planar")
+        }
+        assert len(unsensed) == published
+
+
+@given(maps())
+def test_mirror_images_have_as_many_automorphisms_and_mirroring_keeps_sameness(map_):
+    mirrored = map_.mirrored()
+    assert automorphisms(mirrored) == automorphisms(map_)
+    assert unrooted_code(mirrored.mirrored()) == unrooted_code(map_)
+
+
+@given(maps())
+def test_the_dual_of_the_dual_is_the_same_map_and_faces_and_vertices_are_swapped(map_):
+    dual = map_.dual()
+    assert is_witness(isomorphism(map_, dual.dual()), map_, dual.dual())
+    assert (dual.vertex_count, len(dual.faces)) == (len(map_.faces), map_.vertex_count)
+    assert automorphisms(dual) == automorphisms(map_)
+
+
+def test_the_dual_of_the_cube_is_the_octahedron_and_the_tetrahedron_is_its_own():
+    octahedron = named_map("cube").dual()
+    assert (octahedron.vertex_count, len(octahedron.faces)) == (6, 8)
+    assert octahedron.degrees == (4,) * 6
+    assert octahedron.is_simple
+    assert isomorphism(named_map("k4"), named_map("k4").dual())
+    assert not isomorphism(named_map("k4"), dense(4))
+
+
+# ---------------------------------------------------------------- rooted isomorphism
+
+
+@given(maps(most=4), maps(most=4), st.data())
+def test_two_rooted_maps_are_the_same_exactly_if_their_codes_are(a, b, data):
+    b = data.draw(st.sampled_from([b, a.relabelled(data.draw(st.permutations(a.darts)))]))
+    root = data.draw(st.sampled_from(a.darts))
+    other = data.draw(st.sampled_from(b.darts))
+    answer = rooted_isomorphism(a, root, b, other)
+    if rooted_code(a.sigma, a.alpha, root) == rooted_code(b.sigma, b.alpha, other):
+        assert is_witness(answer, a, b)
+        assert answer[root] == other
+    else:
+        assert not answer
+        assert tells_apart(answer.word, a, root, b, other)
+
+
+def walked(map_, dart, word):
+    for name in word:
+        dart = {"sigma": map_.sigma, "alpha": map_.alpha}[name][dart]
+    return dart
+
+
+def tells_apart(word, a, root, b, other):
+    """The two ends of the word differ in degree, or other words join one of them only."""
+    here, there = walked(a, root, word), walked(b, other, word)
+    if a.degree_at[here] != b.degree_at[there]:
+        return True
+    pairs = [(root, other)]
+    for x, y in pairs:
+        for pair in ((a.sigma[x], b.sigma[y]), (a.alpha[x], b.alpha[y])):
+            if pair not in pairs:
+                pairs.append(pair)
+    return any((x == here) != (y == there) for x, y in pairs)
+
+
+def test_a_mismatch_of_degrees_says_where():
+    edge = named_map("edge")
+    assert rooted_isomorphism(edge, 0, LOOP, 1) == Mismatch(
+        "dart 0 is at a vertex of degree 1, its image 1 at one of degree 2", ()
+    )
+    a, b = from_cycles(["a", "ab", "b"]), from_cycles(["a", "ab", "bc", "c"])
+    answer = rooted_isomorphism(a, 0, b, 0)
+    assert answer.word == ("alpha", "sigma", "alpha")
+    assert "degree 1" in answer.reason
+    assert "degree 2" in answer.reason
+
+
+def test_a_walk_that_closes_too_early_says_where():
+    # Both are one vertex of degree 2 as far as percepts go; the loop closes after one edge.
+    answer = rooted_isomorphism(LOOP, 0, cycle(3), 0)
+    assert answer.word
+    assert "but it is already" in answer.reason
+    assert walked(LOOP, 0, answer.word) in (0, 1)
+
+
+def test_a_walk_that_closes_too_late_says_where():
+    answer = rooted_isomorphism(cycle(3), 0, LOOP, 0)
+    assert answer.word
+    assert "but that is already the image of" in answer.reason
+    assert tells_apart(answer.word, cycle(3), 0, LOOP, 0)
+
+
+def test_a_mismatch_is_false_and_a_witness_is_true():
+    assert not Mismatch("because")
+    assert Mismatch("because").word == ()
+    assert isomorphism(LOOP, LOOP)

@@ -1,0 +1,77 @@
+"""One process behind many episodes; see tests/checker/test_workers.py for what goes wrong."""
+
+import json
+import sys
+
+import pytest
+
+from allworlds.protocol import Checkpoint, ExplorerFault, Move, Percept
+from allworlds.subjects import Program
+
+SCRIPT = """
+import sys, json, os
+for line in sys.stdin:
+    message = json.loads(line)
+    if message["percept"]["degree"] == 9: print("{}", flush=True); continue
+    print(json.dumps({"move": message.get("told", message.get("episode", 5))}), flush=True)
+    sys.stdin.readline()
+    print('{"checkpoint": {"sigma": [0], "alpha": [0], "here": 0}}', flush=True)
+    estimate = {"sigma": [0, 1], "alpha": [1, 0], "here": os.getpid()}
+    print(json.dumps({"estimate": estimate}), flush=True)
+"""
+
+
+@pytest.fixture
+def program(tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(SCRIPT)
+    program = Program(f"{sys.executable} {script}", 5.0)
+    yield program
+    program.close()
+    program.close()
+
+
+def episode(program, told=None):
+    walk = program.explore(Percept(1), told=told)
+    said = [next(walk), walk.send(Percept(1))]
+    with pytest.raises(StopIteration) as end:
+        walk.send(None)
+    return said, end.value.value
+
+
+def test_one_process_plays_many_episodes(program):
+    said, first = episode(program)
+    assert said == [Move(1), Checkpoint([0], [0], 0)]
+    said, second = episode(program)
+    assert said[0] == Move(2)
+    assert first.here == second.here
+
+
+def test_it_is_told_what_there_is_to_tell(program):
+    assert episode(program, told=4)[0][0] == Move(4)
+
+
+def test_a_new_process_begins_after_a_fault(program):
+    _, first = episode(program)
+    with pytest.raises(ExplorerFault, match=r"the line \{\}") as fault:
+        next(program.explore(Percept(9)))
+    assert fault.value.law == "illegal-action"
+    assert episode(program)[1].here != first.here
+
+
+def test_a_new_process_begins_after_an_episode_that_was_broken_off(program):
+    _, first = episode(program)
+    walk = program.explore(Percept(1))
+    next(walk)
+    walk.close()
+    assert episode(program)[1].here != first.here
+    assert json.dumps(first.map.to_json())
+
+
+def test_a_file_that_cannot_be_executed_is_a_crash(tmp_path):
+    file = tmp_path / "nothing"
+    file.write_bytes(b"\0\1\2")
+    file.chmod(0o755)
+    with pytest.raises(ExplorerFault) as fault:
+        next(Program(str(file), 1.0).explore(Percept(1)))
+    assert fault.value.law == "crash"

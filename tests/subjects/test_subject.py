@@ -1,0 +1,80 @@
+import sys
+
+import pytest
+
+from allworlds.explorers import algorithm1
+from allworlds.protocol import Choices, Percept
+from allworlds.subjects import Program, SubjectError, load, subject_of
+
+
+def explore(first):
+    yield
+
+
+class Callable:
+    def __call__(self, first, **more):
+        yield more
+
+
+def test_a_built_in_explorer_is_ours():
+    assert load("algorithm1") == subject_of(algorithm1) == subject_of("algorithm1")
+    assert not load("algorithm1").foreign
+
+
+def test_a_function_of_a_module_is_found_by_its_name(tmp_path, monkeypatch):
+    (tmp_path / "my_explorer.py").write_text("class A:\n    def b(first, *, told):\n        yield")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    subject = load("my_explorer:A.b")
+    assert (subject.keywords, subject.foreign, subject.takes_choices) == ({"told"}, True, False)
+    assert load(f"{tmp_path}/my_explorer.py:A.b").keywords == {"told"}
+    with pytest.raises(SubjectError, match="'my_explorer' has no 'c'"):
+        load("my_explorer:c")
+
+
+def test_a_file_does_not_take_the_place_of_a_module(tmp_path):
+    (tmp_path / "json.py").write_text("def explore(first):\n    yield")
+    before = sys.modules["json"]
+    assert load(f"{tmp_path}/json.py:explore").explore.__module__ != "json"
+    assert sys.modules["json"] is before
+
+
+def test_keywords_are_offered_to_those_who_take_them():
+    subject = subject_of(Callable())
+    assert subject.takes_choices
+    assert not subject.importable
+    play = subject.player()
+    choices = Choices()
+    assert next(play(Percept(1), choices, 7)) == {"choices": choices, "told": 7}
+
+
+@pytest.mark.parametrize("value", [3, None, print, int, lambda first: 1])
+def test_what_is_no_generator_function_is_no_explorer(value):
+    with pytest.raises(SubjectError, match="no generator function"):
+        subject_of(value)
+
+
+def test_a_lambda_is_not_found_by_its_name():
+    assert not subject_of(lambda first: (yield)).importable
+
+
+def test_an_entry_point_that_does_not_load_is_bad_input(monkeypatch):
+    from importlib.metadata import EntryPoint, EntryPoints
+
+    points = EntryPoints(
+        [
+            EntryPoint("mine", "no_such_module:x", "allworlds.explorers"),
+            EntryPoint("ours", "allworlds.explorers:algorithm1", "allworlds.explorers"),
+        ]
+    )
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: points)
+    with pytest.raises(SubjectError, match="'mine' does not import"):
+        load("mine")
+    assert load("ours").foreign
+    with pytest.raises(SubjectError, match="mine, ours"):
+        load("nobody")
+
+
+@pytest.mark.parametrize("command", ["", "  ", "'", "no-such-program-anywhere -x"])
+def test_a_command_that_is_none_is_bad_input(command):
+    with pytest.raises(ValueError, match="--exec"):
+        Program(command, 1.0)
