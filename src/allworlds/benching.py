@@ -15,6 +15,7 @@ import subprocess
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -146,7 +147,7 @@ def bench(*, edges: int = 7, rounds: int = 3, peers: Sequence[str] = ()) -> Benc
     if rounds < 1:
         raise InputError(f"rounds = {rounds} is not positive")
     contenders = [*own_contenders(edges), *(peer(text, edges) for text in peers)]
-    for contender in contenders[:-len(peers) or None]:
+    for contender in contenders[: -len(peers) or None]:
         # Compiling and loading is not what is measured.
         _warm(contender)
     seconds: list[list[float]] = [[] for _ in contenders]
@@ -169,9 +170,7 @@ def own_contenders(edges: int) -> list[Contender]:
     least = min(edges, PYTHON_EDGES)
     return [
         Contender(REFERENCE, edges, "check --engine kernel, 1 thread", lambda: _walk(edges, 1)),
-        Contender(
-            "kernel-2", edges, "check --engine kernel, 2 threads", lambda: _walk(edges, 2)
-        ),
+        Contender("kernel-2", edges, "check --engine kernel, 2 threads", lambda: _walk(edges, 2)),
         Contender("count", edges, "count, compiled", lambda: _count(edges)),
         Contender("thorough", less, "every map finished, then judged", lambda: _thorough(less)),
         Contender("python", least, "the python engine, one bearing", lambda: _python(least)),
@@ -209,7 +208,7 @@ def _warm(contender: Contender) -> None:
         case None:
             return
         case work:
-            work(3)
+            work(4)
 
 
 def _walk(edges: int, threads: int = 1) -> None:
@@ -246,12 +245,12 @@ def _python(edges: int) -> None:
 
 def machine() -> dict[str, Any]:
     """What the measurements were made on."""
-    import numba
-
     model = platform.processor()
     info = Path("/proc/cpuinfo")
     if info.exists():
-        found = re.search(r"^model name\s*:\s*(.+)$", info.read_text(encoding="utf-8"), re.M)
+        found = re.search(
+            r"^model name\s*:\s*(.+)$", info.read_text(encoding="utf-8"), re.MULTILINE
+        )
         model = found[1] if found else model
     return {
         "system": platform.system(),
@@ -260,7 +259,7 @@ def machine() -> dict[str, Any]:
         "cores": os.cpu_count(),
         "load": round(os.getloadavg()[0], 2),
         "python": platform.python_version(),
-        "numba": numba.__version__,
+        "numba": version("numba"),
     }
 
 

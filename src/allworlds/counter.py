@@ -11,7 +11,7 @@ from allworlds.errors import InputError
 from allworlds.maps.canonical import automorphisms
 from allworlds.maps.classes import Bounds, MapClass
 from allworlds.maps.counting import source_for
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps.enumeration import prefixes, rooted_maps
 
 UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
@@ -103,7 +103,8 @@ def count(
     Raises:
         InputError: naming the offending option and what would be legal.
 
-    Cost: some microseconds a rooted map, constant memory.
+    Cost: some microseconds a rooted map, in the class ``maps`` from 7 edges on less than
+    100 ns; constant memory.
     """
     if map_class not in list(MapClass):
         raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")
@@ -113,6 +114,35 @@ def count(
 
 
 def _count_level(bounds: Bounds, edges: int) -> CountRow:
+    if bounds.map_class is MapClass.MAPS and edges > UNROOTED_LIMIT:
+        row = count_compiled(bounds, edges)
+    else:
+        row = count_one_by_one(bounds, edges)
+    limit = bounds.vertex_limit(edges)
+    cells = source_for(bounds.map_class).cells(edges)
+    row.counted = {n: cells.get(n, 0) for n in range(1, limit + 1)}
+    return row
+
+
+def count_compiled(bounds: Bounds, edges: int) -> CountRow:
+    """A level of the class ``maps``, counted by the compiled enumeration.
+
+    Cost: less than 100 ns a rooted map, after some seconds of compiling at the first use.
+    """
+    from allworlds.kernel.engine import by_vertices_and_faces
+
+    row = CountRow(edges)
+    limit = bounds.vertex_limit(edges)
+    for prefix in prefixes(edges, vertices=limit):
+        for (vertices, faces), maps in by_vertices_and_faces(edges, limit, prefix).items():
+            row.rooted += maps
+            row.by_vertices[vertices] += maps
+            row.by_genus[(2 - vertices + edges - faces) // 2] += maps
+    return row
+
+
+def count_one_by_one(bounds: Bounds, edges: int) -> CountRow:
+    """A level of any class, each map made, and each looked at."""
     row = CountRow(edges)
     darts_fixed = 0
     for map_ in rooted_maps(edges, bounds.map_class, bounds.vertices):
@@ -128,7 +158,4 @@ def _count_level(bounds: Bounds, edges: int) -> CountRow:
         row.labelled = {
             n: rooted * factorial(n) // (2 * edges) for n, rooted in row.by_vertices.items()
         }
-    limit = bounds.vertex_limit(edges)
-    cells = source_for(bounds.map_class).cells(edges)
-    row.counted = {n: cells.get(n, 0) for n in range(1, limit + 1)}
     return row

@@ -1,15 +1,15 @@
 """The folded log of an explorer that is right is the world."""
 
+from dataclasses import replace
 from random import Random
 
-import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import integers, tuples
 
 from allworlds.episode import play
 from allworlds.explorers import algorithm1
 from allworlds.judge import Case
-from allworlds.judge.folding import fold
+from allworlds.judge.folding import Contradiction, fold
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.mutation.explorers import WRONG_EXPLORERS
@@ -76,12 +76,11 @@ def test_the_folded_log_of_a_random_walk_is_the_world_when_it_is_closed(world, s
     assert folds_to_the_world(case)
 
 
-@pytest.mark.parametrize(
-    "mutant", [mutant for mutant in WRONG_EXPLORERS if mutant.name == "lucky-guess"]
-)
-def test_the_folded_log_of_one_who_guesses_is_not_the_world(mutant):
+def test_the_folded_log_of_one_who_guesses_is_not_the_world():
+    guess = next(m for m in WRONG_EXPLORERS if m.name == "lucky-guess").explorer()
+
     def player(first, own, _told):
-        return mutant.explorer()(first, choices=own)
+        return guess(first, choices=own)
 
     def lucky(world):
         case = case_of(world, player)
@@ -113,18 +112,7 @@ def test_what_is_folded_from_any_walk_is_a_part_of_the_world(world, ks):
     assert place[folded.here] == case.trail[-1]
 
 
-@given(worlds(), motions())
-def test_going_on_never_opens_what_was_known(world, ks):
-    case = case_of(world, paper)
-    logs = [Transcript(case.transcript.first, case.transcript.steps[:i]) for i in range(len(ks))]
-    known = [sum(d != e for d, e in enumerate(fold(log).alpha)) for log in logs]
-    # Merging makes two known edges one, so what grows is what is left to be known.
-    assert all(count <= 2 * world.map.edge_count for count in known[-1:])
-
-
-def test_a_log_with_another_bearing_does_not_fold_to_its_world():
-    from dataclasses import replace
-
+def test_a_log_with_a_wrong_first_bearing_does_not_fold_to_its_world():
     def misfolded(drawn):
         world, shift = drawn
         case = case_of(world, paper)
@@ -132,15 +120,12 @@ def test_a_log_with_another_bearing_does_not_fold_to_its_world():
         wrong = replace(first, bearing=(first.bearing + shift) % first.degree)
         if wrong == first:
             return False
-        return not folds_to_the_world(
-            Case(
-                case.map,
-                case.start,
-                Transcript(wrong, case.transcript.steps),
-                (),
-                case.estimate,
-            )
-        )
+        log = Transcript(wrong, case.transcript.steps)
+        try:
+            return not folds_to_the_world(replace(case, transcript=log))
+        except Contradiction:
+            return True
 
-    world, _ = find(tuples(worlds(maps(min_edges=3)), integers(1, 3)), misfolded, settings=MANY)
-    assert world.first.degree > 1
+    world, _ = find(tuples(worlds(), integers(1, 3)), misfolded, settings=MANY)
+    # A loop whose dart leads back to itself.
+    assert (world.map.edge_count, world.map.vertex_count) == (1, 1)

@@ -16,8 +16,6 @@ from itertools import islice
 from types import TracebackType
 from typing import Self
 
-from numpy import int64, zeros
-
 from allworlds.checker.examine import Examiner, make_finding
 from allworlds.checker.pool import POLL, Poisoned, TimeIsUp
 from allworlds.checker.scope import Limits, Rules, Scope, Unit, Work
@@ -58,7 +56,7 @@ class KernelPool:
         limit = limits.time_limit
         self._deadline = None if limit is None else time.monotonic() + limit
         self._threads = ThreadPoolExecutor(limits.workers)
-        self._halt = zeros(1, int64)
+        self._halt = kernel.flag()
         if notice and not kernel.is_compiled():
             notice("compiling the kernel; this is done once and takes some seconds")
 
@@ -95,9 +93,7 @@ class KernelPool:
             if self._deadline is not None and time.monotonic() > self._deadline:
                 raise TimeIsUp
 
-    def _rows(
-        self, scope: Scope, units: list[Unit], keep: int
-    ) -> list[tuple[Unit, kernel.Rows]]:
+    def _rows(self, scope: Scope, units: list[Unit], keep: int) -> list[tuple[Unit, kernel.Rows]]:
         edges = units[0].edges
         limit, policy = scope.bounds.vertex_limit(edges), scope.rules.policy
         looked_up = level_tables(scope.rules, edges)

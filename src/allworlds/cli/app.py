@@ -12,11 +12,11 @@ from typing import Annotated, NoReturn
 import typer
 
 from allworlds.cli.ambiguity import ambiguity, twins
+from allworlds.cli.bench import bench
 from allworlds.cli.explain import explain
 from allworlds.cli.fuzz import fuzz
 from allworlds.cli.mutants import mutants
 from allworlds.cli.search import search
-from allworlds.cli.bench import bench
 from allworlds.cli.verbs import check, count, replay, run
 from allworlds.cli.worst import worst
 from allworlds.errors import InputError, show
@@ -36,26 +36,30 @@ app = typer.Typer(
         "Example: allworlds check --edges 4\n\n"
         "Try everything: run an exploration algorithm on every small embedded graph."
     ),
-    no_args_is_help=True,
     add_completion=False,
+    rich_markup_mode="markdown",
     pretty_exceptions_enable=False,
 )
-app.command(name="check")(check)
-app.command(name="count")(count)
-app.command(name="run")(run)
-app.command(name="replay")(replay)
-app.command(name="worst")(worst)
-app.command(name="bench")(bench)
-app.command(name="explain")(explain)
-app.command(name="fuzz")(fuzz)
-app.command(name="mutants")(mutants)
-app.command(name="search")(search)
-app.command(name="twins")(twins)
-app.add_typer(ambiguity)
+for _verb, _what in (
+    (check, "Every world of a class, one explorer, a verdict: the main job."),
+    (run, "One world, told step by step."),
+    (fuzz, "Random worlds beyond the exhaustive bound."),
+    (replay, "A finding once more: reproduced or fixed."),
+    (explain, "A finding in plain words."),
+    (mutants, "What the checks are known to catch."),
+    (count, "How many maps there are, counted twice."),
+    (worst, "Algorithm 1 at its worst and best, over every schedule."),
+    (twins, "Can any motion tell two worlds apart?"),
+    (search, "Worlds that no motion tells apart, by SMT."),
+    (bench, "This program and others side by side."),
+):
+    app.command(name=_verb.__name__, short_help=_what)(_verb)
+app.add_typer(ambiguity, short_help="What a robot that knows only its position cannot tell apart.")
 
 
 @app.callback(invoke_without_command=True)
 def _common(
+    context: typer.Context,
     *,
     version: Annotated[bool, typer.Option("--version", help="Print the version and exit.")] = False,
 ) -> None:
@@ -63,7 +67,8 @@ def _common(
         from allworlds.version import __version__
 
         typer.echo(__version__)
-        raise typer.Exit
+    elif context.invoked_subcommand is None:
+        typer.echo(context.get_help())
 
 
 def main() -> NoReturn:

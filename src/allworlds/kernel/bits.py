@@ -28,12 +28,12 @@ def _unary(instruction: str) -> Any:
     """One machine instruction on an integer of 64 bits."""
 
     @intrinsic
-    def single(_context, _mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
-        def generate(_context, builder, _signature, arguments):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    def single(_context, _mask):
+        def generate(_context, builder, _signature, arguments):
             (value,) = arguments
             if instruction == "ctpop":
                 return builder.ctpop(value)
-            return getattr(builder, instruction)(value, ir.Constant(ir.IntType(1), 1))
+            return getattr(builder, instruction)(value, ir.Constant(ir.IntType(1), 0))
 
         return types.int64(types.int64), generate
 
@@ -46,15 +46,15 @@ _population = _unary("ctpop")
 
 
 @overload(lowest, inline="always")
-def _lowest(mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
-    return lambda mask: _trailing(mask)
+def _lowest(mask):
+    return lambda mask: _trailing(mask)  # noqa: PLW0108  # numba compiles its source
 
 
 @overload(highest, inline="always")
-def _highest(mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+def _highest(mask):
     return lambda mask: 63 - _leading(mask)
 
 
 @overload(size, inline="always")
-def _size(mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
-    return lambda mask: _population(mask)
+def _size(mask):
+    return lambda mask: _population(mask)  # noqa: PLW0108  # as above

@@ -7,7 +7,7 @@ from numpy import int64, zeros
 
 
 @njit(cache=True, nogil=True)
-def rotation(vertices, degree, sigma):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN201
+def rotation(vertices, degree, sigma):
     """``sigma`` for vertices whose darts are consecutive and clockwise."""
     first = 0
     for v in range(vertices):
@@ -17,7 +17,7 @@ def rotation(vertices, degree, sigma):  # type: ignore[no-untyped-def]  # noqa: 
 
 
 @njit(cache=True, nogil=True)
-def encode(darts, sigma, alpha, root, code):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN201
+def encode(darts, sigma, alpha, root, code):
     """The canonical code, sigma then alpha, in ``code[:2 * darts]``."""
     number = zeros(darts, int64)
     order = zeros(darts, int64)
@@ -40,7 +40,7 @@ def encode(darts, sigma, alpha, root, code):  # type: ignore[no-untyped-def]  # 
 
 
 @njit(cache=True, nogil=True)
-def keep_least(least, row):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN201
+def keep_least(least, row):
     """Sort a row into the ascending rows of ``least``; the greatest falls out.
 
     A row begins with its number of vertices; 0 there marks a row that is empty.
@@ -55,7 +55,7 @@ def keep_least(least, row):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN
 
 
 @njit(cache=True, nogil=True)
-def _before(a, b):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _before(a, b):
     """Whether row ``a`` is lexicographically smaller than row ``b``."""
     for i in range(len(a)):
         if a[i] != b[i]:

@@ -125,6 +125,11 @@ def costs(
     return result
 
 
+def flag() -> Any:
+    """An array with one entry, 0: the flag by which work in threads is given up."""
+    return zeros(1, int64)
+
+
 def is_compiled(mode: Mode = "walk") -> bool:
     """Whether an earlier use has left the compiled engine behind."""
     engine = _ENGINES[mode]
@@ -165,7 +170,7 @@ def _call(
     halt: Any,
     *outputs: Any,
 ) -> int:
-    halt = zeros(1, int64) if halt is None else halt
+    halt = flag() if halt is None else halt
     start = array(prefix, int64)
     found: int = _ENGINES[mode](edges, limit, POLICIES[policy], start, tables, halt, *outputs)
     return found

@@ -18,7 +18,7 @@ _ROOM = 32
 
 
 @njit(cache=True, nogil=True)
-def advance(edges, limit, prefix, viable, alpha, degree, decision, place, state):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN201
+def advance(edges, limit, prefix, viable, alpha, degree, decision, place, state):
     """Whether there is one more map; it stands in ``alpha`` (-1: open), ``degree``, ``state``.
 
     Before the first call ``alpha`` is -1, and ``decision``, ``place`` and ``state`` are 0.
@@ -68,7 +68,7 @@ def advance(edges, limit, prefix, viable, alpha, degree, decision, place, state)
 
 
 @njit(cache=True, nogil=True)
-def _following(y, last, alpha, w_darts, w_vertices, darts, limit, viable):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _following(y, last, alpha, w_darts, w_vertices, darts, limit, viable):
     """The decision after ``last`` at dart ``y``: gluings ascending, then degrees; 0 behind all."""
     owed = darts - w_darts
     others = 0
@@ -90,7 +90,7 @@ def _following(y, last, alpha, w_darts, w_vertices, darts, limit, viable):  # ty
 
 
 @njit(cache=True, nogil=True)
-def _join(after, before, depth, y, z):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _join(after, before, depth, y, z):
     """Glue two open darts; the number of faces that close.
 
     ``after`` and ``before`` link the open darts round each face of the boundary.  Gluing
@@ -110,14 +110,14 @@ def _join(after, before, depth, y, z):  # type: ignore[no-untyped-def]  # noqa: 
 
 
 @njit(cache=True, nogil=True)
-def _copy(after, before, depth):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _copy(after, before, depth):
     for dart in range(_ROOM):
         after[depth + 1, dart] = after[depth, dart]
         before[depth + 1, dart] = before[depth, dart]
 
 
 @njit(cache=True, nogil=True)
-def count(edges, limit, prefix, viable, counts):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN201
+def count(edges, limit, prefix, viable, counts):
     """Adds to ``counts[vertices, faces]`` the maps whose gluing begins with ``prefix``."""
     darts = 2 * edges
     # By depth: the boundary, the open darts, those still to be tried as partners of the

@@ -41,7 +41,7 @@ _ROOM = 32
 
 
 @njit(cache=True, nogil=True)
-def _joined(adjacent, start, goal, avoiding):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _joined(adjacent, start, goal, avoiding):
     """Whether a walk in S leads from start to goal without the vertices to be avoided."""
     reached = front = 1 << start
     while front:
@@ -55,7 +55,7 @@ def _joined(adjacent, start, goal, avoiding):  # type: ignore[no-untyped-def]  #
 
 
 @njit(cache=True, nogil=True)
-def _shortest(adjacent, start, length):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _shortest(adjacent, start, length):
     """For each vertex of S the length of a shortest path from start."""
     reached = front = 1 << start
     length[start] = steps = 0
@@ -74,7 +74,7 @@ def _shortest(adjacent, start, length):  # type: ignore[no-untyped-def]  # noqa:
 
 
 @njit(cache=True, nogil=True)
-def _longest(adjacent, vertices, start, length, stack, untried):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _longest(adjacent, vertices, start, length, stack, untried):
     """For each vertex of S the length of a longest simple path from start."""
     for v in range(vertices):
         length[v] = 0
@@ -97,7 +97,7 @@ def _longest(adjacent, vertices, start, length, stack, untried):  # type: ignore
 
 
 @njit(cache=True, nogil=True)
-def _test(world, explored, adjacent, hypothesis, entry, stacks, outcome):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _test(world, explored, adjacent, hypothesis, entry, stacks, outcome):
     """Tests a false hypothesis on every simple path in S.
 
     ``outcome`` gets the least and the greatest number of steps until a mismatch, how many
@@ -141,7 +141,7 @@ def _test(world, explored, adjacent, hypothesis, entry, stacks, outcome):  # typ
 
 
 @njit(cache=True, nogil=True)
-def solve(edges, vertices, alpha, degree, transit, buffers, result):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN201
+def solve(edges, vertices, alpha, degree, transit, buffers, result):
     """The worst and the best cost in the world from vertex 0, in ``result[WORST:]``.
 
     ``result[TESTS]`` and ``result[WRONG]`` are added to.  The darts of a vertex are
@@ -236,7 +236,7 @@ def solve(edges, vertices, alpha, degree, transit, buffers, result):  # type: ig
 
 
 @njit(cache=True, nogil=True)
-def buffers_for(edges):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN201
+def buffers_for(edges):
     """The room that ``solve`` works in, for maps with so many edges."""
     states = 1 << edges
     return (
@@ -256,7 +256,7 @@ def buffers_for(edges):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN201
 
 
 @njit(cache=True, nogil=True)
-def _take(edges, vertices, alpha, degree, transit, buffers, sigma, result, counts, rows):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _take(edges, vertices, alpha, degree, transit, buffers, sigma, result, counts, rows):
     """Solve a world, unless another rooting at v0 has a smaller code; keep the dearest."""
     darts = 2 * edges
     code, other = empty(2 * darts, int64), empty(2 * darts, int64)
@@ -288,7 +288,7 @@ def _take(edges, vertices, alpha, degree, transit, buffers, sigma, result, count
 
 
 @njit(cache=True, nogil=True)
-def search(edges, limit, prefix, viable, transit, halt, counts, rows):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN201
+def search(edges, limit, prefix, viable, transit, halt, counts, rows):
     """Every map of the class ``maps`` whose gluing begins with ``prefix``.
 
     Args:
@@ -312,18 +312,14 @@ def search(edges, limit, prefix, viable, transit, halt, counts, rows):  # type: 
     while not halt[0] and advance(
         edges, limit, prefix, viable, alpha, degree, decision, place, state
     ):
-        _take(
-            edges, state[VERTICES], alpha, degree, transit, buffers, sigma, result, counts, rows
-        )
+        _take(edges, state[VERTICES], alpha, degree, transit, buffers, sigma, result, counts, rows)
 
 
 @njit(cache=True, nogil=True)
-def take(edges, vertices, alpha, degree, transit, counts, rows):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN201
+def take(edges, vertices, alpha, degree, transit, counts, rows):
     """One map, as :func:`search` takes each of its own."""
     sigma, result = empty(2 * edges, int64), zeros(COLUMNS, int64)
-    _take(
-        edges, vertices, alpha, degree, transit, buffers_for(edges), sigma, result, counts, rows
-    )
+    _take(edges, vertices, alpha, degree, transit, buffers_for(edges), sigma, result, counts, rows)
 
 
 @dataclass(frozen=True, slots=True)

@@ -42,7 +42,7 @@ UNMARKED = -1
 
 
 @njit(cache=True, nogil=True)
-def _lengths(s, goal, length, queue):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _lengths(s, goal, length, queue):
     """For each vertex of S the length of a shortest walk to the goal."""
     alpha, owner, _, _, first, degree, _ = s
     length[:] = -1
@@ -61,9 +61,9 @@ def _lengths(s, goal, length, queue):  # type: ignore[no-untyped-def]  # noqa: A
 
 
 @njit(cache=True, nogil=True)
-def _shortest(s, start, goal, length, queue, path):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _shortest(s, start, goal, length, queue, path):
     """The darts of the first shortest path, in ``path``; their number."""
-    alpha, owner, _, _, first, degree, _ = s
+    alpha, owner, _, _, first, _, _ = s
     _lengths(s, goal, length, queue)
     steps = 0
     v = start
@@ -78,7 +78,7 @@ def _shortest(s, start, goal, length, queue, path):  # type: ignore[no-untyped-d
 
 
 @njit(cache=True, nogil=True)
-def _move(world, state, motion, log):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _move(world, state, motion, log):
     """The dart arrived by; motion and percept are logged while there is room."""
     sigma, alpha, sensed, bearing = world
     motions, degrees, bearings, length = log
@@ -95,7 +95,7 @@ def _move(world, state, motion, log):  # type: ignore[no-untyped-def]  # noqa: A
 
 
 @njit(cache=True, nogil=True)
-def _explore(world, policy, s, log, shown, events):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _explore(world, policy, s, log, shown, events):
     """Algorithm 1 from dart 0; the number of passes, or -1 where S outgrows its room.
 
     ``shown`` gets, after each pass: steps so far, the robot's dart in S, the darts of S,
@@ -206,7 +206,7 @@ def _explore(world, policy, s, log, shown, events):  # type: ignore[no-untyped-d
 
 
 @njit(cache=True, nogil=True)
-def _embeds(size, s_sigma, s_alpha, here, dart, world, to, back):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _embeds(size, s_sigma, s_alpha, here, dart, world, to, back):
     """Whether S lies in the world, one to one, with ``here`` on ``dart``; ``to`` is how."""
     sigma, alpha, _, _ = world
     to[:] = -1
@@ -237,7 +237,7 @@ def _embeds(size, s_sigma, s_alpha, here, dart, world, to, back):  # type: ignor
 
 
 @njit(cache=True, nogil=True)
-def _judge(world, passes, s, log, shown, trail, fold):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _judge(world, passes, s, log, shown, trail, fold):
     """Whether every law holds, but for the bound."""
     sigma, alpha, sensed, bearing = world
     motions, degrees, bearings, length = log
@@ -287,7 +287,7 @@ def _judge(world, passes, s, log, shown, trail, fold):  # type: ignore[no-untype
 
 
 @njit(cache=True, nogil=True)
-def _folds(world, log, fold):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _folds(world, log, fold):
     """Whether the log alone determines the map: merged at v0 and closed, it has no open dart."""
     _, _, sensed, bearing = world
     motions, degrees, bearings, length = log
@@ -343,7 +343,7 @@ def _folds(world, log, fold):  # type: ignore[no-untyped-def]  # noqa: ANN001, A
 
 
 @njit(cache=True, nogil=True)
-def _root(dart, fold):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _root(dart, fold):
     node, _, first, degree, parent, shift, _ = fold
     v = node[dart]
     while parent[v] != v:
@@ -357,16 +357,16 @@ def _root(dart, fold):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
 
 
 @njit(cache=True, nogil=True)
-def examine(  # type: ignore[no-untyped-def]  # noqa: ANN201
-    edges,  # noqa: ANN001
-    limit,  # noqa: ANN001
-    policy,  # noqa: ANN001
-    prefix,  # noqa: ANN001
-    tables,  # noqa: ANN001
-    halt,  # noqa: ANN001
-    counts,  # noqa: ANN001
-    least,  # noqa: ANN001
-    listed,  # noqa: ANN001
+def examine(
+    edges,
+    limit,
+    policy,
+    prefix,
+    tables,
+    halt,
+    counts,
+    least,
+    listed,
 ):
     """As :func:`allworlds.kernel.walk.explore`, each world finished before it is walked."""
     bound, viable, sensed_as, fuel, _ = tables
@@ -445,7 +445,7 @@ def examine(  # type: ignore[no-untyped-def]  # noqa: ANN201
 
 
 @njit(cache=True, nogil=True)
-def _doubled(vertices, degree, alpha):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+def _doubled(vertices, degree, alpha):
     """Whether the map has a loop, and whether it has two edges with the same two ends."""
     owner = empty(len(alpha), int64)
     dart = 0

@@ -181,15 +181,14 @@ def _parts(
     bounds: Bounds, edges: int, transit: Transit, workers: int, listener: Listener
 ) -> Iterator[list[Dearest]]:
     """The outcomes of the parts of a level, as they come."""
-    from numpy import int64, zeros
-
+    from allworlds.kernel.engine import flag
     from allworlds.kernel.schedules import dearest_of_maps, dearest_of_unit
 
     if bounds.map_class is not MapClass.MAPS:
         maps = rooted_maps(edges, bounds.map_class)
         yield dearest_of_maps(edges, map(_degrees_and_partners, maps), transit)
         return
-    halt = zeros(1, int64)
+    halt = flag()
     units = prefixes(edges, depth=1 if edges < 4 else 3)
     at_work: set[Future[list[Dearest]]] = set()
     with ThreadPoolExecutor(workers) as threads:

@@ -1,0 +1,62 @@
+"""The text of explain."""
+
+import pytest
+
+from allworlds import CombinatorialMap, Estimate
+from allworlds.checker import check, run
+from allworlds.explaining import explain
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.reports.explain_text import explain_text
+from allworlds.reports.picture import answer_picture, world_picture
+from allworlds.world import Directional, World
+
+MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
+
+
+def explanation_of(name):
+    return explain(check(MUTANTS[name].explorer(), edges=3).findings[0])
+
+
+@pytest.mark.parametrize("width", [40, 80, 200])
+@pytest.mark.parametrize("name", ["wrong-entry-label", "pose-lost"])
+def test_a_wrong_answer_is_drawn_beside_the_world(name, width):
+    explanation = explanation_of(name)
+    text = explain_text(explanation, width)
+    assert world_picture(explanation.world, explanation.robot, width) in text
+    answer = explanation.answer
+    assert answer_picture(answer.map, answer.here, width) in text
+
+
+def test_without_an_answer_only_the_world_is_drawn():
+    text = explain_text(explanation_of("crashes-at-leaves"), 80)
+    assert "the world" in text
+    assert "the answer (S" not in text
+
+
+@pytest.mark.parametrize("width", [40, 80])
+def test_every_sentence_stands_in_the_text_and_fits_the_width(width):
+    explanation = explanation_of("no-retracing")
+    text = explain_text(explanation, width)
+    told = text.partition("\n\nthe world")[0]
+    assert all(len(line) <= width for line in told.splitlines()[1:])
+    for sentence in explanation.sentences:
+        assert sentence in " ".join(told.split())
+
+
+def test_the_first_line_names_explorer_and_law():
+    assert explain_text(explanation_of("pose-lost"), 80).startswith(
+        "mutants:pose-lost breaks the law 'pose'\n"
+    )
+
+
+def test_two_answers_have_two_texts():
+    world = World(CombinatorialMap([0, 2, 1, 3], [1, 0, 3, 2]), Directional(0))
+
+    def text(sigma, alpha):
+        def explore(first):
+            return Estimate(CombinatorialMap(sigma, alpha), 0)
+            yield
+
+        return explain_text(explain(run(explore, world).finding), 80)
+
+    assert text([0, 1], [1, 0]) != text([1, 0], [1, 0])

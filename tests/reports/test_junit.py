@@ -1,0 +1,176 @@
+"""JUnit XML, held to the rules of the common schemas."""
+
+import re
+from collections import Counter
+from dataclasses import replace
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from allworlds.checker import check
+from allworlds.checker.report import Cell
+from allworlds.fuzzer import fuzz
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.reports import finding_text
+from allworlds.reports.junit import junit
+
+MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
+SUITE = {"name", "tests", "failures", "errors", "skipped"}
+
+
+def suite_of(report):
+    """The suite of a document that keeps the rules."""
+    text = junit(report)
+    assert text.startswith('<?xml version="1.0" encoding="UTF-8"?>\n')
+    root = ET.fromstring(text.encode())
+    assert root.tag == "testsuites"
+    assert [child.tag for child in root] == ["testsuite"]
+    suite = root[0]
+    assert set(suite.attrib) == set(root.attrib) == SUITE
+    assert [child.tag for child in suite][0] == "properties"
+    cases = suite[1:]
+    assert {case.tag for case in cases} == {"testcase"}
+    for element in suite[0]:
+        assert element.tag == "property"
+        assert set(element.attrib) == {"name", "value"}
+    results = Counter()
+    for case in cases:
+        assert set(case.attrib) == {"classname", "name"}
+        assert all(case.attrib.values())
+        assert len(case) <= 1
+        for result in case:
+            results[result.tag] += 1
+            assert result.tag in ("failure", "error", "skipped")
+            wanted = {"message"} if result.tag == "skipped" else {"message", "type"}
+            assert set(result.attrib) == wanted
+            assert all(result.attrib.values())
+    names = [case.get("name") for case in cases]
+    assert len(set(names)) == len(names)
+    for counted in (root, suite):
+        assert counted.get("tests") == str(len(cases))
+        assert counted.get("failures") == str(results["failure"])
+        assert counted.get("errors") == str(results["error"])
+        assert counted.get("skipped") == str(results["skipped"])
+    return suite
+
+
+def outcomes(report):
+    return [
+        (case.get("name"), case[0].tag if len(case) else "passed")
+        for case in suite_of(report).iter("testcase")
+    ]
+
+
+def levels(*results):
+    names = ["every world with 1 edge", *(f"every world with {m} edges" for m in (2, 3, 4))]
+    return list(zip(names, results, strict=False))
+
+
+@pytest.fixture
+def holds():
+    return check(edges=2)
+
+
+@pytest.fixture
+def refuted():
+    return check(MUTANTS["pose-lost"].explorer(), edges=4)
+
+
+def test_a_check_that_holds_has_one_case_a_level_and_the_witnesses(holds):
+    assert outcomes(holds) == [*levels("passed", "passed"), ("witnesses", "passed")]
+
+
+def test_a_finding_fails_its_level_and_the_unfinished_ones_are_skipped(refuted):
+    assert outcomes(refuted) == levels("passed", "failure", "skipped", "skipped")
+    failure = suite_of(refuted).find(".//failure")
+    assert failure.get("type") == "pose"
+    assert failure.text == finding_text(refuted.findings[0], 100)
+    assert suite_of(refuted).find(".//skipped").get("message") == refuted.stopped
+
+
+def test_every_finding_of_a_level_is_told():
+    report = check(MUTANTS["pose-lost"].explorer(), edges=3, max_findings=9)
+    text = "".join(failure.text for failure in suite_of(report).iter("failure"))
+    for finding in report.findings:
+        assert finding_text(finding, 100) in text
+    assert len(report.findings) > 1
+
+
+def test_a_mismatch_of_the_count_gate_is_an_error(holds):
+    holds.gate[0] = replace(holds.gate[0], counted=99)
+    assert outcomes(holds)[0][1] == "error"
+    assert "counts 99" in suite_of(holds).find(".//error").get("message")
+
+
+def test_a_mismatch_in_a_refuted_level_keeps_the_finding(refuted):
+    refuted.gate.append(Cell(2, 1, 3, 99, "somebody"))
+    suite = suite_of(refuted)
+    assert finding_text(refuted.findings[0], 100) in suite.find(".//error").text
+    assert suite.find(".//failure") is None
+
+
+def test_two_engines_that_disagree_are_an_error(holds):
+    holds.disagreement = "python: 3, kernel: 4"
+    assert ("engines", "error") in outcomes(holds)
+
+
+def test_a_missing_witness_is_a_failure(holds):
+    holds.missing = ["case-1"]
+    assert outcomes(holds)[-1] == ("witnesses", "failure")
+    assert "case-1" in suite_of(holds).find(".//failure").get("message")
+
+
+def test_a_scope_without_a_run_does_not_pass():
+    report = check(edges=1, shard=(98, 99))
+    assert report.exit_code == 4
+    assert outcomes(report)[-1] == ("witnesses", "failure")
+
+
+def test_a_shard_says_nothing_of_witnesses():
+    assert outcomes(check(edges=2, shard=(0, 2))) == levels("passed", "passed")
+
+
+def test_a_check_that_ran_out_of_time_skips_with_the_reason(holds):
+    holds.complete, holds.levels, holds.stopped = False, [1], "the time limit was reached"
+    assert outcomes(holds) == levels("passed", "skipped")
+    assert suite_of(holds).find(".//skipped").get("message") == "the time limit was reached"
+
+
+def test_past_findings_are_a_case_of_their_own(tmp_path):
+    explorer = MUTANTS["pose-lost"].explorer()
+    check(explorer, edges=2, corpus=tmp_path)
+    standing = check(explorer, edges=1, corpus=tmp_path)
+    assert outcomes(standing)[0] == ("past findings", "failure")
+    fixed = check(edges=1, corpus=tmp_path)
+    # The corpus has named the mutant, but another explorer has been tried.
+    assert outcomes(fixed)[0] == ("past findings", "passed")
+
+
+def test_a_sample_is_one_case():
+    assert [result for _, result in outcomes(fuzz(edges=6, runs=5))] == ["passed"]
+    refuted = fuzz(MUTANTS["pose-lost"].explorer(), edges=6, runs=5)
+    assert [result for _, result in outcomes(refuted)] == ["failure"]
+    refuted.tally.findings = []
+    refuted.stopped = "interrupted"
+    assert [result for _, result in outcomes(refuted)] == ["skipped"]
+
+
+def test_the_verdict_and_the_scope_are_properties(refuted):
+    values = {element.get("name"): element.get("value") for element in suite_of(refuted)[0]}
+    assert values["verdict"] == "refuted"
+    assert values["scope.edges"] == "4"
+    assert values["scope.complete"] == "false"
+
+
+def test_what_xml_forbids_is_replaced():
+    def explore(first):
+        raise ValueError("\x1b[31m \0 \ufffe \ud800 \N{GRINNING FACE} <&>\t")
+        yield
+
+    report = check(explore, edges=1)
+    suite = suite_of(report)
+    told = suite.find(".//failure").text
+    assert "\N{GRINNING FACE} <&>" in told
+    assert "[31m" in told
+    assert not re.search("[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]", told)
+    assert told.count("\N{REPLACEMENT CHARACTER}") >= 3

@@ -1,0 +1,279 @@
+"""The schemas against real documents, and against the same documents spoilt."""
+
+import copy
+import functools
+import json
+from importlib.resources import files
+
+import pytest
+from jsonschema import Draft202012Validator
+from referencing import Registry, Resource
+
+from allworlds.checker import check, replay, run
+from allworlds.cli.app import _guarded
+from allworlds.corpora import own_corpus
+from allworlds.counter import count
+from allworlds.explaining import explain
+from allworlds.fuzzer import fuzz
+from allworlds.judge import LAWS, PRECEDENCE
+from allworlds.maps import named_map
+from allworlds.mutation import mutants
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.world import LIGHTHOUSES, Directional, World
+from allworlds.world.lighthouses import Compass, Nothing, Position
+
+SCHEMAS = {
+    file.name.removesuffix(".schema.json"): json.loads(file.read_text(encoding="utf-8"))
+    for file in (files("allworlds") / "schemas").iterdir()
+}
+REGISTRY = Registry().with_resources(
+    (schema["$id"], Resource.from_contents(schema)) for schema in SCHEMAS.values()
+)
+WRONG = {mutant.name: mutant for mutant in WRONG_EXPLORERS if mutant.name != "confirmed-too-early"}
+THETA = named_map("theta")
+LIGHTS = [Nothing(), Position(1), Directional(2), Compass((0, 3))]
+
+
+def complaints(reference, document):
+    validator = Draft202012Validator({"$ref": reference}, registry=REGISTRY)
+    plain = json.loads(json.dumps(document))
+    return [f"{error.json_path}: {error.message}" for error in validator.iter_errors(plain)]
+
+
+def whole(name, part=""):
+    return f"{name}.schema.json{part}"
+
+
+@functools.cache
+def finding_of(name):
+    return check(WRONG[name].explorer(), edges=3).findings[0]
+
+
+def interrupted():
+    report = check(edges=3)
+    report.complete, report.stopped, report.interrupted = False, "interrupted", True
+    return report
+
+
+@functools.cache
+def manifest():
+    return json.loads((own_corpus().directory / "manifest.json").read_text(encoding="utf-8"))
+
+
+DOCUMENTS = {
+    "check holds": (whole("check"), lambda: check(edges=2).to_json()),
+    "check of a class": (whole("check"), lambda: check(vertices=3, map_class="simple").to_json()),
+    "check of a shard": (whole("check"), lambda: check(edges=2, shard=(0, 2)).to_json()),
+    "check without a bound": (whole("check"), lambda: check(edges=2, bound="none").to_json()),
+    "check interrupted": (whole("check"), lambda: interrupted().to_json()),
+    "check refuted": (
+        whole("check"),
+        lambda: check(WRONG["mirror-image"].explorer(), edges=3, max_findings=3).to_json(),
+    ),
+    "fuzz": (whole("check"), lambda: fuzz(edges=6, runs=3).to_json()),
+    "fuzz refuted": (
+        whole("check"),
+        lambda: fuzz(WRONG["pose-lost"].explorer(), edges=6, runs=3).to_json(),
+    ),
+    "count": (whole("count"), lambda: count(edges=3).to_json()),
+    "count simple": (whole("count"), lambda: count(vertices=4, map_class="simple").to_json()),
+    "run": (whole("run"), lambda: run("algorithm1", World(THETA, Directional(0))).to_json()),
+    "run refuted": (
+        whole("run"),
+        lambda: run(WRONG["mirror-image"].explorer(), finding_of("mirror-image").world).to_json(),
+    ),
+    "run without an answer": (
+        whole("run"),
+        lambda: run(WRONG["no-answer"].explorer(), World(THETA, Directional(0))).to_json(),
+    ),
+    "replay fixed": (
+        whole("replay"),
+        lambda: replay(finding_of("mirror-image"), "algorithm1").to_json(),
+    ),
+    "replay reproduced": (
+        whole("replay"),
+        lambda: replay(finding_of("mirror-image"), WRONG["mirror-image"].explorer()).to_json(),
+    ),
+    "mutants": (whole("mutants"), lambda: mutants(edges=1).to_json()),
+    "manifest": (whole("manifest"), manifest),
+    **{
+        f"finding {name}": (
+            whole("finding", "#/$defs/written"),
+            functools.partial(lambda name: finding_of(name).to_json(), name),
+        )
+        for name in WRONG
+    },
+    **{
+        f"explain {name}": (
+            whole("explain"),
+            functools.partial(lambda name: explain(finding_of(name)).to_json(), name),
+        )
+        for name in ("mirror-image", "no-retracing", "crashes-at-leaves")
+    },
+    **{
+        f"world {light.kind}": (
+            whole("world", "#/$defs/written"),
+            functools.partial(lambda light: World(THETA, light).to_json(), light),
+        )
+        for light in LIGHTS
+    },
+    "transcript": (
+        whole("transcript"),
+        lambda: finding_of("mirror-image").transcript.to_json(),
+    ),
+}
+# Keys that may be missing, and objects whose keys are data.
+OPTIONAL = {"detail", "labelled"}
+TABLES = {"witnesses", "by_vertices", "by_genus", "labelled", "expected"}
+
+
+@functools.cache
+def document(name):
+    reference, make = DOCUMENTS[name]
+    return reference, make()
+
+
+@pytest.mark.parametrize("name", SCHEMAS)
+def test_every_schema_is_one(name):
+    schema = SCHEMAS[name]
+    Draft202012Validator.check_schema(schema)
+    assert schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"
+    assert schema["$id"] == f"{name}.schema.json"
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_what_is_written_is_what_the_schema_says(name):
+    reference, found = document(name)
+    assert complaints(reference, found) == []
+
+
+def spoilt(value, path=()):
+    """Every document with one key missing, one misspelt, or one value of another type."""
+    if isinstance(value, dict) and (not path or path[-1] not in TABLES):
+        for key in value:
+            rest = {other: value[other] for other in value if other != key}
+            if key not in OPTIONAL:
+                yield (*path, f"without {key}"), rest
+            yield (*path, f"{key} misspelt"), {**rest, f"{key}s": value[key]}
+            yield (*path, f"{key} an odd value"), {**rest, key: [[{"odd": 1.5}]]}
+            for where, inner in spoilt(value[key], (*path, key)):
+                yield where, {**rest, key: inner}
+    if isinstance(value, list):
+        for i, entry in enumerate(value[:2]):
+            for where, inner in spoilt(entry, (*path, i)):
+                yield where, [*value[:i], inner, *value[i + 1 :]]
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_a_missing_misspelt_or_odd_key_is_refused(name):
+    reference, found = document(name)
+    tried = 0
+    for where, wrong in spoilt(found):
+        assert complaints(reference, wrong), where
+        tried += 1
+    assert tried > 5
+
+
+@pytest.mark.parametrize(
+    ("name", "change"),
+    [
+        ("check holds", {"schema": 2}),
+        ("check holds", {"verdict": "verified"}),
+        ("check holds", {"verdict": "refuted"}),
+        ("check holds", {"verdict": "not-refuted"}),
+        ("check holds", {"exit_code": 2}),
+        ("check holds", {"worlds": -1}),
+        ("check holds", {"witnesses": {"loop": "many"}}),
+        ("check refuted", {"verdict": "holds"}),
+        ("run", {"verdict": "refuted"}),
+        ("replay fixed", {"exit_code": 0}),
+        ("replay reproduced", {"law_now": None}),
+        ("finding mirror-image", {"law": "maps"}),
+        ("finding mirror-image", {"version": 2}),
+        ("finding mirror-image", {"seen": "a mirror image"}),
+        ("finding walks-too-much", {"expected": "one"}),
+        ("finding no-answer", {"seen": 3}),
+        ("count", {"class": "trees"}),
+        ("explain mirror-image", {"sentences": []}),
+        ("world directional", {"lighthouse": {"kind": "directional", "darts": [0]}}),
+    ],
+)
+def test_a_value_that_cannot_be_is_refused(name, change):
+    reference, found = document(name)
+    assert set(change) <= set(found)
+    assert complaints(reference, {**found, **change})
+
+
+# ---------------------------------------------------------------- what is read
+
+
+def test_a_world_and_a_finding_may_hold_more_than_is_known():
+    world = {**World(THETA, Directional(0)).to_json(), "drawn": "by hand"}
+    assert complaints(whole("world"), world) == []
+    assert complaints(whole("world", "#/$defs/written"), world)
+    finding = {**finding_of("pose-lost").to_json(), "remark": "found on a rainy day"}
+    finding["transcript"][0]["time"] = 0.1
+    assert complaints(whole("finding"), finding) == []
+    assert complaints(whole("finding", "#/$defs/written"), finding)
+
+
+def test_what_may_be_left_out_may_be_left_out():
+    assert complaints(whole("world"), THETA.to_json()) == []
+    finding = finding_of("pose-lost").to_json()
+    least = {key: finding[key] for key in ("version", "explorer", "law", "world", "transcript")}
+    assert complaints(whole("finding"), least) == []
+    for key in least:
+        assert complaints(whole("finding"), {k: v for k, v in least.items() if k != key})
+    for key in ("sigma", "alpha"):
+        assert complaints(whole("world"), {k: v for k, v in THETA.to_json().items() if k != key})
+
+
+def test_a_transcript_that_is_read_needs_its_actions_and_percepts():
+    reference = whole("transcript", "#/$defs/read")
+    rows = finding_of("pose-lost").transcript.to_json()
+    assert complaints(reference, rows) == []
+    for key in ("move", "percept"):
+        wrong = copy.deepcopy(rows)
+        del wrong[1][key]
+        assert complaints(reference, wrong)
+    assert complaints(reference, [])
+
+
+# ---------------------------------------------------------------- completeness
+
+
+def test_every_law_and_every_lighthouse_is_in_the_schemas():
+    finding = SCHEMAS["finding"]
+    assert set(PRECEDENCE) <= set(finding["properties"]["law"]["enum"])
+    written = finding["$defs"]["options"]["properties"]["laws"]["items"]["enum"]
+    assert set(LAWS) <= set(written)
+    lights = SCHEMAS["world"]["$defs"]["written"]["properties"]["lighthouse"]["oneOf"]
+    assert {light["properties"]["kind"]["const"] for light in lights} >= set(LIGHTHOUSES)
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments"),
+    [
+        ("check", ["check", "--edges", "2", "--workers", "1"]),
+        ("check", ["fuzz", "--edges", "5", "--runs", "2", "--workers", "1"]),
+        ("count", ["count", "--edges", "2"]),
+        ("run", ["run", "theta"]),
+    ],
+)
+def test_what_the_command_line_prints_keeps_its_schema(name, arguments, capsys):
+    assert _guarded([*arguments, "--json"]) == 0
+    assert complaints(whole(name), json.loads(capsys.readouterr().out)) == []
+
+
+@pytest.mark.parametrize("name", ["replay", "explain"])
+def test_what_is_said_of_a_file_keeps_its_schema(name, capsys, tmp_path):
+    def explore(first):
+        return None
+        yield
+
+    (finding,) = check(explore, edges=1).findings
+    document = {**finding.to_json(), "explorer": "algorithm1"}
+    file = tmp_path / "finding.json"
+    file.write_text(json.dumps(document), encoding="utf-8")
+    assert _guarded([name, str(file), "--json"]) == {"replay": 5, "explain": 0}[name]
+    assert complaints(whole(name), json.loads(capsys.readouterr().out)) == []
