@@ -162,6 +162,12 @@ def test_the_bound_is_told_with_the_moves_out_and_back():
     assert "Of those out 1 went along an edge that was new" in text
 
 
+def test_a_way_back_takes_back_every_move_out():
+    # Along a path to its end and back again.
+    finding = run(answering(PATH, 0, 0, 1, 0, 1), World(PATH, Directional(0)), bound="1").finding
+    assert "The robot made 4 traversals: 2 out, 2 to take one back." in explain(finding).sentences
+
+
 @pytest.mark.parametrize(
     ("name", "law"), [("place-shown-wrong", "invariant-1"), ("partner-shown-in-U", "invariant-2")]
 )

@@ -60,13 +60,13 @@ LAYERS = {
         *("ambiguity", "benching", "corpora", "worst_case"),
         *("checker", "counter", "drawing", "episode", "errors", "explaining", "explorers"),
         *("fuzzer", "judge", "kernel", "maps", "mutation", "protocol", "reports", "smt"),
-        *("benching", "subjects", "version", "world", "worst_case"),
+        *("subjects", "version", "world"),
     },
     "__main__": {"cli"},
     "": {
         *("ambiguity", "benching", "smt", "worst_case"),
         *("checker", "counter", "errors", "explaining", "fuzzer", "maps", "mutation", "protocol"),
-        *("version", "worst_case"),
+        "version",
     },
 }
 

@@ -1,6 +1,8 @@
+import re
 import subprocess
 import sys
 from functools import cache
+from pathlib import Path
 
 import pytest
 from hypothesis import find, given, settings
@@ -300,3 +302,21 @@ def test_importing_the_package_does_not_load_hypothesis():
     code += "; from allworlds import strategies; print('hypothesis' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.split() == ["False", "True"]
+
+
+def test_the_examples_of_the_page_for_users_pass():
+    page = Path(__file__).parents[1] / "docs" / "strategies.md"
+    text = page.read_text(encoding="utf-8")
+    names = {}
+    for block in re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
+        exec(block, names)  # as a user would paste it
+    tests = [names[name] for name in names if name.startswith("test_")]
+    assert len(tests) == 3
+    for test in tests:
+        test()
+
+
+def test_the_page_for_users_lists_every_strategy_with_its_defaults():
+    page = Path(__file__).parents[1] / "docs" / "strategies.md"
+    listed = re.findall(r"^\| `(\w+)\(", page.read_text(encoding="utf-8"), re.MULTILINE)
+    assert sorted(listed) == strategies.__all__

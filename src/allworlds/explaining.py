@@ -111,8 +111,11 @@ class _Story:
         seen = self.finding.seen
         if self.finding.law not in ("map", "pose"):
             return None
-        map_ = CombinatorialMap.from_json(seen)
-        here = seen.get("here") if isinstance(seen, Mapping) else None
+        if not isinstance(seen, Mapping):
+            raise InputError(
+                f"seen = {show(seen)} is no rooted map, but the law is about the answer"
+            )
+        map_, here = CombinatorialMap.from_json(seen), seen.get("here")
         if type(here) is not int or here not in map_.darts:
             raise InputError(f"seen.here = {show(here)} is no dart of the finding's answer")
         return Estimate(map_, here)

@@ -6,8 +6,9 @@ vertices, then dart 0.  For example, a property of every explorer that you write
     from hypothesis import given
     from allworlds import run, strategies
 
-    @given(strategies.worlds(), strategies.choices())
-    def test_my_explorer_is_right(world, choices): ...
+    @given(strategies.worlds())
+    def test_my_explorer_is_right(world):
+        assert run(my_explorer, world).finding is None
 
 Maps grow edge by edge from their root edge, and no step is one that cannot be gone on from,
 so nothing is drawn in vain.

@@ -37,14 +37,14 @@ def test_an_answer_without_a_place_for_the_marker_expects_nothing():
 
 
 def test_a_compass_is_believed_where_it_was_first_sensed():
-    # In the edge's map both vertices have degree 1; a theta's robot sensed bearing 2 first.
-    world = World(THETA, Compass((2, 4)), 0)
-    log = walk(world, 0)
-    here = true_trail(world, log)[-1]
-    sensed = [log.first, *(percept for _, percept in log.steps)]
-    assert believed_percepts(world, THETA, here, log) == sensed
-    turned = believed_percepts(world, THETA, THETA.turn(here, 1), log)
-    assert turned == sensed, "a robot believes its first look at every vertex"
+    # Round a triangle, which the answer takes for a loop: the first bearing is 1, so north is
+    # the other dart than the one faced, and both arrivals are by that dart.
+    triangle = CombinatorialMap([1, 0, 3, 2, 5, 4], [2, 5, 0, 4, 3, 1])
+    world = World(triangle, Compass((1, 2, 5)), 0)
+    log = walk(world, 0, 1)
+    assert [log.first.bearing, *(percept.bearing for _, percept in log.steps)] == [1, 0, 1]
+    expected = believed_percepts(world, CombinatorialMap([1, 0], [1, 0]), 1, log)
+    assert [percept.bearing for percept in expected] == [1, 0, 0]
 
 
 def test_a_believed_percept_has_the_believed_degree():

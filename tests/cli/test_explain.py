@@ -45,7 +45,15 @@ def test_it_takes_a_report_too(file, capsys):
         ({"law": "nonsense"}, "nonsense"),
         ({"transcript": [{"percept": {"degree": 9}}]}, "degree 9"),
         ({"seen": "nothing"}, "nothing"),
-        ({"transcript": [*FINDING.transcript.to_json(), {"drop": True, "percept": {"degree": 4}}]}, ""),
+        (
+            {
+                "transcript": [
+                    *FINDING.transcript.to_json(),
+                    {"drop": True, "percept": {"degree": 4}},
+                ]
+            },
+            "",
+        ),
     ],
 )
 def test_a_bad_finding_is_one_line_and_exit_code_2(change, named, file, capsys):

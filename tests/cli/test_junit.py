@@ -1,6 +1,6 @@
 """The option --junit."""
 
-import os
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
@@ -30,7 +30,9 @@ def test_an_older_file_is_replaced_whole(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["no/such/directory.xml", "", ".", "\0", "a\ud800"])
-def test_a_file_that_cannot_be_written_is_refused_before_the_run(name, tmp_path, monkeypatch, capsys):
+def test_a_file_that_cannot_be_written_is_refused_before_the_run(
+    name, tmp_path, monkeypatch, capsys
+):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("allworlds.checker.check", lambda *_args, **_options: 1 / 0)
     assert _guarded([*QUICK, "--junit", name]) == 2
@@ -57,7 +59,7 @@ def test_without_a_file_nothing_is_written(tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="there is no /dev/full")
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
 def test_a_full_disk_is_bad_input():
     with pytest.raises(InputError, match="/dev/full"):
         write_junit("/dev/full", check(edges=1))

@@ -1,11 +1,11 @@
-import time
 from dataclasses import replace
 from itertools import product
+from math import log2
 from random import Random
 
 import pytest
 
-from allworlds.maps import CombinatorialMap, cycle, lattice, named_map
+from allworlds.maps import CombinatorialMap, cycle, lattice, named_map, refinement
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.maps.families import random_map
@@ -158,15 +158,32 @@ def test_darts_of_different_degree_are_never_alike_whatever_their_labels():
 
 
 @pytest.mark.parametrize("name", ["cycle-5000", "wheel-2500", "path-5001", "random"])
-def test_ten_thousand_darts_are_refined_within_a_second(name):
+def test_no_dart_is_looked_at_more_than_log2_times_for_each_permutation(name, monkeypatch):
+    # 'Process the smaller half': a dart's block is a splitter again only after it has halved.
     map_ = random_map(5000, Random(2)) if name == "random" else named_map(name)
     assert len(map_.sigma) == 10_000
-    labelled = Labelled(map_, marked(map_), 0)
-    best = min(timed(project, labelled) for _ in range(3))
-    assert best < 1
+    assert looked_at(map_, monkeypatch) <= 2 * 10_000 * (log2(10_000) + 1)
 
 
-def timed(function, argument):
-    start = time.perf_counter()
-    function(argument)
-    return time.perf_counter() - start
+def test_splitting_by_every_block_again_looks_more_often(monkeypatch):
+    split = refinement._Partition.split
+
+    def everything_waits(self, chosen):
+        return list(range(len(self.first))) if split(self, chosen) else []
+
+    monkeypatch.setattr(refinement._Partition, "split", everything_waits)
+    assert looked_at(named_map("cycle-200"), monkeypatch) > 2 * 400 * (log2(400) + 1)
+
+
+def looked_at(map_, monkeypatch):
+    count = 0
+    split = refinement._Partition.split
+
+    def counted(self, chosen):
+        nonlocal count
+        count += len(chosen)
+        return split(self, chosen)
+
+    monkeypatch.setattr(refinement._Partition, "split", counted)
+    project(Labelled(map_, marked(map_), 0))
+    return count

@@ -34,10 +34,15 @@ THETA = named_map("theta")
 LIGHTS = [Nothing(), Position(1), Directional(2), Compass((0, 3))]
 
 
+@functools.cache
+def validator(reference):
+    return Draft202012Validator({"$ref": reference}, registry=REGISTRY)
+
+
 def complaints(reference, document):
-    validator = Draft202012Validator({"$ref": reference}, registry=REGISTRY)
     plain = json.loads(json.dumps(document))
-    return [f"{error.json_path}: {error.message}" for error in validator.iter_errors(plain)]
+    errors = validator(reference).iter_errors(plain)
+    return [f"{error.json_path}: {error.message}" for error in errors]
 
 
 def whole(name, part=""):
@@ -52,7 +57,7 @@ def finding_of(name):
 def interrupted():
     report = check(edges=3)
     report.complete, report.stopped, report.interrupted = False, "interrupted", True
-    return report
+    return report.to_json()
 
 
 @functools.cache
@@ -65,7 +70,7 @@ DOCUMENTS = {
     "check of a class": (whole("check"), lambda: check(vertices=3, map_class="simple").to_json()),
     "check of a shard": (whole("check"), lambda: check(edges=2, shard=(0, 2)).to_json()),
     "check without a bound": (whole("check"), lambda: check(edges=2, bound="none").to_json()),
-    "check interrupted": (whole("check"), lambda: interrupted().to_json()),
+    "check interrupted": (whole("check"), interrupted),
     "check refuted": (
         whole("check"),
         lambda: check(WRONG["mirror-image"].explorer(), edges=3, max_findings=3).to_json(),
@@ -113,13 +118,13 @@ DOCUMENTS = {
     **{
         f"world {light.kind}": (
             whole("world", "#/$defs/written"),
-            functools.partial(lambda light: World(THETA, light).to_json(), light),
+            World(THETA, light).to_json,
         )
         for light in LIGHTS
     },
     "transcript": (
         whole("transcript"),
-        lambda: finding_of("mirror-image").transcript.to_json(),
+        lambda: [*finding_of("mirror-image").transcript.to_json()],
     ),
 }
 # Keys that may be missing, and objects whose keys are data.
@@ -167,9 +172,12 @@ def spoilt(value, path=()):
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_a_missing_misspelt_or_odd_key_is_refused(name):
     reference, found = document(name)
+    if "transcript" in found:
+        # A row of a transcript is like another.
+        found = {**found, "transcript": found["transcript"][:3]}
     tried = 0
     for where, wrong in spoilt(found):
-        assert complaints(reference, wrong), where
+        assert not validator(reference).is_valid(wrong), where
         tried += 1
     assert tried > 5
 

@@ -163,19 +163,16 @@ def _relation(a: World, b: World) -> Relation:
     if len(a.map.sigma) != len(b.map.sigma):
         return "different"
     order = numbering(a.map.sigma, a.map.alpha, a.start)
-    same = [
-        image
-        for image in b.map.darts
-        if a.percepts[a.start].degree == b.percepts[image].degree
-        and _carries_all(a, b, order, image)
-    ]
-    if b.start in same:
+    if _carries_all(a, b, order, b.start):
         return "same"
-    return "same-map" if same else "different"
+    alike = any(_carries_all(a, b, order, image) for image in b.map.darts)
+    return "same-map" if alike else "different"
 
 
 def _carries_all(a: World, b: World, order: list[Dart], image: Dart) -> bool:
     """Whether ``a.start -> image`` extends to an isomorphism of the maps and their percepts."""
+    if a.first != b.percepts[image]:
+        return False
     if not carries(a.map.sigma, a.map.alpha, order, b.map.sigma, b.map.alpha, image):
         return False
     images = numbering(b.map.sigma, b.map.alpha, image)

@@ -23,9 +23,11 @@ from allworlds.checker.tally import Row, Tally
 from allworlds.episode import default_step_budget
 from allworlds.judge import paper_bound
 from allworlds.kernel import engine as kernel
+from allworlds.kernel import walk
 from allworlds.kernel.tables import Tables, tables
 from allworlds.maps.canonical import Code, rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes
 from allworlds.subjects import Subject, load
 from allworlds.world import Directional, World
@@ -57,8 +59,8 @@ class KernelPool:
         self._deadline = None if limit is None else time.monotonic() + limit
         self._threads = ThreadPoolExecutor(limits.workers)
         self._halt = kernel.flag()
-        if notice and not kernel.is_compiled():
-            notice("compiling the kernel; this is done once and takes some seconds")
+        if notice and not kernel.is_compiled(walk.explore):
+            notice(kernel.COMPILING)
 
     def __enter__(self) -> Self:
         return self
@@ -129,7 +131,11 @@ class KernelPool:
                     tally.witnesses[event] += places * count
                 tally.witnesses.update(counts.per_world)
             for _, sigma, alpha in rows.broken:
-                self._blame(scope, CombinatorialMap(sigma, alpha), tally)
+                try:
+                    map_ = CombinatorialMap(sigma, alpha)
+                except InvalidMap as error:
+                    raise EnginesDisagree(f"the kernel met a world that is none: {error}") from None
+                self._blame(scope, map_, tally)
         tally.witnesses = +tally.witnesses
         return tally
 
@@ -168,7 +174,13 @@ def compare_engines(policy: str, edges: int) -> None:
     rules = Rules(policy=policy)
     examiner = Examiner(load("algorithm1"), rules)
     for level in range(1, edges + 1):
-        for map_, cost in listed_costs(rules, level):
+        listed = list(listed_costs(rules, level))
+        worlds = sum(source_for("maps").cells(level).values())
+        if len(listed) != worlds:
+            raise EnginesDisagree(
+                f"the kernel ends its walk in {len(listed)} of {worlds} worlds with {level} edges"
+            )
+        for map_, cost in listed:
             for bearing, lighthouse in enumerate(Directional.places(map_, 0)):
                 outcome = examiner.examine(World(map_, lighthouse, 0), rules.choices(""))
                 if outcome.violation or outcome.cost != cost:

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
+from allworlds.cli.junit import Junit, ensure_writable, write_junit
 from allworlds.cli.output import Progress, emit
 
 
@@ -42,6 +43,7 @@ def fuzz(
             metavar="MB", rich_help_panel=opt.EFFORT, help="Address space of each worker."
         ),
     ] = None,
+    junit: Junit = None,
     as_json: opt.Json = False,
     quiet: opt.Quiet = False,
 ) -> int:
@@ -53,6 +55,7 @@ def fuzz(
     from allworlds.fuzzer import fuzz as run_fuzz
     from allworlds.reports import check_text
 
+    ensure_writable(junit)
     with Progress(quiet=quiet) as progress:
         report = run_fuzz(
             opt.explorer_name(explorer, command),
@@ -70,5 +73,6 @@ def fuzz(
             memory=memory,
             listener=progress,
         )
+    write_junit(junit, report)
     emit(report, lambda width: check_text(report, width), as_json=as_json)
     return report.exit_code

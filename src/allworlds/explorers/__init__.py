@@ -37,7 +37,7 @@ BUILT_IN: dict[str, BuiltIn] = {
         algorithm1,
         "directional",
         {
-            "case-1": ((4, 3), (6, 5)),
+            "case-1": ((4, 3), (6, 4)),
             "case-2": ((3, 2), (5, 4)),
             "case-3": ((1, 1), (3, 3)),
             "empty-H": ((1, 2), (1, 2)),

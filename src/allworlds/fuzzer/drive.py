@@ -110,4 +110,5 @@ def _shrink(laboratory: Laboratory, pool: Pool, report: Report) -> None:
     # What has been reached when the time is up is a finding all the same.
     with suppress(TimeIsUp):
         for finding in report.findings:
-            report.tally.findings = [shrink(finding, laboratory.scope, refute)]
+            for smaller in shrink(finding, laboratory.scope, refute):
+                report.tally.findings = [smaller]

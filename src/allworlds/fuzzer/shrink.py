@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from allworlds.checker.finding import Finding, canonical_world
+from allworlds.checker.finding import Finding
 from allworlds.checker.scope import Picked, Scope
+from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.surgery import contracted, deleted, moved
 from allworlds.world import World
@@ -13,12 +14,15 @@ from allworlds.world import World
 Refute = Callable[[Sequence[Picked]], Finding | None]
 """The smallest finding among these worlds, or None."""
 
-CHUNK = 200
-"""The worlds that are tried at a time, so that a large neighbourhood is shared by workers."""
+CHUNK = 50
+"""The worlds that one worker tries at a time."""
+
+WAVE = 8
+"""The chunks that are tried before the next, larger worlds are begun."""
 
 
-def shrink(finding: Finding, scope: Scope, refute: Refute) -> Finding:
-    """A refuting world from which no neighbour in the size order refutes.
+def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
+    """Ever smaller refuting worlds; no neighbour in the size order of the last one refutes.
 
     First an edge is deleted or contracted as long as that is possible; then, with as many
     edges, a dart may move and the start and the marker may turn, towards fewer vertices and
@@ -27,14 +31,20 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Finding:
 
     Cost: O(m^3) runs for each step with fewer edges.
     """
-    while True:
-        smaller = refute(_picked(scope, finding, _fewer_edges(finding.world.map)))
+    smaller: Finding | None = finding
+    while smaller:
+        finding, map_ = smaller, smaller.world.map
+        smaller = _smallest(refute, _picked(scope, finding, _fewer_edges(map_)))
         if smaller is None:
-            same = [finding.world.map, *moved(finding.world.map)]
-            smaller = refute(_picked(scope, finding, same))
-        if smaller is None:
-            return finding
-        finding = smaller
+            smaller = _smallest(refute, _picked(scope, finding, [map_, *moved(map_)]))
+        if smaller:
+            yield smaller
+
+
+def _smallest(refute: Refute, picked: Sequence[Picked]) -> Finding | None:
+    """The smallest finding among worlds in ascending order; larger ones are not tried."""
+    waves = (refute(picked[i : i + WAVE]) for i in range(0, len(picked), WAVE))
+    return next((found for found in waves if found), None)
 
 
 def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
@@ -45,19 +55,18 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 
 
 def _picked(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[Picked]:
-    """Every rooting and place of these maps that is smaller than the finding, once each."""
-    kind = scope.rules.kind
-    size = finding.key[:4]
-    worlds = {}
-    for map_ in maps:
-        if not scope.bounds.map_class.includes(map_):
-            continue
-        for start in map_.darts:
-            for place, lighthouse in enumerate(kind.places(map_, start)):
-                world = canonical_world(World(map_, lighthouse, start))
-                code = (world.map.sigma, world.map.alpha)
-                key = (map_.edge_count, map_.vertex_count, code, place)
-                if key < size:
-                    worlds[key] = (world, place)
-    ordered = [worlds[key] for key in sorted(worlds)]
+    """Every rooting and place of these maps that is smaller than the finding, ascending."""
+    kind, size = scope.rules.kind, finding.key[:4]
+    rooted = {
+        (map_.edge_count, map_.vertex_count, rooted_code(map_.sigma, map_.alpha, start))
+        for map_ in maps
+        if scope.bounds.map_class.includes(map_)
+        for start in map_.darts
+    }
+    ordered = []
+    for key in sorted(key for key in rooted if key <= size[:3]):
+        map_ = CombinatorialMap.trusted(*key[2])
+        for place, lighthouse in enumerate(kind.places(map_, 0)):
+            if (*key, place) < size:
+                ordered.append((World(map_, lighthouse), place))
     return [Picked(tuple(ordered[i : i + CHUNK])) for i in range(0, len(ordered), CHUNK)]

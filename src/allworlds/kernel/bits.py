@@ -11,17 +11,17 @@ from numba.extending import intrinsic, overload
 
 def lowest(mask: int) -> int:
     """The least element of a set that is not empty."""
-    return (mask & -mask).bit_length() - 1
+    return int(mask & -mask).bit_length() - 1
 
 
 def highest(mask: int) -> int:
     """The greatest element of a set that is not empty."""
-    return mask.bit_length() - 1
+    return int(mask).bit_length() - 1
 
 
 def size(mask: int) -> int:
     """The number of elements."""
-    return mask.bit_count()
+    return int(mask).bit_count()
 
 
 def _unary(instruction: str) -> Any:

@@ -30,6 +30,9 @@ from allworlds.kernel.tables import Tables, tables
 Mode: TypeAlias = Literal["walk", "thorough"]
 """``walk``: worlds are decided where the robot looks; ``thorough``: each is finished first."""
 
+COMPILING = "compiling the kernel; this is done once and takes some seconds"
+"""The notice for a first use."""
+
 _ENGINES = {"walk": walk.explore, "thorough": thorough.examine}
 
 
@@ -110,7 +113,7 @@ def examine(
 def costs(
     edges: int, policy: str, prefix: Sequence[int], tables: Tables, worlds: int, *, mode: Mode
 ) -> list[tuple[int, tuple[int, ...], tuple[int, ...]]]:
-    """For each world ``(cost, degrees, partners)``: its dart 0 is the start.
+    """For each world whose walk ended ``(cost, degrees, partners)``: its dart 0 is the start.
 
     The darts of a vertex are consecutive and clockwise; ``worlds`` is the largest number
     that is listed.
@@ -121,7 +124,8 @@ def costs(
     found = _call(mode, edges, edges + 1, policy, prefix, tables, None, counts, least, listed)
     result = []
     for cost, n, *rest in listed[:found].tolist():
-        result.append((cost, tuple(rest[:n]), tuple(rest[n : n + 2 * edges])))
+        if n:
+            result.append((cost, tuple(rest[:n]), tuple(rest[n : n + 2 * edges])))
     return result
 
 
@@ -130,14 +134,13 @@ def flag() -> Any:
     return zeros(1, int64)
 
 
-def is_compiled(mode: Mode = "walk") -> bool:
-    """Whether an earlier use has left the compiled engine behind."""
-    engine = _ENGINES[mode]
-    source = Path(engine.py_func.__code__.co_filename)
-    pattern = f"{source.stem}.{engine.py_func.__name__}-*.nbi"
-    folder = Path(engine.stats.cache_path)
-    changed = max(file.stat().st_mtime for file in source.parent.glob("*.py"))
-    return any(file.stat().st_mtime >= changed for file in folder.glob(pattern))
+def is_compiled(function: Any) -> bool:
+    """Whether an earlier use has left what ``function`` compiles to behind."""
+    source = Path(function.py_func.__code__.co_filename)
+    compiled = Path(str(function.stats.cache_path)).glob(
+        f"{source.stem}.{function.py_func.__name__}-*.nbi"
+    )
+    return any(file.stat().st_mtime >= source.stat().st_mtime for file in compiled)
 
 
 def _counts(n: int, edges: int, row: list[int]) -> Counts:

@@ -60,12 +60,12 @@ def _scope(report: Report, width: int) -> list[str]:
     lines = entry("explorer", f"{report.explorer}, {report.engine} engine", width)
     lines += entry(
         "scope",
-        f"every start and marker of the {rules.lighthouse} lighthouse in every map of the class "
+        f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} of the class "
         f"{bounds.map_class} with {' and '.join(limits)}{shard}; "
         f"policy {rules.policy}, {_schedules(report)}",
         width,
     )
-    if not report.complete:
+    if not report.complete and not scope.sample:
         finished = ", ".join(map(str, report.levels)) or "none"
         lines += entry("", f"NOT complete: finished levels (edges): {finished}", width)
     if report.symmetry:
@@ -84,6 +84,17 @@ def _scope(report: Report, width: int) -> list[str]:
         left = plural(report.tally.left_out, "world")
         lines += entry("left out", f"{left} without a place for the lighthouse", width)
     return lines
+
+
+def _which(report: Report) -> str:
+    return "one start and marker" if report.scope.sample else "every start and marker"
+
+
+def _maps(report: Report) -> str:
+    sample = report.scope.sample
+    if sample is None:
+        return "every map"
+    return f"each of a SAMPLE of {number(sample['runs'])} maps (seed {sample['seed']})"
 
 
 def _corpus(past: Past) -> str:
@@ -118,6 +129,8 @@ def _laws(report: Report) -> str:
 def _gate(report: Report) -> str:
     if report.scope.shard != (0, 1):
         return "deferred to the merge of all shards"
+    if report.scope.sample:
+        return "absent: a sample is not to be counted"
     if not report.gate:
         return "no level was finished"
     wrong = [cell for cell in report.gate if not cell.agrees]

@@ -24,7 +24,7 @@ def entry(name: str, text: str, width: int) -> list[str]:
     """A named paragraph with a hanging indent."""
     indent = 11
     lines = wrap(text, max(width - indent, 30), break_on_hyphens=False) or [""]
-    return [(name if i == 0 else "").ljust(indent) + line for i, line in enumerate(lines)]
+    return [(f"{name} " if i == 0 else "").ljust(indent) + line for i, line in enumerate(lines)]
 
 
 def number(value: int) -> str:

@@ -40,12 +40,11 @@ def _found(result: SearchResult, width: int) -> list[str]:
         )
         lines += ["", f"world {name} ({size}); under each dart its class", ""]
         lines.append(_drawing(world, [f"c{k}" for k in classes], width))
-    count = len(set(result.classes[0]))
+    home = result.classes[0][result.pair[0].start]
     why = (
-        f"the {plural(count, 'class', 'classes')} are kept by sigma and alpha, the two starts "
-        f"are in class c{result.classes[0][result.pair[0].start]}, and the darts of a class "
-        "sense the same: so whatever the motions, both robots stand at darts of one class. "
-        "No start makes the two worlds the same."
+        f"the two starts are in class c{home}, sigma and alpha take every class to one class, and "
+        "the darts of a class sense the same: so whatever the motions, both robots stand at darts "
+        "of one class. No start makes the two worlds the same."
     )
     lines += ["", *entry("why", why, width)]
     if result.certificate is not None:

@@ -181,9 +181,12 @@ def _parts(
     bounds: Bounds, edges: int, transit: Transit, workers: int, listener: Listener
 ) -> Iterator[list[Dearest]]:
     """The outcomes of the parts of a level, as they come."""
-    from allworlds.kernel.engine import flag
-    from allworlds.kernel.schedules import dearest_of_maps, dearest_of_unit
+    from allworlds.kernel.engine import COMPILING, flag, is_compiled
+    from allworlds.kernel.schedules import dearest_of_maps, dearest_of_unit, search, take
 
+    compiled = search if bounds.map_class is MapClass.MAPS else take
+    if edges == 1 and not is_compiled(compiled):
+        listener.notice(COMPILING)
     if bounds.map_class is not MapClass.MAPS:
         maps = rooted_maps(edges, bounds.map_class)
         yield dearest_of_maps(edges, map(_degrees_and_partners, maps), transit)

@@ -1,0 +1,39 @@
+import pytest
+
+from allworlds.explorers import algorithm1
+from allworlds.protocol import Estimate
+
+
+@pytest.fixture(scope="module")
+def planted():
+    """Algorithm 1, but its pose is wrong from 9 edges on if a vertex has degree 6 or more."""
+
+    def explore(first, *, choices):
+        right = yield from algorithm1(first, choices=choices)
+        map_ = right.map
+        if map_.edge_count >= 9 and max(map_.degrees) >= 6:
+            return Estimate(map_, map_.sigma[right.here])
+        return right
+
+    return explore
+
+
+@pytest.fixture
+def planted_file(tmp_path):
+    """The same from other sizes on, as a file that worker processes can import."""
+
+    def write(edges, degree):
+        path = tmp_path / "planted.py"
+        path.write_text(
+            "from allworlds.explorers import algorithm1\n"
+            "from allworlds.protocol import Estimate\n"
+            "def explore(first, *, choices):\n"
+            "    right = yield from algorithm1(first, choices=choices)\n"
+            "    map_ = right.map\n"
+            f"    if map_.edge_count >= {edges} and max(map_.degrees) >= {degree}:\n"
+            "        return Estimate(map_, map_.sigma[right.here])\n"
+            "    return right\n"
+        )
+        return f"{path}:explore"
+
+    return write

@@ -1,0 +1,103 @@
+import pytest
+
+from allworlds.checker.drive import Silent
+from allworlds.checker.pool import TimeIsUp
+from allworlds.errors import InputError
+from allworlds.fuzzer import fuzz
+from allworlds.fuzzer.shrink import shrink
+
+
+def test_an_error_that_begins_at_nine_edges_is_found_and_shrunk_within_a_minute(planted_file):
+    report = fuzz(planted_file(9, 6), edges=16, runs=500, time_limit=60.0, workers=2)
+    assert (report.verdict, report.exit_code) == ("refuted", 1)
+    assert not report.stopped
+    (finding,) = report.findings
+    assert (finding.law, finding.world.map.edge_count) == ("pose", 9)
+    assert finding.confirmed
+    assert not report.complete
+    assert not finding.minimal
+
+
+def test_the_report_does_not_depend_on_the_number_of_workers(planted_file):
+    explore = planted_file(6, 4)
+    one, three = (
+        fuzz(explore, edges=12, runs=150, seed=3, workers=workers).to_json() for workers in (1, 3)
+    )
+    assert one == three
+    assert one["findings"]
+
+
+def test_algorithm_1_is_not_refuted_and_that_is_no_proof():
+    report = fuzz("algorithm1", edges=14, runs=200)
+    assert (report.verdict, report.exit_code) == ("not-refuted", 0)
+    assert not report.complete
+    assert report.runs == 200
+    document = report.to_json()
+    assert document["scope"]["sample"] == {"edges": 14, "runs": 200, "seed": 0}
+    assert document["scope"]["gate"] == "absent"
+    assert not document["scope"]["complete"]
+    assert sum(row["runs"] for row in document["rows"]) == 200
+
+
+@pytest.mark.parametrize("map_class", ["maps", "simple", "planar", "planar-simple"])
+def test_the_sample_follows_its_class_and_its_seed(map_class):
+    one, again, other = (
+        fuzz(edges=8, runs=60, seed=seed, map_class=map_class).to_json() for seed in (1, 1, 2)
+    )
+    assert one == again
+    assert one["rows"] != other["rows"]
+
+
+def test_whoever_listens_is_told_of_every_world():
+    told = []
+
+    class Listening(Silent):
+        def level(self, edges, size):
+            told.append((edges, size))
+
+        def progress(self, worlds):
+            told.append(worlds)
+
+    fuzz(edges=6, runs=150, listener=Listening())
+    assert told[0] == (6, 150)
+    assert sum(told[1:]) == 150
+
+
+def test_what_has_been_reached_when_the_time_is_up_is_reported(planted, monkeypatch):
+    reached = []
+
+    def out_of_time(finding, scope, refute):
+        step = next(shrink(finding, scope, refute))
+        reached.append(step)
+        yield step
+        raise TimeIsUp
+
+    monkeypatch.setattr("allworlds.fuzzer.drive.shrink", out_of_time)
+    report = fuzz(planted, edges=11, runs=40, seed=1)
+    assert report.verdict == "refuted"
+    assert report.findings == reached
+
+
+def test_a_time_limit_leaves_an_unfinished_sample_inconclusive():
+    report = fuzz("algorithm1", edges=60, runs=100_000, time_limit=0.5)
+    assert (report.verdict, report.exit_code) == ("inconclusive", 3)
+    assert "time limit of 0.5 s" in report.stopped
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"edges": 0}, "edges = 0"),
+        ({"runs": 0}, "runs = 0 is not positive"),
+        ({"workers": 0}, "workers 0"),
+        ({"map_class": "trees"}, "'trees'"),
+        ({"lighthouse": "lamp"}, "'lamp'"),
+        ({"policy": "best"}, "'best'"),
+        ({"laws": ("gravity",)}, "gravity"),
+        ({"explore": "nobody"}, "nobody"),
+        ({"time_limit": 0.0}, "time-limit 0.0"),
+    ],
+)
+def test_a_bad_option_is_refused_by_name(options, message):
+    with pytest.raises(InputError, match=message):
+        fuzz(**{"edges": 5, "runs": 5, **options})

@@ -1,0 +1,103 @@
+from collections import Counter
+from random import Random
+
+import pytest
+
+from allworlds.checker.scope import make_scope
+from allworlds.errors import InputError
+from allworlds.fuzzer.sample import GENERATORS, Sample
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.classes import MapClass
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps.families import random_map
+
+CLASSES = pytest.mark.parametrize("map_class", list(MapClass))
+
+
+def code(map_):
+    return rooted_code(map_.sigma, map_.alpha, 0)
+
+
+def drawn(sample):
+    scope = make_scope(edges=sample.edges, map_class=sample.map_class.value)
+    return [placed for batch in sample.batches() for placed in batch.placed(scope)]
+
+
+@CLASSES
+def test_a_sample_is_a_function_of_its_seed(map_class):
+    sample = Sample(map_class, 10, 100, seed=7)
+    assert drawn(sample) == drawn(Sample(map_class, 10, 100, seed=7))
+    assert drawn(sample) != drawn(Sample(map_class, 10, 100, seed=8))
+
+
+def test_a_longer_sample_begins_with_the_shorter():
+    assert drawn(Sample(MapClass.MAPS, 10, 150))[:70] == drawn(Sample(MapClass.MAPS, 10, 70))
+
+
+@CLASSES
+def test_every_run_has_one_valid_world_of_the_class_within_the_bound(map_class):
+    sample = drawn(Sample(map_class, 12, 200))
+    assert len(sample) == 200
+    for map_, places in sample:
+        assert CombinatorialMap(map_.sigma, map_.alpha) == map_
+        assert map_class.includes(map_)
+        assert map_.edge_count <= 12
+        ((place, lighthouse),) = places
+        assert lighthouse.dart == map_.turn(0, place)
+
+
+@CLASSES
+def test_every_number_of_edges_and_every_bearing_comes(map_class):
+    sample = drawn(Sample(map_class, 6, 300))
+    assert {map_.edge_count for map_, _ in sample} == set(range(1, 7))
+    assert {places[0][0] for map_, places in sample if map_.degree_at[0] == 3} == {0, 1, 2}
+
+
+@CLASSES
+def test_every_generator_comes_in_turn_and_makes_what_the_class_can_use(map_class):
+    for generator in GENERATORS[map_class]:
+        random = Random(1)
+        found = [generator(8, random) for _ in range(100)]
+        assert all(map_.edge_count <= 8 for map_ in found)
+        assert len({code(map_) for map_ in found}) > 5
+        assert any(map_class.includes(map_) for map_ in found)
+
+
+def test_a_sample_of_plain_maps_has_loops_handles_and_planes():
+    sample = [map_ for map_, _ in drawn(Sample(MapClass.MAPS, 10, 200))]
+    for has in ("loop_count", "parallel_count", "genus", "is_planar", "is_simple"):
+        assert any(getattr(map_, has) for map_ in sample)
+
+
+def test_random_maps_are_uniform_among_all_rooted_maps_with_two_edges():
+    random = Random(2026)
+    draws = 5000
+    counted = Counter(code(random_map(2, random)) for _ in range(draws))
+    assert set(counted) == {code(map_) for map_ in rooted_maps(2)}
+    assert len(counted) == 10  # OEIS A000698
+    # 500 each; 100 are more than four and a half standard deviations.
+    assert all(abs(count - draws / 10) < 100 for count in counted.values())
+
+
+def test_gluing_at_random_is_not_uniform():
+    random = Random(2026)
+    glue = GENERATORS[MapClass.PLANAR][0]
+    counted = Counter(code(glue(2, random)) for _ in range(5000))
+    assert len(counted) == 9  # in the plane; OEIS A000168
+    assert not all(abs(count - 5000 / 9) < 100 for count in counted.values())
+
+
+def test_random_maps_with_one_edge_are_the_loop_and_the_link():
+    random = Random(0)
+    counted = Counter(random_map(1, random).vertex_count for _ in range(1000))
+    assert abs(counted[1] - 500) < 80
+    assert counted[1] + counted[2] == 1000
+
+
+@pytest.mark.parametrize(
+    ("edges", "runs", "message"), [(0, 5, "edges = 0"), (5, 0, "runs = 0"), (5, -1, "runs = -1")]
+)
+def test_a_sample_of_nothing_is_refused(edges, runs, message):
+    with pytest.raises(InputError, match=f"{message} is not positive"):
+        Sample(MapClass.MAPS, edges, runs)

@@ -1,0 +1,134 @@
+from dataclasses import replace
+
+import pytest
+
+import allworlds
+from allworlds.checker.scope import make_scope
+from allworlds.fuzzer import fuzz
+from allworlds.fuzzer.shrink import shrink
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.classes import MapClass
+from allworlds.maps.surgery import contracted, deleted
+from allworlds.protocol import Estimate
+from allworlds.world import World
+
+
+@pytest.fixture(scope="module")
+def shrunk(planted):
+    return fuzz(planted, edges=12, runs=60, seed=1)
+
+
+def refuted(explore, map_):
+    """Whether any start and any place of the marker in this map refutes the explorer."""
+    kind = make_scope(edges=map_.edge_count).rules.kind
+    return any(
+        allworlds.run(explore, World(map_, lighthouse, start)).finding
+        for start in map_.darts
+        for lighthouse in kind.places(map_, start)
+    )
+
+
+def test_an_error_that_begins_at_nine_edges_is_shrunk_to_nine_edges_and_one_vertex(shrunk):
+    (finding,) = shrunk.findings
+    map_ = finding.world.map
+    assert finding.law == "pose"
+    assert (map_.edge_count, map_.vertex_count) == (9, 1)
+    assert finding.world.start == 0
+    assert finding.place == 0
+    assert rooted_code(map_.sigma, map_.alpha, 0) == (map_.sigma, map_.alpha)
+
+
+def test_what_is_found_is_refuted_and_nothing_with_one_edge_less_is(shrunk, planted):
+    (finding,) = shrunk.findings
+    map_ = finding.world.map
+    assert allworlds.run(planted, finding.world).finding.law == "pose"
+    smaller = [change(map_, dart) for dart, _ in map_.edges for change in (deleted, contracted)]
+    smaller = {rooted_code(m.sigma, m.alpha, 0): m for m in smaller if m}
+    assert smaller
+    assert not any(refuted(planted, other) for other in smaller.values())
+
+
+def test_shrinking_stays_in_its_class(planted):
+    # The smallest plane simple maps with nine edges and a vertex of degree 6 have 7 vertices:
+    # the wheel's hub, its rim without three of the six edges.
+    report = fuzz(planted, edges=14, runs=100, map_class="planar-simple")
+    (finding,) = report.findings
+    map_ = finding.world.map
+    assert MapClass.PLANAR_SIMPLE.includes(map_)
+    assert (map_.edge_count, map_.vertex_count) == (9, 7)
+
+
+class Recorder:
+    """Refutes exactly the worlds with a property, and remembers what it was asked."""
+
+    def __init__(self, finding, condition):
+        self.finding, self.condition, self.asked = finding, condition, []
+
+    def __call__(self, picked):
+        worlds = [(world, place) for one in picked for world, place in one.worlds]
+        self.asked += [self.found(*run).key[:4] for run in worlds]
+        found = [self.found(*run) for run in worlds if self.condition(run[0])]
+        return min(found, key=lambda f: f.key, default=None)
+
+    def found(self, world, place):
+        return replace(self.finding, world=world, place=place, choices=())
+
+
+@pytest.fixture
+def large():
+    """A finding in the cube."""
+
+    def wrong(first):
+        yield from ()
+        return Estimate(allworlds.CombinatorialMap((1, 0), (1, 0)), 0)
+
+    map_ = allworlds.maps.named_map("cube")
+    kind = make_scope(edges=12).rules.kind
+    return allworlds.run(wrong, World(map_, next(kind.places(map_, 0)), 0)).finding
+
+
+def smallest(large, condition, map_class="maps"):
+    recorder = Recorder(large, condition)
+    steps = list(shrink(large, make_scope(edges=12, map_class=map_class), recorder))
+    return steps, recorder
+
+
+def test_every_step_is_smaller_and_only_smaller_worlds_are_tried(large):
+    steps, recorder = smallest(large, lambda world: world.map.vertex_count >= 3)
+    keys = [large.key[:4], *(step.key[:4] for step in steps)]
+    assert keys == sorted(set(keys), reverse=True)
+    assert max(recorder.asked) < large.key[:4]
+    # The least map with three vertices: a path.
+    assert keys[-1][:2] == (2, 3)
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        lambda map_: map_.is_simple and max(map_.degrees) >= 3,
+        lambda map_: len(map_.faces) >= 3 and map_.vertex_count >= 3,
+        lambda map_: map_.genus == 0 and sorted(map_.degrees)[-2:] == [3, 3],
+    ],
+)
+def test_no_single_deletion_or_contraction_of_the_last_step_refutes(large, condition):
+    steps, _ = smallest(large, lambda world: condition(world.map))
+    map_ = steps[-1].world.map
+    assert condition(map_)
+    neighbours = [change(map_, dart) for dart in map_.darts for change in (deleted, contracted)]
+    assert not any(condition(other) for other in neighbours if other)
+
+
+def test_where_every_world_refutes_one_loop_is_left(large):
+    steps, _ = smallest(large, lambda world: True)
+    assert steps[-1].world.map == allworlds.CombinatorialMap((1, 0), (1, 0))
+
+
+def test_in_the_simple_class_one_link_is_left(large):
+    steps, _ = smallest(large, lambda world: True, "simple")
+    assert steps[-1].world.map == allworlds.CombinatorialMap((0, 1), (1, 0))
+
+
+def test_where_nothing_smaller_refutes_there_is_no_step(large):
+    steps, recorder = smallest(large, lambda world: False)
+    assert steps == []
+    assert len(set(recorder.asked)) == len(recorder.asked)

@@ -1,0 +1,84 @@
+import pytest
+
+from allworlds import check
+from allworlds.checker.report import Verdict
+from allworlds.errors import InputError
+
+
+class Stopper:
+    """A listener that presses Ctrl-C, or only listens."""
+
+    def __init__(self, after=None):
+        self.worlds, self.after, self.notices = 0, after, []
+
+    def level(self, edges, worlds):
+        pass
+
+    def progress(self, worlds):
+        self.worlds += worlds
+        if self.after is not None and self.worlds > self.after:
+            raise KeyboardInterrupt
+
+    def notice(self, text):
+        self.notices.append(text)
+
+
+def foreign(first):
+    yield from ()
+
+
+@pytest.mark.parametrize(
+    ("options", "reason"),
+    [
+        ({"policy": "random:1"}, "random:1"),
+        ({"map_class": "simple"}, "simple"),
+        ({"schedules": "all", "edges": 2}, "schedule"),
+        ({"laws": ["map"]}, "laws"),
+        ({"step_budget": 100}, "step budget"),
+        ({"bound": "d0 * m * n"}, "d0"),
+        ({"bound": "D"}, "'D'"),
+        ({"edges": 13}, "13"),
+        ({"explore": foreign}, "foreign"),
+    ],
+)
+def test_what_the_kernel_cannot_do_is_refused_by_name(options, reason):
+    options = {"edges": 3, **options}
+    with pytest.raises(InputError, match="engine 'kernel'") as refusal:
+        check(engine="kernel", **options)
+    assert reason in str(refusal.value)
+
+
+def test_an_engine_that_is_none_is_refused():
+    with pytest.raises(InputError, match=r"'warp' is none of auto, python, kernel"):
+        check(edges=2, engine="warp")
+
+
+def test_auto_takes_the_kernel_beyond_a_small_bound():
+    assert check(edges=3).engine == "python"
+    report = check(edges=6)
+    assert report.engine == "kernel"
+    assert report.exit_code == 0
+    assert report.worlds == 2 + 10 + 74 + 706 + 8162 + 110410
+    assert check(vertices=3, map_class="simple", edges=6).engine == "python"
+
+
+def test_ctrl_c_leaves_the_finished_levels():
+    listener = Stopper(after=50_000)
+    report = check(edges=8, engine="kernel", workers=2, listener=listener)
+    assert report.interrupted
+    assert report.exit_code == 130
+    assert report.levels == [1, 2, 3, 4, 5]
+    assert listener.worlds < 1_000_000
+
+
+def test_a_time_limit_is_kept():
+    report = check(edges=10, engine="kernel", workers=2, time_limit=2.5)
+    assert report.verdict is Verdict.INCONCLUSIVE
+    assert report.exit_code == 3
+    assert "2.5 s" in report.stopped
+    assert report.levels[:5] == [1, 2, 3, 4, 5]
+
+
+def test_threads_do_not_change_the_report():
+    one, three = (check(edges=6, engine="kernel", workers=n).to_json() for n in (1, 3))
+    assert one == three

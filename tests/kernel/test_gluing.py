@@ -1,0 +1,44 @@
+import pytest
+
+from allworlds import counter
+from allworlds.counter import count_compiled, count_one_by_one
+from allworlds.kernel.engine import by_vertices_and_faces
+from allworlds.maps.classes import Bounds, MapClass
+from allworlds.maps.counting import rooted_maps_by_genus
+from allworlds.maps.enumeration import prefixes
+
+
+@pytest.mark.parametrize("vertices", [None, 2, 4])
+@pytest.mark.parametrize("edges", [1, 2, 3, 4, 5])
+def test_the_compiled_count_is_the_count_one_by_one(edges, vertices):
+    bounds = Bounds(MapClass.MAPS, edges, vertices)
+    compiled, slow = count_compiled(bounds, edges), count_one_by_one(bounds, edges)
+    assert compiled.rooted == slow.rooted
+    assert compiled.by_vertices == slow.by_vertices
+    assert compiled.by_genus == slow.by_genus
+
+
+@pytest.mark.parametrize("depth", [1, 2, 3, 4, 5])
+def test_however_the_work_is_cut_the_maps_are_the_same(depth):
+    total = {}
+    for prefix in prefixes(4, depth=depth):
+        for key, maps in by_vertices_and_faces(4, 5, prefix).items():
+            total[key] = total.get(key, 0) + maps
+    # By duality as many maps have n vertices and f faces as f vertices and n faces.
+    assert total == {(f, n): maps for (n, f), maps in total.items()}
+    assert sum(total.values()) == 706
+
+
+def test_a_level_beyond_python_agrees_with_its_sources():
+    row = count_compiled(Bounds(MapClass.MAPS, 7), 7)
+    # OEIS A000698; by genus after Carrell and Chapuy.
+    assert row.rooted == 1_708_394
+    assert dict(row.by_genus) == rooted_maps_by_genus(7)
+
+
+def test_counting_passes_to_the_compiled_count(monkeypatch):
+    monkeypatch.setattr(counter, "UNROOTED_LIMIT", 3)
+    census = counter.count(edges=4)
+    assert census.exit_code == 0
+    assert [row.unrooted for row in census.rows] == [2, 5, 20, None]
+    assert [row.rooted for row in census.rows] == [2, 10, 74, 706]

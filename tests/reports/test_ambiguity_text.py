@@ -1,0 +1,114 @@
+from collections import Counter
+from dataclasses import replace
+
+import pytest
+
+from allworlds.ambiguity import AmbiguityCensus, CensusRow, census, class_of, twins
+from allworlds.maps import named_map
+from allworlds.maps.classes import Bounds, MapClass
+from allworlds.reports.ambiguity_text import census_text, class_text, twins_text
+from allworlds.world import Position, World
+
+
+def named(name, kind="position"):
+    return World.from_json(named_map(name).to_json(), missing=kind)
+
+
+def flat(text):
+    return " ".join(text.split())
+
+
+def test_twins_are_drawn_with_the_class_of_each_dart_and_a_reason():
+    text = twins_text(twins(named("two-loops-plane"), named("two-loops-torus")), 100)
+    assert text.startswith("TWINS")
+    assert (
+        "both are covers, with 4 sheets, of one quotient of 1 class of darts, and as darts of one "
+        "class sense the same and lead to darts of one class, no motion tells the worlds apart"
+    ) in flat(text)
+    assert "world A; under each dart its class" in text
+    assert " 0 0 0 0" in text
+    assert text.endswith(
+        "classes clockwise  sensed there      times round\n"
+        "0↺                 degree 4, marked            4"
+    )
+
+
+def test_sheets_of_different_worlds_are_told_apart():
+    text = flat(twins_text(twins(named("cycle-3", "none"), named("cycle-4", "none")), 100))
+    assert "A is a cover with 6 sheets, B one with 8, of one quotient" in text
+
+
+def test_one_world_twice_is_no_pair_of_twins():
+    k4 = named("k4")
+    assert twins_text(twins(k4, k4), 80).startswith("SAME")
+    left = named("fig1-left")
+    other = World(left.map, Position(1), 1)
+    assert twins_text(twins(left, other), 80).startswith("ALIKE")
+
+
+def test_separating_motions_stand_beside_what_is_sensed_in_both_worlds():
+    text = twins_text(twins(named("cycle-3"), named("cycle-4")), 80)
+    assert "by 3 motions, and by no fewer: 0, 1, 1" in text
+    assert flat(text.splitlines()[-1]) == "3 1 degree 2, marked ≠ degree 2"
+    assert text.count(" = ") == 3
+
+
+def test_worlds_that_differ_at_the_start_need_no_motion():
+    text = flat(twins_text(twins(named("loop"), named("edge")), 80))
+    assert "by 0 motions, and by no fewer: none: the first percepts differ" in text
+
+
+def test_a_compass_and_a_directional_marker_are_drawn():
+    norths = twins_text(twins(named("cycle-3", "compass"), named("cycle-4", "compass")), 80)
+    assert "N north of its vertex" in norths
+    assert "0N" in norths
+    apart = twins_text(twins(named("k4", "compass"), named("k4-torus", "compass")), 80)
+    assert apart.startswith("TOLD APART")
+    assert " N " in apart
+    pointed = twins_text(twins(named("k4", "directional"), named("k4-torus", "directional")), 80)
+    assert "▲ marker points along this dart" in pointed
+
+
+def test_a_class_is_drawn_and_explained():
+    text = class_text(class_of(named("k4"), map_class="simple"), 100)
+    assert text.startswith("AMBIGUOUS  2 worlds in the class simple; all are covers, with 3 sheets")
+    assert "the given world: genus 0; under each dart its class" in text
+    assert "world 2: genus 1; under each dart its class" in text
+    assert "more: see --json" not in text
+
+
+def test_of_a_large_class_some_worlds_are_drawn_and_the_rest_is_not_forgotten():
+    whole = class_text(class_of(named("wheel-4")), 100)
+    assert "and 6 more: see --json" in whole
+    assert "notice" not in whole
+    cut = class_text(class_of(named("wheel-4"), limit=2), 100)
+    assert "2 of 10 worlds are listed" in cut
+    assert cut.startswith("AMBIGUOUS  10 worlds")
+
+
+def test_a_world_that_can_be_mapped_is_alone():
+    text = class_text(class_of(named("cycle-5")), 100)
+    assert text.startswith("ALONE")
+    assert "a robot can map it" in text
+
+
+def test_a_census_is_a_table():
+    lines = census_text(census(edges=3), 80).splitlines()
+    assert lines[2].split() == ["2", "7", "2", "1", "2"]
+    assert lines[1].split() == ["1", "2", "0", "0", "-"]
+    assert any(line.startswith("gate") for line in lines)
+
+
+@pytest.mark.parametrize("counted", [9, 11])
+def test_a_mismatch_with_the_source_is_named(counted):
+    good = census(edges=2)
+    bad = CensusRow(2, 10, counted, 7, Counter({2: 1}))
+    text = census_text(replace(good, rows=(good.rows[0], bad)), 80)
+    assert f"with 2 edges 10 rooted maps were met, but {good.source} counts {counted}" in flat(text)
+    assert text.count("MISMATCH") == 1
+    assert "gate" not in text
+
+
+def test_a_restricted_census_names_its_universe():
+    found = AmbiguityCensus(Bounds(MapClass.SIMPLE, 1), "a source", (CensusRow(1, 1, 1, 1),))
+    assert "another world of the class simple" in flat(census_text(found, 80))

@@ -1,0 +1,295 @@
+import json
+import os
+import stat
+import sys
+from itertools import product
+
+import pytest
+
+import allworlds
+from allworlds.errors import InputError
+from allworlds.maps import CombinatorialMap
+from allworlds.maps.enumeration import rooted_maps
+from allworlds.smt import solvers, twin_search
+from allworlds.smt.lrat import check_lrat
+from allworlds.smt.twin_search import read_dimacs
+from allworlds.smt.witness import MarkedMap, bisimulation, same_world_from, senses
+
+CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
+needs_python_sat = pytest.mark.skipif(
+    not solvers.python_sat_is_installed(), reason="python-sat is not installed: no certificates"
+)
+
+
+def sizes(result):
+    return [(world.map.edge_count, world.map.vertex_count) for world in result.pair]
+
+
+# Smallest pairs with the position marked: any map m = 2, simple m = 6, planar simple m = 8.
+@pytest.mark.parametrize(
+    ("map_class", "edges", "found"),
+    [
+        ("maps", 2, (2, 1)),
+        ("planar", 3, (3, 1)),
+        ("simple", 6, (6, 4)),
+        pytest.param("planar-simple", 8, (8, 7), marks=pytest.mark.slow),
+    ],
+)
+def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class, edges, found):
+    bounds = {"max_vertices": 9, "map_class": map_class, "out": tmp_path}
+    result = allworlds.search(info="position", max_edges=edges, **bounds)
+    assert (result.status, result.exit_code) == ("sat", 0)
+    assert sizes(result) == [found, found]
+    assert [level.status for level in result.levels].count("unsat") >= edges - 1
+
+
+@needs_python_sat
+@pytest.mark.parametrize(
+    ("info", "map_class", "edges"),
+    [
+        ("position", "maps", 1),
+        ("position", "simple", 5),
+        ("position", "planar-simple", 5),
+        ("directional", "maps", 4),
+        pytest.param("directional", "maps", 5, marks=pytest.mark.slow),
+    ],
+)
+def test_where_there_is_no_pair_every_level_has_a_checked_proof(tmp_path, info, map_class, edges):
+    bounds = {"max_vertices": 9, "max_edges": edges, "map_class": map_class}
+    result = allworlds.search(info=info, out=tmp_path, **bounds)
+    assert (result.status, result.exit_code, result.certificate) == ("unsat", 0, tmp_path)
+    assert [level.level.two.edges for level in result.levels] == list(range(1, edges + 1))
+    for level in result.levels:
+        _, clauses = read_dimacs(level.formula)
+        check_lrat(clauses, level.proof.read_text().splitlines())
+
+
+def test_the_caption_of_fig_1_is_found_and_replays_from_every_start(tmp_path):
+    bounds = {"max_vertices": 9, "max_edges": 14, "map_class": "planar-simple", "out": tmp_path}
+    result = allworlds.search(
+        info="position", degree_marked=4, degree_others=3, **CAPTION, **bounds
+    )
+    assert sizes(result) == [(14, 9), (14, 9)]
+    for world in result.pair:
+        for start in world.starts:
+            seen = senses(world.started_at(start), CAPTION["motions"])
+            assert seen == [(3, 0)] * 4 + [(4, 1)]
+
+
+def placed(kind, map_):
+    """Every world of the level of information on a rooted map, started at its root."""
+    if kind == "compass":
+        for darts in product(*map_.vertices):
+            yield MarkedMap(kind, map_, 0, darts)
+    elif kind == "directional":
+        for dart in map_.vertices[map_.vertex_of[0]]:
+            yield MarkedMap(kind, map_, 0, (dart,))
+    else:
+        yield MarkedMap(kind, map_, 0, (0,) if kind == "position" else ())
+
+
+def looks(world):
+    """Equal exactly for worlds that no motion tells apart: the rooted quotient, naively."""
+    darts = world.map.darts
+    label = {d: world.percept(d) for d in darts}
+    for _ in darts:
+        label = {d: (label[d], label[world.map.sigma[d]], label[world.map.alpha[d]]) for d in darts}
+        names = {value: i for i, value in enumerate(sorted(set(label.values())))}
+        label = {d: names[value] for d, value in label.items()}
+    some = {c: d for d, c in label.items()}
+    walk = [label[world.start]]
+    for c in walk:
+        for step in (world.map.sigma, world.map.alpha):
+            if label[step[some[c]]] not in walk:
+                walk.append(label[step[some[c]]])
+    number = {c: i for i, c in enumerate(walk)}
+    steps = (world.map.sigma, world.map.alpha)
+    return tuple(
+        (world.percept(some[c]), *(number[label[step[some[c]]]] for step in steps)) for c in walk
+    )
+
+
+def smallest_by_enumeration(kind, map_class, edges):
+    """The largest number of edges of a pair with the fewest, and with the fewest in the other."""
+    known = {}
+    for m in range(1, edges + 1):
+        found = set()
+        for map_ in rooted_maps(m, map_class):
+            for world in placed(kind, map_):
+                others = known.setdefault(looks(world), [])
+                found |= {
+                    other.map.edge_count
+                    for other in others
+                    if same_world_from(other, world) is None
+                }
+                if all(other.code != world.code for other in others):
+                    others.append(world)
+        if found:
+            return (min(found), m)
+    return None
+
+
+@pytest.mark.parametrize(
+    ("kind", "map_class", "edges"),
+    [
+        ("none", "maps", 2),
+        ("none", "simple", 4),
+        ("none", "planar-simple", 4),
+        ("position", "maps", 2),
+        ("position", "planar", 3),
+        ("position", "simple", 5),
+        ("compass", "maps", 2),
+        ("compass", "simple", 4),
+        ("directional", "maps", 3),
+    ],
+)
+def test_search_and_enumeration_give_the_same_answer(tmp_path, monkeypatch, kind, map_class, edges):
+    monkeypatch.setattr(twin_search, "python_sat_is_installed", lambda: False)
+    expected = smallest_by_enumeration(kind, allworlds.smt.question.MapClass(map_class), edges)
+    result = allworlds.search(
+        info=kind, map_class=map_class, max_vertices=edges + 1, max_edges=edges, out=tmp_path
+    )
+    found = None if result.pair is None else tuple(m for m, _ in sizes(result))
+    assert found == expected
+    assert result.status == ("unsat" if expected is None else "sat")
+
+
+def test_one_vertex_more_or_less_decides(tmp_path):
+    # K4 with its marker: n = 4; with three vertices a simple map has at most three edges.
+    bounds = {"info": "position", "map_class": "simple", "max_edges": 6, "out": tmp_path}
+    assert allworlds.search(max_vertices=4, **bounds).status == "sat"
+    result = allworlds.search(max_vertices=3, **bounds)
+    assert (result.status, result.vacuous) == ("unsat", False)
+    assert [level.level.two.edges for level in result.levels] == [1, 2, 3]
+
+
+@pytest.mark.parametrize(
+    "bounds",
+    [
+        {"degree_marked": 9, "max_vertices": 3, "max_edges": 3},
+        {"map_class": "simple", "max_vertices": 1, "max_edges": 3},
+        # The one world with one edge has two vertices: the first step leads away from v0.
+        {"degree_marked": 1, "degree_others": 1, "max_vertices": 2, "max_edges": 1}
+        | {"motions": (0,), "percepts": ("1P",)},
+    ],
+)
+def test_bounds_without_any_world_are_vacuous(tmp_path, bounds):
+    result = allworlds.search(info="position", out=tmp_path, **bounds)
+    assert (result.exit_code, result.vacuous, result.certificate) == (4, True, None)
+
+
+def test_when_the_time_is_over_the_answer_is_unknown_and_never_unsat(tmp_path):
+    bounds = {"max_vertices": 9, "max_edges": 6, "out": tmp_path}
+    result = allworlds.search(info="directional", time_limit=1e-6, **bounds)
+    assert (result.status, result.exit_code, result.pair) == ("unknown", 3, None)
+    assert "undecided" in result.notices[-1]
+
+
+def test_without_python_sat_there_is_no_certificate_but_a_notice(tmp_path, monkeypatch):
+    monkeypatch.setattr(twin_search, "python_sat_is_installed", lambda: False)
+    result = allworlds.search(info="position", max_vertices=2, max_edges=1, out=tmp_path)
+    assert (result.status, result.certificate) == ("unsat", None)
+    assert "allworlds[proofs]" in result.notices[0]
+
+
+@needs_python_sat
+def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path, monkeypatch):
+    monkeypatch.setattr(twin_search, "PROOF_LIMIT", 10)
+    result = allworlds.search(info="position", max_vertices=2, max_edges=1, out=tmp_path)
+    assert (result.status, result.certificate) == ("unsat", None)
+    assert "our checker takes up to 10" in result.notices[0]
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"info": "gps"}, "info 'gps' is none of none, position, compass, directional"),
+        ({"map_class": "trees"}, "class 'trees'"),
+        ({"max_edges": 0}, "max-edges = 0"),
+        ({"max_vertices": 0}, "max-vertices = 0"),
+        ({"degree_marked": 0}, "degree-marked = 0"),
+        ({"degree_others": -1}, "degree-others = -1"),
+        ({"motions": (1, 1), "percepts": ("3A",)}, "2 motions and 1 percepts"),
+        ({"motions": (1,), "percepts": ("3PP",)}, "2 position markers"),
+        ({"motions": (1,), "percepts": ("3AP",)}, "more than once"),
+        ({"motions": (1,), "percepts": ("A",)}, "percept 'A'"),
+        ({"motions": (1,), "percepts": ("3",)}, "percept '3'"),
+        ({"info": "none", "motions": (1,), "percepts": ("4P",)}, "4P needs a marked vertex"),
+        ({"time_limit": 0}, "time-limit = 0"),
+        ({"solver": "/nowhere/cadical"}, "'/nowhere/cadical' cannot be run"),
+        ({"solver": "/bin/true"}, "legal is CaDiCaL 2 or later"),
+    ],
+)
+def test_bad_input_is_refused_in_one_line_that_names_it(tmp_path, options, message):
+    asked = {"info": "position", "max_vertices": 3, "max_edges": 2, "out": tmp_path, **options}
+    with pytest.raises(InputError) as refusal:
+        allworlds.search(**asked)
+    assert message in str(refusal.value)
+    assert "\n" not in str(refusal.value)
+
+
+def script(path, body):
+    """A program that says it is CaDiCaL 2, and then does as it likes."""
+    version = "if '--version' in sys.argv:\n    print('2.1.3')\n    sys.exit()"
+    path.write_text(f"#!{sys.executable}\nimport sys\n{version}\n{body}\n")
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return str(path)
+
+
+def test_an_external_solver_whose_proof_is_wrong_is_not_believed(tmp_path):
+    body = "open(sys.argv[-1], 'w').write('9999 0 1 0\\n')\nprint('s UNSATISFIABLE')"
+    solver = script(tmp_path / "liar", body)
+    bounds = {"max_vertices": 3, "max_edges": 2, "solver": solver, "out": tmp_path / "out"}
+    result = allworlds.search(info="position", **bounds)
+    assert (result.status, result.exit_code, result.certificate) == ("unknown", 3, None)
+    assert "line 1 of the LRAT proof" in result.notices[0]
+
+
+def test_an_external_solver_whose_model_is_wrong_is_an_internal_error(tmp_path):
+    # Variables 1.. are sigma and alpha: all true is no map at all.
+    body = "print('s SATISFIABLE')\nprint('v', *range(1, 200), 0)"
+    solver = script(tmp_path / "liar", body)
+    with pytest.raises((RuntimeError, ValueError)):
+        allworlds.search(info="position", max_vertices=2, max_edges=1, solver=solver, out=tmp_path)
+
+
+@pytest.mark.skipif("CADICAL" not in os.environ, reason="CADICAL does not name a CaDiCaL 2")
+def test_an_external_cadical_gives_the_same_answers_with_proofs(tmp_path):
+    asked = {"max_vertices": 9, "solver": os.environ["CADICAL"]}
+    none = allworlds.search(info="directional", max_edges=5, out=tmp_path / "none", **asked)
+    assert (none.status, none.certificate) == ("unsat", tmp_path / "none")
+    one = allworlds.search(info="position", max_edges=2, out=tmp_path / "one", **asked)
+    assert (one.status, sizes(one)) == ("sat", [(2, 1), (2, 1)])
+
+
+def test_the_document_holds_the_pair_its_bisimulation_and_its_files(tmp_path):
+    result = allworlds.search(info="position", max_vertices=3, max_edges=2, out=tmp_path)
+    document = json.loads(json.dumps(result.to_json()))
+    assert document["schema"] == 1
+    assert document["status"] == "sat"
+    a, b = (MarkedMap.from_json(world) for world in document["pair"])
+    assert [list(classes) for classes in bisimulation(a, b)] == document["bisimulation"]
+    certificate = json.loads((tmp_path / "pair.json").read_text())
+    assert certificate["pair"] == document["pair"]
+    assert document["certificate"] == str(tmp_path / "pair.json")
+
+
+def test_a_pair_that_can_be_told_apart_has_no_bisimulation():
+    theta = CombinatorialMap([2, 3, 4, 5, 0, 1], [1, 0, 3, 2, 5, 4])
+    other = CombinatorialMap([2, 5, 4, 1, 0, 3], [1, 0, 3, 2, 5, 4])
+    marked = [MarkedMap("directional", map_, 0, (0,)) for map_ in (theta, other)]
+    assert bisimulation(*marked) is None
+    # With the position alone nothing tells three parallel edges in the plane and on the torus.
+    assert bisimulation(*(MarkedMap("position", m.map, 0, (0,)) for m in marked)) is not None
+
+
+def test_twins_agree_that_the_pairs_found_look_alike(tmp_path):
+    twins = getattr(allworlds, "twins", None)
+    if twins is None:
+        pytest.skip("this version has no allworlds.twins")
+    from allworlds.world import World
+
+    for info in ("position", "none", "compass"):
+        result = allworlds.search(info=info, max_vertices=3, max_edges=2, out=tmp_path / info)
+        a, b = (World.from_json(world.to_json()) for world in result.pair)
+        assert not twins(a, b).distinguishable
