@@ -4,10 +4,11 @@ import hashlib
 import json
 from pathlib import Path
 
+from allworlds.ambiguity import twins
 from allworlds.checker import check
-from allworlds.maps import from_cycles, lattice, named_map
+from allworlds.maps import from_cycles, from_rotation, lattice, named_map
 from allworlds.mutation.explorers import WRONG_EXPLORERS
-from allworlds.world import Directional, World
+from allworlds.world import Directional, Position, World
 
 HERE = Path(__file__).parent
 
@@ -18,41 +19,91 @@ WORLDS = {
     "loop": (named_map("loop"), 0, "the smallest map with one vertex", (1, 1, 2, 0, 2, 1)),
     "edge": (named_map("edge"), 0, "the smallest map with two vertices", (1, 2, 1, 0, 2, 1)),
     "two-loops-plane": (
-        named_map("two-loops-plane"), 0,
+        named_map("two-loops-plane"),
+        0,
         "with its twin on the torus the smallest pair that position alone does not tell apart",
         (2, 1, 3, 0, 2, 2),
     ),
     "two-loops-torus": (
-        named_map("two-loops-torus"), 0, "the twin of two-loops-plane", (2, 1, 1, 1, 4, 2),
+        named_map("two-loops-torus"),
+        0,
+        "the twin of two-loops-plane",
+        (2, 1, 1, 1, 4, 2),
     ),
-    "theta": (named_map("theta"), 1, "three parallel edges in the plane", (3, 2, 3, 0, 6, 8)),
+    "theta": (named_map("theta"), 0, "three parallel edges in the plane", (3, 2, 3, 0, 6, 8)),
     "theta-torus": (
-        named_map("theta-torus"), 1, "three parallel edges on the torus", (3, 2, 1, 1, 6, 6),
+        named_map("theta-torus"),
+        0,
+        "three parallel edges on the torus",
+        (3, 2, 1, 1, 6, 6),
     ),
     "dipole-4": (named_map("dipole-4"), 2, "four parallel edges in the plane", (4, 2, 4, 0, 8, 14)),
-    "dipole-5": (named_map("dipole-5"), 0, "five parallel edges in the plane", (5, 2, 5, 0, 10, 22)),
+    "dipole-5": (
+        named_map("dipole-5"),
+        0,
+        "five parallel edges in the plane",
+        (5, 2, 5, 0, 10, 22),
+    ),
     "k4": (named_map("k4"), 0, "the tetrahedron", (6, 4, 4, 0, 12, 35)),
     "k4-torus": (
-        named_map("k4-torus"), 0, "K4 on the torus, with faces of 4 and 8 darts", (6, 4, 2, 1, 4, 31),
+        named_map("k4-torus"),
+        0,
+        "K4 on the torus, with faces of 4 and 8 darts",
+        (6, 4, 2, 1, 4, 31),
     ),
-    "wheel-4": (named_map("wheel-4"), 0, "the wheel with four spokes, from its hub", (8, 5, 5, 0, 4, 56)),
+    "wheel-4": (
+        named_map("wheel-4"),
+        0,
+        "the wheel with four spokes, from its hub",
+        (8, 5, 5, 0, 4, 56),
+    ),
     "cube": (named_map("cube"), 0, "the cube", (12, 8, 6, 0, 24, 152)),
     "lattice-with-holes": (
-        lattice(4, 4, 0.1, 7), 0,
-        "a lattice of 4 x 4 vertices without 10 % of its edges, as in Fig. 3", (22, 16, 8, 0, 1, 178),
+        lattice(4, 4, 0.1, 7),
+        0,
+        "a lattice of 4 x 4 vertices without 10 % of its edges, as in Fig. 3",
+        (22, 16, 8, 0, 1, 178),
     ),
     "fig2-step": (
-        from_cycles(["ab", "acd", "bec", "de"]), 0,
-        "Fig. 2: the smallest simple planar world (by enumeration) in whose exploration a loop is "
-        "closed after other hypotheses were rejected, and a vertex is added after all were",
+        from_cycles(["ab", "acd", "bec", "de"]),
+        0,
+        "Fig. 2: the smallest simple planar world in whose exploration a loop is closed after "
+        "other hypotheses were rejected, and a vertex is added after all were (enumeration)",
         (5, 4, 3, 0, 2, 22),
     ),
     "fig1-left": (
-        named_map("fig1-left"), 0,
+        named_map("fig1-left"),
+        0,
         "a candidate for Fig. 1, whose drawing is not known: planar, simple, n = 9, m = 14",
         (14, 9, 7, 0, 2, 212),
     ),
     "fig1-right": (named_map("fig1-right"), 0, "the twin of fig1-left", (14, 9, 7, 0, 2, 198)),
+}
+
+# name: two maps whose vertex 0 is marked, provenance.
+PAIRS = {
+    "two-loops": (
+        named_map("two-loops-plane"),
+        named_map("two-loops-torus"),
+        "the smallest pair that position alone does not tell apart",
+    ),
+    "k4": (
+        named_map("k4"),
+        from_rotation([[1, 2, 3], [0, 2, 3], [0, 3, 1], [0, 1, 2]]),
+        "one of the smallest simple pairs, m = 6: K4 in the plane, and on the torus with faces of "
+        "3 and 9 darts",
+    ),
+    "hexagon-triangles": (
+        from_rotation([[1, 4], [0, 6, 2], [1, 3], [2, 4], [0, 3, 5], [4, 6], [5, 1]]),
+        from_rotation([[1, 4], [0, 3, 2], [1, 3], [2, 1], [0, 6, 5], [4, 6], [5, 4]]),
+        "the smallest simple planar pair: a vertex joined to opposite corners of a hexagon, and "
+        "one joining two triangles",
+    ),
+    "fig1": (
+        named_map("fig1-left"),
+        named_map("fig1-right"),
+        "a candidate for Fig. 1, whose drawing is not known",
+    ),
 }
 
 # By the number of edges, from 1 on.
@@ -117,6 +168,28 @@ def finding_entries() -> list[dict[str, object]]:
     return entries
 
 
+def pair_entries() -> list[dict[str, object]]:
+    """Pairs that no motion tells apart under position, with their bisimulations."""
+    entries = []
+    for name, (left, right, provenance) in PAIRS.items():
+        worlds = [World(map_, Position(0)) for map_ in (left, right)]
+        proof = twins(*worlds).proof
+        document = {
+            "worlds": [world.to_json() for world in worlds],
+            "bisimulation": [list(classes) for classes in proof.classes],
+        }
+        entries.append(
+            {
+                "name": f"pair-{name}",
+                "kind": "pair",
+                **write("pairs", name, document),
+                "provenance": provenance,
+                "expected": {"twins": True},
+            }
+        )
+    return entries
+
+
 def count_entries() -> list[dict[str, object]]:
     """The known numbers of maps."""
     return [
@@ -132,6 +205,6 @@ def count_entries() -> list[dict[str, object]]:
 
 
 if __name__ == "__main__":
-    entries = [*world_entries(), *finding_entries(), *count_entries()]
+    entries = [*world_entries(), *finding_entries(), *pair_entries(), *count_entries()]
     manifest = {"schema": 1, "entries": entries}
     (HERE / "manifest.json").write_text(json.dumps(manifest, indent=1) + "\n", encoding="utf-8")

@@ -90,6 +90,11 @@ LAZY = {"networkx", "rich"}
 
 # Two ways to one answer share nothing but what is named here, however many modules between.
 COMPARED = [
+    (
+        "ambiguity.certificate",
+        "maps.quotient",
+        {"errors", "maps.canonical", "maps.combinatorial"},
+    ),
     ("maps.enumeration", "maps.bruteforce", {"maps.combinatorial", "errors"}),
     ("maps.counting", "maps.enumeration", set()),
     ("maps.counting", "maps.bruteforce", set()),

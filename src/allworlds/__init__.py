@@ -29,17 +29,19 @@ from allworlds.version import __version__
 if TYPE_CHECKING:
     from allworlds import ambiguity
     from allworlds.ambiguity import twins
+    from allworlds.benching import bench
     from allworlds.checker import check, replay, run, worlds
     from allworlds.counter import count
-    from allworlds.worst_case import worst
     from allworlds.explaining import explain
     from allworlds.fuzzer import fuzz
     from allworlds.mutation import mutants
     from allworlds.smt import search
+    from allworlds.worst_case import worst
 
 _PACKAGES = {"ambiguity"}
 
 _HOMES = {
+    "bench": "allworlds.benching",
     "mutants": "allworlds.mutation",
     "fuzz": "allworlds.fuzzer",
     "check": "allworlds.checker",
@@ -66,6 +68,7 @@ __all__ = [
     "Pick",
     "__version__",
     "ambiguity",
+    "bench",
     "check",
     "count",
     "explain",

@@ -1,5 +1,6 @@
 from collections import Counter
 from dataclasses import replace
+from functools import cache
 from itertools import permutations
 from math import factorial, gcd
 
@@ -18,10 +19,12 @@ from allworlds.protocol import Percept
 from allworlds.world import Position, World
 
 
+@cache
 def quotient_of(map_):
     return projection_of(World(map_, Position(0))).quotient
 
 
+@cache
 def marked_maps(edges):
     return [map_ for map_ in rooted_maps(edges) if is_least_rooting(map_)]
 

@@ -3,7 +3,7 @@ import pytest
 from allworlds.ambiguity import Disagreement, class_of, class_size, members, pose_count, twins
 from allworlds.ambiguity.marked import is_least_rooting
 from allworlds.errors import InputError
-from allworlds.maps import automorphisms, isomorphism, named_map
+from allworlds.maps import automorphisms, isomorphism, lattice, named_map
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.world import Compass, Directional, Nothing, Position, World
 
@@ -119,6 +119,18 @@ def test_a_huge_class_is_answered_at_once():
     found = class_of(world("bouquet-12"), limit=2)
     assert found.size > 10**10
     assert len(found.worlds) == 2
+
+
+@pytest.mark.parametrize("name", ["path-3000", "star-300", "bouquet-40", "wheel-60"])
+def test_a_large_world_is_no_harder_in_kind(name):
+    found = class_of(world(name), limit=1)
+    assert found.worlds[0].map.degree_at[0] == world(name).map.degree_at[0]
+    assert (found.size == 1) == (name in ("path-3000", "star-300"))
+
+
+def test_a_quotient_with_thousands_of_vertices_and_cycles_is_lifted():
+    found = class_of(World(lattice(40, 40), Position(0)))
+    assert (found.size, found.quotient.sheets) == (1, 1)
 
 
 def test_a_restricted_class_needs_all_members():

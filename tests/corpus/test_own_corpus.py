@@ -3,10 +3,12 @@ import shutil
 
 import pytest
 
+from allworlds.ambiguity import twins
+from allworlds.ambiguity.certificate import flaw
 from allworlds.checker import Finding, replay, run
 from allworlds.corpora import MANIFEST, CorpusError, load_corpus, own_corpus
 from allworlds.counter import count
-from allworlds.maps import CombinatorialMap, automorphisms
+from allworlds.maps import CombinatorialMap, automorphisms, unrooted_code
 from allworlds.world import World
 
 CORPUS = own_corpus()
@@ -48,6 +50,25 @@ def test_a_finding_is_reproduced_by_its_mutant_to_the_letter(entry):
 def test_a_finding_is_fixed_by_algorithm_1(entry):
     finding = Finding.from_json(CORPUS.document(entry))
     assert replay(finding, "algorithm1").outcome == "fixed"
+
+
+@entries("pair")
+def test_the_worlds_of_a_pair_are_different_and_no_motion_tells_them_apart(entry):
+    document = CORPUS.document(entry)
+    worlds = [World.from_json(world) for world in document["worlds"]]
+    assert flaw(worlds, document["bisimulation"]) is None
+    assert unrooted_code(worlds[0].map) != unrooted_code(worlds[1].map)
+    assert twins(*worlds).twins == entry.expected["twins"]
+
+
+@entries("pair")
+def test_a_pair_with_one_class_changed_is_no_longer_proved(entry):
+    document = CORPUS.document(entry)
+    worlds = [World.from_json(world) for world in document["worlds"]]
+    left, right = document["bisimulation"]
+    for d in range(len(left)):
+        changed = [*left[:d], max(left) + 1, *left[d + 1 :]]
+        assert flaw(worlds, [changed, right]) is not None
 
 
 @entries("counts")

@@ -5,18 +5,25 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from random import Random
 
 import pytest
 
 import allworlds
 from allworlds import check
 from allworlds.checker.examine import Examiner
-from allworlds.checker.kernel_pool import AGREEMENT_EDGES, codes, compare_engines, level_tables
+from allworlds.checker.kernel_pool import (
+    AGREEMENT_EDGES,
+    compare_engines,
+    level_tables,
+    listed_costs,
+)
 from allworlds.checker.scope import Rules
 from allworlds.kernel import engine
 from allworlds.maps.canonical import rooted_code
+from allworlds.maps.classes import MapClass
 from allworlds.maps.counting import rooted_maps as counted
-from allworlds.maps.enumeration import prefixes, rooted_maps
+from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
 from allworlds.subjects import load
 from allworlds.world import Directional, World
 
@@ -30,6 +37,12 @@ def python_costs(policy, edges):
         outcome = examiner.examine(World(map_, Directional(0), 0), rules.choices(""))
         assert outcome.violation is None
         yield rooted_code(map_.sigma, map_.alpha, 0), outcome.cost
+
+
+def codes(rules, edges, mode):
+    """{canonical code: cost} for every world of a level."""
+    listed = listed_costs(rules, edges, mode)
+    return {rooted_code(map_.sigma, map_.alpha, 0): cost for map_, cost in listed}
 
 
 def level(edges, policy="fifo", mode="walk", limit=None):
@@ -164,3 +177,25 @@ def test_interpreted_where_each_index_is_checked_the_engines_say_the_same():
     # 74 rooted maps with 3 edges: OEIS A000698.
     assert maps == 74
     assert worst == 11
+
+
+@pytest.mark.parametrize("policy", POLICIES)
+def test_both_modes_agree_on_random_pieces_of_the_largest_levels(policy):
+    # The packed numbers of the walk are fullest there.
+    random = Random(policy)
+    for edges in (9, 10, 11, 12):
+        tables = level_tables(Rules(policy=policy), edges)
+        for _ in range(20):
+            gluing, prefix = Gluing(edges, MapClass.MAPS), []
+            while sum(map(len, gluing.faces)) + gluing.owed > 6 or not prefix:
+                # Small degrees are rare in a uniform choice, and make many vertices.
+                ways = [(d, g) for d, g in gluing.successors() if d > -5 or not prefix]
+                decision, gluing = random.choice(ways or list(gluing.successors()))
+                prefix.append(decision)
+            walked, thorough = (
+                engine.examine(edges, edges + 1, policy, prefix, tables, mode=mode)
+                for mode in ("walk", "thorough")
+            )
+            assert walked == thorough
+            assert walked.counts
+            assert not walked.broken

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 
 from allworlds.maps import counting
-from allworlds.maps.counting import arithmetic, atlas
 from allworlds.maps.counting import (
     ROTATIONS_LIMIT,
+    arithmetic,
+    atlas,
     catalan,
     labelled_simple,
     rooted_maps,

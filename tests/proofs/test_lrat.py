@@ -38,7 +38,7 @@ def test_a_right_proof_is_verified_by_both_checkers(checkers):
         (["5 1 0 1 0", PROOF[1]], "line 1"),  # a hint is missing: no contradiction
         (["5 1 0 2 2 0", PROOF[1]], "line 1"),
         (["5 1 0 1 2 3 0", PROOF[1]], "line 1"),  # a hint after the contradiction
-        (["5 1 0 3 1 2 0", PROOF[1]], "line 1"),  # a hint that is true already
+        (["5 1 0 4 1 2 0", PROOF[1]], "line 1"),  # a hint with two open literals
         (["5 1 0 1 7 0", PROOF[1]], "line 1"),  # no such clause
         (["5 1 0 -1 2 0", PROOF[1]], "line 1"),  # RAT
         (["5 -1 0 1 2 0", PROOF[1]], "line 1"),  # another literal
@@ -62,6 +62,11 @@ def test_a_right_proof_is_verified_by_both_checkers(checkers):
 def test_a_damaged_proof_is_refused_and_the_line_is_named(checkers, proof, line):
     for verdict in verdicts(checkers("lrat"), FORMULA, proof):
         assert line in verdict
+
+
+def test_a_hint_that_says_what_is_true_already_does_no_harm(checkers):
+    twice = ["5 1 0 1 1 2 0", PROOF[1]]
+    assert verdicts(checkers("lrat"), FORMULA, twice) == ["verified", "verified"]
 
 
 @pytest.mark.parametrize(
@@ -135,7 +140,7 @@ def test_a_committed_proof_with_one_line_changed_is_refused(checkers, proofs, se
     elif damage == 3:
         words[0] = str(int(words[0]) - 1)
     elif damage == 4:
-        words.insert(end + 1, words[end + 1])  # the first hint twice
+        words[-1] = words[-2]  # no end
     else:
         words.insert(1, str(-int(words[1])) if end > 1 else "1")
     if damage:

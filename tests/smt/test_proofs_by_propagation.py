@@ -3,6 +3,7 @@ from random import Random
 
 import pytest
 
+from allworlds.smt.cadical_child import main
 from allworlds.smt.formula import Formula
 from allworlds.smt.lrat import check_lrat
 from allworlds.smt.rup import ProofRefused, lrat_of_drat, write_lrat
@@ -81,3 +82,15 @@ def test_random_formulas_are_either_solved_or_proved(tmp_path, seed):
     # Without its clauses nothing follows.
     with pytest.raises(ProofRefused):
         check_lrat(formula.clauses[: len(formula.clauses) // 8], lines(steps, tmp_path))
+
+
+@pytest.mark.skipif(not python_sat_is_installed(), reason="python-sat is not installed")
+def test_the_child_process_prints_its_verdict_as_solvers_do(tmp_path, capsys):
+    formula, proof = tmp_path / "f.cnf", tmp_path / "f.drat"
+    formula.write_text("p cnf 2 2\n1 2 0\n-1 0\n")
+    main(str(formula), str(proof))
+    assert capsys.readouterr().out == "s SATISFIABLE\nv -1 2 0\n"
+    formula.write_text("p cnf 1 2\n1 0\n-1 0\n")
+    main(str(formula), str(proof))
+    assert capsys.readouterr().out == "s UNSATISFIABLE\n"
+    assert "0" in proof.read_text().splitlines()

@@ -12,6 +12,9 @@ from allworlds.maps import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.smt import solvers, twin_search
 from allworlds.smt.lrat import check_lrat
+from allworlds.smt.one_world import Size
+from allworlds.smt.pair import forbid_other_start, pair_formula
+from allworlds.smt.question import Level, MapClass, question
 from allworlds.smt.twin_search import read_dimacs
 from allworlds.smt.witness import MarkedMap, bisimulation, same_world_from, senses
 
@@ -145,7 +148,7 @@ def smallest_by_enumeration(kind, map_class, edges):
 )
 def test_search_and_enumeration_give_the_same_answer(tmp_path, monkeypatch, kind, map_class, edges):
     monkeypatch.setattr(twin_search, "python_sat_is_installed", lambda: False)
-    expected = smallest_by_enumeration(kind, allworlds.smt.question.MapClass(map_class), edges)
+    expected = smallest_by_enumeration(kind, MapClass(map_class), edges)
     result = allworlds.search(
         info=kind, map_class=map_class, max_vertices=edges + 1, max_edges=edges, out=tmp_path
     )
@@ -253,6 +256,37 @@ def test_an_external_solver_whose_model_is_wrong_is_an_internal_error(tmp_path):
         allworlds.search(info="position", max_vertices=2, max_edges=1, solver=solver, out=tmp_path)
 
 
+@pytest.mark.parametrize(
+    ("body", "status"),
+    [("print('c UNKNOWN')", "unknown"), ("import time; time.sleep(60)", "unknown")],
+)
+def test_an_external_solver_that_does_not_know_gives_no_answer(tmp_path, body, status):
+    solver = script(tmp_path / "idle", body)
+    bounds = {"max_vertices": 3, "max_edges": 2, "out": tmp_path / "out", "time_limit": 2}
+    result = allworlds.search(info="position", solver=solver, **bounds)
+    assert (result.status, result.exit_code) == (status, 3)
+
+
+def test_an_external_solver_without_a_verdict_is_an_internal_error(tmp_path):
+    solver = script(tmp_path / "mute", "print('hello')")
+    with pytest.raises(RuntimeError, match="no verdict: hello"):
+        allworlds.search(info="position", max_vertices=2, max_edges=1, solver=solver, out=tmp_path)
+
+
+@needs_python_sat
+def test_two_solvers_that_disagree_are_an_internal_error(tmp_path, monkeypatch):
+    monkeypatch.setattr(twin_search, "solve_with_z3", lambda *_: solvers.Solved("unsat"))
+    monkeypatch.setattr(twin_search._Search, "_some_world_exists", lambda _: True)
+    with pytest.raises(RuntimeError, match="disagree"):
+        allworlds.search(info="position", max_vertices=3, max_edges=2, out=tmp_path)
+
+
+def test_a_directory_that_cannot_be_made_is_bad_input(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InputError, match="cannot be made"):
+        allworlds.search(info="none", max_vertices=2, max_edges=1, out=tmp_path / "file" / "x")
+
+
 @pytest.mark.skipif("CADICAL" not in os.environ, reason="CADICAL does not name a CaDiCaL 2")
 def test_an_external_cadical_gives_the_same_answers_with_proofs(tmp_path):
     asked = {"max_vertices": 9, "solver": os.environ["CADICAL"]}
@@ -293,3 +327,25 @@ def test_twins_agree_that_the_pairs_found_look_alike(tmp_path):
         result = allworlds.search(info=info, max_vertices=3, max_edges=2, out=tmp_path / info)
         a, b = (World.from_json(world.to_json()) for world in result.pair)
         assert not twins(a, b).distinguishable
+
+
+@pytest.mark.parametrize("kind", ["none", "position", "compass"])
+@pytest.mark.parametrize("edges", [2, 3])
+def test_with_every_other_start_excluded_a_level_has_a_pair_where_enumeration_has_one(
+    tmp_path, kind, edges
+):
+    known = {}
+    for map_ in rooted_maps(edges):
+        for world in placed(kind, map_):
+            known.setdefault(looks(world), []).append(world)
+    there = any(
+        same_world_from(group[0], other) is None for group in known.values() for other in group
+    )
+    size = Size(edges, 1, edges + 1)
+    asked = question(kind, "maps", edges + 1, edges)
+    formula, pair = pair_formula(asked, Level(size, size))
+    for start in range(1, 2 * edges):
+        forbid_other_start(formula, pair, start)
+    formula.write(tmp_path / "f.cnf")
+    solved = solvers.solve_with_z3(tmp_path / "f.cnf", solvers.Clock(None))
+    assert solved.status == ("sat" if there else "unsat")

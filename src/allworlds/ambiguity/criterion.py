@@ -16,7 +16,8 @@ robot's), and the number of worlds is the number of orbits under the powers of c
 
 from __future__ import annotations
 
-from math import factorial, gcd, prod
+from collections import Counter
+from math import factorial, gcd, perm, prod
 
 from allworlds.maps.quotient import Quotient
 
@@ -51,19 +52,23 @@ def pose_count(quotient: Quotient) -> int:
 def class_size(quotient: Quotient) -> int:
     """The number of worlds with this quotient, by Burnside's count of orbits.
 
-    Cost: O(k^2) products for each vertex and edge of the quotient; no world is made.
+    Cost: at most k products of large integers for each vertex, each edge and each divisor of
+    k; no world is made.
     """
     k = quotient.sheets
-    return sum(_fixed_by_rotations(quotient, gcd(k, j)) for j in range(k)) // k
+    divisors = [g for g in range(1, k + 1) if k % g == 0]
+    # totient(k / g) powers of c have g cycles.
+    return sum(_totient(k // g) * _fixed_by_rotations(quotient, g) for g in divisors) // k
 
 
 def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
     """The choices that commute with a power of c that has so many cycles."""
     k = quotient.sheets
-    fixed = [_uniform(k, cycles, b) for b in quotient.cone_indices[1:]]
-    fixed += [_uniform(k, cycles, 2)] * len(quotient.semi_edges)
-    fixed += [(k // cycles) ** cycles * factorial(cycles)] * quotient.beta1
-    return prod(fixed)
+    lengths = Counter(quotient.cone_indices[1:])
+    lengths[2] += len(quotient.semi_edges)
+    uniform: int = prod(_uniform(k, cycles, b) ** times for b, times in lengths.items())
+    free: int = ((k // cycles) ** cycles * factorial(cycles)) ** quotient.beta1
+    return uniform * free
 
 
 def _uniform(k: int, cycles: int, b: int) -> int:
@@ -82,14 +87,8 @@ def _uniform(k: int, cycles: int, b: int) -> int:
     }
     ways = [1]
     for g in range(1, cycles + 1):
-        # The cycle of the g-th thing has t things: the others are arranged in (g-1)!/(g-t)! ways.
-        ways.append(
-            sum(
-                factorial(g - 1) // factorial(g - t) * w * ways[g - t]
-                for t, w in weight.items()
-                if t <= g
-            )
-        )
+        # The cycle of the g-th thing has t things: the others of it come in (g-1)!/(g-t)! ways.
+        ways.append(sum(perm(g - 1, t - 1) * w * ways[g - t] for t, w in weight.items() if t <= g))
     return ways[cycles]
 
 

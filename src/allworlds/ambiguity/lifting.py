@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from itertools import permutations
 from typing import TypeAlias
 
@@ -11,6 +12,8 @@ from allworlds.maps.quotient import Quotient
 
 Permutation: TypeAlias = tuple[int, ...]
 """Of the sheets ``0..k-1``."""
+
+_Kind: TypeAlias = Callable[[Sequence[tuple[int, ...]]], Iterator[tuple[int, ...]]]
 
 
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
@@ -24,17 +27,15 @@ def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
     Cost: O(m) a map, and O(m) memory.
     """
     k = quotient.sheets
-    others = quotient.vertices[1:]
-    kinds: list[Callable[[], Iterator[Permutation]]] = []
-    for b in quotient.cone_indices[1:]:
-        kinds.append(lambda b=b: uniform_permutations(k, b))  # type: ignore[misc]
-    kinds += [lambda: uniform_permutations(k, 2)] * len(quotient.semi_edges)
-    kinds += [lambda: permutations(range(k))] * len(quotient.cotree)
+    others = quotient.cone_indices[1:]
+    kinds: list[_Kind] = [
+        partial(_uniform, k, b) for b in (*others, *[2] * len(quotient.semi_edges))
+    ]
+    kinds += [partial(_any, k)] * len(quotient.cotree)
     turn = (*range(1, k), 0)
     for choice in _choices(kinds):
-        round_vertex = [turn, *choice[: len(others)]]
-        across = choice[len(others) :]
-        yield _lift(quotient, round_vertex, across)
+        round_vertex = (turn, *choice[: len(others)])
+        yield _lift(quotient, round_vertex, choice[len(others) :])
 
 
 def _lift(
@@ -59,37 +60,53 @@ def _permute(map_: list[Dart], k: int, q: int, to: int, moved: Sequence[int]) ->
     map_[q * k : (q + 1) * k] = [to * k + i for i in moved]
 
 
-def _choices(
-    kinds: Sequence[Callable[[], Iterator[Permutation]]],
-) -> Iterator[tuple[Permutation, ...]]:
-    """One of each kind, in lexicographic order; unlike a product, nothing is stored."""
-    if not kinds:
-        yield ()
-        return
-    for first in kinds[0]():
-        for rest in _choices(kinds[1:]):
-            yield (first, *rest)
-
-
 def uniform_permutations(k: int, b: int) -> Iterator[Permutation]:
     """The permutations of ``0..k-1`` all of whose cycles have length b; none if b divides not.
 
-    Cost: O(k) each.
+    Cost: O(k) each, up to what their cycles have in common.
     """
-    to = [-1] * k
+    if k % b:
+        return
 
-    def filled() -> Iterator[Permutation]:
-        if -1 not in to:
-            yield tuple(to)
+    def next_cycle(cycles: Sequence[tuple[int, ...]]) -> Iterator[tuple[int, ...]]:
+        used = {x for cycle in cycles for x in cycle}
+        first, *free = (x for x in range(k) if x not in used)
+        return ((first, *rest) for rest in permutations(free, b - 1))
+
+    for cycles in _choices([next_cycle] * (k // b)):
+        moved = [0] * k
+        for cycle in cycles:
+            for x, y in zip(cycle, (*cycle[1:], cycle[0]), strict=True):
+                moved[x] = y
+        yield tuple(moved)
+
+
+def _uniform(k: int, b: int, _before: object) -> Iterator[Permutation]:
+    return uniform_permutations(k, b) if b > 1 else iter([tuple(range(k))])
+
+
+def _any(k: int, _before: object) -> Iterator[Permutation]:
+    return permutations(range(k))
+
+
+def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
+    """One of each kind, in lexicographic order; a kind is told what was chosen before it.
+
+    Unlike a product nothing is stored, and unlike a recursion the kinds may be thousands.
+    """
+    chosen: list[tuple[int, ...]] = []
+    open_kinds: list[Iterator[tuple[int, ...]]] = []
+    while True:
+        if len(chosen) == len(kinds):
+            yield tuple(chosen)
+        else:
+            open_kinds.append(kinds[len(chosen)](chosen))
+        while open_kinds:
+            del chosen[len(open_kinds) - 1 :]
+            following = next(open_kinds[-1], None)
+            if following is not None:
+                chosen.append(following)
+                break
+            open_kinds.pop()
+        else:
             return
-        first = to.index(-1)
-        free = [x for x in range(first + 1, k) if to[x] == -1]
-        for rest in permutations(free, b - 1):
-            cycle = (first, *rest)
-            for x, y in zip(cycle, (*rest, first), strict=True):
-                to[x] = y
-            yield from filled()
-            for x in cycle:
-                to[x] = -1
-
-    yield from filled()

@@ -25,7 +25,6 @@ from allworlds.judge import paper_bound
 from allworlds.kernel import engine as kernel
 from allworlds.kernel import walk
 from allworlds.kernel.tables import Tables, tables
-from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes
@@ -199,7 +198,7 @@ def listed_costs(
 
     Cost: the memory of all of them; meant for m <= 5.
     """
-    room = 200_000
+    room = sum(source_for("maps").cells(edges).values())
     for prefix in prefixes(edges, depth=1):
         for cost, degrees, partners in kernel.costs(
             edges, rules.policy, prefix, level_tables(rules, edges), room, mode=mode
@@ -214,11 +213,3 @@ def rotation(degrees: Iterable[int]) -> list[int]:
         first = len(sigma)
         sigma += [*range(first + 1, first + degree), first]
     return sigma
-
-
-def codes(rules: Rules, edges: int, mode: kernel.Mode = "walk") -> dict[Code, int]:
-    """The cost in every world of a level, by canonical code."""
-    return {
-        rooted_code(map_.sigma, map_.alpha, 0): cost
-        for map_, cost in listed_costs(rules, edges, mode)
-    }

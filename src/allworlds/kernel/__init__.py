@@ -1,9 +1,10 @@
 """Compiled engines for the class ``maps``: the same answers, orders of magnitude further.
 
-Each is compared with a readable twin that shares no code with it.
+Each is compared with a readable twin that shares no code with it.  They hold the interpreter's
+lock only to start and to end, so that threads share the work.
 
-``bits``
-    sets of small numbers as bit masks;
+``bits``, ``code``, ``names``
+    sets as bit masks, canonical codes, and the names of small numbers;
 ``tables``
     what the engines look up: bounds, the gluing rule; mutants are damaged tables;
 ``walk``
@@ -11,11 +12,11 @@ Each is compared with a readable twin that shares no code with it.
 ``thorough``
     every finished map, one after the other, held to the judge's laws;
 ``gluing``
-    every rooted map, counted by vertices and genus;
+    every rooted map, one after the other, or only counted by vertices and faces;
 ``schedules``
     the worst and the best cost of a world over all schedules;
-``pool``
-    units of work in threads, for the checker.
+``engine``
+    the door to them: plain numbers in, plain rows out.
 
 Nothing here is imported before it is needed: the first use compiles for some seconds, later
 ones load what was compiled.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from textwrap import wrap
+
 from allworlds.checker.past import Past
 from allworlds.checker.report import Report, Verdict
 from allworlds.reports.layout import entry, number, plural, table
@@ -48,7 +50,7 @@ def _verdict(report: Report, width: int) -> list[str]:
             text = "nothing was checked" if not report.runs else "a witness is missing"
         case Verdict.ERROR:
             text = report.stopped
-    return entry(word, text, width) if len(word) < 11 else [f"{word}: {text}"]
+    return entry(word, text, width) if len(word) < 11 else wrap(f"{word}: {text}", width)
 
 
 def _scope(report: Report, width: int) -> list[str]:

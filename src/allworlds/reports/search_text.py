@@ -24,8 +24,6 @@ def search_text(result: SearchResult, width: int) -> str:
     if rows:
         lines += ["", *table(["level", "status", "seconds", "formula", "proof"], rows, "llr"), ""]
     lines += entry("files", str(result.directory), width)
-    for notice in result.notices:
-        lines += entry("notice", notice, width)
     return "\n".join(lines)
 
 

@@ -12,7 +12,8 @@ def check_lrat(clauses: Sequence[Clause], proof: Iterable[str]) -> None:
     """Nothing, if the proof derives the empty clause from the clauses; else an error.
 
     Every hint must be a clause with at most one literal that is not false yet, and the last
-    one must be false: a chain of hints that never conflicts proves nothing.
+    one must be false: a chain of hints that never conflicts proves nothing.  The one literal
+    may be true already: CaDiCaL writes a few such hints, and they do no harm.
 
     Raises:
         ProofRefused: naming the line.
@@ -62,7 +63,7 @@ def _derive(known: dict[int, Clause], number: int, clause: Clause, hints: list[i
                 raise ProofRefused(f"hint {hint} is false already, but more hints follow")
             known[number] = clause
             return
-        if len(open_literals) > 1 or -open_literals[0] in false:
+        if len(open_literals) > 1:
             raise ProofRefused(f"hint {hint} is neither false nor implies a literal")
         false.add(-open_literals[0])
     raise ProofRefused("the hints end without a conflict")

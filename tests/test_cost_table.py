@@ -1,0 +1,53 @@
+"""The table of docs/cost.md against its sources."""
+
+import importlib.util
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.fixture(scope="module")
+def document():
+    return json.loads((ROOT / "benchmarks/results/kernel.json").read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="module")
+def cost():
+    spec = importlib.util.spec_from_file_location("cost", ROOT / "benchmarks/cost.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_page_holds_the_table_of_the_measurement(document, cost):
+    page = (ROOT / "docs/cost.md").read_text(encoding="utf-8")
+    assert "\n".join(cost.table(document)) in page
+
+
+def test_the_page_names_the_rate_that_it_reckons_with(document):
+    page = (ROOT / "docs/cost.md").read_text(encoding="utf-8")
+    rate = document["contenders"][0]["worlds_per_second"]["median"]
+    assert f"/ {rate:,.0f}\n" in page
+
+
+def test_each_line_is_worlds_by_the_rate(cost):
+    rows = list(cost.rows(1000.0))
+    assert [row[0] for row in rows] == list(range(1, 13))
+    # OEIS A000698.
+    assert [row[1] for row in rows[:9]] == [
+        *(2, 10, 74, 706, 8162, 110410, 1708394, 29752066, 576037442),
+    ]
+    for _, worlds, total, seconds in rows:
+        assert total >= worlds
+        assert seconds == total / 1000
+
+
+def test_the_measurement_says_where_and_when_it_was_made(document):
+    assert document["schema"] == 1
+    assert re.fullmatch(r"[0-9]+\.[0-9]+\.[0-9]+", document["version"])
+    assert document["machine"]["processor"]
+    assert document["rounds"] >= 3
