@@ -7,9 +7,10 @@ prints one line, ``VERIFIED: ...`` (exit code 0) or ``REFUSED: ...`` (1; 2: a fi
 A proof is a list of lines ``number literals 0 hints 0``.  A line is right if the negation of
 its literals, and then the hints in their order, lead to a contradiction: each hint names a
 clause all of whose literals are false but one, which is then true, and the last hint names a
-clause all of whose literals are false.  A line ``number d numbers 0`` forgets clauses.  Every
+clause all of whose literals are false.  (The one literal may be true already; such a hint does no
+harm, and solvers write some.)  A line ``number d numbers 0`` forgets clauses.  Every
 line is checked, to the end of the file, and the empty clause must be among them.  Refused are
-also: a hint that implies nothing, hints after the contradiction, a number that is not larger
+also: a hint with two open literals, hints after the contradiction, a number that is not larger
 than all before it, a clause that is forgotten twice, literals that are no variables of the
 formula, steps with a negative hint (RAT), and anything that is no number.
 """
@@ -130,8 +131,6 @@ def _contradiction(
             if place < len(hints):
                 raise Refused(f"hints follow after the contradiction at hint {hint}")
             return
-        if implied in true:
-            raise Refused(f"hint {hint} implies nothing: it is true already")
         true.add(implied)
     raise Refused("the hints end without a contradiction")
 
@@ -157,7 +156,9 @@ def main(arguments: list[str]) -> int:
         print("usage: python lrat.py FORMULA PROOF", file=sys.stderr)
         return 2
     try:
-        print(f"VERIFIED: {check_files(formula, proof):,} clauses derived, the empty one among them")
+        print(
+            f"VERIFIED: {check_files(formula, proof):,} clauses derived, the empty one among them"
+        )
     except Refused as error:
         print(f"REFUSED: {error}")
         return 1

@@ -1,0 +1,155 @@
+"""Writes the formulas, proofs and pairs of the claims.  The producer: the checkers use none of it.
+
+    python proofs/produce.py CLAIM... [--solver PATH]
+    python proofs/produce.py no-twins-directional --edges 7 --to DIR [--solver PATH]
+
+Needs the package with its extra ``proofs``, or a CaDiCaL 2 or later.  The second form goes
+further than what is committed: it writes to DIR, and ``lrat.py`` checks each level there.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import lzma
+import subprocess
+import sys
+import tempfile
+from itertools import permutations, product
+from pathlib import Path
+from typing import Any
+
+from allworlds import search
+from allworlds.maps import from_cycles, from_rotation
+from allworlds.smt.witness import MarkedMap, bisimulation, same_world_from
+
+HERE = Path(__file__).resolve().parent
+CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
+
+
+def searched(folder: Path, prefix: str, solver: str | None, **bounds: Any) -> list[MarkedMap]:
+    """The pair of a search, or none and for every level formula and proof in the folder."""
+    with tempfile.TemporaryDirectory() as out:
+        result = search(out=out, solver=solver, **bounds)
+        if result.pair:
+            return list(result.pair)
+        if result.certificate is None:
+            raise SystemExit(f"no certificate: {result.notices}")
+        for level in result.levels:
+            name = f"{prefix}m{level.level.two.edges}"
+            _compress(level.formula, folder / f"{name}.cnf.xz")
+            assert level.proof is not None
+            _compress(level.proof, folder / f"{name}.lrat.xz")
+    return []
+
+
+def _compress(source: Path, target: Path) -> None:
+    target.write_bytes(lzma.compress(source.read_bytes(), preset=9 | lzma.PRESET_EXTREME))
+
+
+def entry(worlds: list[MarkedMap]) -> dict[str, Any]:
+    """A pair and its bisimulation, as the checkers read them."""
+    classes = bisimulation(*worlds)
+    if classes is None:
+        raise SystemExit(f"{worlds} do not look alike")
+    return {"pair": [world.to_json() for world in worlds], "bisimulation": list(classes)}
+
+
+def write(path: Path, document: Any) -> None:
+    """A JSON file, a line for each list."""
+    text = json.dumps(document, indent=1)
+    path.write_text(text + "\n", encoding="ascii")
+
+
+def no_twins_directional(solver: str | None, edges: int, folder: Path) -> None:
+    """None up to so many edges."""
+    bounds = {"max_vertices": edges + 1, "max_edges": edges}
+    if searched(folder, "", solver, info="directional", **bounds):
+        raise SystemExit("a pair with a directional lighthouse")
+
+
+def smallest_pairs(solver: str | None) -> None:
+    """The three smallest pairs, and that there are no smaller ones."""
+    folder = HERE / "smallest-pairs"
+    pairs = {}
+    for name, below, edges in (("maps", 1, 2), ("simple", 5, 6), ("planar-simple", 7, 8)):
+        asked = {"info": "position", "map_class": name, "max_vertices": edges + 1}
+        searched(folder, f"{name}-", solver, max_edges=below, **asked)
+        pairs[name] = entry(searched(folder, "", solver, max_edges=edges, **asked))
+    write(folder / "pairs.json", pairs)
+
+
+def fig1(solver: str | None) -> None:
+    """The candidates for Fig. 1, and that the caption does not fit planar drawings of the wheel."""
+    folder = HERE / "fig1"
+    asked = {"info": "position", "map_class": "planar-simple", "degree_marked": 4}
+    asked |= {"degree_others": 3, **CAPTION}
+    searched(folder, "search-", solver, max_vertices=5, max_edges=8, **asked)
+    found = searched(folder, "", solver, max_vertices=9, max_edges=14, **asked)
+    write(folder / "pairs.json", {"planar-simple": entry(found), "wheel": entry(wheels())})
+
+
+def wheels() -> list[MarkedMap]:
+    """The wheel with four spokes in the plane, and the first drawing of it that looks alike."""
+    rims = [[0, i % 4 + 1, (i - 2) % 4 + 1] for i in range(1, 5)]
+    plane = MarkedMap("position", from_rotation([[1, 2, 3, 4], *rims]), 0, (0,))
+    for hub in permutations([2, 3, 4]):
+        for turned in product((1, -1), repeat=4):
+            around = [rim[::turn] for rim, turn in zip(rims, turned, strict=True)]
+            drawn = MarkedMap("position", from_rotation([[1, *hub], *around]), 0, (0,))
+            if bisimulation(plane, drawn) and same_world_from(plane, drawn) is None:
+                return [plane, drawn]
+    raise SystemExit("no drawing of the wheel looks like another")
+
+
+def natural_lighthouse(_solver: str | None) -> None:
+    """v1 with rotation p0 x0 y0 p1 x1 y1; x0 meets y0 (plane) or y1 (torus)."""
+    plane = from_cycles(["pq", "pxxqyy"])
+    torus = from_cycles(["pq", "pxyqyx"])
+    worlds = [MarkedMap("none", map_, 0, ()) for map_ in (plane, torus)]
+    document = entry(worlds)
+    for world in document["pair"]:
+        world["lighthouse"] = {"kind": "natural", "dart": 0}
+    write(HERE / "natural-lighthouse" / "pair.json", document)
+
+
+def write_manifest() -> None:
+    """The SHA-256 digest of every file that a checker reads."""
+    kinds = (".xz", ".json", ".smt2")
+    claims = [path.parent for path in HERE.glob("*/checker.py")]
+    files = sorted(p for claim in claims for p in claim.iterdir() if p.suffix in kinds)
+    digests = {str(p.relative_to(HERE)): hashlib.sha256(p.read_bytes()).hexdigest() for p in files}
+    write(HERE / "manifest.json", digests)
+
+
+def main() -> None:
+    """The claims that are named."""
+    parser = argparse.ArgumentParser(description="Write formulas, proofs and pairs.")
+    parser.add_argument("claims", nargs="*", metavar="CLAIM")
+    parser.add_argument("--edges", type=int, default=5)
+    parser.add_argument("--to", type=Path)
+    parser.add_argument("--solver")
+    options = parser.parse_args()
+    if options.to:
+        options.to.mkdir(parents=True, exist_ok=True)
+        no_twins_directional(options.solver, options.edges, options.to)
+        for edges in range(1, options.edges + 1):
+            files = [str(options.to / f"m{edges}.{kind}.xz") for kind in ("cnf", "lrat")]
+            subprocess.run([sys.executable, str(HERE / "lrat.py"), *files], check=True)
+        return
+    producers = {
+        "fig1": fig1,
+        "smallest-pairs": smallest_pairs,
+        "natural-lighthouse": natural_lighthouse,
+    }
+    for claim in options.claims:
+        if claim == "no-twins-directional":
+            no_twins_directional(options.solver, 5, HERE / claim)
+        else:
+            producers[claim](options.solver)
+    write_manifest()
+
+
+if __name__ == "__main__":
+    main()
