@@ -1,0 +1,131 @@
+"""The explorer and the judge extracted from the Coq proofs, held against the Python ones.
+
+    python proofs/certified.py [--edges 5] [--judged-edges 4]
+
+needs the programs that ``make -C proofs/coq explorer`` builds, and the package.  The certified
+explorer is checked like anybody's, and its traversals must equal, row by row, those of the
+built-in Algorithm 1 under the same policy, in the Python engine and in the kernel.  The
+certified judge gets the answer of every mutant and of Algorithm 1 on every world, and must give
+the Python judge's verdict.  Exit code 1: they disagree; 2: a program is missing.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+from allworlds.checker import check, worlds
+from allworlds.episode import Answered, play
+from allworlds.explorers.algorithm1 import Algorithm1
+from allworlds.judge import Case, paper_bound
+from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
+from allworlds.protocol import Choices
+from allworlds.subjects import subject_of
+
+HERE = Path(__file__).resolve().parent
+EXPLORER, JUDGE = HERE / "coq" / "explorer", HERE / "coq" / "judge"
+
+
+def explorers_agree(edges: int, workers: int) -> bool:
+    """Whether the certified explorer holds, and walks as far as the Python one in every row."""
+    start = time.monotonic()
+    certified = check(f"exec:{EXPLORER}", edges=edges, workers=workers)
+    seconds = time.monotonic() - start
+    agree = certified.verdict.value == "holds"
+    print(
+        f"certified explorer: {certified.verdict.value}, {certified.runs:,} runs, {seconds:.0f} s"
+    )
+    for engine in ("python", "kernel"):
+        built_in = check("algorithm1", edges=edges, workers=workers, engine=engine)
+        same = _rows(certified.rows()) == _rows(built_in.rows())
+        agree = agree and same
+        print(f"  traversals equal the {engine} engine's in every row: {'yes' if same else 'NO'}")
+    return agree
+
+
+def _rows(rows: list[dict[str, int]]) -> list[tuple[int, ...]]:
+    kept = ("edges", "vertices", "worlds", "runs", "traversals", "traversals_rooted", "max_cost")
+    return [tuple(row[key] for key in kept) for row in rows]
+
+
+def judges_agree(edges: int) -> bool:
+    """Whether the certified judge gives the Python judge's verdict on every answer."""
+    cases = list(_cases(edges))
+    lines = "".join(
+        json.dumps(
+            {
+                "world": case.map.to_json(),
+                "estimate": {**case.estimate.map.to_json(), "here": case.estimate.here},
+                "end": case.trail[-1],
+            }
+        )
+        + "\n"
+        for _, case in cases
+    )
+    answered = subprocess.run(
+        [str(JUDGE)], input=lines, capture_output=True, text=True, check=True, timeout=600
+    )
+    verdicts = [json.loads(line)["verdict"] for line in answered.stdout.splitlines()]
+    if len(verdicts) != len(cases):
+        print(f"certified judge: {len(verdicts)} verdicts on {len(cases)} answers")
+        return False
+    told: Counter[str] = Counter(verdicts)
+    wrong = [
+        (name, case, verdict)
+        for (name, case), verdict in zip(cases, verdicts, strict=True)
+        if verdict != case.answer
+    ]
+    summary = ", ".join(f"{verdict} {count:,}" for verdict, count in sorted(told.items()))
+    print(f"certified judge: {len(cases):,} answers ({summary}), {len(wrong)} disagreements")
+    for name, case, verdict in wrong[:3]:
+        print(f"  {name}: certified {verdict}, Python {case.answer}: {case.map.to_json()}")
+    # Agreement says nothing if one of the three verdicts was never called for.
+    return not wrong and set(told) == {"right", "pose", "map"}
+
+
+def _cases(edges: int) -> Iterator[tuple[str, Case]]:
+    """Every answer of every explorer, with the world and the walk it belongs to."""
+    everyone = (WrongExplorer(Algorithm1), *WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)
+    players = [(mutant.name, subject_of(mutant.explorer()).player()) for mutant in everyone]
+    for world in worlds(edges=edges):
+        budget = 8 * paper_bound(world.map.vertex_count, world.map.edge_count) + 100
+        for name, player in players:
+            episode = play(world, player, Choices(), budget)
+            if isinstance(episode.ending, Answered):
+                yield (
+                    name,
+                    Case(
+                        world.map,
+                        world.start,
+                        episode.transcript,
+                        episode.checkpoints,
+                        episode.ending.estimate,
+                    ),
+                )
+
+
+def main() -> int:
+    """Compare both, and say so."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--edges", type=int, default=5, help="for the explorer")
+    parser.add_argument("--judged-edges", type=int, default=4, help="for the judge")
+    parser.add_argument("--workers", type=int, default=2)
+    options = parser.parse_args()
+    for program in (EXPLORER, JUDGE):
+        if not program.exists():
+            print(f"{program} is missing: make -C proofs/coq explorer", file=sys.stderr)
+            return 2
+    agree = explorers_agree(options.edges, options.workers)
+    agree = judges_agree(options.judged_edges) and agree
+    print("AGREE" if agree else "DISAGREE")
+    return 0 if agree else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
