@@ -1,5 +1,7 @@
 """Everything that is done to this project, by name: ``nox -l`` lists it."""
 
+import time
+
 import nox
 
 nox.options.sessions = ["lint", "types", "test"]
@@ -48,3 +50,21 @@ def bench(session: nox.Session) -> None:
     """Measure; peers are given as --peer 'NAME=COMMAND'."""
     session.install(".")
     session.run("python", "benchmarks/python_engine.py", *session.posargs)
+
+
+@nox.session
+def proofs(session: nox.Session) -> None:
+    """Check every certificate, every second opinion and the Coq development, with times."""
+    session.install(".[proofs]")
+    steps = (
+        ("python", "proofs/check.py"),
+        ("python", "proofs/second-opinions/check.py"),
+        ("make", "-C", "proofs/coq"),
+        ("make", "-C", "proofs/coq", "explorer", "mutants"),
+        ("python", "proofs/coq/certificates.py"),
+        ("python", "proofs/certified.py"),
+    )
+    for step in steps:
+        start = time.monotonic()
+        session.run(*step, external=step[0] == "make")
+        session.log(f"{' '.join(step)}: {time.monotonic() - start:.0f} s")
