@@ -8,28 +8,31 @@
                           unexplored  U, as a queue: the dart that came into S first stands first;
                           bearing0    the bearing sensed at the start;
                           at_dart     the robot's dart in S;
-                          due_turn    by how much the robot still has to turn to face away from at_dart as
-                                      if it had just come in there.
-     policy               an oracle for everything that the paper leaves open; it sees all that is known.
-                            choose_edge         which dart leaves U                           line 3
-                            choose_transit      the path to it                                line 4
-                            order_hypotheses    the order of H                                line 8
-                            choose_home         the path of a hypothesis to v0                line 9
-                          Any functions make a policy: a proposal that is not legal (no open dart; no
-                          path, or one as long as S has vertices; another set of hypotheses) is replaced
-                          by the oldest dart, a breadth-first path, the order of U.
-     route S a v          a breadth-first path in S from dart a to vertex v, with the dart it arrives by.
+                          due_turn    the turn that it still has to make, to stand as if it had just
+                                      come in by at_dart.
+     policy               an oracle for everything that the paper leaves open; it sees all that is
+                          known and answers
+                            choose_edge         which dart leaves U                        line 3
+                            choose_transit      the path to it                             line 4
+                            order_hypotheses    the order of H                             line 8
+                            choose_home         the path of a hypothesis to v0             line 9
+                          Any functions make a policy.  A proposal that is not legal (a dart that is
+                          not open; no path, or one as long as S has vertices; another set of
+                          hypotheses) is replaced by the oldest dart, a breadth-first path, the order
+                          of U.
+     route S a v          a breadth-first path in S from dart a to vertex v, with the dart that it
+                          arrives by.
      walk_to w k c        follow w, then leave by k; c: the turn that is due.             lines 4-5
      check_path w P c o   execute w while the percepts are those of P.                   lines 10-13
      go_back done c       retrace: undo the motions done.                                 line 15
      test_all             test the hypotheses one by one until one is confirmed.          lines 7-17
      augment              lines 18-21.
      one_pass             lines 3-21.
-     estimate k           line 22: the darts of S are numbered by vertex, then clockwise; the root is
-                          the dart that the robot is at.
+     estimate k           line 22: the darts of S are numbered by vertex, then clockwise; the root
+                          is the dart that the robot is at.
      algorithm1 pol       the explorer: a function of the percepts so far.
-     machine              the same, step by step, without remembering what it has sensed; it is what runs
-                          outside Coq.  Refinement.v: they are equal.
+     machine              the same, step by step, without remembering what it has sensed; this is
+                          what runs outside Coq.  Refinement.v: they are equal.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps.
@@ -49,11 +52,14 @@ Definition visit (w : seq nat) (c : dart) (T : seq branch) k :=
   if partner S (turn S k c) is Some g then
     if g.1 \in unzip1 T then T else rcons T (g.1, (rcons w k, g))
   else T.
+(* the turns from c to the darts of its vertex, in the order of their places *)
+Definition round (c : dart) :=
+  [seq degree_in S c.1 - c.2 + i | i <- iota 0 (degree_in S c.1)].
 Fixpoint grow fuel i (T : seq branch) :=
   if fuel is fuel'.+1 then
     if i < size T then
       let t := (nth no_branch T i).2 in
-      grow fuel' i.+1 (foldl (visit t.1 t.2) T (iota 0 (degree_in S t.2.1)))
+      grow fuel' i.+1 (foldl (visit t.1 t.2) T (round t.2))
     else T
   else T.
 Definition tree (a : dart) := grow (size (degrees S)) 0 [:: (a.1, ([::], a))].

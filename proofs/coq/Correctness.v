@@ -1,17 +1,20 @@
 (* ---------------------------------------------------------------------------------------------
    The theorem of the paper, for every schedule.                             Sections IV, V and VI
 
-     map_with_robot S h   S without open darts as a rooted map: its darts are the known darts, the root
-                          is the robot's dart h.
-     robot_knows c        the map is the world and the robot knows where it is: S, seen from the dart
-                          where the robot believes to be, is the world seen from its true dart.
+     map_with_robot S h   S without open darts as a rooted map: its darts are the known darts, the
+                          root is the robot's dart h.
+     robot_knows c        the map is the world and the robot knows where it is: S, seen from the
+                          dart where the robot believes to be, is the world seen from its true
+                          dart.
 
      run_invariant        I-1 and I-2 hold after every pass of every run.
-     run_never_stuck      while a dart is open the run goes on; after each pass t has fallen by one, so no
-                          run makes more than m passes.
-     run_correct          a run that has no open dart left has made exactly m passes, with at most (1)+(2)
-                          traversals; the map is the world and the pose is right.
-     run_completes        every run can be continued to such an end.
+     run_tests            every test decides its hypothesis.
+     run_progress         while a dart is open the run goes on.
+     run_correct          a run that has no open dart left has made exactly m passes, with at most
+                          (1)+(2) traversals; the map is the world and the pose is right.
+     run_ends             every run can be continued to such an end, and none makes more than m
+                          passes.
+     run_cost_O_m2n       at no time has a run made more than 2 m^2 n traversals.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Maps Percepts RootedMaps PartialMaps HypothesisTests Paths Pass Cost.
@@ -30,22 +33,39 @@ Local Notation v0 := (@start W).
 Definition nothing_open c := forall e, ~~ is_open (mapped c) e.
 Definition robot_knows c := isomorphic (map_with_robot (mapped c) (here c)) (rooted (robot c)).
 
-Theorem run_invariant n C c : reached n C c -> exists r,
+Lemma run_embedded n C c : reached n C c -> exists r,
   [/\ embedded v0 (mapped c) r, known (mapped c) (here c) & robot c = phi v0 r (here c)].
 Proof. by move/reached_sound=> [r [I kh ph _]]; exists r. Qed.
 
+Theorem run_invariant n C c : reached n C c -> exists r,
+  [/\ I1 v0 (mapped c) r, I2 v0 (mapped c) r, known (mapped c) (here c)
+    & robot c = phi v0 r (here c)].
+Proof.
+move/run_embedded=> [r [I kh ph]]; exists r; split=> //; [exact: invariant_I1 | exact: invariant_I2].
+Qed.
+
+Theorem run_tests n C c : reached n C c -> exists2 r, I1 v0 (mapped c) r & forall w h f,
+  known (mapped c) h -> follow (mapped c) w h = Some f -> f.1 = 0 ->
+    (forall x : W, percepts_along w x = expected_percepts (first_bearing W) (mapped c) w h
+                   <-> x = phi v0 r h) /\
+    (forall h' f', known (mapped c) h' -> follow (mapped c) w h' = Some f' ->
+       expected_percepts (first_bearing W) (mapped c) w h
+       = expected_percepts (first_bearing W) (mapped c) w h' -> h = h').
+Proof.
+move/run_embedded=> [r [I _ _]]; exists r; first exact: invariant_I1.
+move=> w h f kh R f0; split=> [x|h' f' kh' R' E].
+  by split=> [|->]; [exact: (match_proves I kh R f0) | exact: (truth_matches I kh R)].
+exact: (embedded_path_unique I kh kh' R f0 R' E).
+Qed.
+
 Lemma run_passes n C c : reached n C c -> n <= edges W.
 Proof.
-move=> R; have [r [I _ _]] := run_invariant R; rewrite -leq_double edges_double -(reached_links R).
+move=> R; have [r [I _ _]] := run_embedded R; rewrite -leq_double edges_double -(reached_links R).
 exact: (size_links I).
 Qed.
 
-Theorem run_never_stuck n C c e : reached n C c -> is_open (mapped c) e ->
-  exists C1 c', pass e c C1 c' /\ variant c = (variant c').+1.
-Proof.
-move=> R oe; have [C1 [c' P]] := pass_progress (reached_sound R) oe.
-by exists C1, c'; split; last exact: (pass_decreases_variant R P).
-Qed.
+Theorem run_progress n C c e : reached n C c -> is_open (mapped c) e -> exists C' c', pass e c C' c'.
+Proof. by move/reached_sound; exact: pass_progress. Qed.
 
 (* S without open darts, embedded by phi, is the world *)
 Lemma complete_isomorphic S r h : embedded v0 S r -> complete_map v0 S r -> known S h ->
@@ -65,7 +85,7 @@ Qed.
 Theorem run_correct n C c : reached n C c -> nothing_open c ->
   [/\ n = edges W, C <= paper_bound (vertices W) (edges W) & robot_knows c].
 Proof.
-move=> R nopen; have [r [I kh ph]] := run_invariant R.
+move=> R nopen; have [r [I kh ph]] := run_embedded R.
 have X := complete_when_nothing_open I nopen.
 have E : n = edges W.
   apply: double_inj; rewrite edges_double; apply/eqP.
@@ -89,5 +109,18 @@ have nopen : nothing_open c.
   move=> e; apply/negP=> oe; have [ke _] := andP oe.
   by have := H e; rewrite mem_darts oe => /(_ ke).
 by have [<- _ _] := run_correct R nopen; exists C, c.
+Qed.
+
+Corollary run_ends n C c : reached n C c ->
+  n <= edges W /\ exists C' c', [/\ reached (edges W) C' c', nothing_open c' & C <= C'].
+Proof. by move=> R; split; [exact: run_passes R | exact: run_completes R]. Qed.
+
+Corollary run_cost_O_m2n n C c : reached n C c -> C <= 2 * edges W ^ 2 * vertices W.
+Proof.
+case/run_completes=> C' [c' [R nopen le]]; apply: leq_trans le _.
+have [_ le _] := run_correct R nopen; apply: leq_trans le _.
+have [r [I _ _]] := run_embedded R; have X := complete_when_nothing_open I nopen.
+apply: paper_bound_le; first exact: (vertices_gt0 v0).
+by rewrite leq_subLR add1n (leq_trans (complete_vertices I X)) // (reached_size R).
 Qed.
 End Correctness.

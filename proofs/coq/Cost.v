@@ -1,8 +1,8 @@
 (* ---------------------------------------------------------------------------------------------
    Cost: what a pass and a whole run cost, in edge traversals, retracing included.      Section VI
 
-     pass_bound m s p     a pass begun with s vertices in S after p earlier passes:
-                          s + 2 (s-1) (2m - 2p).
+     pass_bound m s p     a pass begun with s vertices in S after p earlier passes: s + 2 (s-1)
+                          (2m - 2p).
      sum_1 n m, sum_2 n m the paper's (1), and (2) with its upper limit read as m-n+1.
      paper_bound n m      (1) + (2).
      run_bound n m q      pass_bound summed over q passes, S growing by one vertex a pass up to n.
@@ -11,8 +11,9 @@
      run_cost             q passes cost at most run_bound n m q, whatever the order of loops and
                           non-loops: no exchange argument is needed.
      run_bound_paper      for q = m that is (1) + (2), term by term.
-     paper_bound_polynomial  (1) + (2) = 2m^2 n - 2mn^2 + (2/3)n^3 - 2m^2 + 5mn - (5/2)n^2 - 2m + (11/6)n;
-                          stated without division and subtraction.  The printed (3) leaves out 5mn.
+     paper_bound_polynomial   (1) + (2) = 2m^2 n - 2mn^2 + (2/3)n^3 - 2m^2 + 5mn - (5/2)n^2 - 2m +
+                          (11/6)n; stated without division and subtraction.  The printed (3)
+                          leaves out 5mn.
      paper_bound_le       (1) + (2) <= 2 m^2 n: the cost is O(m^2 n), with the constant 2.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
@@ -69,7 +70,8 @@ move=> I sz U O; have := open_and_explored I U O.
 by rewrite sz -edges_double !mul2n => le; rewrite -(leq_add2r p.*2) subnK // (leq_trans _ le) ?leq_addl.
 Qed.
 
-Theorem pass_cost e (c : configuration W) C c' p : sound c -> size (links (mapped c)) = p.*2 -> pass e c C c' ->
+Theorem pass_cost e (c : configuration W) C c' p : sound c -> size (links (mapped c)) = p.*2 ->
+  pass e c C c' ->
   C <= pass_bound m (size (degrees (mapped c))) p.
 Proof.
 move=> Ok sz P; case: P Ok sz => S d q w0 k ts => [h w f|] x [_ sw0 _] Rj U.

@@ -1,23 +1,75 @@
-(* Examples.v -- Algorithm 1 run inside Coq *)
-Set Warnings "-notation-overridden".
+(* ---------------------------------------------------------------------------------------------
+   The hypotheses can be met: worlds, and runs computed inside Coq.
+
+     figure_eight, theta, k4   one vertex with two loops; two vertices with three edges; K4.
+     all_right                 Algorithm 1, run from the root for every bearing, is right each
+                               time; with the number of traversals.
+     theta_world               a lighthouse_world; theta_is_met: the theorem of Refinement.v about
+                               it.
+     loop_on_cycle             a loop lies on a cycle, so DoubleCover.v speaks of worlds that
+                               exist.
+   --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Rooted.
-From Allworlds Require Import Lighthouse Algorithm.
-Import Rooted.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Cost Algorithm Refinement.
+From Allworlds Require Import Policies NumberedWorlds Judge DoubleCover.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
-Definition test M pt fuel := let: (t, e, z) := mrun (gmv (den M)) (tobs M pt) fuel (Ret (first_state (tobs M pt (rrt M)))) (rrt M) in
-  (size t, if e is Some N then same N (Rmap (rsg M) (ral M) z) else false).
-Definition testX M pt fuel := let: (t, e, z) := @episode _ _ algorithm1X (den M) (tobs M pt) fuel in
-  (size t, if e is Some N then same N (Rmap (rsg M) (ral M) z) else false).
-Definition loops2 := Rmap [:: 1;2;3;0] [:: 1;0;3;2] 0.
-Definition theta := Rmap [:: 1;2;0;4;5;3] [:: 3;5;4;0;2;1] 0.
-Definition K4 := Rmap [:: 1;2;0;4;5;3;7;8;6;10;11;9] [:: 3;6;9;0;11;7;1;5;10;2;8;4] 0.
-Definition all_bearings M := [seq test M b 400 | b <- iota 0 (tobs M 0 0).1].
-Definition all_bearingsX M := [seq testX M b 400 | b <- iota 0 (tobs M 0 0).1].
-Example worlds_valid : all valid [:: loops2; theta; K4]. Proof. by vm_compute. Qed.
-Example run_loops2 : all_bearings loops2 = nseq 4 (2, true). Proof. by vm_compute. Qed.
-Example run_theta : all_bearings theta = nseq 3 (8, true). Proof. by vm_compute. Qed.
-Example run_K4 : all_bearings K4 = nseq 3 (35, true). Proof. by vm_compute. Qed.
-Example runX : map all_bearingsX [:: loops2; theta; K4] = map all_bearings [:: loops2; theta; K4]. Proof. by vm_compute. Qed.
+
+Definition figure_eight := NumberedMap [:: 1; 2; 3; 0] [:: 1; 0; 3; 2] 0.
+Definition theta := NumberedMap [:: 1; 2; 0; 4; 5; 3] [:: 3; 5; 4; 0; 2; 1] 0.
+Definition k4 :=
+  NumberedMap [:: 1; 2; 0; 4; 5; 3; 7; 8; 6; 10; 11; 9] [:: 3; 6; 9; 0; 11; 7; 1; 5; 10; 2; 8; 4] 0.
+
+Lemma theta_valid : valid theta. Proof. by vm_compute. Qed.
+
+Lemma theta_order : size (dart_order theta) == size (sigma_list theta). Proof. by vm_compute. Qed.
+
+(* the run for the marker k darts clockwise from the root: its cost, and whether it is right *)
+Definition run pol M k :=
+  let pt := iter k (nth 0 (sigma_list M)) (root_number M) in
+  let: (transcript, answer, z) := episode (algorithm1 pol) (denote M) (sensed M pt) 100 in
+  (size transcript, if answer is Some e then same_code e (seen_from M z) else false).
+Definition run_machine pol M k :=
+  let pt := iter k (nth 0 (sigma_list M)) (root_number M) in
+  let: (transcript, answer, z) :=
+    machine pol (motion_in (denote M)) (sensed M pt) 100
+      (Return (first_knowledge (sensed M pt (root_number M)))) (root_number M) in
+  (size transcript, if answer is Some e then same_code e (seen_from M z) else false).
+Definition runs (f : policy -> numbered_map -> nat -> nat * bool) pol M :=
+  [seq f pol M k | k <- iota 0 (degree_at M (root_number M))].
+
+(* a policy that proposes nothing legal *)
+Definition unhelpful :=
+  Policy (fun _ => (7, 7)) (fun _ _ => [:: 1; 5]) (fun _ _ _ => [::]) (fun _ _ => [:: 3]).
+
+Example figure_eight_runs : runs run fifo figure_eight = nseq 4 (2, true).
+Proof. by vm_compute. Qed.
+Example theta_runs : runs run fifo theta = nseq 3 (8, true).
+Proof. by vm_compute. Qed.
+Example k4_runs : all (fun pol => all (fun r => r.2) (runs run pol k4)) [:: fifo; lifo; nearest; unhelpful].
+Proof. by vm_compute. Qed.
+Example machine_runs : all (fun M => runs run_machine fifo M == runs run fifo M)
+  [:: figure_eight; theta; k4].
+Proof. by vm_compute. Qed.
+
+(* an answer with the right map and the wrong place, and one with the wrong map, are not right *)
+Example judge_tells : [/\ judge theta 0 theta = IsRight,
+  judge figure_eight 0 (seen_from figure_eight 1) = WrongPose
+  & judge theta 0 figure_eight = WrongMap].
+Proof. by vm_compute. Qed.
+
+Definition theta_world := world_of_numbers theta_valid (elimT (connectedP theta_valid) theta_order) 1.
+
+Theorem theta_is_met : exists transcript answer z,
+  [/\ episode (algorithm1 fifo) (rooted start) (@percept_of theta_world)
+        (paper_bound (vertices theta_world) (edges theta_world)) = (transcript, Some answer, z),
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. by have [t [e [z [A _ V I]]]] := algorithm1_correct (W := theta_world) fifo (leqnn _);
+  exists t, e, z. Qed.
+
+Theorem loop_on_cycle (G : combinatorial_map) (e : G) : at_same_vertex e (alpha e) -> on_cycle e.
+Proof.
+rewrite at_same_vertex_sym; apply: connect_sub => x y /eqP <-.
+by apply: connect1; rewrite /step_without_e eqxx.
+Qed.

@@ -1,17 +1,19 @@
 (* ---------------------------------------------------------------------------------------------
    Explorers.
 
-     action, explorer   an explorer is any function from the percepts so far (the first one first) to
-                        an action: a motion, or to stop with an answer of any type.  It never holds a
-                        world, so whatever holds of all explorers holds of all algorithms.
-     episode X M obs n  explorer X in the rooted map M, where obs d is sensed in dart d, for at most n
-                        motions: the transcript (motion, percept), the answer, the robot's true dart.
-                        No answer: the n motions were not enough.
-     right              it stops, and its answer denotes a rooted map that is isomorphic to the world
-                        seen from the robot's true dart: the same map, and the right place in it.
+     action, explorer   an explorer is any function from the percepts so far (the first one first)
+                        to an action: a motion, or to stop with an answer of any type.  It never
+                        holds a world, so whatever holds of all explorers holds of all algorithms.
+     episode X M obs n  explorer X in the rooted map M, where obs d is sensed in dart d, for at
+                        most n motions: the transcript (motion, percept), the answer, the robot's
+                        true dart. No answer: the n motions were not enough.
+     right              it stops, and its answer denotes a rooted map that is isomorphic to the
+                        world seen from the robot's true dart: the same map, and the right place
+                        in it.
 
-     program A          a robot's control: Return x, or Go k f: make motion k and go on with f of what
-                        is sensed then.  An algorithm written so sees percepts and nothing else.
+     program A          a robot's control: Return x, or Go k f: make motion k and go on with f of
+                        what is sensed then.  An algorithm written so sees percepts and nothing
+                        else.
      bind p f           first p, then f of its result.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.

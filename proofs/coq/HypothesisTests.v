@@ -1,15 +1,16 @@
 (* ---------------------------------------------------------------------------------------------
    Hypothesis tests.                                             Section IV, cases (1)-(3); Section V
 
-   The robot has come in by an unknown dart x of the world and asks whether x is the open dart h of S.
-   It makes the motions w of a path from h to v0 in S (follow S w h = Some f, and f lies at vertex 0)
-   and compares what it senses with expected_percepts S w h.
+   The robot has come in by an unknown dart x of the world and asks whether x is the open dart h
+   of S. It makes the motions w of a path from h to v0 in S (follow S w h = Some f, and f lies at
+   vertex 0) and compares what it senses with expected_percepts S w h.
 
      match_proves       percepts that match throughout prove the hypothesis (case 3): x is phi h.
-     truth_matches      a true hypothesis matches throughout, so a mismatch refutes (cases 1 and 2).
+     truth_matches      a true hypothesis matches throughout, so a mismatch refutes (cases 1 and
+                        2).
      test_iff           both: a test matches if and only if its hypothesis is true.
-     embedded_path_unique   the uniqueness of the embedded path: the motions to v0 and the percepts
-                        expected on the way determine the dart that they start from.
+     embedded_path_unique   the uniqueness of the embedded path: the motions to v0 and the
+                        percepts expected on the way determine the dart that they start from.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Maps Percepts PartialMaps.
@@ -44,8 +45,10 @@ have oi : degree (iter i sigma v0) = o by rewrite (degree_same c).
 have E : iter ((b + (o - i)) %% o) sigma (iter i sigma v0) = pointed.
   rewrite -{2}oi turn_modulo_degree -iterD -addnA subnK ?(ltnW l2) // iterD iter_degree.
   exact: (iter_findex (@pointed_at_v0 W)).
-rewrite /bearing; have -> : at_same_vertex (iter i sigma v0) pointed by rewrite -E; exact: fconnect_iter.
-congr Some; by rewrite -[X in findex _ _ X]E findex_iter // -/(degree _) oi ltn_mod (leq_ltn_trans _ l2).
+rewrite /bearing; have -> : at_same_vertex (iter i sigma v0) pointed by rewrite -E;
+  exact: fconnect_iter.
+congr Some; by rewrite -[X in findex _ _ X]E findex_iter // -/(degree _) oi ltn_mod (leq_ltn_trans
+  _ l2).
 Qed.
 
 Lemma expected_percepts_phi w e f : known S e -> follow S w e = Some f ->

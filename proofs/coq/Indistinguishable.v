@@ -3,14 +3,16 @@
 
      percepts_in obs w d   what is sensed on the way of the motions w from d.
      alike x y             every list of motions gives equal percepts from x and from y.
-     A bisimulation of two worlds is a relation R between their darts that holds of the start darts,
+     A bisimulation of two worlds is a relation R between their darts that holds of the start
+                           darts,
      implies equal percepts, and is kept by sigma and alpha.
 
      twins_episode         R a bisimulation: every explorer has the same transcript and the same
                            answer in both worlds.
-     twins_impossible      hence an explorer that is right in both worlds exists only if they are the
-                           same rooted map.
-     alike is the largest bisimulation (alike_percept, alike_sigma, alike_alpha, bisimulation_alike).
+     twins_impossible      hence an explorer that is right in both worlds exists only if they are
+                           the same rooted map.
+     alike is the largest bisimulation (alike_percept, alike_sigma, alike_alpha,
+                           bisimulation_alike).
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import RootedMaps Explorers.

@@ -3,20 +3,21 @@
 
    The world is an embedding of a finite connected graph: a combinatorial map.  It is given by its
    darts (a dart is one end of an edge) and two permutations of them:
-     sigma d    the next dart clockwise round the same vertex;
-     alpha d    the other end of the same edge: an involution without fixed points.
+     sigma d              the next dart clockwise round the same vertex;
+     alpha d              the other end of the same edge: an involution without fixed points.
    Vertices are the cycles of sigma, edges those of alpha.  Loops and parallel edges are allowed,
    the surface may have any genus, nothing is said of the number of vertices or edges.
 
      combinatorial_map    such a pair of permutations on a finite type, connected.  A map G stands
                           for the type of its darts as well: d : G is a dart of G.
-     adjacent x y         y is sigma x or alpha x; connected: any two darts are joined by such steps.
+     adjacent x y         y is sigma x or alpha x; connected: any two darts are joined by such
+                          steps.
      at_same_vertex x y   x and y are darts of one vertex.
      degree d             the number of darts at the vertex of d.
      vertices G, edges G  how many vertices and edges G has: the paper's n and m.
-     motion k d           the robot has come in by d (or faces d, at the start); it leaves by the k-th
-                          dart clockwise from d, and stands then in the dart at the other end.
-                          One motion is one edge traversal; turning on the spot is free.
+     motion k d           the robot has come in by d (or faces d, at the start); it leaves by the
+                          k-th dart clockwise from d, and stands then in the dart at the other
+                          end. One motion is one edge traversal; turning on the spot is free.
      walk w d             where the motions of the list w lead from d.
      retrace w d          undoes motions: cross back, turn back, ...; the last turn is free.
 
@@ -31,6 +32,19 @@ Unset Printing Implicit Defensive.
 
 Definition adjacent (D : finType) (sigma alpha : D -> D) : rel D :=
   fun x y => (y == sigma x) || (y == alpha x).
+
+(* such steps can be taken back: sigma has finite order, alpha is its own inverse *)
+Lemma adjacent_connect_sym (D : finType) (sigma alpha : D -> D) :
+  injective sigma -> involutive alpha -> connect_sym (adjacent sigma alpha).
+Proof.
+move=> inj aK; set adj := adjacent _ _; have step z u : adj z u -> connect adj u z.
+  case/orP=> /eqP->; last by apply: connect1; rewrite /adj /adjacent aK eqxx orbT.
+  have : fconnect sigma (sigma z) z by rewrite (fconnect_sym inj) fconnect1.
+  by apply: connect_sub => a c /eqP <-; apply: connect1; rewrite /adj /adjacent eqxx.
+suff half z u : connect adj z u -> connect adj u z by move=> z u; apply/idP/idP; exact: half.
+case/connectP=> p P ->; elim: p z P => [|a p IH] z /=; first by rewrite connect0.
+by case/andP=> /step S /IH H; exact: connect_trans H S.
+Qed.
 
 Record combinatorial_map := CombinatorialMap {
   darts_of :> finType;

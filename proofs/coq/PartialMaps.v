@@ -2,11 +2,11 @@
    Partial maps: what an explorer knows, S and U, and the invariants I-1 and I-2.   Sections IV, V
 
    S numbers the vertices it holds 0, 1, ... in the order of discovery; 0 is v0.
-     dart                 here: a dart of S, (number of its vertex, place clockwise).  The places are
-                          counted from the dart by which the vertex was discovered; at v0 from the dart
-                          that the robot faced at the start.
-     partial_map          degrees: the degree of each vertex;  links: the explored darts, each with the
-                          dart at the other end of its edge (both directions are listed).
+     dart                 here: a dart of S, (number of its vertex, place clockwise).  The places
+                          are counted from the dart by which the vertex was discovered; at v0 from
+                          the dart that the robot faced at the start.
+     partial_map          degrees: the degree of each vertex;  links: the explored darts, each
+                          with the dart at the other end of its edge (both directions are listed).
      known S e            e is a dart of a vertex of S.
      partner S e          the other end of an explored dart.
      explored S e         e is in S as the end of an explored edge: its other end is known.
@@ -14,18 +14,21 @@
      open_darts S         U as a list: by vertex, then clockwise.
      turn S k e           the k-th dart clockwise from e.
      follow S w e         the dart reached in S by the motions w from e; None where w leaves S.
-     expected_percept     what a robot must sense in the dart e if S is right; b: the bearing at the
-                          start.  expected_percepts: along motions, the paper's P^E.
+     expected_percept     what a robot must sense in the dart e if S is right; b: the bearing at
+                          the start.  expected_percepts: along motions, the paper's P^E.
      add_loop S e h       loop augmentation, lines 18-19: the edge e/h; h leaves U with e.
-     add_vertex S e k     non-loop augmentation, lines 20-21: a new vertex of degree k behind e; the
-                          robot came in by its dart 0, new_dart S.
+     add_vertex S e k     non-loop augmentation, lines 20-21: a new vertex of degree k behind e;
+                          the robot came in by its dart 0, new_dart S.
    None of this mentions a world.  In a map G with start dart v0:
-     phi v0 r e           the dart of G that e stands for, where r lists, vertex by vertex, the dart
-                          that place 0 stands for: phi is the paper's map from S to G.
+     phi v0 r e           the dart of G that e stands for, where r lists, vertex by vertex, the
+                          dart that place 0 stands for: phi is the paper's map from S to G.
      embedded v0 S r      S is embedded in G by phi.
-     explored_part        G_s, the explored subgraph: the darts of G that explored darts stand for.
+     explored_part        G_s, the explored subgraph: the darts of G that explored darts stand
+                          for.
      at_explored_vertex   the dart lies at v0 or at a vertex with a dart in G_s.
-   invariant_I1, invariant_I2: the paper's invariants, from `embedded`.
+     I1, I2               the paper's invariants; invariant_I1, invariant_I2: they follow from
+                          `embedded`.
+     complete_map         phi is onto, and every dart of S has its partner: S is the whole map.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Maps Percepts.
@@ -258,7 +261,8 @@ split.
   by rewrite andbT; apply/eqP=> ef; move: (new_unknown S); rewrite -ef ke.
 - move=> v /andP[gt0]; rewrite size_rcons ltnS leq_eqVlt => /orP[/eqP->|lv].
     by exists 0; rewrite /explored /= !inE /new_dart size_degrees eqxx orbT.
-  by have [|i m] := @embedded_entered _ _ I v; [by rewrite gt0 | exists i; rewrite /explored /= !inE; apply/or3P/Or33].
+  by have [|i m] := @embedded_entered _ _ I v;
+    [by rewrite gt0 | exists i; rewrite /explored /= !inE; apply/or3P/Or33].
 Qed.
 
 Lemma size_links : size (links S) <= #|G|.
@@ -294,7 +298,7 @@ apply: connect_trans (phi_vertex e); rewrite -/(at_same_vertex _ _) at_same_vert
 exact: phi_vertex (e.1, i).
 Qed.
 
-Theorem invariant_I1 :
+Definition I1 :=
   [/\ (* G_s is a set of whole edges, each found once *)
       uniq explored_part /\ forall d, (alpha d \in explored_part) = (d \in explored_part),
       (* phi is a bijection from the darts of S to the darts at the vertices of G_s *)
@@ -305,6 +309,8 @@ Theorem invariant_I1 :
       & (* and the edges of S are those of G_s *)
       forall e, known S e -> (phi r e \in explored_part) = explored S e
         /\ forall f, partner S e = Some f -> known S f /\ alpha (phi r e) = phi r f].
+
+Theorem invariant_I1 : I1.
 Proof.
 have kl e f : (e, f) \in links S -> known S e by case/(embedded_links I).
 have half d : d \in explored_part -> alpha d \in explored_part.
@@ -322,10 +328,12 @@ by move=> f /partnerP m; have [_ kf E _] := embedded_links I m.
 Qed.
 
 (* ---- I-2: U is, by phi, the set of the unexplored darts of G that lie at a vertex of G_s ---- *)
-Theorem invariant_I2 :
+Definition I2 :=
   (forall d, at_explored_vertex d && (d \notin explored_part) <->
      exists2 e, e \in open_darts S & phi r e = d) /\
   (forall e f, e \in open_darts S -> f \in open_darts S -> phi r e = phi r f -> e = f).
+
+Theorem invariant_I2 : I2.
 Proof.
 split=> [d|e f].
   split=> [/andP[/at_explored_vertexP[e ke <-]]|[e]].

@@ -1,24 +1,25 @@
 (* ---------------------------------------------------------------------------------------------
    A pass through the loop of Algorithm 1, as a relation.                 Algorithm 1, lines 2-21
 
-   Nothing that the paper leaves open is fixed here.  Any open dart may leave U (line 3); any path of
-   fewer steps than S has vertices may lead to it and from a hypothesis to v0 (a simple path is one;
-   lines 4, 9); the hypotheses may be tested in any order (line 8); and hypotheses of another signature
-   may be tested or left out (line 6).
+   Nothing that the paper leaves open is fixed here.  Any open dart may leave U (line 3); any path
+   of fewer steps than S has vertices may lead to it and from a hypothesis to v0 (a simple path is
+   one; lines 4, 9); the hypotheses may be tested in any order (line 8); and hypotheses of another
+   signature may be tested or left out (line 6).
 
      configuration        what is mapped, the robot's dart in S, and its true dart in the world.
-     transit S c e w k    lines 3-4: e is open; the motions w lead in S from c to the vertex of e, and
-                          from there motion k leaves by e.
+     transit S c e w k    lines 3-4: e is open; the motions w lead in S from c to the vertex of e,
+                          and from there motion k leaves by e.
      leads_home S h w f   lines 8-9: the motions w lead in S from h to v0, into its dart f.
      rejected S e x (h,w) the hypothesis h, tested from the true dart x with the motions w, fails.
      steps_walked         steps made in a test until the first mismatch.
      tests_cost           traversals of a list of rejected tests: there and back (line 15).
-     pass e c C c'        exploring e takes the configuration c to c', with C traversals: all of lines
-                          4-21, either with a confirmed hypothesis h (LoopPass) or with all hypotheses of
-                          the signature seen rejected (VertexPass).
+     pass e c C c'        exploring e takes the configuration c to c', with C traversals: all of
+                          lines 4-21, either with a confirmed hypothesis h (LoopPass) or with all
+                          hypotheses of the signature seen rejected (VertexPass).
      reached n C c        c is reached from the start by some n passes with C traversals in all.
 
-     sound c              S is embedded in the world (I-1 and I-2), the robot is where it believes to be.
+     sound c              S is embedded in the world (I-1 and I-2), the robot is where it believes
+                          to be.
      pass_sound           every pass keeps this, whatever the choices.  Section V, item 2.
      pass_progress        while U is not empty, every open dart can be explored: no run is stuck.
      pass_explores_one_edge, pass_decreases_variant     Section V, item 3: t falls, by one.

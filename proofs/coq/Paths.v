@@ -2,8 +2,9 @@
    Walks in S: from every known dart to v0, from v0 to every vertex, by simple paths.   Section VI
 
      joined S e v     some motions lead in S from the dart e to a dart of vertex v.
-     all_joined S     every known dart is joined to v0, and v0 to every vertex.  It holds of the first S
-                      and is kept by both augmentations: line 4 and line 9 always find their path.
+     all_joined S     every known dart is joined to v0, and v0 to every vertex.  It holds of the
+                      first S and is kept by both augmentations: line 4 and line 9 always find
+                      their path.
      simple_path      a path with no repeated vertex: fewer steps than S has vertices.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
@@ -13,6 +14,8 @@ Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
 Definition joined S a v := exists w f, follow S w a = Some f /\ f.1 = v.
+Definition all_joined S := forall e, known S e -> joined S e 0 /\ joined S (0, 0) e.1.
+
 Lemma follow_cat S w w' a f : follow S w a = Some f -> follow S (w ++ w') a = follow S w' f.
 Proof.
 by elim: w a => [|k w IH] a /=; [case=> -> | case: (partner S _) => [g|] //; exact: IH].
@@ -21,6 +24,7 @@ Qed.
 Lemma joined_trans S w a f v : follow S w a = Some f -> joined S f v -> joined S a v.
 Proof. by move=> R [w' [g [R' E]]]; exists (w ++ w'), g; rewrite (follow_cat _ R). Qed.
 
+(* the turn from one dart of a vertex to another *)
 Lemma turn_to S a e : known S a -> known S e -> a.1 = e.1 ->
   turn S (degree_in S a.1 - a.2 + e.2) a = e.
 Proof.
@@ -28,6 +32,7 @@ case/andP=> _ l2 /andP[_ k2] E; rewrite /turn addnA subnKC ?(ltnW l2) //.
 by rewrite modnDl E modn_small // -surjective_pairing.
 Qed.
 
+(* a path may begin at any dart of its first vertex *)
 Lemma joined_turn S a a' v : joined S a v -> known S a' -> a'.1 = a.1 -> joined S a' v.
 Proof.
 case=> -[|k w] [f [R E]] /andP[_ l2] E1; first by exists [::], a'; rewrite E1 -E; case: R => ->.
@@ -36,13 +41,13 @@ suff -> : turn S (degree_in S a.1 - a'.2 + (a.2 + k)) a' = turn S k a by [].
 by rewrite /turn -E1 addnA subnKC ?(ltnW l2) // modnDl.
 Qed.
 
-Definition all_joined S := forall e, known S e -> joined S e 0 /\ joined S (0, 0) e.1.
-
 Section InWorld.
 Variables (G : combinatorial_map) (v0 : G).
 Local Notation embedded := (@embedded G v0).
 
-Lemma follow_mono S S' r w e f : embedded S r -> (forall x, known S x -> degree_in S' x.1 = degree_in S x.1) ->
+(* ---- Augmentations keep the paths ---- *)
+Lemma follow_mono S S' r w e f : embedded S r ->
+  (forall x, known S x -> degree_in S' x.1 = degree_in S x.1) ->
   (forall x y, partner S x = Some y -> partner S' x = Some y) ->
   known S e -> follow S w e = Some f -> follow S' w e = Some f.
 Proof.
@@ -52,7 +57,8 @@ case L: (partner S _) => [g|] //; rewrite (lk _ _ L).
 by have [_ kg _ _] := embedded_links I (partnerP L); exact: IH.
 Qed.
 
-Lemma joined_mono S S' r e v : embedded S r -> (forall x, known S x -> degree_in S' x.1 = degree_in S x.1) ->
+Lemma joined_mono S S' r e v : embedded S r ->
+  (forall x, known S x -> degree_in S' x.1 = degree_in S x.1) ->
   (forall x y, partner S x = Some y -> partner S' x = Some y) ->
   known S e -> joined S e v -> joined S' e v.
 Proof. by move=> I dg lk ke [w [f [R E]]]; exists w, f; rewrite (follow_mono I dg lk ke R). Qed.
@@ -65,7 +71,8 @@ rewrite /partner /=; case: eqP => [ex|_]; first by rewrite ex lx in oe.
 by case: eqP => [hx|_ //]; rewrite hx lx in oh.
 Qed.
 
-Lemma all_joined_loop S r e h : embedded S r -> is_open S e -> is_open S h -> all_joined S -> all_joined (add_loop S e h).
+Theorem all_joined_loop S r e h : embedded S r -> is_open S e -> is_open S h -> all_joined S ->
+  all_joined (add_loop S e h).
 Proof.
 move=> I oe /andP[_ oh] Rc x kx; have [A B] := Rc x kx; have k0 := known_start I.
 by split; apply: (joined_mono I) => // y z L; exact: (@partner_mono S _ _ e h).
@@ -77,7 +84,8 @@ move=> I; apply/negP=> /exploredP[g m]; have [k1 _ _ _] := embedded_links I m.
 by move: (new_unknown S); rewrite k1.
 Qed.
 
-Lemma all_joined_vertex S r e k : embedded S r -> is_open S e -> 0 < k -> all_joined S -> all_joined (add_vertex S e k).
+Theorem all_joined_vertex S r e k : embedded S r -> is_open S e -> 0 < k -> all_joined S ->
+  all_joined (add_vertex S e k).
 Proof.
 move=> I oe k0 Rc; have [ke _] := andP oe; have z0 := known_start I; set S' := add_vertex S e k.
 have dg x : known S x -> degree_in S' x.1 = degree_in S x.1.
@@ -109,8 +117,9 @@ have kx : known S x.
 by have [A B] := Rc x kx; split; apply: (joined_mono I).
 Qed.
 
-(* ---- simple paths: inside S every dart reaches v0 in fewer steps than S has vertices *)
+(* ---- Simple paths: by the vertices that a path visits, without the detours ---- *)
 Definition neighbours S : rel nat := fun u v => has (fun q => (q.1.1 == u) && (q.2.1 == v)) (links S).
+
 Lemma vertices_of_walk S r w a f : embedded S r -> known S a -> follow S w a = Some f ->
   exists2 p, path (neighbours S) a.1 p & last a.1 p = f.1.
 Proof.
@@ -132,7 +141,7 @@ have [g Lg] := partner_total lk; rewrite Lg; have [_ kg Eg _] := embedded_links 
 by rewrite (phi_inj I kg kv) // -Eg -E.
 Qed.
 
-Lemma simple_path S r a v : embedded S r -> known S a -> joined S a v ->
+Theorem simple_path S r a v : embedded S r -> known S a -> joined S a v ->
   exists w f, [/\ follow S w a = Some f, f.1 = v & size w < size (degrees S)].
 Proof.
 move=> I ka [w [f [R <-]]]; have [p0 P0 <-] := vertices_of_walk I ka R.

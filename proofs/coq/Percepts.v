@@ -1,13 +1,14 @@
 (* ---------------------------------------------------------------------------------------------
    Percepts, and worlds with a directional lighthouse.                       Sections II.C and IV
 
-     percept                  what is sensed at a vertex: its degree and, where the directional marker
-                              lies, its bearing: how many darts clockwise from the dart by which the
-                              robot came in the pointed dart is.  No bearing: no marker here.  This is
-                              the paper's signature: degree, presence and direction of the marker.
-     lighthouse_world         a map, the dart `start` that the robot faces at the start, and the dart
-                              `pointed` to which the marker points; both are darts of one vertex, the
-                              paper's v0.  Any map, any start dart, any bearing.
+     percept                  what is sensed at a vertex: its degree and, where the directional
+                              marker lies, its bearing: how many darts clockwise from the dart by
+                              which the robot came in the pointed dart is.  No bearing: no marker
+                              here.  This is the paper's signature: degree, presence and direction
+                              of the marker.
+     lighthouse_world         a map, the dart `start` that the robot faces at the start, and the
+                              dart `pointed` to which the marker points; both are darts of one
+                              vertex, the paper's v0.  Any map, any start dart, any bearing.
      percept_of W d           what the robot senses in W when it has come in by d.
      percepts_along w d       what it senses on the way of the motions w from d, the first percept
                               (before any motion) included.

@@ -3,17 +3,22 @@
    every policy and in every world.                                          Sections IV, V and VI
 
      routeP               the breadth-first path is a path, shorter than S has vertices.
-     makes p d x z n      run in the world from dart d, program p gives x, at dart z, after n traversals.
+     makes p d x z n      run in the world from dart d, program p gives x, at dart z, after n
+                          traversals.
      due c d x            a robot at d that turns by c is as if it had come in by x.
      trail done y x       the motions in done lead from x to y.
      one_pass_is_pass     the refinement.
-     estimate_right       when U is empty the estimate is the world seen from the robot's true dart.
-     explore_machine      the explorer, which remembers all percepts, is the machine, which does not.
-     algorithm1_correct   in every world with a directional lighthouse, under every policy, with any budget
-                          of at least (1)+(2) traversals: it stops after at most (1)+(2), and is right.
+     estimate_right       when U is empty the estimate is the world seen from the robot's true
+                          dart.
+     episode_machine      the explorer, which remembers all percepts, is the machine, which does
+                          not.
+     algorithm1_correct   in every world with a directional lighthouse, under every policy, with
+                          any budget of at least (1)+(2) traversals: it stops after at most
+                          (1)+(2), and is right.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps HypothesisTests Paths.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps
+  HypothesisTests Paths.
 From Allworlds Require Import Pass Cost Correctness Algorithm.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -24,7 +29,8 @@ Section RouteP.
 Variables (S : partial_map) (a : dart).
 Hypothesis ka : known S a.
 Hypothesis Hl : forall x y, partner S x = Some y -> known S y.
-Definition good (T : seq branch) := uniq (unzip1 T) /\ forall j, j < size T -> let t := nth no_branch T j in
+Definition good (T : seq branch) := uniq (unzip1 T) /\ forall j, j < size T ->
+  let t := nth no_branch T j in
   [/\ follow S t.2.1 a = Some t.2.2, t.2.2.1 = t.1, known S t.2.2 & size t.2.1 <= j].
 Lemma visits w c ks T : follow S w a = Some c -> size w < size T -> good T ->
   exists X, [/\ foldl (visit S w c) T ks = T ++ X, good (T ++ X) &
@@ -38,22 +44,28 @@ have [Y [E GY HY]] : exists Y, [/\ visit S w c T k = T ++ Y, good (T ++ Y) &
   exists [:: (g.1, (rcons w k, g))]; rewrite cats1; split=> //; last first.
     by move=> g' [<-]; rewrite /unzip1 map_rcons mem_rcons inE eqxx.
   have [U H] := G; split; first by rewrite /unzip1 map_rcons rcons_uniq gT.
-  move=> j; rewrite size_rcons nth_rcons ltnS leq_eqVlt => /orP[/eqP->|lj]; last by rewrite lj; exact: H.
+  move=> j; rewrite size_rcons nth_rcons ltnS leq_eqVlt => /orP[/eqP->|lj]; last by rewrite lj;
+    exact: H.
   rewrite ltnn eqxx /=; split=> //; last by rewrite size_rcons.
     by rewrite -cats1 (follow_cat _ R) /= L.
   exact: (Hl L).
 have [|X [EX GX HX]] := IH (T ++ Y) _ GY; first by rewrite size_cat ltn_addr.
-rewrite E; exists (Y ++ X); rewrite catA; split=> // k' g; rewrite inE => /orP[/eqP->|] L; last exact: HX.
+rewrite E; exists (Y ++ X); rewrite catA; split=> // k' g; rewrite inE => /orP[/eqP->|] L;
+  last exact: HX.
 by rewrite /unzip1 map_cat mem_cat HY.
 Qed.
-Definition done_to i (T : seq branch) := forall j, j < i -> forall k g, let c := (nth no_branch T j).2.2 in
-  k < degree_in S c.1 -> partner S (turn S k c) = Some g -> g.1 \in unzip1 T.
+
+(* the neighbours of the first i vertices have been found *)
+Definition done_to i (T : seq branch) := forall j, j < i -> forall p g,
+  let c := (nth no_branch T j).2.2 in
+  p < degree_in S c.1 -> partner S (c.1, p) = Some g -> g.1 \in unzip1 T.
 Lemma good_size T : good T -> size T <= size (degrees S).
 Proof.
 case=> U H; rewrite -(size_map fst) -[X in _ <= X](size_iota 0); apply: uniq_leq_size => // v.
 case/(nthP 0)=> j; rewrite size_map => lj <-; rewrite (nth_map no_branch) // mem_iota /=.
 by have [_ <- /andP[]] := H j lj.
 Qed.
+
 Lemma growP fuel i T : good T -> i <= size T -> size (degrees S) <= fuel + i -> done_to i T ->
   let T' := grow S fuel i T in [/\ good T', done_to (size T') T' & {subset unzip1 T <= unzip1 T'}].
 Proof.
@@ -62,18 +74,22 @@ elim: fuel i T => [|fl IH] i T G li ns Dn /=.
   by rewrite -E; split.
 case: ifP => [lt|/negbT]; last first.
   by rewrite -leqNgt => le; have E : i = size T by [apply/eqP; rewrite eqn_leq li]; rewrite -E; split.
-set t := (nth no_branch T i).2; have [U H] := G; have [R e1 due_turn sw] := H i lt.
-have [X [E GX HX]] := visits (iota 0 (degree_in S t.2.1)) R (leq_ltn_trans sw lt) G.
+set t := (nth no_branch T i).2; have [U H] := G; have [R e1 kc sw] := H i lt.
+have [X [E GX HX]] := visits (round S t.2) R (leq_ltn_trans sw lt) G.
 rewrite E; have [|||A B C] := IH i.+1 (T ++ X) GX.
 - by rewrite size_cat ltn_addr.
 - by rewrite addnS -addSn.
-- move=> j; rewrite ltnS leq_eqVlt => /orP[/eqP->|lj] k g; rewrite /= nth_cat.
-    by rewrite lt => lk; apply: HX; rewrite mem_iota.
-  rewrite (ltn_trans lj lt) => lk L; rewrite /unzip1 map_cat mem_cat; apply/orP; left; exact: (Dn j lj k g).
+- move=> j; rewrite ltnS leq_eqVlt => /orP[/eqP->|lj] p g; rewrite /= nth_cat.
+    rewrite lt -/t => lp L; have [lc _] := andP kc.
+    apply: (HX (degree_in S t.2.1 - t.2.2 + p)); first by rewrite map_f ?mem_iota.
+    by rewrite (@turn_to S t.2 (t.2.1, p)) //; apply/andP.
+  rewrite (ltn_trans lj lt) => lp L; rewrite /unzip1 map_cat mem_cat; apply/orP; left.
+  exact: (Dn j lj p g).
 by split=> // v vT; apply: C; rewrite /unzip1 map_cat mem_cat vT.
 Qed.
-Lemma routeP v : joined S a v -> let wellformed := route S a v in
-  [/\ follow S wellformed.1 a = Some wellformed.2, wellformed.2.1 = v & size wellformed.1 < size (degrees S)].
+
+Lemma routeP v : joined S a v -> let way := route S a v in
+  [/\ follow S way.1 a = Some way.2, way.2.1 = v & size way.1 < size (degrees S)].
 Proof.
 move=> [w [f [R fv]]]; rewrite /route; set T := tree S a.
 have [||||G Dn Sub] := @growP (size (degrees S)) 0 [:: (a.1, ([::], a))] => //.
@@ -85,13 +101,11 @@ have cl x : known S x -> x.1 \in unzip1 T -> forall w f, follow S w x = Some f -
   case L: (partner S _) => [g|] //; apply: IH; first exact: (Hl L).
   have [U H] := G; set j := index x.1 (unzip1 T).
   have lj : j < size T by rewrite -(size_map fst) index_mem.
-  have [_ c1 due_turn _] := H j lj; set c := (nth no_branch T j).2.2 in c1 due_turn.
+  have [_ c1 kc _] := H j lj; set c := (nth no_branch T j).2.2 in c1 kc.
   have cx : c.1 = x.1.
     by rewrite c1 -(nth_map no_branch 0 fst) // nth_index.
-  have d0 : 0 < degree_in S c.1 by case/andP: due_turn => _; case: (degree_in S _).
-  apply: (Dn j lj ((degree_in S x.1 - c.2 + (x.2 + k)) %% degree_in S c.1)); rewrite ?ltn_mod //.
-  rewrite -/c -L; congr (partner S _); case/andP: due_turn => _ lc; rewrite /turn modnDmr cx; congr (_, _).
-  by rewrite addnA subnKC ?modnDl // -cx ltnW.
+  have dx : 0 < degree_in S x.1 by case/andP: kx => _; case: (degree_in S _).
+  by apply: (Dn j lj ((x.2 + k) %% degree_in S x.1)); rewrite -/c cx ?ltn_mod.
 have vT : v \in unzip1 T by rewrite -fv; apply: (cl a ka _ w f R); apply: Sub; rewrite /= inE.
 have lj : index v (unzip1 T) < size T by rewrite -(size_map fst) index_mem.
 have [U H] := G; have [A B _ C] := H _ lj; split=> //.
@@ -154,6 +168,24 @@ apply/mapP/andP=> [[j]|[lk' i0]].
   by case: k jk => [|k] //; rewrite ltnS leqNgt j0.
 by exists i; rewrite // mem_iota lt0n i0; case: k lk'.
 Qed.
+
+(* ---- The explorer that remembers everything is the machine that remembers its program only ---- *)
+Lemma explore_machine pol (M : rooted_map) (senses : carrier M -> percept) budget o seen d :
+  explore (algorithm1 pol) M senses budget (o :: seen) d
+  = machine pol (motion_in M) senses budget (foldl (sense pol) (Return (first_knowledge o)) seen) d.
+Proof.
+elim: budget seen d => [|n IH] seen d /=; rewrite /act; case E: (next pol _) => [e|[k f]] //.
+rewrite IH.
+have -> : foldl (sense pol) (Return (first_knowledge o)) (rcons seen (senses (motion_in M k d)))
+    = f (senses (motion_in M k d)).
+  by rewrite -cats1 foldl_cat /= /sense E.
+by [].
+Qed.
+
+Theorem episode_machine pol (M : rooted_map) (senses : carrier M -> percept) budget :
+  episode (algorithm1 pol) M senses budget
+  = machine pol (motion_in M) senses budget (Return (first_knowledge (senses (root M)))) (root M).
+Proof. exact: explore_machine. Qed.
 
 (* ---- A program in a world ---- *)
 Section InWorld.
@@ -318,7 +350,8 @@ have pH : perm_eq hs H by rewrite /hs /hypotheses -/S kb -/H; case: ifP.
 have mH h : (h \in hs) = [&& h != e, expected_percept b S h == percept_of x & is_open S h].
   by rewrite (perm_mem pH) mem_filter mU andbA.
 have Uh : uniq hs by rewrite (perm_uniq pH) filter_uniq.
-have Hh h : h \in hs -> [/\ is_open S h, h != e & leads_home S h (way_home pol k h).1 (way_home pol k h).2].
+have Hh h : h \in hs -> [/\ is_open S h,
+  h != e & leads_home S h (way_home pol k h).1 (way_home pol k h).2].
   rewrite mH => /and3P[he _ oh]; have [kh' _] := andP oh.
   by have [Ra Rb Rd] := route_or_elseP kh' Hl (choose_home pol k h) (proj1 (Rc h kh')).
 have [ts [Rj Sb Ut HH]] := test_all_makes kb Hh Uh (erefl (iter 0 sigma x)).
@@ -425,19 +458,6 @@ apply: (isomorphic_wellformed J (rooted_wellformed d)) => /=; rewrite ?size_map.
 move=> i; apply: nP => e ke; case E: (partner S e) => [g|] //=; exact: Hl E.
 Qed.
 
-(* ---- The explorer ---- *)
-Lemma explore_machine fuel o seen d :
-  explore (algorithm1 pol) (rooted v0) (@percept_of W) fuel (o :: seen) d
-  = machine fuel (foldl (sense pol) (Return (first_knowledge o)) seen) d.
-Proof.
-elim: fuel seen d => [|fl IH] seen d /=; rewrite /act; case E: (next pol _) => [e|[k f]] //.
-rewrite IH.
-have -> : foldl (sense pol) (Return (first_knowledge o)) (rcons seen (percept_of (motion k d)))
-    = f (percept_of (motion k d)).
-  by rewrite -cats1 foldl_cat /= /sense E.
-by [].
-Qed.
-
 (* with any budget of at least (1) + (2) traversals *)
 Theorem algorithm1_correct budget : paper_bound (vertices W) (edges W) <= budget ->
   exists transcript answer z,
@@ -453,7 +473,7 @@ have [t [k [c [d [n [A R K U]]]]]] := program_run (ReachedStart W) K0.
 have [nopen V J] := estimate_right (reached_sound R) K U.
 have [_ Cb _] := run_correct R nopen; rewrite add0n in Cb.
 exists t, (estimate k), d; split=> //; rewrite -(subnKC (leq_trans Cb le)).
-by apply: explore_more; rewrite explore_machine.
+by apply: explore_more; rewrite (explore_machine pol).
 Qed.
 
 Corollary algorithm1_right : right denote (algorithm1 pol) (rooted v0) (@percept_of W).

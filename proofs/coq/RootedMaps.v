@@ -3,9 +3,11 @@
                                                                                         Section V
    An answer to SLAM is a map and the robot's place in it: a rooted map.
 
-     rooted_map         sigma, alpha and a root on the members of a type that satisfy is_dart; a type
-                        with a predicate, so that finite types, numbers and infinite types all fit.
-     wellformed M       sigma is injective, alpha an involution without fixed points, on the darts.
+     rooted_map         sigma, alpha and a root on the members of a type that satisfy is_dart; a
+                        type with a predicate, so that finite types, numbers and infinite types
+                        all fit.
+     wellformed M       sigma is injective, alpha an involution without fixed points, on the
+                        darts.
      connected M        every dart is reached from the root by sigma and alpha.
      rooted_at M d      M seen from the dart d.
      isomorphic M N     the same rooted map: a bijection of the darts that commutes with sigma and
@@ -20,8 +22,8 @@
      denote M           the rooted map that M writes down.
      valid M            a Boolean check that denote M is wellformed.
      seen_from M d      the same lists, another root.
-     dart_order M       the darts in the order of a breadth-first search from the root, sigma before
-                        alpha; code M: the map renumbered in this order.
+     dart_order M       the darts in the order of a breadth-first search from the root, sigma
+                        before alpha; code M: the map renumbered in this order.
      same_code M N      the decision procedure: equal codes.  same_codeP: it decides `isomorphic`.
      connectedP         connectedness is decided by the same search.
    --------------------------------------------------------------------------------------------- *)
@@ -32,9 +34,17 @@ Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
 (* ---- Rooted maps ---- *)
-Record rooted_map := RootedMap { carrier : Type; is_dart : pred carrier; sigma_of : carrier -> carrier; alpha_of : carrier -> carrier; root : carrier }.
-Arguments is_dart : clear implicits. Arguments sigma_of : clear implicits.
-Arguments alpha_of : clear implicits. Arguments root : clear implicits.
+Record rooted_map := RootedMap {
+  carrier : Type;
+  is_dart : pred carrier;
+  sigma_of : carrier -> carrier;
+  alpha_of : carrier -> carrier;
+  root : carrier }.
+Arguments is_dart : clear implicits.
+Arguments sigma_of : clear implicits.
+Arguments alpha_of : clear implicits.
+Arguments root : clear implicits.
+
 Record wellformed M : Prop := Wellformed {
   wellformed_root : is_dart M (root M);
   wellformed_sigma : forall x, is_dart M x -> is_dart M (sigma_of M x);
@@ -42,18 +52,29 @@ Record wellformed M : Prop := Wellformed {
   wellformed_inj : forall x y, is_dart M x -> is_dart M y -> sigma_of M x = sigma_of M y -> x = y;
   wellformed_alphaK : forall x, is_dart M x -> alpha_of M (alpha_of M x) = x;
   wellformed_alpha_neq : forall x, is_dart M x -> alpha_of M x <> x }.
-Definition rooted_at (M : rooted_map) (d : carrier M) := RootedMap (is_dart M) (sigma_of M) (alpha_of M) d.
+
+Definition rooted_at (M : rooted_map) (d : carrier M) :=
+  RootedMap (is_dart M) (sigma_of M) (alpha_of M) d.
 Arguments rooted_at : clear implicits.
-Definition connected M := forall A : carrier M -> Prop, A (root M) ->
-  (forall x, is_dart M x -> A x -> A (sigma_of M x)) -> (forall x, is_dart M x -> A x -> A (alpha_of M x)) ->
+
+(* what holds of the root and is kept by sigma and alpha holds of every dart *)
+Definition connected M :=
+  forall A : carrier M -> Prop, A (root M) ->
+  (forall x, is_dart M x -> A x -> A (sigma_of M x)) ->
+  (forall x, is_dart M x -> A x -> A (alpha_of M x)) ->
   forall x, is_dart M x -> A x.
-(* the same_code rooted map: a bijection of the darts that commutes with sigma and alpha, root to root *)
-Definition isomorphic M N := exists (f : carrier M -> carrier N) (g : carrier N -> carrier M), [/\
-  forall x, is_dart M x -> [/\ is_dart N (f x), g (f x) = x, f (sigma_of M x) = sigma_of N (f x) & f (alpha_of M x) = alpha_of N (f x)],
-  forall y, is_dart N y -> is_dart M (g y) /\ f (g y) = y & f (root M) = root N].
+
+(* the same rooted map: a bijection f, with inverse g, that commutes with sigma and alpha *)
+Definition isomorphic M N := exists (f : carrier M -> carrier N) (g : carrier N -> carrier M),
+  [/\ forall x, is_dart M x ->
+        [/\ is_dart N (f x), g (f x) = x,
+            f (sigma_of M x) = sigma_of N (f x) & f (alpha_of M x) = alpha_of N (f x)],
+      forall y, is_dart N y -> is_dart M (g y) /\ f (g y) = y
+    & f (root M) = root N].
 
 Lemma isomorphic_refl M : isomorphic M M.
 Proof. by exists id, id; split. Qed.
+
 Lemma isomorphic_sym M N : wellformed M -> isomorphic M N -> isomorphic N M.
 Proof.
 move=> W [f [g [F G r]]]; exists g, f; split.
@@ -63,6 +84,7 @@ move=> W [f [g [F G r]]]; exists g, f; split.
 - by move=> x dx; have [d e _ _] := F _ dx.
 - by rewrite -r; have [_ -> _ _] := F _ (wellformed_root W).
 Qed.
+
 Lemma isomorphic_trans M N K : isomorphic M N -> isomorphic N K -> isomorphic M K.
 Proof.
 move=> [f [g [F G r]]] [f' [g' [F' G' r']]]; exists (f' \o f), (g \o g'); split=> /=.
@@ -98,30 +120,45 @@ Qed.
 
 Definition motion_in (M : rooted_map) k (d : carrier M) := alpha_of M (iter k (sigma_of M) d).
 Arguments motion_in : clear implicits.
-Fixpoint walk_in (M : rooted_map) (w : seq nat) (d : carrier M) := if w is k :: w' then walk_in w' (motion_in M k d) else d.
+Fixpoint walk_in (M : rooted_map) (w : seq nat) (d : carrier M) :=
+  if w is k :: w' then walk_in w' (motion_in M k d) else d.
 Arguments walk_in : clear implicits.
+
 Section Moves.
-Variable M : rooted_map. Hypothesis W : wellformed M.
+Variable M : rooted_map.
+Hypothesis W : wellformed M.
+
 Lemma is_dart_turn k x : is_dart M x -> is_dart M (iter k (sigma_of M) x).
 Proof. by move=> dx; elim: k => //= k; exact: wellformed_sigma. Qed.
+
 Lemma is_dart_motion k x : is_dart M x -> is_dart M (motion_in M k x).
 Proof. by move/(is_dart_turn k)/(wellformed_alpha W). Qed.
-Lemma turn_in_inj k x y : is_dart M x -> is_dart M y -> iter k (sigma_of M) x = iter k (sigma_of M) y -> x = y.
-Proof. by move=> dx dy; elim: k => //= k IH /(wellformed_inj W (is_dart_turn k dx) (is_dart_turn k dy)). Qed.
+
+Lemma turn_in_inj k x y : is_dart M x -> is_dart M y ->
+  iter k (sigma_of M) x = iter k (sigma_of M) y -> x = y.
+Proof.
+by move=> dx dy; elim: k => //= k IH /(wellformed_inj W (is_dart_turn k dx) (is_dart_turn k dy)).
+Qed.
 Lemma motion_in_inj k x y : is_dart M x -> is_dart M y -> motion_in M k x = motion_in M k y -> x = y.
 Proof.
-move=> dx dy /(congr1 (alpha_of M)); rewrite /motion_in !(wellformed_alphaK W) ?is_dart_turn //; exact: turn_in_inj.
+move=> dx dy /(congr1 (alpha_of M)); rewrite /motion_in !(wellformed_alphaK W) ?is_dart_turn //;
+  exact: turn_in_inj.
 Qed.
+
 Lemma walk_in_inj w x y : is_dart M x -> is_dart M y -> walk_in M w x = walk_in M w y -> x = y.
 Proof.
-by elim: w x y => //= k w IH x y dx dy /IH E; apply: (@motion_in_inj k) => //; apply: E; exact: is_dart_motion.
+by elim: w x y => //= k w IH x y dx dy /IH E; apply: (@motion_in_inj k) => //; apply: E;
+  exact: is_dart_motion.
 Qed.
+
 Lemma is_dart_walk w x : is_dart M x -> is_dart M (walk_in M w x).
 Proof. by elim: w x => //= k w IH x /(is_dart_motion k)/IH. Qed.
 End Moves.
-(* if two maps are the same_code seen from where one word of motions ends, they are the same_code seen from its start *)
+(* if two maps are the same seen from where one list of motions ends, they are the same
+   seen from its start *)
 Lemma isomorphic_back M N w x y : wellformed M -> wellformed N -> is_dart M x -> is_dart N y ->
-  isomorphic (rooted_at M (walk_in M w x)) (rooted_at N (walk_in N w y)) -> isomorphic (rooted_at M x) (rooted_at N y).
+  isomorphic (rooted_at M (walk_in M w x)) (rooted_at N (walk_in N w y)) ->
+    isomorphic (rooted_at M x) (rooted_at N y).
 Proof.
 move=> WM WN dx dy [f [g [F G /= r]]]; exists f, g; split=> //=.
 have fi k z : is_dart M z -> f (iter k (sigma_of M) z) = iter k (sigma_of N) (f z).
@@ -146,11 +183,17 @@ Proof. by move=> A /= A0 As Aa x _; apply: (everywhere A0); auto. Qed.
 
 (* ---- Numbered maps ---- *)
 Record numbered_map := NumberedMap { sigma_list : seq nat; alpha_list : seq nat; root_number : nat }.
-Definition denote M := @RootedMap nat (fun x => x < size (sigma_list M)) (nth 0 (sigma_list M)) (nth 0 (alpha_list M)) (root_number M).
-Definition seen_from M d := NumberedMap (sigma_list M) (alpha_list M) d.           (* the same_code map, seen from dart d *)
-Definition valid M := let n := size (sigma_list M) in
-  [&& size (alpha_list M) == n, root_number M < n, all (fun x => x < n) (sigma_list M), all (fun x => x < n) (alpha_list M), uniq (sigma_list M) &
-    all (fun i => (nth 0 (alpha_list M) (nth 0 (alpha_list M) i) == i) && (nth 0 (alpha_list M) i != i)) (iota 0 n)].
+Definition denote M :=
+  @RootedMap nat (fun x => x < size (sigma_list M))
+    (nth 0 (sigma_list M)) (nth 0 (alpha_list M)) (root_number M).
+Definition seen_from M d := NumberedMap (sigma_list M) (alpha_list M) d.
+Definition valid M :=
+  let n := size (sigma_list M) in
+  let alpha := nth 0 (alpha_list M) in
+  [&& size (alpha_list M) == n, root_number M < n, all (fun x => x < n) (sigma_list M),
+      all (fun x => x < n) (alpha_list M), uniq (sigma_list M) &
+      all (fun i => (alpha (alpha i) == i) && (alpha i != i)) (iota 0 n)].
+
 Lemma validP M : valid M -> wellformed (denote M).
 Proof.
 case/and5P=> /eqP sa lr /allP As /allP Aa /andP[U /allP A]; split=> //= x.
@@ -160,6 +203,7 @@ case/and5P=> /eqP sa lr /allP As /allP Aa /andP[U /allP A]; split=> //= x.
 - by move=> lx; apply/eqP; have /andP[] := A x (etrans (mem_iota 0 _ x) lx).
 - by move=> lx; apply/eqP; have /andP[] := A x (etrans (mem_iota 0 _ x) lx).
 Qed.
+
 Lemma validI M : wellformed (denote M) -> size (alpha_list M) = size (sigma_list M) -> valid M.
 Proof.
 move=> W sz; rewrite /valid sz eqxx; apply/and5P; split=> //; try exact: (wellformed_root W).
@@ -170,25 +214,45 @@ apply/andP; split.
 apply/allP=> i; rewrite mem_iota /= => li; apply/andP; split; first exact/eqP/(wellformed_alphaK W).
 exact/eqP/(wellformed_alpha_neq W).
 Qed.
+
+(* ---- The decision procedure ---- *)
 Definition insert (x : nat) s := if x \in s then s else rcons s x.
+
 Section BreadthFirst.
-Variables s a : nat -> nat.
-Fixpoint breadth_first fuel i ord := if fuel is f.+1 then
-  if i < size ord then let d := nth 0 ord i in breadth_first f i.+1 (insert (a d) (insert (s d) ord)) else ord else ord.
-Definition relabel ord := ([seq index (s d) ord | d <- ord], [seq index (a d) ord | d <- ord]).
+Variables sigma alpha : nat -> nat.
+
+Fixpoint breadth_first fuel i found :=
+  if fuel is fuel'.+1 then
+    if i < size found then
+      let d := nth 0 found i in
+      breadth_first fuel' i.+1 (insert (alpha d) (insert (sigma d) found))
+    else found
+  else found.
+
+Definition relabel found :=
+  ([seq index (sigma d) found | d <- found], [seq index (alpha d) found | d <- found]).
 End BreadthFirst.
-Definition dart_order M := breadth_first (nth 0 (sigma_list M)) (nth 0 (alpha_list M)) (size (sigma_list M)) 0 [:: root_number M].
+
+Definition dart_order M :=
+  breadth_first (nth 0 (sigma_list M)) (nth 0 (alpha_list M)) (size (sigma_list M)) 0
+    [:: root_number M].
 Definition code M := relabel (nth 0 (sigma_list M)) (nth 0 (alpha_list M)) (dart_order M).
-Definition same_code M N := [&& size (dart_order M) == size (sigma_list M), size (dart_order N) == size (sigma_list N) & code M == code N].
+Definition same_code M N :=
+  [&& size (dart_order M) == size (sigma_list M), size (dart_order N) == size (sigma_list N)
+    & code M == code N].
 
 Lemma mem_insert x y s : (y \in insert x s) = (y == x) || (y \in s).
 Proof. by rewrite /insert; case: ifP => [xs|_]; rewrite ?mem_rcons ?inE //; case: eqP => // ->. Qed.
+
 Lemma insert_uniq x s : uniq (insert x s) = uniq s.
 Proof. by rewrite /insert; case: ifP => // xs; rewrite rcons_uniq xs. Qed.
+
 Lemma insert_nth x s i : i < size s -> nth 0 (insert x s) i = nth 0 s i.
 Proof. by rewrite /insert; case: ifP => // _ l; rewrite nth_rcons l. Qed.
+
 Lemma insert_size x s : size s <= size (insert x s).
 Proof. by rewrite /insert; case: ifP => // _; rewrite size_rcons. Qed.
+
 Section BreadthFirstFacts.
 Variables (s a : nat -> nat) (n : nat).
 Hypotheses (sn : forall x, x < n -> s x < n) (an : forall x, x < n -> a x < n).
@@ -200,11 +264,15 @@ have ld : nth 0 ord i < n by apply: (allP A); exact: mem_nth.
 apply: IH; last by rewrite !insert_uniq.
 by apply/allP=> x; rewrite !mem_insert => /or3P[/eqP->|/eqP->|/(allP A)] //; auto.
 Qed.
+
 Lemma breadth_first_sub fuel i ord x : x \in ord -> x \in breadth_first s a fuel i ord.
-Proof. by elim: fuel i ord => //= f IH i ord xo; case: ifP => // _; apply: IH; rewrite !mem_insert xo !orbT. Qed.
-Lemma breadth_first_closed fuel i ord : all (fun x => x < n) ord -> uniq ord -> i <= size ord -> n <= fuel + i ->
+Proof. by elim: fuel i ord => //= f IH i ord xo; case: ifP => // _; apply: IH;
+  rewrite !mem_insert xo !orbT. Qed.
+Lemma breadth_first_closed fuel i ord : all (fun x => x < n) ord -> uniq ord -> i <= size ord ->
+  n <= fuel + i ->
   (forall j, j < i -> (s (nth 0 ord j) \in ord) && (a (nth 0 ord j) \in ord)) ->
-  forall x, x \in breadth_first s a fuel i ord -> (s x \in breadth_first s a fuel i ord) && (a x \in breadth_first s a fuel i ord).
+  forall x, x \in breadth_first s a fuel i ord ->
+    (s x \in breadth_first s a fuel i ord) && (a x \in breadth_first s a fuel i ord).
 Proof.
 have full o k x : k = size o -> x \in o ->
     (forall j, j < k -> (s (nth 0 o j) \in o) && (a (nth 0 o j) \in o)) -> (s x \in o) && (a x \in o).
@@ -237,14 +305,18 @@ Proof.
 move=> lx A; apply/mapP/idP=> [[y yo /fi E]|xo]; last by exists x.
 by rewrite E // (allP A).
 Qed.
+
 Lemma index_image x o : x < n -> all (fun x => x < n) o -> index (f x) (map f o) = index x o.
 Proof.
 move=> lx; elim: o => //= y o IH /andP[ly A]; rewrite IH //.
 by have -> : (f y == f x) = (y == x) by apply/eqP/eqP=> [/fi->|->].
 Qed.
+
 Lemma insert_image x o : x < n -> all (fun x => x < n) o -> insert (f x) (map f o) = map f (insert x o).
 Proof. by move=> lx A; rewrite /insert mem_image //; case: ifP; rewrite ?map_rcons. Qed.
-Lemma breadth_first_image fuel i o : all (fun x => x < n) o -> breadth_first s' a' fuel i (map f o) = map f (breadth_first s a fuel i o).
+
+Lemma breadth_first_image fuel i o : all (fun x => x < n) o ->
+  breadth_first s' a' fuel i (map f o) = map f (breadth_first s a fuel i o).
 Proof.
 elim: fuel i o => //= fl IH i o A; rewrite size_map; case: ifP => // li.
 have ld : nth 0 o i < n by apply: (allP A); exact: mem_nth.
@@ -253,6 +325,7 @@ have A' : all (fun x => x < n) (insert (s (nth 0 o i)) o).
 rewrite (nth_map 0) // -fs // -fa // !insert_image ?IH //; try by auto.
 by apply/allP=> x; rewrite mem_insert => /orP[/eqP->|/(allP A')] //; auto.
 Qed.
+
 Lemma relabel_image o : all (fun x => x < n) o -> relabel s' a' (map f o) = relabel s a o.
 Proof.
 by move=> A; rewrite /relabel -!map_comp; congr (_, _); apply/eq_in_map => x /(allP A) lx /=;
@@ -260,16 +333,21 @@ by move=> A; rewrite /relabel -!map_comp; congr (_, _); apply/eq_in_map => x /(a
 Qed.
 End Equivariant.
 
-Lemma dart_order_ok M : valid M -> all (fun x => x < size (sigma_list M)) (dart_order M) /\ uniq (dart_order M).
-Proof. by move/validP=> W; apply: breadth_first_darts => //=; [exact: (wellformed_sigma W)|exact: (wellformed_alpha W)|rewrite andbT; exact: (wellformed_root W)]. Qed.
+Lemma dart_order_ok M : valid M -> all (fun x => x < size (sigma_list M)) (dart_order M) /\
+  uniq (dart_order M).
+Proof. by move/validP=> W; apply: breadth_first_darts => //=;
+  [exact: (wellformed_sigma W)|exact: (wellformed_alpha W)|rewrite andbT;
+    exact: (wellformed_root W)]. Qed.
 Lemma dart_order_full M : valid M -> connected (denote M) -> size (dart_order M) = size (sigma_list M).
 Proof.
-move=> V C; have W := validP V; have [A U] := dart_order_ok V; apply/eqP; rewrite eqn_leq; apply/andP; split.
+move=> V C; have W := validP V; have [A U] := dart_order_ok V; apply/eqP; rewrite eqn_leq;
+  apply/andP; split.
   rewrite -[X in _ <= X](size_iota 0); apply: uniq_leq_size => // y /(allP A).
   by rewrite mem_iota.
 rewrite -[X in X <= _](size_iota 0); apply: uniq_leq_size; rewrite ?iota_uniq // => y.
 rewrite mem_iota add0n /= => ly.
-have cl x : x \in dart_order M -> (nth 0 (sigma_list M) x \in dart_order M) && (nth 0 (alpha_list M) x \in dart_order M).
+have cl x : x \in dart_order M ->
+  (nth 0 (sigma_list M) x \in dart_order M) && (nth 0 (alpha_list M) x \in dart_order M).
   apply: (@breadth_first_closed _ _ (size (sigma_list M))) => //; rewrite ?addn0 //=.
   - exact: (wellformed_sigma W).
   - exact: (wellformed_alpha W).
@@ -279,13 +357,17 @@ apply: (C (fun x => x \in dart_order M)) => //.
 - by move=> x _ /cl/andP[].
 - by move=> x _ /cl/andP[].
 Qed.
-Lemma mem_dart_order M x : valid M -> size (dart_order M) = size (sigma_list M) -> (x \in dart_order M) = (x < size (sigma_list M)).
+
+Lemma mem_dart_order M x : valid M -> size (dart_order M) = size (sigma_list M) ->
+  (x \in dart_order M) = (x < size (sigma_list M)).
 Proof.
 move=> V E; have [A U] := dart_order_ok V.
-have sub : {subset dart_order M <= iota 0 (size (sigma_list M))} by move=> y /(allP A); rewrite mem_iota.
+have sub : {subset dart_order M <= iota 0 (size (sigma_list M))} by move=> y /(allP A);
+  rewrite mem_iota.
 have le : size (iota 0 (size (sigma_list M))) <= size (dart_order M) by rewrite size_iota E.
 by have [_ ->] := uniq_min_size U sub le; rewrite mem_iota.
 Qed.
+
 Theorem same_code_sound M N : valid M -> valid N -> same_code M N -> isomorphic (denote M) (denote N).
 Proof.
 move=> VM VN /and3P[/eqP sM /eqP sN /eqP C].
@@ -293,17 +375,21 @@ have [AM UM] := dart_order_ok VM; have [AN UN] := dart_order_ok VN.
 have oM x := mem_dart_order x VM sM; have oN x := mem_dart_order x VN sN.
 move: C; rewrite /code /relabel => -[Cs Ca].
 have sz : size (dart_order M) = size (dart_order N) by have := congr1 size Cs; rewrite !size_map.
-have key (p q : nat -> nat) x : x < size (sigma_list M) -> (forall y, y < size (sigma_list N) -> q y < size (sigma_list N)) ->
+have key (p q : nat -> nat) x : x < size (sigma_list M) ->
+  (forall y, y < size (sigma_list N) -> q y < size (sigma_list N)) ->
    (forall y, y < size (sigma_list M) -> p y < size (sigma_list M)) ->
-   [seq index (p d) (dart_order M) | d <- dart_order M] = [seq index (q d) (dart_order N) | d <- dart_order N] ->
-   nth 0 (dart_order N) (index (p x) (dart_order M)) = q (nth 0 (dart_order N) (index x (dart_order M))).
+   [seq index (p d) (dart_order M) | d <- dart_order M] = [seq index (q d) (dart_order N) | d <-
+     dart_order N] ->
+   nth 0 (dart_order N) (index (p x) (dart_order M)) = q (nth 0 (dart_order N) (index x (dart_order
+     M))).
   move=> lx Q P' E; have li : index x (dart_order M) < size (dart_order M) by rewrite index_mem oM.
   have := congr1 (fun l => nth 0 l (index x (dart_order M))) E.
   rewrite (nth_map 0) // (nth_map 0) -?sz // nth_index ?oM // => ->.
   by rewrite nth_index // oN; apply: Q; rewrite -oN; apply: mem_nth; rewrite -sz.
 have WM := validP VM; have WN := validP VN.
 have n0 o k : nth 0 o k = nth 0 o k by [].
-exists (fun x => nth 0 (dart_order N) (index x (dart_order M))), (fun y => nth 0 (dart_order M) (index y (dart_order N))).
+exists (fun x => nth 0 (dart_order N) (index x (dart_order M))),
+  (fun y => nth 0 (dart_order M) (index y (dart_order N))).
 split=> /=.
 - move=> x lx; have li : index x (dart_order M) < size (dart_order M) by rewrite index_mem oM.
   split; first by rewrite -oN; apply: mem_nth; rewrite -sz.
@@ -313,7 +399,8 @@ split=> /=.
 - move=> y ly; have li : index y (dart_order N) < size (dart_order N) by rewrite index_mem oN.
   by rewrite -oM mem_nth ?sz //; rewrite index_uniq ?sz // nth_index ?oN.
 - have hd K : valid K -> exists t, dart_order K = root_number K :: t.
-    move=> VK; rewrite /dart_order; have := wellformed_root (validP VK); rewrite /=; case: (size _) => // n _ /=.
+    move=> VK; rewrite /dart_order; have := wellformed_root (validP VK); rewrite /=;
+      case: (size _) => // n _ /=.
     set o := insert _ _; have [t ->] : exists t, o = root_number K :: t.
       by rewrite /o /insert /=; do 2 (case: ifP => _ /=); eexists.
     elim: n 1 t => [|n IH] i t /=; first by exists t.
@@ -321,14 +408,18 @@ split=> /=.
     rewrite /insert /=; do 2 (case: ifP => _ /=); exact: IH.
   by have [t ->] := hd M VM; have [t' ->] := hd N VN; rewrite /= eqxx.
 Qed.
-Theorem same_code_complete M N : valid M -> valid N -> connected (denote M) -> isomorphic (denote M) (denote N) -> same_code M N.
+
+Theorem same_code_complete M N : valid M -> valid N -> connected (denote M) ->
+  isomorphic (denote M) (denote N) -> same_code M N.
 Proof.
-move=> VM VN C I; have [f [g [F G r]]] := I; have WM := validP VM; have WN := validP VN; rewrite /= in F G r.
+move=> VM VN C I; have [f [g [F G r]]] := I; have WM := validP VM; have WN := validP VN;
+  rewrite /= in F G r.
 have sM := dart_order_full VM C.
 have fi x y : x < size (sigma_list M) -> y < size (sigma_list M) -> f x = f y -> x = y.
   by move=> lx ly E; have [_ <- _ _] := F _ lx; have [_ <- _ _] := F _ ly; rewrite E.
 have sz : size (sigma_list N) = size (sigma_list M).
-  have le (p q : nat -> nat) k l : (forall x, x < k -> p x < l) -> (forall x, x < k -> q (p x) = x) -> k <= l.
+  have le (p q : nat -> nat) k l : (forall x, x < k -> p x < l) ->
+    (forall x, x < k -> q (p x) = x) -> k <= l.
     move=> H K; rewrite -(size_iota 0 k) -(size_iota 0 l) -(size_map p); apply: uniq_leq_size.
       rewrite map_inj_in_uniq ?iota_uniq // => x y; rewrite !mem_iota /= => /K E /K E' pp.
       by rewrite -E pp E'.
@@ -352,10 +443,14 @@ apply: (relabel_image (n := size (sigma_list M))) => //.
 - by move=> x /F[].
 - by move=> x /F[].
 Qed.
-Theorem same_codeP M N : valid M -> valid N -> connected (denote M) -> reflect (isomorphic (denote M) (denote N)) (same_code M N).
+
+Theorem same_codeP M N : valid M -> valid N -> connected (denote M) ->
+  reflect (isomorphic (denote M) (denote N)) (same_code M N).
 Proof. by move=> VM VN C; apply: (iffP idP); [exact: same_code_sound|exact: same_code_complete]. Qed.
-(* connectedness is decided by the same_code traversal *)
-Theorem connectedP M : valid M -> reflect (connected (denote M)) (size (dart_order M) == size (sigma_list M)).
+
+(* connectedness is decided by the same search *)
+Theorem connectedP M : valid M ->
+  reflect (connected (denote M)) (size (dart_order M) == size (sigma_list M)).
 Proof.
 move=> V; apply: (iffP eqP); last exact: dart_order_full.
 move=> E A A0 As Aa x /= lx; have : x \in dart_order M by rewrite mem_dart_order.

@@ -1,0 +1,240 @@
+(* ---------------------------------------------------------------------------------------------
+   Exploring topological worlds with minimal information: what is proved.
+
+   A world is an embedding of a finite connected graph, given by its darts (edge ends): sigma d is the
+   next dart clockwise round the vertex of d, alpha d the other end of its edge.  Loops and parallel
+   edges are allowed, the surface is any.  A lighthouse_world has besides a dart `start` that the robot
+   faces at first and, at the same vertex v0, a dart `pointed` to which the marker points.
+   vertices W and edges W are the paper's n and m.
+
+   motion k d: having come in by d, leave by the k-th dart clockwise; one motion is one traversal.
+   walk w d, percepts_along w d: where the motions w lead from d, and what is sensed on the way: at each
+   vertex the degree and, at v0 only, how many darts clockwise from the entry the marker points.
+
+   An explorer is any function from the percepts so far to a motion or an answer.  It is `right` in a
+   world if it stops and its answer is the world's map with the robot's true place in it: isomorphic to
+   the world seen from the robot's dart (the paper's extended isomorphism, place included).
+
+   `reached n C c`: some run of Algorithm 1 is in configuration c after n passes and C traversals.  All
+   choices that the paper leaves open are left open here.  mapped c is S, here c the robot's dart in S,
+   robot c its true dart; is_open S e: the dart e of S is in U; phi r: the map from S to G.
+   --------------------------------------------------------------------------------------------- *)
+From mathcomp Require Import all_ssreflect.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps.
+From Allworlds Require Import HypothesisTests Paths Pass Cost Correctness Algorithm Refinement.
+From Allworlds Require Import Policies ShortestPaths NumberedWorlds Judge Impossibility DoubleCover.
+From Allworlds Require Import Twins AtLeastM.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+
+(* ==== Motion (Section II.B) ==== *)
+
+(* Motions can be undone, and equal motions lead different darts to different darts. *)
+Theorem motion_is_reversible (G : combinatorial_map) (w : seq nat) :
+  (forall d : G, retrace (rev w) (walk w d) = d) /\ injective (@walk G w).
+Proof. exact: conj (retraceK w) (@walk_inj G w). Qed.
+
+(* ==== Algorithm 1, for every schedule (Sections IV and V) ==== *)
+
+(* After every pass: I-1, S is isomorphic to the explored subgraph; I-2, U is the set of the unexplored
+   darts at its vertices; and the robot is where it believes to be. *)
+Theorem invariant_holds (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
+  exists r, [/\ I1 start (mapped c) r, I2 start (mapped c) r,
+                known (mapped c) (here c) & robot c = phi start r (here c)].
+Proof. exact: run_invariant. Qed.
+
+(* A hypothesis h, tested by a path w from h to v0 in S, matches throughout if and only if it is true;
+   and the motions of such a path with the percepts expected on it belong to one dart only. *)
+Theorem tests_decide (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
+  exists2 r, I1 start (mapped c) r & forall w h f,
+    known (mapped c) h -> follow (mapped c) w h = Some f -> f.1 = 0 ->
+    (forall x : W, percepts_along w x = expected_percepts (first_bearing W) (mapped c) w h
+                   <-> x = phi start r h) /\
+    (forall h' f', known (mapped c) h' -> follow (mapped c) w h' = Some f' ->
+       expected_percepts (first_bearing W) (mapped c) w h
+       = expected_percepts (first_bearing W) (mapped c) w h' -> h = h').
+Proof. exact: run_tests. Qed.
+
+(* While a dart is open it can be explored, and every pass makes t = m - |E_S| smaller by one. *)
+Theorem never_stuck (W : lighthouse_world) n C (c : configuration W) e : reached n C c ->
+  is_open (mapped c) e -> exists C' c', pass e c C' c'.
+Proof. exact: run_progress. Qed.
+
+Theorem variant_falls (W : lighthouse_world) n C (c : configuration W) e C' c' : reached n C c ->
+  pass e c C' c' -> variant c = (variant c').+1.
+Proof. exact: pass_decreases_variant. Qed.
+
+(* When U is empty exactly m passes were made, with at most (1) + (2) traversals; S is the world and the
+   robot knows its place in it. *)
+Theorem correct_when_done (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
+  (forall e, ~~ is_open (mapped c) e) ->
+  [/\ n = edges W, C <= paper_bound (vertices W) (edges W) &
+      isomorphic (map_with_robot (mapped c) (here c)) (rooted (robot c))].
+Proof. exact: run_correct. Qed.
+
+(* Every run can be continued to such an end; and no run makes more than m passes. *)
+Theorem runs_end (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
+  n <= edges W /\ exists C' (c' : configuration W),
+    [/\ reached (edges W) C' c', forall e, ~~ is_open (mapped c') e & C <= C'].
+Proof. exact: run_ends. Qed.
+
+(* ==== Algorithm 1, as an explorer ==== *)
+
+(* In every world with a directional lighthouse, under every policy for the choices left open (first in
+   first out, last in first out and nearest dart are three): given at least (1) + (2) motions, the
+   explorer stops after at most (1) + (2), with the right answer. *)
+Theorem explorer_correct (pol : policy) (W : lighthouse_world) budget :
+  paper_bound (vertices W) (edges W) <= budget -> exists transcript answer z,
+  [/\ episode (algorithm1 pol) (rooted start) (@percept_of W) budget = (transcript, Some answer, z),
+      size transcript <= paper_bound (vertices W) (edges W),
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. exact: algorithm1_correct. Qed.
+
+Theorem explorer_right (W : lighthouse_world) (pol : policy) :
+  right denote (algorithm1 pol) (rooted start) (@percept_of W).
+Proof. exact: algorithm1_right. Qed.
+
+(* Where a policy proposes no path of its own the path taken is a shortest one in S; and `nearest`
+   explores an open dart with the shortest way to it. *)
+Theorem paths_are_shortest S a w f : known S a ->
+  (forall x y, partner S x = Some y -> known S y) ->
+  follow S w a = Some f -> size (route S a f.1).1 <= size w.
+Proof. by move=> ka kl; exact: (route_shortest ka kl). Qed.
+
+Theorem nearest_takes_the_nearest k : unexplored k != [::] ->
+  next_edge nearest k \in unexplored k /\
+  forall e, e \in unexplored k -> distance k (next_edge nearest k) <= distance k e.
+Proof. exact: nearest_is_nearest. Qed.
+
+(* What is computed and extracted: the same for worlds written down as lists of numbers. *)
+Theorem explorer_correct_in_numbers (pol : policy) (M : numbered_map) k :
+  valid M -> size (dart_order M) == size (sigma_list M) ->
+  let pointed := iter k (nth 0 (sigma_list M)) (root_number M) in
+  exists bound, forall budget, bound <= budget -> exists transcript answer z,
+  [/\ episode (algorithm1 pol) (denote M) (sensed M pointed) budget = (transcript, Some answer, z),
+      size transcript <= bound & same_code answer (seen_from M z)].
+Proof. exact: algorithm1_numbered. Qed.
+
+(* What runs outside Coq, one step at a time without remembering the percepts, is that explorer. *)
+Theorem machine_is_explorer (pol : policy) (M : rooted_map) (senses : carrier M -> percept) budget :
+  episode (algorithm1 pol) M senses budget
+  = machine pol (motion_in M) senses budget (Return (first_knowledge (senses (root M)))) (root M).
+Proof. exact: episode_machine. Qed.
+
+(* ==== Cost (Section VI) ==== *)
+
+(* (1) + (2), exactly: 2m^2 n - 2mn^2 + (2/3)n^3 - 2m^2 + 5mn - (5/2)n^2 - 2m + (11/6)n. *)
+Theorem bound_is_polynomial n m : 0 < n -> n - 1 <= m ->
+  6 * paper_bound n m + 12 * m * n ^ 2 + 12 * m ^ 2 + 15 * n ^ 2 + 12 * m
+  = 12 * m ^ 2 * n + 4 * n ^ 3 + 30 * m * n + 11 * n.
+Proof. exact: paper_bound_polynomial. Qed.
+
+Theorem cost_is_O_m2n (W : lighthouse_world) n C (c : configuration W) :
+  reached n C c -> C <= 2 * edges W ^ 2 * vertices W.
+Proof. exact: run_cost_O_m2n. Qed.
+
+(* Every explorer that is right with a directional lighthouse makes at least m motions in each world. *)
+Theorem at_least_m_motions E (meaning : E -> rooted_map) (X : explorer percept E) :
+  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
+  forall W : lighthouse_world, exists budget transcript answer z,
+    episode X (rooted (@start W)) (@percept_of W) budget = (transcript, Some answer, z) /\
+    edges W <= size transcript.
+Proof. exact: directional_at_least_m. Qed.
+
+(* ==== Answers ==== *)
+
+(* Equality of codes decides whether two rooted maps are the same. *)
+Theorem same_map_decided M N : valid M -> valid N -> connected (denote M) ->
+  reflect (isomorphic (denote M) (denote N)) (same_code M N).
+Proof. exact: same_codeP. Qed.
+
+(* The judge: right if and only if the answer e is the world M seen from the robot's dart z. *)
+Theorem judge_correct M e z : valid M -> connected (denote M) -> z < size (sigma_list M) ->
+  size (alpha_list e) = size (sigma_list e) ->
+  [/\ judge M z e = IsRight <-> is_world_from M e z,
+      judge M z e = WrongPose <->
+        ~ is_world_from M e z /\ exists2 d, d < size (sigma_list M) & is_world_from M e d
+    & judge M z e = WrongMap <-> forall d, d < size (sigma_list M) -> ~ is_world_from M e d].
+Proof. by move=> V C l s; split; [exact: judge_right | exact: judge_pose | exact: judge_map]. Qed.
+
+(* ==== Impossibility (Section III) ==== *)
+
+(* Two worlds related by a bisimulation R: no explorer is right in both unless they are the same. *)
+Theorem twins_cannot_both_be_explored P E (meaning : E -> rooted_map) (X : explorer P E)
+    (M N : rooted_map) (sensesM : carrier M -> P) (sensesN : carrier N -> P)
+    (R : carrier M -> carrier N -> Prop) :
+  (forall x y, R x y -> sensesM x = sensesN y) ->
+  (forall x y, R x y -> R (sigma_of M x) (sigma_of N y)) ->
+  (forall x y, R x y -> R (alpha_of M x) (alpha_of N y)) ->
+  R (root M) (root N) -> wellformed M -> wellformed N ->
+  right meaning X M sensesM -> right meaning X N sensesN -> isomorphic M N.
+Proof. exact: twins_impossible. Qed.
+
+(* A directional lighthouse leaves no such pair: what no motion tells apart is the same. *)
+Theorem lighthouse_leaves_no_twins (W W' : lighthouse_world) (R : W -> W' -> Prop) :
+  (forall x y, R x y -> percept_of x = percept_of y) ->
+  (forall x y, R x y -> R (sigma x) (sigma y)) -> (forall x y, R x y -> R (alpha x) (alpha y)) ->
+  R start start -> isomorphic (rooted (@start W)) (rooted (@start W')).
+Proof. exact: directional_unambiguous. Qed.
+
+(* No information: every vertex of a cycle has degree 2, and nothing else is sensed.  Cycles of two
+   lengths; `side` is the side that the robot faces first. *)
+Theorem no_information_is_not_enough E (meaning : E -> rooted_map) (X : explorer nat E) n n' side :
+  0 < n -> 0 < n' -> n <> n' ->
+  ~ (right meaning X (cycle_world n side) (fun _ => 2) /\
+     right meaning X (cycle_world n' side) (fun _ => 2)).
+Proof. exact: cycles_without_information. Qed.
+
+(* Orientation without position: the robot senses also which side it came in by. *)
+Theorem orientation_is_not_enough E (meaning : E -> rooted_map) (X : explorer (nat * bool) E)
+    n n' side : 0 < n -> 0 < n' -> n <> n' ->
+  ~ (right meaning X (cycle_world n side) (fun d => (2, d.2)) /\
+     right meaning X (cycle_world n' side) (fun d => (2, d.2))).
+Proof. exact: cycles_with_compass. Qed.
+
+(* The same for every world with a cycle through e, against its double cover. *)
+Theorem no_world_with_a_cycle_without_position (G : combinatorial_map) (e : G) (cycle : on_cycle e)
+    E (meaning : E -> rooted_map) (d : G) (ref : pred G) :
+  let H := double_cover cycle in
+  (forall X : explorer nat E,
+     ~ (right meaning X (rooted d) (@degree_sensed G) /\
+        right meaning X (rooted ((d, false) : H)) (@degree_sensed H))) /\
+  (forall X : explorer (nat * nat) E,
+     ~ (right meaning X (rooted d) (compass ref) /\
+        right meaning X (rooted ((d, false) : H)) (@compass H (fun p => ref p.1)))).
+Proof. exact: world_with_cycle_impossible. Qed.
+
+(* Position without orientation: pairs of worlds with 2 edges, with 6 (simple), with 8 (simple and
+   planar), and a simple planar pair that has everything the caption of Fig. 1 fixes. *)
+Theorem position_is_not_enough :
+  [/\ no_explorer_right_on_both position_percept two_loops_plane two_loops_torus,
+      no_explorer_right_on_both position_percept k4_plane k4_torus,
+      no_explorer_right_on_both position_percept hexagon triangles &
+      no_explorer_right_on_both position_percept figure_1_left figure_1_right].
+Proof.
+exact: And4 two_loops_impossible k4_impossible hexagon_impossible figure_1_impossible.
+Qed.
+
+Theorem kinds_of_these_worlds :
+  [/\ all planar [:: two_loops_plane; k4_plane; hexagon; triangles; figure_1_left; figure_1_right],
+      all (predC planar) [:: two_loops_torus; k4_torus]
+    & all simple [:: k4_plane; k4_torus; hexagon; triangles; figure_1_left; figure_1_right]].
+Proof. exact: kinds. Qed.
+
+Theorem figure_1_caption_holds :
+  as_in_the_caption figure_1_left && as_in_the_caption figure_1_right /\
+  forall d, d < size (sigma_list figure_1_right) ->
+    ~ isomorphic (denote figure_1_left) (denote (seen_from figure_1_right d)).
+Proof. exact: conj figure_1_caption figure_1_different. Qed.
+
+(* Any certificate that the Boolean check accepts is such a theorem. *)
+Theorem certificate_suffices (P : eqType) (senses : numbered_map -> nat -> P) M N L :
+  twin_check senses M N L -> no_explorer_right_on_both senses M N.
+Proof. exact: certified_impossible. Qed.
+
+(* Section VIII, natural lighthouses: with loops allowed, a vertex of unique degree next to another one
+   is not enough. *)
+Theorem natural_lighthouse_is_not_enough :
+  no_explorer_right_on_both degree_percept natural_plane natural_torus.
+Proof. exact: natural_impossible. Qed.

@@ -1,0 +1,35 @@
+"""Checks the compiled files with coqchk; exit 1 unless it accepts them and reports no axiom.
+
+Usage: check_coqchk.py FILE.v ...   (in the folder of the compiled files)
+"""
+
+import pathlib
+import subprocess
+import sys
+
+MUST_BE_NONE = (
+    "Axioms",
+    "Constants/Inductives relying on type-in-type",
+    "Constants/Inductives relying on unsafe (co)fixpoints",
+    "Inductives whose positivity is assumed",
+)
+
+
+def main() -> int:
+    """The exit code."""
+    modules = [f"Allworlds.{pathlib.Path(name).stem}" for name in sys.argv[1:]]
+    command = ["coqchk", "-silent", "-o", "-Q", ".", "Allworlds", *modules]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    report = run.stdout + run.stderr
+    print(report.strip())
+    lines = [line.strip() for line in report.split("\n")]
+    missing = [what for what in MUST_BE_NONE if f"* {what}: <none>" not in lines]
+    if run.returncode or missing:
+        print(f"coqchk: exit {run.returncode}; not none: {', '.join(missing) or '-'}")
+        return 1
+    print(f"coqchk: {len(modules)} files accepted, no axiom")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,100 @@
+"""Every mutant of a definition or statement must make the development fail to compile.
+
+Usage: run.py [--workers N] [NAME ...]   (the unchanged files must have been compiled)
+
+``mutants.json`` lists them: a file, a text that stands in it exactly once, the text put in its
+place, what that breaks, and what dies of it: ``truth`` (some theorem is then false) or
+``script`` (the statements stay true, only a proof script no longer fits).
+Exit 1 if a mutant compiles, does not apply, or runs out of time.
+"""
+
+import argparse
+import concurrent.futures
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent
+LIMIT = 120
+
+
+def sources() -> list[str]:
+    """The files of _CoqProject in their order, without the extraction."""
+    names = [n for n in (ROOT / "_CoqProject").read_text().split() if n.endswith(".v")]
+    return [n for n in names if n != "Extraction.v"]
+
+
+def imports(name: str) -> set[str]:
+    """The files that ``name`` requires directly."""
+    text = (ROOT / name).read_text()
+    found = re.findall(r"From Allworlds Require(?: Import)? ([\w ]+)\.", text)
+    return {f"{module}.v" for line in found for module in line.split()}
+
+
+def affected(name: str) -> list[str]:
+    """``name`` and the files that depend on it, in order."""
+    reached = [name]
+    for other in sources():
+        if other != name and imports(other) & set(reached):
+            reached.append(other)
+    return reached
+
+
+def outcome(mutant: dict[str, str]) -> tuple[bool, str]:
+    """Whether the mutant dies, and where."""
+    text = (ROOT / mutant["file"]).read_text()
+    if text.count(mutant["old"]) != 1:
+        return False, f"does not apply: its text stands {text.count(mutant['old'])} times"
+    todo = affected(mutant["file"])
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        for name in sources():
+            shutil.copy(ROOT / name, place)
+            if name not in todo:
+                shutil.copy((ROOT / name).with_suffix(".vo"), place)
+        (place / mutant["file"]).write_text(text.replace(mutant["old"], mutant["new"]))
+        for name in todo:
+            command = ["coqc", "-w", "none", "-Q", ".", "Allworlds", name]
+            try:
+                run = subprocess.run(
+                    command, cwd=place, capture_output=True, text=True, check=False, timeout=LIMIT
+                )
+            except subprocess.TimeoutExpired:
+                return False, f"no verdict on {name} after {LIMIT} s"
+            if run.returncode:
+                line = re.search(r"line (\d+)", run.stderr)
+                return True, f"{name}:{line.group(1) if line else '?'}"
+    return False, "compiles"
+
+
+def main() -> int:
+    """The exit code."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("names", nargs="*")
+    parser.add_argument("--workers", type=int, default=2)
+    options = parser.parse_args()
+    mutants = json.loads((HERE / "mutants.json").read_text())
+    chosen = [m for m in mutants if not options.names or m["name"] in options.names]
+    began = time.monotonic()
+    with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
+        results = list(pool.map(outcome, chosen))
+    for mutant, (dead, where) in zip(chosen, results, strict=True):
+        state = "dies" if dead else "SURVIVES"
+        print(f"{state:8} {mutant['kind']:6} {mutant['name']}: {where}; {mutant['breaks']}")
+    alive = sum(not dead for dead, _ in results)
+    truths = sum(m["kind"] == "truth" for m in chosen)
+    print(
+        f"{len(chosen)} mutants ({truths} of the truth), {alive} survive, "
+        f"{time.monotonic() - began:.0f} s"
+    )
+    return 1 if alive or not chosen else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
