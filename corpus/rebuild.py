@@ -4,6 +4,7 @@ import hashlib
 import json
 from pathlib import Path
 
+import allworlds
 from allworlds.ambiguity import twins
 from allworlds.checker import check
 from allworlds.maps import from_cycles, from_rotation, lattice, named_map
@@ -150,6 +151,13 @@ def world_entries() -> list[dict[str, object]]:
     ]
 
 
+def elsewhere(document: dict[str, object]) -> dict[str, object]:
+    """The document without the place of this checkout in its traceback."""
+    here = str(Path(allworlds.__file__).parents[1])
+    detail = document.get("detail")
+    return {**document, "detail": detail.replace(here, "src")} if detail else document
+
+
 def finding_entries() -> list[dict[str, object]]:
     """The smallest finding of every mutant."""
     entries = []
@@ -160,7 +168,7 @@ def finding_entries() -> list[dict[str, object]]:
             {
                 "name": f"mutant-{mutant.name}",
                 "kind": "finding",
-                **write("findings", mutant.name, finding.to_json()),
+                **write("findings", mutant.name, elsewhere(finding.to_json())),
                 "provenance": f"the smallest world that refutes this mutant: {mutant.breaks}",
                 "expected": {"law": finding.law, "outcome": "reproduced"},
             }

@@ -31,7 +31,7 @@ LAYERS = {
     "counter": {"errors", "kernel", "maps"},
     "kernel": {"judge"},
     "strategies": {"errors", "maps", "protocol", "world"},
-    "smt": {"errors", "maps"},
+    "smt": {"errors", "maps", "world"},
     "subjects": {"episode", "errors", "explorers", "maps", "protocol"},
     "checker": {
         *("episode", "errors", "judge", "kernel", "maps", "protocol", "subjects", "version"),

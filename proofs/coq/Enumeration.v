@@ -45,7 +45,8 @@ Fixpoint codes fuel c s a : seq (seq nat * seq nat) :=
   else [:: (s, a)].
 
 Lemma codes_prefix fuel c s a t : t \in codes fuel c s a ->
-  (forall i, i < size s -> nth 0 t.1 i = nth 0 s i) /\ (forall i, i < size a -> nth 0 t.2 i = nth 0 a i).
+  (forall i, i < size s -> nth 0 t.1 i = nth 0 s i) /\
+    (forall i, i < size a -> nth 0 t.2 i = nth 0 a i).
 Proof.
 elim: fuel c s a => [|fuel IH] c s a /=; first by rewrite inE => /eqP->.
 case: ifP => // _ /flattenP[_ /mapP[x _ ->]] /flattenP[_ /mapP[y _ ->]] /IH[H1 H2].
@@ -89,7 +90,8 @@ Canonical numbered_map_eqType := EqType numbered_map numbered_map_eqMixin.
 Definition canonical M := (root_number M == 0) && (dart_order M == iota 0 (size (sigma_list M))).
 
 Definition rooted_maps m : seq numbered_map :=
-  [seq M <- [seq NumberedMap t.1 t.2 0 | t <- codes m.*2 m.*2 1 [::] [::]] | valid M && canonical M].
+  [seq M <- [seq NumberedMap t.1 t.2 0 | t <- codes m.*2 m.*2 1 [::] [::]]
+    | valid M && canonical M].
 
 (* ---- Every canonical code is in the tree ---- *)
 Section Found.
@@ -167,7 +169,8 @@ rewrite /alpha_choices size_takel ?(ltnW la) //; case: ifP => [|/negbT] ka.
   have /(nthP 0)[j] := ka; rewrite size_takel ?(ltnW la) // => lj; rewrite nth_take // => jk.
   have yj : y = j by rewrite /y -jk aK // (ltn_trans lj lk).
   have ua : uniq (take k a).
-    apply/(uniqP 0)=> u v; rewrite !inE size_takel ?(ltnW la) // => lu lv; rewrite !nth_take // => uv.
+    apply/(uniqP 0)=> u v; rewrite !inE size_takel ?(ltnW la) // => lu lv; rewrite !nth_take // =>
+      uv.
     by rewrite -(aK u (ltn_trans lu lk)) uv aK // (ltn_trans lv lk).
   have ik : index k (take k a) = j.
     rewrite -[X in index X _]jk -(nth_take 0 lj) index_uniq //.
@@ -226,7 +229,8 @@ have sz := dart_order_full V C; have [A U] := dart_order_ok V.
 have mem x := mem_dart_order x V sz.
 have sR : size (sigma_list renumbered) = n by rewrite /= size_map.
 apply: validI; last by rewrite /= !size_map.
-apply: (isomorphic_wellformed (isomorphic_sym wf renumbered_isomorphic) wf) => /=; rewrite size_map sz.
+apply: (isomorphic_wellformed (isomorphic_sym wf renumbered_isomorphic) wf) => /=;
+  rewrite size_map sz.
 - by apply: leq_ltn_trans (wellformed_root wf).
 - move=> x lx; rewrite (nth_map 0) ?sz // -sz index_mem mem; apply: (wellformed_sigma wf).
   by rewrite /= -mem mem_nth ?sz.
@@ -264,7 +268,8 @@ Variable m : nat.
 Lemma listed M : M \in rooted_maps m -> valid M /\ canonical M.
 Proof. by rewrite mem_filter => /andP[/andP[]]. Qed.
 
-Theorem rooted_maps_connected M : M \in rooted_maps m -> wellformed (denote M) /\ connected (denote M).
+Theorem rooted_maps_connected M : M \in rooted_maps m -> wellformed (denote M) /\
+  connected (denote M).
 Proof.
 case/listed=> V /andP[_ /eqP o]; split; first exact: validP.
 by apply/(connectedP V); rewrite o size_iota.
@@ -282,9 +287,12 @@ Proof.
 move=> lM lN I; have [_ C] := rooted_maps_connected lM.
 have [VM /andP[/eqP rM /eqP oM]] := listed lM; have [VN /andP[/eqP rN /eqP oN]] := listed lN.
 have /and3P[_ _ /eqP] := same_code_complete VM VN C I.
-have codeE K : valid K -> dart_order K = iota 0 (size (sigma_list K)) -> code K = (sigma_list K, alpha_list K).
-  move=> VK oK; have W := validP VK; have sa : size (alpha_list K) = size (sigma_list K) by case/and5P: VK => /eqP.
-  rewrite /code /relabel oK; congr (_, _); apply: (@eq_from_nth _ 0); rewrite ?size_map ?size_iota //.
+have codeE K : valid K -> dart_order K = iota 0 (size (sigma_list K)) -> code K =
+  (sigma_list K, alpha_list K).
+  move=> VK oK; have W := validP VK; have sa : size (alpha_list K) =
+    size (sigma_list K) by case/and5P: VK => /eqP.
+  rewrite /code /relabel oK; congr (_, _); apply: (@eq_from_nth _ 0);
+    rewrite ?size_map ?size_iota //.
     move=> i li; rewrite (nth_map 0) ?size_iota // nth_iota // add0n index_number //.
     exact: (wellformed_sigma W).
   move=> i li; rewrite (nth_map 0) ?size_iota // nth_iota // add0n index_number //.

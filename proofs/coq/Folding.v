@@ -59,7 +59,8 @@ Definition is_congruence (R : rel D) :=
       [forall x, forall y, R x y ==> R y x],
       [forall y, forall x, forall z, R x y ==> R y z ==> R x z],
       [forall x, forall y, R x y ==> R (next x) (next y)],
-      [forall x, forall y, forall x', forall y', R x y ==> linked x x' ==> linked y y' ==> R x' y'] &
+      [forall x, forall y, forall x', forall y',
+         R x y ==> linked x x' ==> linked y y' ==> R x' y'] &
       [forall x, forall y, marked x ==> marked y ==> R x y]].
 
 Lemma congruenceP R : reflect (congruence R) (is_congruence R).
@@ -94,7 +95,8 @@ Qed.
 Theorem same_least (R : rel D) x y : congruence R -> same x y -> R x y.
 Proof.
 case=> H1 H2 H3 H4 H5 H6 /sameP/(_ [set p | R p.1 p.2]); rewrite inE; apply.
-split=> [u|u v|v u w|u v|u v u' v'|u v]; rewrite !inE //=; [exact: H2|exact: H3|exact: H4|exact: H5|].
+split=> [u|u v|v u w|u v|u v u' v'|u v]; rewrite !inE //=;
+  [exact: H2|exact: H3|exact: H4|exact: H5|].
 exact: H6.
 Qed.
 
@@ -274,7 +276,8 @@ Qed.
 Lemma completed_connected x y : connect (adjacent completed_sigma completed_alpha) x y.
 Proof.
 set adj := adjacent _ _.
-have stepa d : connect adj d (completed_alpha d) by apply: connect1; rewrite /adj /adjacent eqxx orbT.
+have stepa d : connect adj d (completed_alpha d) by apply: connect1;
+  rewrite /adj /adjacent eqxx orbT.
 have old u v : connect adj (inl u) (inl v).
   case/connectP: (conn u v) => p + ->; elim: p u => //= w p IH u /andP[H /IH]; apply: connect_trans.
   case/orP: H => /eqP H; first by rewrite H; apply: connect1; rewrite /adj /adjacent /= eqxx.
@@ -282,7 +285,8 @@ have old u v : connect adj (inl u) (inl v).
 have out l t : connect adj (inl (val l)) (inr (l, t)).
   apply: (@connect_trans _ _ (inr (l, stem))).
     by have := stepa (inl (val l)); rewrite /= valK.
-  case/connectP: (connT t) => p + ->; elim: p (stem) => //= w p IH u /andP[H /IH]; apply: connect_trans.
+  case/connectP: (connT t) => p + ->; elim: p (stem) => //= w p IH u /andP[H /IH];
+    apply: connect_trans.
   case/orP: H => /eqP->; first by apply: connect1; rewrite /adj /adjacent /= eqxx.
   case: (u =P stem) => [->|/eqP ne]; first by have /eqP-> : aT stem == stem by rewrite aT_stem.
   by have := stepa (inr (l, u)); rewrite /= (negbTE ne).
@@ -323,11 +327,13 @@ Definition darts_at i := (percept_at i).1.-1.+1.
 Definition log_dart := [finType of {i : 'I_N.+1 & 'I_(darts_at i)}].
 Definition dart_at i j : log_dart :=
   Tagged (fun i : 'I_N.+1 => 'I_(darts_at i))
-    (Ordinal (ltn_pmod j (ltn0Sn _) : j %% darts_at (inord i : 'I_N.+1) < darts_at (inord i : 'I_N.+1))).
+    (Ordinal (ltn_pmod j (ltn0Sn _) : j %% darts_at (inord i : 'I_N.+1) < darts_at (inord i :
+      'I_N.+1))).
 Implicit Types p q : log_dart.
 Definition next_dart p := dart_at (tag p) (val (tagged p)).+1.
 Definition crossing i := (dart_at i (motion_at i), dart_at i.+1 0).
-Definition crossed p q := has (fun i => ((p, q) == crossing i) || ((q, p) == crossing i)) (iota 0 N).
+Definition crossed p q :=
+  has (fun i => ((p, q) == crossing i) || ((q, p) == crossing i)) (iota 0 N).
 Definition sensed_pointed p :=
   has (fun i => if (percept_at i).2 is Some b then p == dart_at i b else false) (iota 0 N.+1).
 
@@ -381,7 +387,8 @@ Definition place (p : log_dart) := iter (val (tagged p)) sigma (robot_at (tag p)
 
 Lemma percept_atE i : i <= N -> percept_at i = percept_of (robot_at i).
 Proof.
-have nthP w (d : W) o j : j <= size w -> nth o (percepts_along w d) j = percept_of (walk (take j w) d).
+have nthP w (d : W) o j : j <= size w -> nth o (percepts_along w d) j =
+  percept_of (walk (take j w) d).
   by elim: w d j => [|k w IH] d [|j] //= lj; exact: IH.
 by move=> li; rewrite /percept_at -A nthP // size_map.
 Qed.
@@ -428,7 +435,8 @@ apply/hasP; exists 0; first by rewrite mem_iota.
 by rewrite percept_at0 /percept_of /= bearing_start.
 Qed.
 
-Lemma place_congruence : congruence next_dart crossed sensed_pointed (fun p q => place p == place q).
+Lemma place_congruence :
+  congruence next_dart crossed sensed_pointed (fun p q => place p == place q).
 Proof.
 split=> [p|p q|q p r|p q|p q p' q'|p q].
 - by [].
@@ -468,15 +476,18 @@ have li : tag p <= N by rewrite -ltnS.
 rewrite (dart_atP p) !place_at //; move: (val (tagged p)) => j.
 have := percept_atE A' li; rewrite (percept_atE A li) => -[D B].
 have T (V : lighthouse_world) (x : V) : 
-  percept_of (iter j sigma x) = (degree x, omap (fun b => (b + (degree x - j %% degree x)) %% degree x) (bearing x)).
+  percept_of (iter j sigma x) = (degree x, omap (fun b =>
+    (b + (degree x - j %% degree x)) %% degree x) (bearing x)).
   have c : at_same_vertex x (iter j sigma x) by exact: fconnect_iter.
   rewrite /percept_of /bearing (degree_same c); congr (_, _).
   have -> : at_same_vertex (iter j sigma x) pointed = at_same_vertex x (@pointed V).
     by rewrite /at_same_vertex (same_connect (fconnect_sym sigma_inj) c).
   case: ifP => // cx; congr Some.
-  have E : iter ((findex sigma x pointed + (degree x - j %% degree x)) %% degree x) sigma (iter j sigma x) = pointed.
+  have E : iter ((findex sigma x pointed + (degree x - j %% degree x)) %% degree x) sigma
+    (iter j sigma x) = pointed.
     have -> : iter j sigma x = iter (j %% degree x) sigma x by rewrite turn_modulo_degree.
-    have dx : degree (iter (j %% degree x) sigma x) = degree x by apply: degree_same; exact: fconnect_iter.
+    have dx : degree (iter (j %% degree x) sigma x) = degree x by apply: degree_same;
+      exact: fconnect_iter.
     rewrite -{3}dx turn_modulo_degree -iterD -addnA subnK ?(ltnW (ltn_pmod _ (degree_gt0 _))) //.
     by rewrite iterD iter_degree iter_findex.
   by rewrite -[X in findex _ _ X]E findex_iter // -/(degree _) (degree_same c) ltn_pmod ?degree_gt0.
@@ -495,8 +506,10 @@ have key (V V' : lighthouse_world) : agrees V L -> agrees V' L -> no_open_dart -
       exists r' t', [/\ place V r' = walk w (place V r), place V t' = walk w (place V t), 
         place V' r' = walk w (place V' r) & place V' t' = walk w (place V' t)].
     elim: w r t => [|k w IH] r t E'; first by exists r, t.
-    have step (u : log_dart) : exists u', place V u' = motion k (place V u) /\ place V' u' = motion k (place V' u).
-      have tn : exists v, place V v = iter k sigma (place V u) /\ place V' v = iter k sigma (place V' u).
+    have step (u : log_dart) : exists u', place V u' = motion k (place V u) /\ place V' u' =
+      motion k (place V' u).
+      have tn : exists v, place V v = iter k sigma (place V u) /\ place V' v =
+        iter k sigma (place V' u).
         elim: k => [|k [v [e e']]]; first by exists u.
         by exists (next_dart v); rewrite !place_next // e e'.
       have [v [e e']] := tn; have /existsP[u' o] := nopen v; exists u'.
@@ -510,7 +523,8 @@ have key (V V' : lighthouse_world) : agrees V L -> agrees V' L -> no_open_dart -
       pose R (x : V) := exists w k, walk w (place V p) = iter k sigma x.
       suff H : forall x, R x by exact: H.
       have Rs x : R x -> R (sigma x).
-        case=> w [k e]; exists w, (opposite (degree x) 1 + k); rewrite e addnC iterD; congr (iter _ _ _).
+        case=> w [k e]; exists w, (opposite (degree x) 1 + k); rewrite e addnC iterD;
+          congr (iter _ _ _).
         by rewrite -[in LHS](opposite_turn 1 x).
       apply: (@everywhere V R (place V p)) => [||x [w [k e]]] //; first by exists [::], 0.
       exists (rcons w (opposite (degree x) k)), 0.
@@ -642,7 +656,8 @@ Qed.
 
 Definition completed_world := LighthouseWorld old_pointed.
 
-Lemma old_robot i : i <= N -> walk (take i (motions L)) (@start completed_world) = old (dart_at i 0).
+Lemma old_robot i : i <= N -> walk (take i (motions L)) (@start completed_world) =
+  old (dart_at i 0).
 Proof.
 elim: i => [|i IH] li; first by rewrite take0.
 have := @robot_atS completed_world i li; rewrite /robot_at => ->; rewrite IH ?(ltnW li) //.
@@ -730,7 +745,8 @@ End TwoWorlds.
 
 Corollary no_open_dart_iff L W : agrees W L ->
   no_open_dart L <->
-  (forall W1 W2, agrees W1 L -> agrees W2 L -> isomorphic (rooted (@start W1)) (rooted (@start W2))).
+  (forall W1 W2, agrees W1 L -> agrees W2 L ->
+    isomorphic (rooted (@start W1)) (rooted (@start W2))).
 Proof.
 move=> A; split=> [nopen W1 W2 A1 A2|H p].
   have := folding_isomorphic A1 A2 nopen (leq0n _); by rewrite /robot_at !take0.
@@ -771,7 +787,8 @@ elim: fuel seen d d' t e z => [|fuel IH] seen d d' t e z /=; case: (X seen) => [
   have ph : percept_of (motion k d') = percept_of (motion k d).
     by have := congr1 (head (0, None)) P; case: (unzip1 t').
   have Q : explore X (rooted (@start W')) (@percept_of W') fuel
-      (rcons seen (percept_of (motion k d'))) (motion k d') = (t', e', walk (unzip1 t') (motion k d')).
+      (rcons seen (percept_of (motion k d'))) (motion k d') =
+        (t', e', walk (unzip1 t') (motion k d')).
     by rewrite ph; apply: (IH _ _ _ _ _ _ R); rewrite P ph.
   by rewrite Q; congr ((k, _) :: _, _, _); exact: ph.
 by case=> <- <- _.
@@ -794,14 +811,16 @@ move=> [f1 [t1 [e1 [z1 [R1 We1 I1]]]]] [f2 [t2 [e2 [z2 [R2 We2 I2]]]]] R A'.
 have zE := (explore_log R).2.
 have P : percept_of (@start W') = percept_of (@start W) 
   by have := congr1 (head (0, None)) A'; case: (t).
-have R' : episode X (rooted (@start W')) (@percept_of W') fuel = (t, Some e, walk (unzip1 t) (@start W')).
+have R' : episode X (rooted (@start W')) (@percept_of W') fuel =
+  (t, Some e, walk (unzip1 t) (@start W')).
   have R0 : explore X (rooted (@start W)) (@percept_of W) fuel [:: percept_of (@start W)] (@start W)
     = (t, Some e, z) by [].
   by have := explore_replay R0 (etrans A' (f_equal (cons^~ _) (esym P))); rewrite -P.
 have := explore_more fuel R1; rewrite addnC (explore_more f1 R) => -[_ ee zz]; subst e1 z1.
 have := explore_more fuel R2; rewrite addnC (explore_more f2 R') => -[_ ee zz]; subst e2 z2.
 have I := isomorphic_trans (isomorphic_sym We1 I1) I2; rewrite zE in I.
-have walkE (V : lighthouse_world) v (d : V) : walk_in (rooted (@start V)) v d = walk v d by elim: v d => /=.
+have walkE (V : lighthouse_world) v (d : V) : walk_in (rooted (@start V)) v d =
+  walk v d by elim: v d => /=.
 apply: (@isomorphic_back (rooted (@start W)) (rooted (@start W')) (unzip1 t) start start) => //.
 - exact: rooted_wellformed.
 - exact: rooted_wellformed.

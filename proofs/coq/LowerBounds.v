@@ -25,10 +25,12 @@
      entries_at_least     at least m-n+1 entries into v0.
      far_cycles_cost      at least 2 L (m-n+1) motions where v0 is at the end of a path of L edges.
      path_costs_every_cycle  the same for any world W put at the end of such a path, m and n of W.
+     algorithm1_right_everywhere, algorithm1_log_folds   Algorithm 1 is such an explorer, so its log
+                          leaves no dart open.
      mn_lower_bound       worlds with m = 2(k+1) and n = k+2, for every k, which need m (n-1) motions.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Folding.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers Algorithm Refinement Folding.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -110,7 +112,8 @@ have K : reach (d, true) (froot sigma d, true).
   rewrite -(iter_findex H); elim: (findex _ _ _) => //= k IH.
   exact: connect_trans IH (reach_sigma (iter k sigma d, true)).
 have r : froot sigma d \in froots (@sigma W) by exact: (roots_root (fconnect_sym (@sigma_inj W))).
-by rewrite inE r; apply/idP/idP=> R; [apply: connect_trans R (reach_sym K) | exact: connect_trans R K].
+by rewrite inE r; apply/idP/idP=> R; [apply: connect_trans R (reach_sym K)
+  | exact: connect_trans R K].
 Qed.
 
 Lemma disconnected_potential : ~~ reach (v0, false) (v0, true) ->
@@ -140,7 +143,8 @@ have H z : reach (v0, false) z.
 exact: connect_trans (reach_sym (H x)) (H y).
 Qed.
 
-Definition voltage_cover := CombinatorialMap voltage_sigma_inj voltage_alphaK voltage_alpha_neq voltage_connected.
+Definition voltage_cover := CombinatorialMap voltage_sigma_inj voltage_alphaK voltage_alpha_neq
+  voltage_connected.
 
 Lemma voltage_turn k d b : iter k (@sigma voltage_cover) (d, b) = (iter k sigma d, b).
 Proof. by elim: k => //= k ->. Qed.
@@ -153,7 +157,8 @@ exact: fconnect_iter.
 Qed.
 
 (* only the vertex over v0 in the lower sheet is marked *)
-Definition voltage_world := @LighthouseWorld voltage_cover (v0, false) (pointed, false) voltage_pointed.
+Definition voltage_world := @LighthouseWorld voltage_cover (v0, false) (pointed, false)
+  voltage_pointed.
 
 Lemma voltage_percept d b : (at_same_vertex v0 d -> b = false) ->
   percept_of ((d, b) : voltage_world) = percept_of d.
@@ -196,7 +201,8 @@ End VoltageCover.
 
 (* level: the distance from v0 on the path, L from its other end on; up j: the dart of the path that
    leads from level j to level j+1 *)
-Record path_from_start (W : lighthouse_world) L (level : W -> nat) (up : nat -> W) : Prop := PathFromStart {
+Record path_from_start (W : lighthouse_world) L (level : W -> nat) (up : nat -> W) : Prop :=
+  PathFromStart {
   level_start : level start = 0;
   level_sigma : forall d, level (sigma d) = level d;
   level_max : forall d, level d <= L;
@@ -235,13 +241,15 @@ have s1 : level d' <= (level d).+1.
   by have := level_step P d'; rewrite /d' /motion alphaK level_turn.
 have s2 : level d <= (level d').+1 by rewrite -(level_turn k d); exact: (level_step P).
 have lL := level_max P d'; set out' := out || (level d' == L).
-have p : (if out' then 2 * L - level d' else level d') <= (if out then 2 * L - level d else level d).+1.
+have p : (if out' then 2 * L - level d' else level d') <=
+  (if out then 2 * L - level d else level d).+1.
   rewrite /out'; case: (out) => /=.
     rewrite -subSn; last by apply: leq_trans (level_max P d) _; rewrite leq_pmull.
     by rewrite -[2 * L - level d']subSS leq_sub2l.
   by case: eqP => // fl; rewrite fl mul2n -addnn addnK -fl.
 case: ifP => [at0|_]; last first.
-  by apply: leq_trans (IH d' out' _) _; [rewrite /out' => /eqP->; rewrite eqxx orbT | rewrite addSn -addnS leq_add2l].
+  by apply: leq_trans (IH d' out' _) _; [rewrite /out' => /eqP->; rewrite eqxx orbT
+    | rewrite addSn -addnS leq_add2l].
 have l0 := level_v0 at0; rewrite mulnDr.
 have -> : size (k :: w) + (if out then 2 * L - level d else level d) =
   (if out then 2 * L - level d else level d).+1 + size w by rewrite /= addSn addnC addSn.
@@ -363,7 +371,8 @@ have Q : quiet c w v0 false.
       sheets_entered L level c w v0 (false (+) false) (L == 0) by [].
   rewrite sheets_xor S; elim: (sheets_entered _ _ _ _ _ _ _) => //= b l ->.
   by rewrite addbb.
-case: (boolP (connect (adjacent (@voltage_sigma W) (voltage_alpha c)) (v0, false) (v0, true))) => [R|N].
+case: (boolP (connect (adjacent (@voltage_sigma W) (voltage_alpha c)) (v0, false) (v0, true))) =>
+  [R|N].
   have A0 := quiet_agrees c_sym R (episode_agrees stopped) Q.
   have := right_explorer_determines (right_X W) (right_X (voltage_world c_sym R)) stopped A0.
   by move/voltage_not_isomorphic.
@@ -387,9 +396,11 @@ Theorem returns_at_least : edges W + 1 <= vertices W + outer.
 Proof.
 pose same_sheets (v : outer.-tuple bool) (A : {set W}) := sheets (chosen A) == v.
 pose first_of v : {set W} := odflt set0 [pick A in powerset edge_set | same_sheets v A].
-pose difference A (B : {set W}) := [forall d, chosen A d (+) chosen (first_of (sheets (chosen A))) d == cut B d].
+pose difference A (B : {set W}) := [forall d, chosen A d (+) chosen (first_of (sheets (chosen A)))
+  d == cut B d].
 pose cut_of A : {set W} := odflt set0 [pick B in powerset vertex_set | difference A B].
-have firstP A : A \in powerset edge_set -> sheets (chosen (first_of (sheets (chosen A)))) = sheets (chosen A).
+have firstP A : A \in powerset edge_set -> sheets (chosen (first_of (sheets (chosen A)))) =
+  sheets (chosen A).
   move=> EA; rewrite {1}/first_of; case: pickP => [A' /andP[_ /eqP] //|/(_ A)].
   by rewrite EA /same_sheets eqxx.
 have cutP A : A \in powerset edge_set ->
@@ -479,7 +490,8 @@ set adj := adjacent _ _.
 have cs u : connect adj u (longer_sigma u) by apply: connect1; rewrite /adj /adjacent eqxx.
 have ca u : connect adj u (longer_alpha u) by apply: connect1; rewrite /adj /adjacent eqxx orbT.
 have first : connect adj (inr false) (inl v0).
-  apply: connect_trans (ca (inr false)) _; rewrite /adj (adjacent_connect_sym longer_sigma_inj longer_alphaK).
+  apply: connect_trans (ca (inr false)) _;
+    rewrite /adj (adjacent_connect_sym longer_sigma_inj longer_alphaK).
   by have := cs (inl v0); rewrite /= eqxx.
 have H u : connect adj (inr false) u.
   case: u => [d|[]]; [|exact: ca (inr false)|exact: connect0].
@@ -494,7 +506,8 @@ Definition longer_map :=
 Definition longer := @LighthouseWorld longer_map (inr false) (inr false) (connect0 _ _).
 
 Lemma edges_longer : edges longer = (edges W).+1.
-Proof. by apply: double_inj; rewrite edges_double card_sum card_bool doubleS edges_double addn2. Qed.
+Proof. by apply: double_inj; rewrite edges_double card_sum card_bool doubleS edges_double addn2.
+  Qed.
 
 Lemma vertices_longer : vertices longer = (vertices W).+1.
 Proof.
@@ -557,7 +570,8 @@ Lemma longer_path L level up : @path_from_start W L level up ->
     (fun j => if j is j'.+1 then inl (up j') else inr false).
 Proof.
 move=> P; have l0 := level_start P; split=> //.
-- by case=> [d|[]] /=; [case: eqP => [->|_] /=; rewrite ?(level_sigma P) ?l0 | rewrite (level_sigma P) l0 |].
+- by case=> [d|[]] /=; [case: eqP => [->|_] /=; rewrite ?(level_sigma P) ?l0
+  | rewrite (level_sigma P) l0 |].
 - by case=> [d|[]] //=; rewrite ltnS; exact: (level_max P).
 - by case=> [d|[]] //=; rewrite ltnS; exact: (level_step P).
 case=> [d|[]] /=; [|by right|by left].
@@ -657,7 +671,17 @@ Corollary mn_lower_bound (E : Type) (meaning : E -> rooted_map) (X : explorer pe
       edges W * (vertices W - 1) <= size t].
 Proof.
 move=> H k; exists (at_end_of_path k.+1 (bouquet k)).
-rewrite at_end_edges at_end_vertices edges_bouquet vertices_bouquet addnn addn1; split=> // fuel t e z R.
+rewrite at_end_edges at_end_vertices edges_bouquet vertices_bouquet addnn addn1; split=>
+  // fuel t e z R.
 have := path_costs_every_cycle H R; rewrite edges_bouquet vertices_bouquet addn1 subn1 /= mul2n.
 by [].
 Qed.
+
+(* ---- The hypothesis can be met: Algorithm 1 is such an explorer, under every policy ---- *)
+Theorem algorithm1_right_everywhere pol : right_everywhere denote (algorithm1 pol).
+Proof. by move=> W; exact: algorithm1_right. Qed.
+
+Corollary algorithm1_log_folds pol (W : lighthouse_world) fuel t e z :
+  episode (algorithm1 pol) (rooted (@start W)) (@percept_of W) fuel = (t, Some e, z) ->
+  no_open_dart (log_of W t).
+Proof. exact: (right_explorer_log_folds (algorithm1_right_everywhere pol)). Qed.

@@ -206,7 +206,7 @@ def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"info": "gps"}, "info 'gps' is none of none, position, compass, directional"),
+        ({"info": "gps"}, "info 'gps' is none of none, position, directional, compass"),
         ({"map_class": "trees"}, "class 'trees'"),
         ({"max_edges": 0}, "max-edges = 0"),
         ({"max_vertices": 0}, "max-vertices = 0"),

@@ -15,6 +15,7 @@ from allworlds.world import (
     InvalidWorld,
     Nothing,
     Position,
+    Where,
     World,
     lighthouse_from_json,
     lighthouse_named,
@@ -83,6 +84,21 @@ def test_a_directional_lighthouse_senses_more_than_position_and_position_more_th
         for mine, poorer, poorest in zip(world.percepts, position, nothing, strict=True):
             assert Percept(mine.degree, mine.marks) == poorer
             assert Percept(poorer.degree) == poorest
+
+
+@pytest.mark.parametrize("kind", KINDS.values())
+def test_more_than_the_degree_is_sensed_where_the_level_says_and_nowhere_else(kind):
+    level = kind.sensing
+    for world in worlds(kind):
+        v0 = world.map.vertex_of[world.start]
+        for vertex, percept in zip(world.map.vertex_of, world.percepts, strict=True):
+            here = {
+                Where.NOWHERE: False,
+                Where.AT_V0: vertex == v0,
+                Where.EVERYWHERE: True,
+            }[level.where]
+            assert (percept.bearing is not None) == (here and level.bearing)
+            assert percept.marks == (here and level.marks_v0)
 
 
 @pytest.mark.parametrize("kind", [Nothing, Position])

@@ -4,11 +4,17 @@
     what is to be checked, and with which options;
 ``examine``
     one run after the other, judged and tallied; **the** loop of the exhaustive check;
-``worker``, ``pool``
+``worker``, ``pool``, ``laboratory``
     the same loop in processes that can be killed;
+``engines``, ``kernel_pool``
+    the compiled engine in their place, where it can;
 ``finding``, ``confirm``
     the refuting run as a value, and its confirmation in a fresh process;
-``drive``
+``past``
+    findings of earlier checks, which are tried first;
+``belief``, ``parting``
+    the same walk in a wrong answer, and where the two part;
+``drive``, ``tally``, ``report``
     level by level to a :class:`Report`, with the count gate and the witnesses;
 ``single``, ``replay``
     one world at a time.

@@ -8,8 +8,7 @@ from itertools import islice
 from allworlds.checker.finding import place_of
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Move, Percept, Transcript
-from allworlds.world import Lighthouse, World
-from allworlds.world.lighthouses import Compass
+from allworlds.world import Compass, Lighthouse, World
 
 
 def true_trail(world: World, transcript: Transcript) -> list[Dart]:

@@ -123,8 +123,8 @@ class _Drive:
         subject: Subject,
         limits: Limits,
         listener: Listener,
-        engine: Engine = "python",
-        corpus: Path | None = None,
+        engine: Engine,
+        corpus: Path | None,
     ) -> None:
         self._scope, self._subject, self._limits = scope, subject, limits
         self._listener = listener

@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import shlex
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 from allworlds.checker.scope import Rules, ScopeError
 from allworlds.errors import parse_json, show
 from allworlds.judge import PRECEDENCE
-from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.canonical import Code, numbering, rooted_code
 from allworlds.protocol import Transcript
 from allworlds.subjects.subject import EXEC
 from allworlds.world import World
@@ -78,10 +78,6 @@ class Finding:
         if self.rules.applying != Rules(self.rules.lighthouse).applying:
             command += ["--laws", ",".join(self.rules.applying)]
         return shlex.join(command)
-
-    def marked(self, *, confirmed: bool, minimal: bool) -> Finding:
-        """The same finding with both remarks."""
-        return replace(self, confirmed=confirmed, minimal=minimal)
 
     def to_json(self) -> dict[str, Any]:
         """The document of a finding."""
@@ -175,8 +171,6 @@ def place_of(world: World) -> int:
 
 def canonical_world(world: World) -> World:
     """The same world in canonical numbering: its start is dart 0."""
-    from allworlds.maps.canonical import numbering
-
     names = [0] * len(world.map.sigma)
     for number, dart in enumerate(numbering(world.map.sigma, world.map.alpha, world.start)):
         names[dart] = number

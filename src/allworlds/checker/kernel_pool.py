@@ -8,16 +8,14 @@ first level: world by world, on every bearing, up to AGREEMENT_EDGES edges.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from functools import cache
 from itertools import islice
-from types import TracebackType
 from typing import Self
 
 from allworlds.checker.examine import Examiner, make_finding
-from allworlds.checker.pool import POLL, Poisoned, TimeIsUp
+from allworlds.checker.pool import POLL, Poisoned, check_deadline
 from allworlds.checker.scope import Limits, Rules, Scope, Unit, Work
 from allworlds.checker.tally import Row, Tally
 from allworlds.episode import default_step_budget
@@ -54,8 +52,7 @@ class KernelPool:
         self, subject: Subject, limits: Limits, notice: Callable[[str], None] | None = None
     ) -> None:
         self._subject, self._limits = subject, limits
-        limit = limits.time_limit
-        self._deadline = None if limit is None else time.monotonic() + limit
+        self._deadline = limits.deadline()
         self._threads = ThreadPoolExecutor(limits.workers)
         self._halt = kernel.flag()
         if notice and not kernel.is_compiled(walk.explore):
@@ -64,12 +61,7 @@ class KernelPool:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._halt[0] = 1
         self._threads.shutdown(cancel_futures=True)
 
@@ -91,8 +83,7 @@ class KernelPool:
             done, at_work = wait(at_work, POLL, FIRST_COMPLETED)
             for future in done:
                 yield self._tally(scope, future.result(), keep)
-            if self._deadline is not None and time.monotonic() > self._deadline:
-                raise TimeIsUp
+            check_deadline(self._deadline)
 
     def _rows(self, scope: Scope, units: list[Unit], keep: int) -> list[tuple[Unit, kernel.Rows]]:
         edges = units[0].edges

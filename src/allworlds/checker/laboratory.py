@@ -18,13 +18,12 @@ from allworlds.subjects import Subject
 class Laboratory:
     """One explorer under one scope, with workers that may be lost and are replaced.
 
-    Usage: ``with laboratory.open(): for part in laboratory.examine(works): ...``.
+    Usage: ``with laboratory.open() as pool: ... laboratory.examine(pool, works) ...``.
     """
 
     def __init__(self, scope: Scope, subject: Subject, limits: Limits) -> None:
         self.scope, self.subject, self.limits = scope, subject, limits
-        limit = limits.time_limit
-        self._deadline = None if limit is None else time.monotonic() + limit
+        self._deadline = limits.deadline()
         self._pool: AbstractContextManager[Pool] = (
             WorkerPool(subject, limits, self._deadline)
             if subject.importable
@@ -55,9 +54,8 @@ class Laboratory:
     def confirmed(self, finding: Finding) -> Finding:
         """The finding with the remark whether a fresh process did the same again.
 
-        Past the time limit nothing is confirmed any more.
-
-        One whose run was lost is traced, and so gets its walk.
+        One whose run was lost is traced, and so gets its walk.  Past the time limit nothing is
+        confirmed any more.
         """
         late = self._deadline is not None and time.monotonic() > self._deadline
         if late or not self.subject.importable:

@@ -15,7 +15,6 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection, wait
-from types import TracebackType
 from typing import Any, Protocol, Self
 
 from allworlds.checker.examine import Examiner, examine_unit
@@ -74,7 +73,7 @@ class LocalPool:
         for unit in units:
             for _, tally in examine_unit(examiner, scope, unit, keep, beat):
                 yield tally
-                _check_deadline(self._deadline)
+                check_deadline(self._deadline)
 
 
 class WorkerProcess:
@@ -201,12 +200,7 @@ class WorkerPool:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         for worker in (*self._idle, *(worker for worker, _ in self._busy.values())):
             worker.kill()
         self._idle.clear()
@@ -228,7 +222,7 @@ class WorkerPool:
                     yield self._bury(worker, scope, keep, "timeout", worker.silence)
                 elif worker.has_ended():
                     yield self._bury(worker, scope, keep, "crash", worker.death())
-            _check_deadline(self.deadline)
+            check_deadline(self.deadline)
 
     def _hand_out(self, scope: Scope, task: _Task, keep: int) -> None:
         worker = self._idle.pop() if self._idle else WorkerProcess(self.subject, self.limits)
@@ -269,6 +263,11 @@ class WorkerPool:
         return Poisoned(task.unit, number, law, seen)
 
 
-def _check_deadline(deadline: float | None) -> None:
+def check_deadline(deadline: float | None) -> None:
+    """Nothing before the deadline.
+
+    Raises:
+        TimeIsUp: after it.
+    """
     if deadline is not None and time.monotonic() > deadline:
         raise TimeIsUp

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -15,7 +16,7 @@ from allworlds.maps.classes import Bounds, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import prefixes, rooted_maps
 from allworlds.protocol import Choices, Schedules, policy_named
-from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouse_named
+from allworlds.world import Lighthouse, World, lighthouse_named
 
 Schedule: TypeAlias = Literal["one", "all"]
 Shard: TypeAlias = tuple[int, int]
@@ -233,6 +234,10 @@ class Limits:
             if value is not None and not 0 < value < inf:
                 raise ScopeError(f"{name.replace('_', '-')} {value} is not positive and finite")
 
+    def deadline(self) -> float | None:
+        """When the time is up, on the monotonic clock, if the check begins now."""
+        return None if self.time_limit is None else time.monotonic() + self.time_limit
+
 
 def make_scope(
     *,
@@ -259,6 +264,3 @@ def make_scope(
         schedules,  # type: ignore[arg-type]  # validated there
         shard,
     )
-
-
-__all__ = ["LIGHTHOUSES", "Limits", "Rules", "Scope", "ScopeError", "Unit", "make_scope"]

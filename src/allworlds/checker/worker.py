@@ -307,15 +307,3 @@ def main(arguments: Sequence[str]) -> None:
             os._exit(1)
         finally:
             beat.release()
-
-
-__all__: list[str] = [
-    "Ended",
-    "Part",
-    "ReplayJob",
-    "RunJob",
-    "Setup",
-    "TraceJob",
-    "Traced",
-    "UnitJob",
-]

@@ -33,16 +33,8 @@ def fuzz(
         str, typer.Option(metavar="N|auto", rich_help_panel=opt.EFFORT, help="Processes.")
     ] = "auto",
     answer_timeout: opt.AnswerTimeout = 10.0,
-    time_limit: Annotated[
-        float | None,
-        typer.Option(metavar="S", rich_help_panel=opt.EFFORT, help="Seconds for everything."),
-    ] = None,
-    memory: Annotated[
-        int | None,
-        typer.Option(
-            metavar="MB", rich_help_panel=opt.EFFORT, help="Address space of each worker."
-        ),
-    ] = None,
+    time_limit: opt.TimeLimit = None,
+    memory: opt.Memory = None,
     junit: Junit = None,
     as_json: opt.Json = False,
     quiet: opt.Quiet = False,

@@ -110,6 +110,14 @@ AnswerTimeout = Annotated[
         rich_help_panel=EFFORT,
     ),
 ]
+TimeLimit = Annotated[
+    float | None,
+    typer.Option(metavar="S", help="Seconds for everything.", rich_help_panel=EFFORT),
+]
+Memory = Annotated[
+    int | None,
+    typer.Option(metavar="MB", help="Address space of each worker.", rich_help_panel=EFFORT),
+]
 CorpusDirectory = Annotated[
     Path | None,
     typer.Option(

@@ -57,10 +57,7 @@ def search(
             rich_help_panel=opt.EFFORT,
         ),
     ] = None,
-    time_limit: Annotated[
-        float | None,
-        typer.Option(metavar="S", help="Seconds for everything.", rich_help_panel=opt.EFFORT),
-    ] = None,
+    time_limit: opt.TimeLimit = None,
     out: Annotated[
         str | None,
         typer.Option(

@@ -58,16 +58,8 @@ def check(
         ),
     ] = 1,
     answer_timeout: opt.AnswerTimeout = 10.0,
-    time_limit: Annotated[
-        float | None,
-        typer.Option(metavar="S", rich_help_panel=opt.EFFORT, help="Seconds for everything."),
-    ] = None,
-    memory: Annotated[
-        int | None,
-        typer.Option(
-            metavar="MB", rich_help_panel=opt.EFFORT, help="Address space of each worker."
-        ),
-    ] = None,
+    time_limit: opt.TimeLimit = None,
+    memory: opt.Memory = None,
     corpus: opt.CorpusDirectory = None,
     junit: Junit = None,
     as_json: opt.Json = False,

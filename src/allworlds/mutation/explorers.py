@@ -8,7 +8,6 @@ from itertools import count, pairwise
 from typing import Any
 
 from allworlds.explorers.algorithm1 import Algorithm1, Walk
-from allworlds.explorers.partial_map import PartialMap
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Percept
 
@@ -19,25 +18,33 @@ class BearingIgnored(Algorithm1):
     def __init__(self, first: Percept, choices: Choices) -> None:
         super().__init__(first, choices)
         for dart, percept in enumerate(self.s.expected):
-            self.s.expected[dart] = replace(percept, bearing=None)
+            self.s.expected[dart] = without_bearing(percept)
 
     def hypotheses(self, goal: int, percept: Percept) -> list[int]:
-        return super().hypotheses(goal, replace(percept, bearing=None))
+        return super().hypotheses(goal, without_bearing(percept))
 
     def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
-        tried: Walk[tuple[list[int], bool]] = without_bearings(super().try_path(partner, path))
+        tried: Walk[tuple[list[int], bool]] = sensing(
+            super().try_path(partner, path), without_bearing
+        )
         return (yield from tried)
 
 
-def without_bearings(walk: Walk[Any]) -> Walk[Any]:
-    """The walk of a robot that does not sense directions."""
+def without_bearing(percept: Percept) -> Percept:
+    """What is left of a percept for a robot that senses no direction."""
+    return replace(percept, bearing=None)
+
+
+def sensing(walk: Walk[Any], change: Callable[[Percept], Percept]) -> Walk[Any]:
+    """The walk of a robot that senses something else than there is."""
     reply: Any = None
     while True:
         try:
-            action = walk.send(reply)
+            message = walk.send(reply)
         except StopIteration as stop:
             return stop.value
-        reply = replace((yield action), bearing=None)
+        seen = yield message
+        reply = None if seen is None else change(seen)
 
 
 class MarkerIgnored(Algorithm1):
@@ -47,15 +54,8 @@ class MarkerIgnored(Algorithm1):
         super().__init__(Percept(first.degree), choices)
 
     def explore(self) -> Walk[Estimate]:
-        walk = super().explore()
-        reply: Any = None
-        while True:
-            try:
-                action = walk.send(reply)
-            except StopIteration as stop:
-                return stop.value  # type: ignore[no-any-return]
-            seen = yield action
-            reply = Percept(seen.degree) if seen else None
+        walk: Walk[Estimate] = sensing(super().explore(), lambda seen: Percept(seen.degree))
+        return (yield from walk)
 
 
 class NoRetracing(Algorithm1):
@@ -388,4 +388,4 @@ def __getattr__(name: str) -> Callable[..., Generator[Any, Any, Estimate]]:
     raise AttributeError(f"there is no mutant {name!r}")
 
 
-__all__ = ["EQUIVALENT_EXPLORERS", "WRONG_EXPLORERS", "PartialMap", "WrongExplorer"]
+__all__ = ["EQUIVALENT_EXPLORERS", "WRONG_EXPLORERS", "WrongExplorer"]

@@ -16,7 +16,8 @@ from dataclasses import dataclass
 
 from allworlds.smt.formula import Block, Formula
 from allworlds.smt.one_world import OneWorld, Size, one_world
-from allworlds.smt.question import Information, Level, Question, Sensed
+from allworlds.smt.question import Level, Question, Sensed
+from allworlds.world import Sensing, Where
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,10 +44,10 @@ def pair_formula(question: Question, level: Level) -> tuple[Formula, Pair]:
     one = _world(formula, "1", question, level.one)
     two = _world(formula, "2", question, level.two)
     pointed = None
-    if question.information.points:
+    if question.sensing.bearing:
         pointed = (
-            _reference_darts(formula, "1", question.information, one),
-            _reference_darts(formula, "2", question.information, two),
+            _reference_darts(formula, "1", question.sensing, one),
+            _reference_darts(formula, "2", question.sensing, two),
         )
         if not question.walk.motions:
             formula.section("turning is free: the starts are reference darts")
@@ -56,7 +57,7 @@ def pair_formula(question: Question, level: Level) -> tuple[Formula, Pair]:
     _bisimulation(formula, pair)
     if one.size.edges == two.size.edges:
         _smaller_code(formula, pair)
-    if question.information is Information.POSITION and not question.walk.motions:
+    if question.sensing.marks_v0 and not pointed and not question.walk.motions:
         _best_start(formula, one)
     _walk(formula, question, one)
     return formula, pair
@@ -82,14 +83,12 @@ def _world(formula: Formula, name: str, question: Question, size: Size) -> OneWo
     return one_world(formula, name, size, question.map_class, question.degrees)
 
 
-def _reference_darts(
-    formula: Formula, name: str, information: Information, world: OneWorld
-) -> Block:
-    """Exactly one reference dart at every vertex (compass), or at v0 alone (directional)."""
+def _reference_darts(formula: Formula, name: str, sensing: Sensing, world: OneWorld) -> Block:
+    """Exactly one reference dart at every vertex, or at v0 alone."""
     darts, most = world.size.darts, world.size.most
     pointed = formula.block(f"pointed{name}", (darts,), "x is a reference dart")
     formula.section(f"world {name} has its reference darts")
-    if information is Information.DIRECTIONAL:
+    if sensing.where is Where.AT_V0:
         for x in range(darts):
             formula.add(-pointed[x], world.vertex[x, 0])
         formula.exactly_one(pointed.variables)
@@ -140,7 +139,7 @@ def _sense_the_same(formula: Formula, pair: Pair, related: int, x: int, y: int) 
         else:
             formula.add(-related, -(ones[k] if k < len(ones) else twos[k]))
     alike = []
-    if pair.question.information.marks_a_vertex:
+    if pair.question.sensing.marks_v0:
         alike.append((one.vertex[x, 0], two.vertex[y, 0]))
     if pair.pointed:
         alike.append((pair.pointed[0][x], pair.pointed[1][y]))
@@ -194,7 +193,7 @@ def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
     carried = formula.block(f"carried{start}", shape, f"F takes x to y; F(0) = {start}")
     breaks = formula.block(f"breaks{start}", (3, len(darts)), "F fails at x: sigma, alpha, mark")
     formula.section(f"started at dart {start}, world 2 is not world 1")
-    excused = [-two.vertex[start, 0]] if pair.question.information.marks_a_vertex else []
+    excused = [-two.vertex[start, 0]] if pair.question.sensing.marks_v0 else []
     formula.add(carried[0, start])
     for parity, (step, other) in enumerate(((one.sigma, two.sigma), (one.alpha, two.alpha))):
         image = formula.block(f"image{parity}_{start}", shape, "y = step(F(x))")
@@ -235,7 +234,7 @@ def _walk(formula: Formula, question: Question, world: OneWorld) -> None:
                     arrow = step[y, x] if back else step[x, y]
                     formula.add(-at[i, x], -arrow, at[i + 1, y])
             i += 1
-        marked = question.information.marks_a_vertex
+        marked = question.sensing.marks_v0
         _senses(formula, world, at.rows()[i], percept, marked=marked)
 
 

@@ -5,37 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from typing import NamedTuple
 
 from allworlds.errors import InputError
 from allworlds.maps.classes import MapClass
 from allworlds.smt.one_world import Degrees, Size
-
-
-class Information(StrEnum):
-    """What a robot senses besides the degree; the value is the name on the command line.
-
-    ``none``: nothing.  ``position``: whether it is at v0, the vertex of the start.
-    ``compass``: at every vertex the bearing of a reference dart.  ``directional``: at v0 the
-    bearing of a reference dart, elsewhere nothing.
-    """
-
-    NONE = "none"
-    POSITION = "position"
-    COMPASS = "compass"
-    DIRECTIONAL = "directional"
-
-    @property
-    def marks_a_vertex(self) -> bool:
-        """There is a v0 that can be sensed."""
-        return self in (Information.POSITION, Information.DIRECTIONAL)
-
-    @property
-    def points(self) -> bool:
-        """There are reference darts that can be sensed."""
-        return self in (Information.COMPASS, Information.DIRECTIONAL)
-
+from allworlds.world import LIGHTHOUSES, Sensing
 
 ANY = Degrees()
 """Nothing is required of degrees."""
@@ -110,7 +85,7 @@ class Question:
     """Is there a pair of different worlds that no motion separates?
 
     Attributes:
-        information: what is sensed.
+        information: the level: the name of a lighthouse.
         map_class: of both worlds.
         max_vertices, max_edges: of each of them.
         degrees: of v0, the start's vertex, and of all others.
@@ -120,7 +95,7 @@ class Question:
         InputError: naming the offending bound or percept.
     """
 
-    information: Information
+    information: str
     map_class: MapClass
     max_vertices: int
     max_edges: int
@@ -134,13 +109,18 @@ class Question:
         for name, degree in (("marked", self.degrees.root), ("others", self.degrees.others)):
             if degree is not None and degree < 1:
                 raise InputError(f"degree-{name} = {degree}, but every vertex has at least 1 dart")
-        if not self.information.marks_a_vertex:
+        if not self.sensing.marks_v0:
             for percept in self.walk.percepts:
                 if percept.present:
                     raise InputError(
                         f"percept {percept.degree}P needs a marked vertex, but there is none with "
                         f"--info {self.information}; legal is {percept.degree}A"
                     )
+
+    @property
+    def sensing(self) -> Sensing:
+        """What is sensed besides the degree."""
+        return LIGHTHOUSES[self.information].sensing
 
     def levels(self) -> Iterator[Level]:
         """The sizes that are to be searched, the smaller first.
@@ -153,9 +133,7 @@ class Question:
         sizes = [size for m in range(1, self.max_edges + 1) if (size := self._size(m))]
         for two in sizes:
             for one in sizes:
-                if one.edges == two.edges or (
-                    one.edges < two.edges and not self.information.marks_a_vertex
-                ):
+                if one.edges == two.edges or (one.edges < two.edges and not self.sensing.marks_v0):
                     yield Level(one, two)
 
     def _size(self, edges: int) -> Size | None:
@@ -211,12 +189,12 @@ def question(
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    if info not in list(Information):
-        raise InputError(f"info {info!r} is none of {', '.join(Information)}")
+    if info not in LIGHTHOUSES:
+        raise InputError(f"info {info!r} is none of {', '.join(LIGHTHOUSES)}")
     if map_class not in list(MapClass):
         raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")
     return Question(
-        Information(info),
+        info,
         MapClass(map_class),
         max_vertices,
         max_edges,

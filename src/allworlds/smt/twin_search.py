@@ -16,7 +16,7 @@ from allworlds.smt.formula import Block, Clause, Formula
 from allworlds.smt.lrat import check_lrat
 from allworlds.smt.one_world import OneWorld, Size
 from allworlds.smt.pair import Pair, forbid_other_start, pair_formula, world_formula
-from allworlds.smt.question import Information, Level, Question, question
+from allworlds.smt.question import Level, Question, question
 from allworlds.smt.rup import ProofRefused, lrat_of_drat, write_lrat
 from allworlds.smt.solvers import (
     Clock,
@@ -113,7 +113,7 @@ class SearchResult:
             "bisimulation": None if self.classes is None else list(self.classes),
             "certificate": None if self.certificate is None else str(self.certificate),
             "vacuous": self.vacuous,
-            "info": asked.information.value,
+            "info": asked.information,
             "class": asked.map_class.value,
             "max_vertices": asked.max_vertices,
             "max_edges": asked.max_edges,
@@ -256,7 +256,7 @@ class _Search:
             assert found.pair is not None
             counts = [world.map.vertex_count for world in found.pair]
             one, two = (replace(size, most=n) for size, n in zip(found.level, counts, strict=True))
-            if self.question.information.marks_a_vertex:
+            if self.question.sensing.marks_v0:
                 smaller = [(_less(one), _less(two))]
             else:
                 smaller = [(one, _less(two)), (_less(one), two)]
@@ -362,13 +362,12 @@ def _decoded(pair: Pair, solved: Solved) -> Twins:
     Raises:
         RuntimeError: if they are not what was asked for; then the encoder is wrong.
     """
+    asked = pair.question
     pointed = pair.pointed or (None, None)
-    kind = pair.question.information
     one, two = (
-        _decoded_world(kind, world, block, solved.model)
+        _decoded_world(asked, world, block, solved.model)
         for world, block in zip((pair.one, pair.two), pointed, strict=True)
     )
-    asked = pair.question
     walks = [
         [(seen[0], bool(seen[1])) for seen in senses(world, asked.walk.motions)]
         for world in (one, two)
@@ -397,7 +396,7 @@ def _fits(world: MarkedMap, asked: Question) -> bool:
 
 
 def _decoded_world(
-    kind: Information, world: OneWorld, pointed: Block | None, model: frozenset[int]
+    asked: Question, world: OneWorld, pointed: Block | None, model: frozenset[int]
 ) -> MarkedMap:
     sigma, alpha = (
         [next(y for y, variable in enumerate(row) if variable in model) for row in block.rows()]
@@ -406,8 +405,8 @@ def _decoded_world(
     if pointed is not None:
         darts = tuple(x for x, variable in enumerate(pointed.variables) if variable in model)
     else:
-        darts = (0,) if kind is Information.POSITION else ()
-    return MarkedMap(kind.value, CombinatorialMap(sigma, alpha), 0, darts)
+        darts = (0,) if asked.sensing.marks_v0 else ()
+    return MarkedMap(asked.information, CombinatorialMap(sigma, alpha), 0, darts)
 
 
 def read_dimacs(path: Path) -> tuple[int, list[Clause]]:

@@ -12,8 +12,7 @@ from typing import Any
 
 from allworlds.maps.canonical import numbering, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap
-
-_UNMARKED = ("none", "compass")
+from allworlds.world import LIGHTHOUSES, Sensing
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +20,7 @@ class MarkedMap:
     """A rooted map and its reference darts.
 
     Attributes:
-        kind: ``none``, ``position``, ``compass`` or ``directional``.
+        kind: the level of information: the name of a lighthouse.
         map: the map.
         start: the dart that the robot faces; where a vertex is marked, at that vertex.
         darts: the reference darts: one at every vertex (compass), the pointed dart
@@ -33,6 +32,11 @@ class MarkedMap:
     start: int
     darts: tuple[int, ...]
 
+    @property
+    def sensing(self) -> Sensing:
+        """What is sensed besides the degree."""
+        return LIGHTHOUSES[self.kind].sensing
+
     def percept(self, dart: int) -> tuple[int, ...]:
         """Degree, marks, and the bearing where one is sensed, found by turning step by step."""
         sigma = self.map.sigma
@@ -40,8 +44,8 @@ class MarkedMap:
         while sigma[around[-1]] != dart:
             around.append(sigma[around[-1]])
         here = [place for place, other in enumerate(around) if other in self.darts]
-        marks = int(bool(here) and self.kind not in _UNMARKED)
-        bearing = here if self.kind in ("compass", "directional") else []
+        marks = int(bool(here) and self.sensing.marks_v0)
+        bearing = here if self.sensing.bearing else []
         return (len(around), marks, *bearing)
 
     def started_at(self, start: int) -> MarkedMap:
@@ -51,7 +55,7 @@ class MarkedMap:
     @property
     def starts(self) -> list[int]:
         """The darts at which a robot can start: those of v0, or all."""
-        if self.kind in _UNMARKED:
+        if not self.sensing.marks_v0:
             return list(self.map.darts)
         owner = self.map.vertex_of
         return [dart for dart in self.map.darts if owner[dart] == owner[self.start]]
@@ -61,8 +65,8 @@ class MarkedMap:
         """Equal exactly for the same world with the same start."""
         code = rooted_code(self.map.sigma, self.map.alpha, self.start)
         order = numbering(self.map.sigma, self.map.alpha, self.start)
-        marks = () if self.kind == "position" else (order.index(d) for d in self.darts)
-        return (*code, tuple(sorted(marks)))
+        pointed = self.darts if self.sensing.bearing else ()
+        return (*code, tuple(sorted(order.index(dart) for dart in pointed)))
 
     def to_json(self) -> dict[str, Any]:
         """The WORLD document."""

@@ -11,6 +11,7 @@ from allworlds.world.lighthouses import (
     lighthouse_from_json,
     lighthouse_named,
 )
+from allworlds.world.lighthouses.sensing import Sensing, Where
 from allworlds.world.world import IllegalAction, World
 
 __all__ = [
@@ -22,6 +23,8 @@ __all__ = [
     "Lighthouse",
     "Nothing",
     "Position",
+    "Sensing",
+    "Where",
     "World",
     "lighthouse_from_json",
     "lighthouse_named",

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cache
 from typing import Any, ClassVar
 
 from allworlds.errors import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
 from allworlds.protocol import Percept
+from allworlds.world.lighthouses.sensing import Sensing
 
 
 class InvalidWorld(InputError):
@@ -21,12 +21,14 @@ class Lighthouse(ABC):
 
     Attributes:
         kind: the name on the command line and in files.
+        sensing: what a robot senses of it.
         default_bound: the bound on the traversals that is checked unless another is named.
         folds: whether the log of a correct explorer determines the map (every arrival at v0
             tells where the robot is, and how it is turned).
     """
 
     kind: ClassVar[str]
+    sensing: ClassVar[Sensing]
     default_bound: ClassVar[str]
     folds: ClassVar[bool]
 
@@ -39,9 +41,14 @@ class Lighthouse(ABC):
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """Nothing, if the lighthouse can stand there; else raises InvalidWorld."""
 
+    @property
     @abstractmethod
+    def references(self) -> tuple[Dart, ...]:
+        """One dart of each vertex at which more than the degree is sensed."""
+
     def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
         """For each dart what is sensed by a robot that has arrived by it."""
+        return self.sensing.percepts(map_, self.references)
 
     @abstractmethod
     def relabelled(self, names: Sequence[Dart]) -> Lighthouse:
@@ -61,12 +68,6 @@ class Lighthouse(ABC):
     def told(self, _map: CombinatorialMap) -> int | None:
         """What the explorer is told before the start; nothing, unless a kind says otherwise."""
         return None
-
-
-@cache
-def percept(degree: int, marks: int = 0, bearing: int | None = None) -> Percept:
-    """A percept; equal ones are one object."""
-    return Percept(degree, marks, bearing)
 
 
 def check_at_start(what: str, dart: object, map_: CombinatorialMap, start: Dart) -> None:

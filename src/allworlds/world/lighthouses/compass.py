@@ -10,8 +10,8 @@ from typing import Any, ClassVar
 from allworlds.errors import show
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
-from allworlds.protocol import Percept
-from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, percept
+from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse
+from allworlds.world.lighthouses.sensing import Sensing, Where
 
 ALL_CHOICES = 3
 """The largest number of edges for which every choice of reference darts is a place."""
@@ -29,6 +29,7 @@ class Compass(Lighthouse):
     darts: tuple[Dart, ...]
 
     kind: ClassVar[str] = "compass"
+    sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE, bearing=True)
     default_bound: ClassVar[str] = "none"
     folds: ClassVar[bool] = False
 
@@ -65,14 +66,10 @@ class Compass(Lighthouse):
                     f"vertex {show(list(vertex))}; it must have one of each vertex"
                 )
 
-    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
-        """At every vertex the degree and the bearing."""
-        sensed = [percept(degree) for degree in map_.degree_at]
-        for north in self.darts:
-            degree = map_.degree_at[north]
-            for back in range(degree):
-                sensed[map_.turn(north, -back)] = percept(degree, 0, back)
-        return tuple(sensed)
+    @property
+    def references(self) -> tuple[Dart, ...]:
+        """The dart of each vertex."""
+        return self.darts
 
     def relabelled(self, names: Sequence[Dart]) -> Compass:
         """The renamed reference darts."""

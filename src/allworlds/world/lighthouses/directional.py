@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import Percept
-from allworlds.world.lighthouses.base import Lighthouse, check_at_start, percept
+from allworlds.world.lighthouses.base import Lighthouse, check_at_start
+from allworlds.world.lighthouses.sensing import Sensing, Where
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +22,7 @@ class Directional(Lighthouse):
     dart: Dart
 
     kind: ClassVar[str] = "directional"
+    sensing: ClassVar[Sensing] = Sensing(Where.AT_V0, bearing=True)
     default_bound: ClassVar[str] = "paper"
     folds: ClassVar[bool] = True
 
@@ -35,14 +36,10 @@ class Directional(Lighthouse):
         """The pointed dart is one of the start's vertex."""
         check_at_start("points to", self.dart, map_, start)
 
-    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
-        """One mark and the bearing at v0, nothing but the degree elsewhere."""
-        sensed = [percept(degree) for degree in map_.degree_at]
-        dart, degree = self.dart, map_.degree_at[self.dart]
-        for back in range(degree):
-            # sigma^b(d) is the pointed dart for the dart d that lies b places before it.
-            sensed[map_.turn(dart, -back)] = percept(degree, 1, back)
-        return tuple(sensed)
+    @property
+    def references(self) -> tuple[Dart, ...]:
+        """The pointed dart."""
+        return (self.dart,)
 
     def relabelled(self, names: Sequence[Dart]) -> Directional:
         """Pointing to the renamed dart."""

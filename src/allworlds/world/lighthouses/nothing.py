@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import Percept
-from allworlds.world.lighthouses.base import Lighthouse, percept
+from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.sensing import Sensing, Where
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +19,7 @@ class Nothing(Lighthouse):
     """
 
     kind: ClassVar[str] = "none"
+    sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
     default_bound: ClassVar[str] = "none"
     folds: ClassVar[bool] = False
 
@@ -34,9 +35,10 @@ class Nothing(Lighthouse):
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """Every map and every start will do."""
 
-    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
-        """The degree everywhere."""
-        return tuple(percept(degree) for degree in map_.degree_at)
+    @property
+    def references(self) -> tuple[Dart, ...]:
+        """None."""
+        return ()
 
     def relabelled(self, names: Sequence[Dart]) -> Nothing:  # noqa: ARG002  # it has no dart
         """The same."""

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import Percept
-from allworlds.world.lighthouses.base import Lighthouse, check_at_start, percept
+from allworlds.world.lighthouses.base import Lighthouse, check_at_start
+from allworlds.world.lighthouses.sensing import Sensing, Where
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +23,7 @@ class Position(Lighthouse):
     dart: Dart = field(compare=False)
 
     kind: ClassVar[str] = "position"
+    sensing: ClassVar[Sensing] = Sensing(Where.AT_V0, bearing=False)
     default_bound: ClassVar[str] = "none"
     folds: ClassVar[bool] = False
 
@@ -39,13 +40,10 @@ class Position(Lighthouse):
         """The marked vertex is the start's."""
         check_at_start("stands at", self.dart, map_, start)
 
-    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
-        """One mark at v0, none elsewhere, and the degree everywhere."""
-        v0 = map_.vertex_of[self.dart]
-        return tuple(
-            percept(degree, int(vertex == v0))
-            for degree, vertex in zip(map_.degree_at, map_.vertex_of, strict=True)
-        )
+    @property
+    def references(self) -> tuple[Dart, ...]:
+        """The dart of v0."""
+        return (self.dart,)
 
     def relabelled(self, names: Sequence[Dart]) -> Position:
         """At the renamed dart."""
