@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from itertools import islice
 
 from allworlds.checker.finding import place_of
+from allworlds.errors import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Move, Percept, Transcript
-from allworlds.world import Compass, Lighthouse, World
+from allworlds.world import Compass, IllegalAction, Lighthouse, World
 
 
 def true_trail(world: World, transcript: Transcript) -> list[Dart]:
@@ -16,6 +17,26 @@ def true_trail(world: World, transcript: Transcript) -> list[Dart]:
     trail = [world.start]
     for action, _ in transcript.steps:
         trail.append(world.step(trail[-1], action)[0])
+    return trail
+
+
+def recorded_trail(world: World, transcript: Transcript) -> list[Dart]:
+    """The same for a transcript from elsewhere, which may be no walk in the world.
+
+    Raises:
+        InputError: naming the first step that does not fit.
+    """
+    try:
+        trail = true_trail(world, transcript)
+    except IllegalAction as error:
+        raise InputError(f"the finding's transcript is no walk in its world: {error}") from None
+    sensed = [transcript.first, *(percept for _, percept in transcript.steps)]
+    for step, (dart, percept) in enumerate(zip(trail, sensed, strict=True)):
+        if percept != world.percepts[dart]:
+            raise InputError(
+                f"the finding's transcript is no walk in its world: at step {step} it has "
+                f"{percept!s}, where the world has {world.percepts[dart]!s}"
+            )
     return trail
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from allworlds.checker.belief import recorded_trail
 from allworlds.checker.finding import Finding
 from allworlds.checker.report import SCHEMA
 from allworlds.checker.single import SingleRun, run
@@ -61,9 +62,11 @@ def replay(
     recorded policy.
 
     Raises:
-        InputError: if the explorer is not to be found.
+        InputError: if the explorer is not to be found, or the finding's transcript is no walk
+            in its world.
     """
     rules = finding.rules
+    recorded_trail(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
     subject = subject_of(finding.explorer if explore is None else explore, answer_timeout)
     again = run(

@@ -10,8 +10,9 @@ from allworlds.checker.confirm import examine_apart
 from allworlds.checker.examine import Examiner, Outcome, make_finding
 from allworlds.checker.finding import Finding, place_of
 from allworlds.checker.report import EXIT_CODES, SCHEMA, Verdict
-from allworlds.checker.scope import Limits, Rules, make_scope
+from allworlds.checker.scope import Limits, Rules, ScopeError, make_scope
 from allworlds.episode import Answered
+from allworlds.errors import show
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.subjects import subject_of
 from allworlds.world import World
@@ -145,3 +146,16 @@ def run(
         outcome = examiner.examine(world, rules.choices(name, choices), name)
     finding = make_finding(examiner, world, place, outcome) if outcome.violation else None
     return SingleRun(subject.name, world, rules, outcome, finding)
+
+
+def refuse_unused(choices: Sequence[int], told: SingleRun) -> None:
+    """Nothing, if a run has taken all these choices.
+
+    Raises:
+        InputError: naming the first that it has not taken.
+    """
+    for i, index in enumerate(choices):
+        if told.outcome.choices[i : i + 1] != (index,):
+            asked = len(told.outcome.choices)
+            reason = "there are fewer options" if i < asked else f"only {asked} were asked for"
+            raise ScopeError(f"choice {i} is {show(index)}, but {reason}")

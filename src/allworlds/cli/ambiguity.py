@@ -25,8 +25,13 @@ ambiguity = typer.Typer(
         "Example: allworlds ambiguity class wheel-4\n\n"
         "What a robot cannot tell apart that knows its position at one vertex, and no direction."
     ),
-    no_args_is_help=True,
 )
+
+
+@ambiguity.callback(invoke_without_command=True)
+def _help(context: typer.Context) -> None:
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
 
 
 @ambiguity.command(name="census")

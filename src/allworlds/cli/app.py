@@ -91,6 +91,10 @@ def _guarded(arguments: list[str]) -> int:
     except (KeyboardInterrupt, typer.Abort):
         print("allworlds: interrupted", file=sys.stderr)
         return INTERRUPTED
+    except OSError as error:
+        # A full disk, or a stdout that has been closed.
+        print(f"allworlds: {error.strerror or error}", file=sys.stderr)
+        return INTERNAL
     except Exception:  # noqa: BLE001  # the last resort: say so, and say where
         traceback.print_exc()
         print("allworlds: internal error; the lines above say where", file=sys.stderr)

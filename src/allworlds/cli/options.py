@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import tempfile
 from pathlib import Path
 from typing import Annotated
 
@@ -141,15 +142,19 @@ Quiet = Annotated[
 def explorer_name(explorer: str | None, command: str | None) -> str:
     """The name of the subject; ``algorithm1`` where none is given."""
     if command is None:
-        return explorer or "algorithm1"
+        return "algorithm1" if explorer is None else explorer
     if explorer is not None:
         raise InputError(f"give EXPLORER {explorer!r} or --exec {command!r}, not both")
     return EXEC + command
 
 
 def law_names(text: str) -> tuple[str, ...]:
-    """The laws of a list with commas."""
-    return tuple(part.strip() for part in text.split(",") if part.strip())
+    """The laws of a list with commas; none for the empty text."""
+    names = tuple(part.strip() for part in text.split(",")) if text else ()
+    for name in names:
+        if names.count(name) > 1:
+            raise InputError(f"laws {show(text)} name {name!r} twice")
+    return names
 
 
 def worker_count(text: str) -> int:
@@ -217,6 +222,19 @@ def _world_of_corpus(name: str, kind: str) -> World:
 def world_of_family(text: str, holes: str, seed: int) -> World:
     """The world of a family with its marker on dart 0."""
     return World(family(text, holes=fraction(holes), seed=seed), Directional(0))
+
+
+def ensure_directory(path: Path | None) -> None:
+    """Make the directory if it is missing; bad input if no file can be written there."""
+    if path is None:
+        return
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=path):
+            pass
+    except OSError as error:
+        reason = f"{show(str(path))} cannot be written: {error.strerror}"
+        raise InputError(f"corpus {reason}") from None
 
 
 def read_text(path: str) -> str:

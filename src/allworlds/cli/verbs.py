@@ -75,6 +75,7 @@ def check(
     from allworlds.reports import check_text
 
     ensure_writable(junit)
+    opt.ensure_directory(corpus)
     with Progress(quiet=quiet) as progress:
         report = run_check(
             opt.explorer_name(explorer, command),
@@ -171,6 +172,7 @@ def run(
     Run an explorer once in one world, tell it step by step, and judge it.
     """
     from allworlds.checker import run as run_single
+    from allworlds.checker.single import refuse_unused
     from allworlds.reports import run_text
 
     words = list(arguments or [])
@@ -191,6 +193,7 @@ def run(
         step_budget=step_budget,
         answer_timeout=answer_timeout,
     )
+    refuse_unused(opt.index_list(choices), told)
     emit(told, lambda width: run_text(told, width), as_json=as_json)
     return told.exit_code
 

@@ -33,6 +33,8 @@ class Sample:
     seed: int = 0
 
     def __post_init__(self) -> None:
+        if self.seed < 0:
+            raise InputError(f"seed = {self.seed}, but seeds are 0, 1, 2, ...")
         for name in ("edges", "runs"):
             if getattr(self, name) < 1:
                 raise InputError(f"{name} = {getattr(self, name)} is not positive")

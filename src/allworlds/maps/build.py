@@ -12,7 +12,11 @@ import random
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any
 
+from allworlds.errors import show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+
+LARGEST = 10_000
+"""The largest N of a named family."""
 
 
 def from_rotation(
@@ -229,8 +233,10 @@ def named_map(name: str) -> CombinatorialMap:
         raise ValueError(f"no map is called {name!r}; the names are {', '.join(named_maps())}")
     least, build = _FAMILIES[family]
     digits = number.isascii() and number.isdigit()
-    if not digits or int(number) < least:
-        raise ValueError(f"{name!r} is no map: {family}-N needs an integer N >= {least}")
+    if not digits or not least <= int(number[:7]) <= LARGEST:
+        raise ValueError(
+            f"{show(name)} is no map: {family}-N needs an integer N >= {least}, and at most {LARGEST}"
+        )
     return build(int(number))
 
 

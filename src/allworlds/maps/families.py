@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from math import prod
 from random import Random
 
-from allworlds.errors import InputError
+from allworlds.errors import InputError, show
 from allworlds.maps.build import cycle, dense, lattice
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+
+LARGEST = 100_000
+"""Larger maps are refused: a robot would not come to an end in them."""
 
 _FORMS = "lattice:RxC, dense:N, cycle:N, random:M"
 
@@ -29,10 +33,13 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
         match = re.fullmatch(pattern, text, re.ASCII)
         if match is None:
             continue
+        sizes = [int(size[:7]) for size in match.groups()]
+        if prod(sizes) > LARGEST or (text.startswith("dense") and sizes[0] ** 2 > 2 * LARGEST):
+            raise InputError(f"family {show(text)} has more than {LARGEST:,} edges")
         if holes and not has_holes:
             raise InputError(f"holes are for lattice and dense, not for {text}")
         try:
-            return build([int(size) for size in match.groups()], holes, seed)
+            return build(sizes, holes, seed)
         except ValueError as error:
             raise InputError(f"family {text}: {error}") from None
     raise InputError(f"family {text!r} is none of {_FORMS}")

@@ -99,7 +99,8 @@ class Choices:
 
     Args:
         policy: answers (default :class:`Fifo`).
-        script: answers for the first choices, by index; then the policy goes on.
+        script: answers for the first choices, by index; where one does not fit, and when
+            they are used up, the policy answers.
 
     Attributes:
         record: the index taken at each choice so far.
@@ -119,18 +120,14 @@ class Choices:
             cost: the walking distance of each option, where known.
 
         Raises:
-            ValueError: for a kind that is none, no option at all, or a script that does
-                not fit; inside an explorer that is a ``crash``.
+            ValueError: for a kind that is none, or no option at all; inside an explorer that
+                is a ``crash``.
         """
         if of not in KINDS:
             raise ValueError(f"of={of!r} is none of {', '.join(KINDS)}")
         turn = len(self.record)
-        if turn < len(self._script):
+        if turn < len(self._script) and 0 <= self._script[turn] < len(options):
             index = self._script[turn]
-            if not 0 <= index < len(options):
-                raise ValueError(
-                    f"choice {turn} is {index}, but there are {len(options)} options of {of}"
-                )
         else:
             index = self._policy.choose(of, options, cost)
         try:

@@ -27,7 +27,8 @@ def _rows(report: Report) -> list[str]:
         cells = [row["edges"], row["vertices"], row["worlds"], row["runs"]]
         cells += [row["episodes"]] if every else []
         cells += [row["traversals"], row["max_cost"]]
-        bound = "-" if row["bound"] is None else number(row["bound"])
+        checked = "bound" in report.scope.rules.applying and row["bound"] is not None
+        bound = number(row["bound"]) if checked else "-"
         rows.append([*map(number, cells), bound])
     return table(header, rows, "r" * len(header))
 
@@ -64,7 +65,7 @@ def _scope(report: Report, width: int) -> list[str]:
         "scope",
         f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} of the class "
         f"{bounds.map_class} with {' and '.join(limits)}{shard}; "
-        f"policy {rules.policy}, {_schedules(report)}",
+        f"{_schedules(report)}",
         width,
     )
     if not report.complete and not scope.sample:
@@ -113,7 +114,7 @@ def _corpus(past: Past) -> str:
 def _schedules(report: Report) -> str:
     if report.scope.schedules == "all":
         return "every sequence of choices"
-    return "one schedule a run"
+    return f"policy {report.scope.rules.policy}, one schedule a run"
 
 
 def _laws(report: Report) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from textwrap import wrap
 from typing import Any
 
 from allworlds.checker.belief import believed_percepts, true_trail
@@ -22,18 +23,23 @@ LONGEST_WALK = 60
 
 def finding_text(finding: Finding, width: int) -> str:
     """The smallest refuting world as one can read it."""
+    return _refutation(finding, width, entry("confirmed", _remarks(finding), width))
+
+
+def _refutation(finding: Finding, width: int, remarks: list[str]) -> str:
     world = finding.world
     map_, robot = world.map, true_trail(world, finding.transcript)[-1]
     seen = finding.seen if isinstance(finding.seen, Mapping) else None
     answer = None if seen is None else (CombinatorialMap.from_json(seen), int(seen["here"]))
     size = f"{plural(map_.edge_count, 'edge')}, {plural(map_.vertex_count, 'vertex', 'vertices')}"
-    lines = [f"FINDING: {finding.explorer} breaks the law '{finding.law}' in a world with {size}"]
+    what = f"{finding.explorer} breaks the law '{finding.law}' in a world with {size}"
+    lines = wrap(f"FINDING: {what}", width, break_long_words=False)
     lines += ["", "the world", "", world_picture(world, robot, width)]
     lines += ["", *_walk(world, finding.transcript, answer)]
     lines += ["", *_broken(finding, answer, width)]
     if finding.choices:
         lines += entry("choices", ", ".join(map(str, finding.choices)), width)
-    lines += entry("confirmed", _remarks(finding), width)
+    lines += remarks
     lines += ["reproduce", f"  {finding.reproduce}"]
     if finding.detail:
         lines += ["", *("  " + line for line in finding.detail.splitlines())]
@@ -43,7 +49,7 @@ def finding_text(finding: Finding, width: int) -> str:
 def run_text(run: SingleRun, width: int) -> str:
     """One run, told step by step."""
     if run.finding:
-        return finding_text(run.finding, width)
+        return _refutation(run.finding, width, [])
     world, episode = run.world, run.outcome.episode
     ending = episode.ending
     assert isinstance(ending, Answered)
@@ -69,7 +75,7 @@ def replay_text(replay: Replay, width: int) -> str:
     law = f"law '{again.law}' is broken again"
     if again.law != recorded.law:
         law = f"law '{again.law}' is broken now, where '{recorded.law}' was recorded"
-    return "\n".join([*entry("REPRODUCED", law, width), "", finding_text(again, width)])
+    return "\n".join([*entry("REPRODUCED", law, width), "", _refutation(again, width, [])])
 
 
 def _walk(

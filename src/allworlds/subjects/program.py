@@ -28,6 +28,8 @@ from allworlds.protocol.transcript import action_from_json
 
 STDERR_KEPT = 4096
 LONGEST_LINE = 1 << 24
+SAYINGS = {"move", "drop", "pick", "checkpoint", "estimate"}
+"""A line of the program has exactly one of these keys."""
 
 
 class Program:
@@ -69,6 +71,8 @@ class Program:
             self._begin(first, told)
             while True:
                 message = self._message()
+                if len(message.keys() & SAYINGS) != 1:
+                    raise self._fault("illegal-action", f"the line {_short(message)}")
                 action = action_from_json(message)
                 if action is not None:
                     percept = yield action

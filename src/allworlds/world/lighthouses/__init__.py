@@ -27,10 +27,10 @@ def lighthouse_named(text: str) -> type[Lighthouse]:
     Raises:
         InvalidWorld: naming the legal kinds, or the option that the kind does not have.
     """
-    kind, _, options = text.partition(":")
+    kind, colon, options = text.partition(":")
     if kind not in LIGHTHOUSES:
         raise InvalidWorld(f"lighthouse {kind!r} is none of {', '.join(sorted(LIGHTHOUSES))}")
-    if options:
+    if colon:
         raise InvalidWorld(f"the {kind} lighthouse takes no options, not {options!r}")
     return LIGHTHOUSES[kind]
 
@@ -43,7 +43,10 @@ def lighthouse_from_json(
         document = {"kind": missing}
     if not isinstance(document, Mapping) or not isinstance(document.get("kind"), str):
         raise InvalidWorld(f"a lighthouse is an object with a 'kind', not {document!r}")
-    return lighthouse_named(document["kind"]).from_json(document, map_, start)
+    kind = lighthouse_named(document["kind"])
+    if "darts" in document and kind is not Compass:
+        raise InvalidWorld(f"a {kind.kind} lighthouse stands at one 'dart', not at 'darts'")
+    return kind.from_json(document, map_, start)
 
 
 __all__ = [
