@@ -234,9 +234,8 @@ def named_map(name: str) -> CombinatorialMap:
     least, build = _FAMILIES[family]
     digits = number.isascii() and number.isdigit()
     if not digits or not least <= int(number[:7]) <= LARGEST:
-        raise ValueError(
-            f"{show(name)} is no map: {family}-N needs an integer N >= {least}, and at most {LARGEST}"
-        )
+        legal = f"{family}-N needs an integer N >= {least}, and at most {LARGEST}"
+        raise ValueError(f"{show(name)} is no map: {legal}")
     return build(int(number))
 
 
