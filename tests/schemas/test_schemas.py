@@ -9,6 +9,8 @@ import pytest
 from jsonschema import Draft202012Validator
 from referencing import Registry, Resource
 
+from allworlds.ambiguity import census, class_of, twins
+from allworlds.benching import bench
 from allworlds.checker import check, replay, run
 from allworlds.cli.app import _guarded
 from allworlds.corpora import own_corpus
@@ -19,8 +21,10 @@ from allworlds.judge import LAWS, PRECEDENCE
 from allworlds.maps import named_map
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.smt import search
 from allworlds.world import LIGHTHOUSES, Directional, World
 from allworlds.world.lighthouses import Compass, Nothing, Position
+from allworlds.worst_case import worst
 
 SCHEMAS = {
     file.name.removesuffix(".schema.json"): json.loads(file.read_text(encoding="utf-8"))
@@ -58,6 +62,16 @@ def interrupted():
     report = check(edges=3)
     report.complete, report.stopped, report.interrupted = False, "interrupted", True
     return report.to_json()
+
+
+def marked(name):
+    return World(named_map(name), Position(0))
+
+
+def searched(**bounds):
+    """A search for two worlds alike; a test that is asked for it needs z3."""
+    pytest.importorskip("z3")
+    return search(info="position", **bounds).to_json()
 
 
 @functools.cache
@@ -101,6 +115,41 @@ DOCUMENTS = {
     ),
     "mutants": (whole("mutants"), lambda: mutants(edges=1).to_json()),
     "manifest": (whole("manifest"), manifest),
+    "worst": (whole("worst"), lambda: worst(edges=2).to_json()),
+    "worst of a class": (
+        whole("worst"),
+        lambda: worst(edges=2, map_class="simple", transit="shortest").to_json(),
+    ),
+    "bench": (whole("bench"), lambda: bench(edges=4, rounds=1).to_json()),
+    "twins told apart": (
+        whole("twins"),
+        lambda: twins(marked("cycle-3"), marked("cycle-4")).to_json(),
+    ),
+    "twins of other degrees": (
+        whole("twins"),
+        lambda: twins(marked("k4"), marked("wheel-4")).to_json(),
+    ),
+    "twins alike": (
+        whole("twins"),
+        lambda: twins(*class_of(marked("k4"), map_class="simple").worlds).to_json(),
+    ),
+    "twins that are one": (whole("twins"), lambda: twins(marked("k4"), marked("k4")).to_json()),
+    "ambiguity class": (whole("ambiguity-class"), lambda: class_of(marked("k4")).to_json()),
+    "ambiguity class cut short": (
+        whole("ambiguity-class"),
+        lambda: class_of(marked("k4"), limit=1).to_json(),
+    ),
+    "ambiguity class of one": (
+        whole("ambiguity-class"),
+        lambda: class_of(marked("cycle-3")).to_json(),
+    ),
+    "ambiguity census": (whole("ambiguity-census"), lambda: census(edges=3).to_json()),
+    "search sat": (whole("search"), lambda: searched(max_vertices=2, max_edges=2)),
+    "search unsat": (whole("search"), lambda: searched(max_vertices=2, max_edges=1)),
+    "search vacuous": (
+        whole("search"),
+        lambda: searched(max_vertices=1, max_edges=1, map_class="simple"),
+    ),
     **{
         f"finding {name}": (
             whole("finding", "#/$defs/written"),
@@ -203,6 +252,26 @@ def test_a_missing_misspelt_or_odd_key_is_refused(name):
         ("finding no-answer", {"seen": 3}),
         ("count", {"class": "trees"}),
         ("explain mirror-image", {"sentences": []}),
+        ("worst", {"transit": "longest"}),
+        ("worst", {"exit_code": 4}),
+        ("worst", {"gate": {"source": "a table", "agrees": False}}),
+        ("bench", {"edges": 3}),
+        ("bench", {"contenders": []}),
+        ("twins told apart", {"distinguishable": False}),
+        ("twins told apart", {"twins": True}),
+        ("twins told apart", {"relation": "same"}),
+        ("twins alike", {"distinguishable": True}),
+        ("twins alike", {"twins": False}),
+        ("twins that are one", {"twins": True}),
+        ("ambiguity class", {"size": 1}),
+        ("ambiguity class", {"ambiguous": False}),
+        ("ambiguity class of one", {"ambiguous": True}),
+        ("ambiguity census", {"lighthouse": "directional"}),
+        ("search sat", {"pair": None}),
+        ("search sat", {"exit_code": 3}),
+        ("search sat", {"status": "unsat"}),
+        ("search unsat", {"status": "unknown"}),
+        ("search vacuous", {"vacuous": False}),
         ("world directional", {"lighthouse": {"kind": "directional", "darts": [0]}}),
     ],
 )
@@ -266,6 +335,11 @@ def test_every_law_and_every_lighthouse_is_in_the_schemas():
         ("check", ["fuzz", "--edges", "5", "--runs", "2", "--workers", "1"]),
         ("count", ["count", "--edges", "2"]),
         ("run", ["run", "theta"]),
+        ("worst", ["worst", "--edges", "2", "--workers", "1"]),
+        ("bench", ["bench", "--edges", "4", "--rounds", "1"]),
+        ("twins", ["twins", "k4", "wheel-4"]),
+        ("ambiguity-class", ["ambiguity", "class", "k4", "--class", "simple"]),
+        ("ambiguity-census", ["ambiguity", "census", "--edges", "2"]),
     ],
 )
 def test_what_the_command_line_prints_keeps_its_schema(name, arguments, capsys):
