@@ -23,7 +23,7 @@ From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps.
 From Allworlds Require Import HypothesisTests Paths Pass Cost Correctness Algorithm Refinement.
 From Allworlds Require Import Policies ShortestPaths NumberedWorlds Judge Impossibility DoubleCover.
-From Allworlds Require Import Twins AtLeastM.
+From Allworlds Require Import Twins AtLeastM Folding LowerBounds Enumeration Cluster.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -238,3 +238,96 @@ Proof. exact: certified_impossible. Qed.
 Theorem natural_lighthouse_is_not_enough :
   no_explorer_right_on_both degree_percept natural_plane natural_torus.
 Proof. exact: natural_impossible. Qed.
+
+(* ==== Folding: the log is a proof of the map (Sections IV, V) ==== *)
+
+(* The log: the motions made and the percepts sensed.  log_dart L: its darts, (i, j) being the j-th dart
+   clockwise from the robot's dart after motion i; place W p: the dart of W that p is.  The folding
+   identifies log darts (same_dart) and finds other ends (glued) as far as the log forces it to. *)
+Theorem folding_is_sound (L : log) (W : lighthouse_world) : agrees W L -> forall p q : log_dart L,
+  (same_dart p q -> place W p = place W q) /\
+  (glued (@next_dart L) (@crossed L) (@sensed_pointed L) p q -> place W q = alpha (place W p)).
+Proof.
+by move=> A p q; split; [exact: folding_sound | exact: folding_sound_ends].
+Qed.
+
+(* A log that leaves no dart open belongs to one world: marker and way of the robot included. *)
+Theorem folded_log_is_the_world (L : log) (W W' : lighthouse_world) :
+  agrees W L -> agrees W' L -> no_open_dart L ->
+  exists f : W -> W', [/\ bijective f, forall x, f (sigma x) = sigma (f x),
+    forall x, f (alpha x) = alpha (f x), f pointed = pointed &
+    forall i, i <= size (steps L) -> f (robot_at L W i) = robot_at L W' i].
+Proof. exact: folding_determines. Qed.
+
+(* Where a dart is open, two worlds of different size agree with the log. *)
+Theorem open_dart_leaves_two_worlds (L : log) (W : lighthouse_world) (p : log_dart L) :
+  agrees W L -> ~~ dart_settled p ->
+  exists W1 W2, [/\ agrees W1 L, agrees W2 L & edges W1 <> edges W2].
+Proof.
+by move=> A np; have [A1 A2 ne] := open_dart_two_worlds A np; do 2 eexists; split; [exact: A1 | exact: A2 |].
+Qed.
+
+(* So the log of an explorer that is right in all worlds leaves no dart open. *)
+Theorem log_of_a_right_explorer_folds E (meaning : E -> rooted_map) (X : explorer percept E) :
+  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
+  forall (W : lighthouse_world) budget t e z,
+  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) -> no_open_dart (log_of W t).
+Proof. exact: right_explorer_log_folds. Qed.
+
+(* ==== Lower bounds (Section VI) ==== *)
+
+(* At least m-n+1 entries into v0. *)
+Theorem entries_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
+  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
+  forall (W : lighthouse_world) budget t e z,
+  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
+  edges W + 1 <= vertices W + entries (unzip1 t) (@start W).
+Proof. by move=> H W budget t e z; exact: entries_at_least. Qed.
+
+(* Any world W at the end of a path of L edges, v0 at the other end: at least 2 L (m-n+1) motions. *)
+Theorem path_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
+  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
+  forall W L budget t e z,
+  let W' := at_end_of_path L W in
+  episode X (rooted (@start W')) (@percept_of W') budget = (t, Some e, z) ->
+  2 * L * (edges W + 1 - vertices W) <= size t.
+Proof. exact: path_costs_every_cycle. Qed.
+
+(* Omega(mn): worlds with m = 2(k+1) and n = k+2 where no right explorer does with fewer than m (n-1). *)
+Theorem quadratic_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
+  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
+  forall k, exists W : lighthouse_world,
+  [/\ edges W = k.+1.*2, vertices W = k.+2 & forall budget t e z,
+      episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
+      edges W * (vertices W - 1) <= size t].
+Proof. exact: mn_lower_bound. Qed.
+
+(* ==== Enumeration ==== *)
+
+(* rooted_maps m lists the connected rooted maps with m edges, each once. *)
+Theorem enumeration_is_complete (G : combinatorial_map) (d : G) :
+  exists2 M, M \in rooted_maps (edges G) & isomorphic (rooted d) (denote M).
+Proof. exact: rooted_maps_complete. Qed.
+
+Theorem enumeration_has_no_repeats m : uniq (rooted_maps m) /\
+  forall M N, M \in rooted_maps m -> N \in rooted_maps m -> isomorphic (denote M) (denote N) -> M = N.
+Proof. exact: conj (rooted_maps_uniq m) (@rooted_maps_distinct m). Qed.
+
+Set Warnings "-abstract-large-number".
+Theorem enumeration_counts : [seq size (rooted_maps m) | m <- iota 1 5] = [:: 2; 10; 74; 706; 8162].
+Proof. exact: counts. Qed.
+
+(* ==== The marker cluster (Sections IV and VIII), for every schedule ==== *)
+
+(* Undirected markers, one at v0 and two at its neighbour v1; exactly one edge joins them. *)
+Theorem cluster_is_right (W : lighthouse_world) :
+  ~~ at_same_vertex (@start W) (alpha pointed) ->
+  (forall d : W, at_same_vertex start d -> at_same_vertex (alpha pointed) (alpha d) -> d = pointed) ->
+  (exists C c, cluster_reached (W := W) (edges W) C c /\ nothing_open c) /\
+  forall q C c, cluster_reached (W := W) q C c -> nothing_open c ->
+  [/\ q = edges W,
+      C <= paper_bound (vertices W) (edges W) +
+           \sum_(0 <= p < edges W) 2 * (2 * edges W - 2 * p - 1) & robot_knows c].
+Proof.
+by move=> H1 H2; split; [exact: cluster_completes | exact: cluster_correct].
+Qed.
