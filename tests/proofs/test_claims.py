@@ -36,8 +36,10 @@ def test_every_claim_holds_by_the_files_alone_and_without_any_package(copied):
 
 def test_checkers_import_the_standard_library_and_each_other_only(proofs):
     own = {"lrat", "lrat_claims", "maps", "meaning"}
+    # These two are about the package: one produces, the other compares it with extracted programs.
+    others = {"produce.py", "certified.py"}
     for path in [*proofs.glob("*.py"), *proofs.glob("*/checker.py")]:
-        if path.name == "produce.py":
+        if path.name in others:
             continue
         for node in ast.walk(ast.parse(path.read_text())):
             names = []
