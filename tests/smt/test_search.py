@@ -17,6 +17,7 @@ from allworlds.smt.pair import forbid_other_start, pair_formula
 from allworlds.smt.question import Level, MapClass, question
 from allworlds.smt.twin_search import read_dimacs
 from allworlds.smt.witness import MarkedMap, bisimulation, same_world_from, senses
+from allworlds.world import World
 
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 needs_python_sat = pytest.mark.skipif(
@@ -318,15 +319,10 @@ def test_a_pair_that_can_be_told_apart_has_no_bisimulation():
 
 
 def test_twins_agree_that_the_pairs_found_look_alike(tmp_path):
-    twins = getattr(allworlds, "twins", None)
-    if twins is None:
-        pytest.skip("this version has no allworlds.twins")
-    from allworlds.world import World
-
     for info in ("position", "none", "compass"):
         result = allworlds.search(info=info, max_vertices=3, max_edges=2, out=tmp_path / info)
         a, b = (World.from_json(world.to_json()) for world in result.pair)
-        assert not twins(a, b).distinguishable
+        assert not allworlds.twins(a, b).distinguishable
 
 
 @pytest.mark.parametrize("kind", ["none", "position", "compass"])
