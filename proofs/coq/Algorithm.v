@@ -6,7 +6,8 @@
 
      knowledge            known_map   S;
                           unexplored  U, as a queue: the dart that came into S first stands first;
-                          bearing0    the bearing sensed at the start;
+                          bearing0    how many darts clockwise of the dart faced at the start the
+                                      marked one is;
                           at_dart     the robot's dart in S;
                           due_turn    the turn that it still has to make, to stand as if it had just
                                       come in by at_dart.
@@ -20,8 +21,14 @@
                           not open; no path, or one as long as S has vertices; another set of
                           hypotheses) is replaced by the oldest dart, a breadth-first path, the order
                           of U.
-     route S a v          a breadth-first path in S from dart a to vertex v, with the dart that it
-                          arrives by.
+     lighthouse           what the algorithm has to know of the markers:
+                            set_out             from the first percept to line 1;
+                            reads, foretells    a percept, and what S foretells of it, in a form
+                                                in which they can be compared; degrees come first;
+                            confirm k f c       what else has to be done at v0, where a test has
+                                                matched up to its last dart f: matched or not?
+     directional          the lighthouse of the paper: the bearing is seen, nothing else to do.
+                          Another one: ClusterExplorer.v.
      walk_to w k c        follow w, then leave by k; c: the turn that is due.             lines 4-5
      check_path w P c o   execute w while the percepts are those of P.                   lines 10-13
      go_back done c       retrace: undo the motions done.                                 line 15
@@ -30,47 +37,16 @@
      one_pass             lines 3-21.
      estimate k           line 22: the darts of S are numbered by vertex, then clockwise; the root
                           is the dart that the robot is at.
-     algorithm1 pol       the explorer: a function of the percepts so far.
+     explorer_by L pol    the explorer: a function of the percepts so far.
+     algorithm1 pol       with a directional lighthouse.
      machine              the same, step by step, without remembering what it has sensed; this is
                           what runs outside Coq.  Refinement.v: they are equal.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Routes.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
-
-(* ---- Breadth-first paths in S ---- *)
-Section Route.
-Variable S : partial_map.
-
-(* a vertex found, the path to it, the dart it arrives by *)
-Definition branch := (nat * (seq nat * dart))%type.
-Definition no_branch : branch := (0, ([::], (0, 0))).
-
-Definition visit (w : seq nat) (c : dart) (T : seq branch) k :=
-  if partner S (turn S k c) is Some g then
-    if g.1 \in unzip1 T then T else rcons T (g.1, (rcons w k, g))
-  else T.
-(* the turns from c to the darts of its vertex, in the order of their places *)
-Definition round (c : dart) :=
-  [seq degree_in S c.1 - c.2 + i | i <- iota 0 (degree_in S c.1)].
-Fixpoint grow fuel i (T : seq branch) :=
-  if fuel is fuel'.+1 then
-    if i < size T then
-      let t := (nth no_branch T i).2 in
-      grow fuel' i.+1 (foldl (visit t.1 t.2) T (round t.2))
-    else T
-  else T.
-Definition tree (a : dart) := grow (size (degrees S)) 0 [:: (a.1, ([::], a))].
-Definition route a v := let T := tree a in (nth no_branch T (index v (unzip1 T))).2.
-
-(* the path w, if it is one *)
-Definition route_or_else w a v :=
-  if follow S w a is Some f then
-    if (f.1 == v) && (size w < size (degrees S)) then (w, f) else route a v
-  else route a v.
-End Route.
 
 (* ---- What the robot knows, and what it may choose ---- *)
 Record knowledge := Knowledge {
@@ -86,19 +62,37 @@ Record policy := Policy {
   order_hypotheses : knowledge -> dart -> seq dart -> seq dart;
   choose_home : knowledge -> dart -> seq nat }.
 
-(* ---- Walking and testing ---- *)
-Local Notation program := (program percept).
+(* line 1: at v0 with n darts, of which the one in place b is marked; c: the turn that is due *)
+Definition knowledge_at_v0 n b c :=
+  Knowledge (initial_map n) [seq (0, i) | i <- iota 0 n] b (0, 0) c.
 
-Fixpoint walk_to w k c : program percept :=
+Record lighthouse (O : Type) (B : eqType) := Lighthouse {
+  set_out : O -> program O knowledge;
+  reads : O -> nat * B;
+  foretells : percept -> nat * B;
+  confirm : knowledge -> dart -> nat -> program O (bool * nat) }.
+
+Definition first_knowledge (o : percept) := knowledge_at_v0 o.1 (odflt 0 o.2) 0.
+Definition directional : lighthouse percept [eqType of option nat] :=
+  {| set_out := fun o => Return (first_knowledge o);
+     reads := id; foretells := id;
+     confirm := fun _ _ c => Return (true, c) |}.
+
+Section Program.
+Variables (O : Type) (B : eqType) (L : lighthouse O B) (pol : policy).
+Local Notation program := (program O).
+
+(* ---- Walking and testing ---- *)
+Fixpoint walk_to w k c : program O :=
   if w is j :: w' then Go (c + j) (fun _ => walk_to w' k 0) else Go (c + k) (fun o => Return o).
 
 (* done: what has to be undone: motions, each with the degree where it was made *)
-Fixpoint check_path w (expected : seq percept) (done : seq (nat * nat)) c (o : percept) :
+Fixpoint check_path w (expected : seq (nat * B)) (done : seq (nat * nat)) c (o : O) :
     program (bool * seq (nat * nat) * nat) :=
   if expected is o' :: expected' then
-    if o == o' then
+    if reads L o == o' then
       if w is k :: w' then
-        Go (c + k) (fun o1 => check_path w' expected' ((k, o.1) :: done) 0 o1)
+        Go (c + k) (fun o1 => check_path w' expected' ((k, (reads L o).1) :: done) 0 o1)
       else Return (true, done, c)
     else Return (false, done, c)
   else Return (false, done, c).
@@ -106,38 +100,40 @@ Fixpoint check_path w (expected : seq percept) (done : seq (nat * nat)) c (o : p
 Fixpoint go_back (done : seq (nat * nat)) c : program nat :=
   if done is (k, n) :: done' then Go c (fun _ => go_back done' (opposite n k)) else Return c.
 
-Section Program.
-Variable pol : policy.
-
 Definition next_edge k :=
   let e := choose_edge pol k in if e \in unexplored k then e else head (0, 0) (unexplored k).
 Definition way_to k e := route_or_else (known_map k) (choose_transit pol k e) (at_dart k) e.1.
 Definition way_home k h := route_or_else (known_map k) (choose_home pol k h) h 0.
 Definition hypotheses k e o :=
-  let H := [seq h <- unexplored k | (h != e) && (expected_percept (bearing0 k) (known_map k) h == o)] in
+  let H := [seq h <- unexplored k | (h != e) &&
+    (foretells L (expected_percept (bearing0 k) (known_map k) h) == reads L o)] in
   let H' := order_hypotheses pol k e H in
   if perm_eq H' H then H' else H.
 
 Fixpoint test_all k o (hs : seq dart) c : program (option (dart * dart) * nat) :=
   if hs is h :: hs' then
     let way := way_home k h in
-    let expected := expected_percepts (bearing0 k) (known_map k) way.1 h in
+    let expected := map (foretells L) (expected_percepts (bearing0 k) (known_map k) way.1 h) in
     bind (check_path way.1 expected [::] c o) (fun result =>
       match result with
-      | (true, _, c') => Return (Some (h, way.2), c')
+      | (true, done, c') =>
+          bind (confirm L k way.2 c') (fun confirmed =>
+            if confirmed.1 then Return (Some (h, way.2), confirmed.2)
+            else bind (go_back done confirmed.2) (test_all k o hs'))
       | (false, done, c') => bind (go_back done c') (test_all k o hs')
       end)
   else Return (None, c).
 
-Definition augment k e (o : percept) (found : option (dart * dart) * nat) :=
+Definition augment k e (o : O) (found : option (dart * dart) * nat) :=
   match found with
   | (Some (h, f), c) =>
       Knowledge (add_loop (known_map k) e h)
         [seq x <- unexplored k | (x != e) && (x != h)] (bearing0 k) f c
   | (None, c) =>
-      Knowledge (add_vertex (known_map k) e o.1)
+      let n := (reads L o).1 in
+      Knowledge (add_vertex (known_map k) e n)
         ([seq x <- unexplored k | x != e] ++
-         [seq (size (degrees (known_map k)), i) | i <- iota 1 o.1.-1])
+         [seq (size (degrees (known_map k)), i) | i <- iota 1 n.-1])
         (bearing0 k) (new_dart (known_map k)) c
   end.
 
@@ -150,10 +146,6 @@ Definition one_pass k : program knowledge :=
   bind (test_all k o (hypotheses k e o) 0) (fun found =>
   Return (augment k e o found))).
 
-(* line 1 *)
-Definition first_knowledge (o : percept) :=
-  Knowledge (initial_map o.1) [seq (0, i) | i <- iota 0 o.1] (odflt 0 o.2) (0, 0) 0.
-
 (* line 22 *)
 Definition number_of S (e : dart) := index e (darts S).
 Definition estimate k :=
@@ -165,7 +157,7 @@ Definition estimate k :=
 (* ---- The explorer ---- *)
 
 (* line 2: the next motion, or the end *)
-Definition next (p : program knowledge) : numbered_map + (nat * (percept -> program knowledge)) :=
+Definition next (p : program knowledge) : numbered_map + (nat * (O -> program knowledge)) :=
   match p with
   | Go k f => inr (k, f)
   | Return s =>
@@ -177,12 +169,12 @@ Definition next (p : program knowledge) : numbered_map + (nat * (percept -> prog
 Definition sense (p : program knowledge) o := match next p with inl _ => p | inr (_, f) => f o end.
 Definition act (p : program knowledge) : action numbered_map :=
   match next p with inl answer => Stop answer | inr (k, _) => Move k end.
-Definition algorithm1 : explorer percept numbered_map := fun seen =>
-  if seen is o :: seen' then act (foldl sense (Return (first_knowledge o)) seen') else Move 0.
+Definition explorer_by : explorer O numbered_map := fun seen =>
+  if seen is o :: seen' then act (foldl sense (set_out L o) seen') else Move 0.
 
 Section Machine.
-Variables (D : Type) (moves : nat -> D -> D) (senses : D -> percept).
-Fixpoint machine fuel p d : seq (nat * percept) * option numbered_map * D :=
+Variables (D : Type) (moves : nat -> D -> D) (senses : D -> O).
+Fixpoint machine fuel p d : seq (nat * O) * option numbered_map * D :=
   match next p with
   | inl answer => ([::], Some answer, d)
   | inr (k, f) =>
@@ -194,3 +186,5 @@ Fixpoint machine fuel p d : seq (nat * percept) * option numbered_map * D :=
   end.
 End Machine.
 End Program.
+
+Definition algorithm1 := explorer_by directional.

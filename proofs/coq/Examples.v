@@ -1,17 +1,21 @@
 (* ---------------------------------------------------------------------------------------------
    The hypotheses can be met: worlds, and runs computed inside Coq.
 
-     figure_eight, theta, k4   one vertex with two loops; two vertices with three edges; K4.
-     all_right                 Algorithm 1, run from the root for every bearing, is right each
-                               time; with the number of traversals.
+     figure_eight, theta, k4, lollipop   one vertex with two loops; two vertices with three edges; K4; an
+                               edge with a loop at its end.
+     run, run_machine          Algorithm 1 from the root, as explorer and step by step: the number of
+                               traversals, and whether it is right.
+     cluster_run, natural_run  the same with the lighthouses without a direction.
      theta_world               a lighthouse_world; theta_is_met: the theorem of Refinement.v about
                                it.
      loop_on_cycle             a loop lies on a cycle, so DoubleCover.v speaks of worlds that
                                exist.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Cost Algorithm Refinement.
-From Allworlds Require Import Policies NumberedWorlds Judge DoubleCover.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Cost Algorithm.
+From Allworlds Require Import Refinement.
+From Allworlds Require Import Policies NumberedWorlds Judge DoubleCover Enumeration Cluster
+  NaturalLighthouse.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -33,7 +37,7 @@ Definition run pol M k :=
 Definition run_machine pol M k :=
   let pt := iter k (nth 0 (sigma_list M)) (root_number M) in
   let: (transcript, answer, z) :=
-    machine pol (motion_in (denote M)) (sensed M pt) 100
+    machine directional pol (motion_in (denote M)) (sensed M pt) 100
       (Return (first_knowledge (sensed M pt (root_number M)))) (root_number M) in
   (size transcript, if answer is Some e then same_code e (seen_from M z) else false).
 Definition runs (f : policy -> numbered_map -> nat -> nat * bool) pol M :=
@@ -57,6 +61,31 @@ Proof. by vm_compute. Qed.
 Example judge_tells : [/\ judge theta 0 theta = IsRight,
   judge figure_eight 0 (seen_from figure_eight 1) = WrongPose
   & judge theta 0 figure_eight = WrongMap].
+Proof. by vm_compute. Qed.
+
+(* ---- Lighthouses without a direction: v1 is at the other end of the root's edge ---- *)
+Definition judged (O : Type) (B : eqType) (L : lighthouse O B) pol senses M :=
+  let d := root_number M in
+  let: (transcript, answer, z) :=
+    machine L pol (motion_in (denote M)) (senses M) 200 (set_out L (senses M d)) d in
+  (size transcript, if answer is Some e then same_code e (seen_from M z) else false).
+Definition cluster_run pol M := judged cluster pol cluster_percept_in M.
+Definition natural_run pol b M := judged (natural (degree_at M (root_number M)) b) pol degree_at M.
+
+(* every world up to three edges in which one edge joins v0 and v1 *)
+Definition one_edge_worlds :=
+  [seq M <- flatten [seq rooted_maps m | m <- iota 1 3] | edges_to_v1 M == 1].
+
+Example cluster_runs : size one_edge_worlds = 30 /\
+  all (fun pol => all (fun M => (cluster_run pol M).2) one_edge_worlds) [:: fifo; lifo; nearest; unhelpful].
+Proof. by vm_compute. Qed.
+(* with three edges between v0 and v1: the same explorer ends with another map *)
+Example cluster_errs : cluster_run fifo theta = (12, false).
+Proof. by vm_compute. Qed.
+
+(* an edge with a loop at its end, begun at the other end *)
+Definition lollipop := NumberedMap [:: 0; 2; 3; 1] [:: 1; 0; 3; 2] 0.
+Example natural_runs : natural_run fifo 3 lollipop = (7, true).
 Proof. by vm_compute. Qed.
 
 Definition theta_world := world_of_numbers theta_valid (elimT (connectedP theta_valid) theta_order) 1.

@@ -509,6 +509,19 @@ Lemma edges_longer : edges longer = (edges W).+1.
 Proof. by apply: double_inj; rewrite edges_double card_sum card_bool doubleS edges_double addn2.
   Qed.
 
+(* the vertices of W remain, and inr true comes to the old v0 *)
+Lemma longer_same (d d' : W) : fconnect sigma d d' -> fconnect (@sigma longer) (inl d) (inl d').
+Proof.
+move/iter_findex <-; elim: (findex _ _ _) => //= k IH; apply: connect_trans IH _.
+move: (iter k sigma d) => u; case: (u =P v0) => [->|/eqP ne].
+  rewrite (_ : inl (sigma v0) = iter 2 (@sigma longer) (inl v0)) ?fconnect_iter //=.
+  by rewrite eqxx.
+by rewrite (_ : inl (sigma u) = @sigma longer (inl u)) ?fconnect1 //= (negbTE ne).
+Qed.
+
+Lemma longer_joined : fconnect (@sigma longer) (inl v0) (inr true).
+Proof. by rewrite (_ : inr true = @sigma longer (inl v0)) ?fconnect1 //= eqxx. Qed.
+
 Lemma vertices_longer : vertices longer = (vertices W).+1.
 Proof.
 pose vertex_of (x : longer) : option W :=
@@ -524,23 +537,15 @@ have inv (x : longer) : vertex_of (sigma x) = vertex_of x.
 have inv_root (x : longer) : vertex_of (froot sigma x) = vertex_of x.
   rewrite -(iter_findex (connect_root _ x)).
   by elim: (findex _ _ _) => // k IH; rewrite iterS inv.
-have old (d d' : W) : fconnect sigma d d' -> fconnect (@sigma longer) (inl d) (inl d').
-  move/iter_findex <-; elim: (findex _ _ _) => //= k IH; apply: connect_trans IH _.
-  move: (iter k sigma d) => u; case: (u =P v0) => [->|/eqP ne].
-    rewrite (_ : inl (sigma v0) = iter 2 (@sigma longer) (inl v0)) ?fconnect_iter //=.
-    by rewrite eqxx.
-  by rewrite (_ : inl (sigma u) = @sigma longer (inl u)) ?fconnect1 //= (negbTE ne).
-have marked (b : bool) : b -> fconnect (@sigma longer) (inl v0) (inr b).
-  by case: b => // _; rewrite (_ : inr true = @sigma longer (inl v0)) ?fconnect1 //= eqxx.
 have sym := fconnect_sym (@sigma_inj longer).
 have symW (d d' : W) : froot sigma d = froot sigma d' -> fconnect sigma d d'.
   by move/eqP; rewrite (root_connect (fconnect_sym (@sigma_inj W))).
 have sep (x y : longer) : vertex_of x = vertex_of y -> fconnect sigma x y.
   case: x y => [d|b] [d'|b'] /=.
-  - by case=> /symW /old.
-  - case: b' => // E; apply: connect_trans (marked true isT); apply: old; apply: symW.
+  - by case=> /symW /longer_same.
+  - case: b' => // E; apply: connect_trans longer_joined; apply: longer_same; apply: symW.
     by case: E.
-  - case: b => // E; rewrite sym; apply: connect_trans (marked true isT); apply: old; apply: symW.
+  - case: b => // E; rewrite sym; apply: connect_trans longer_joined; apply: longer_same; apply: symW.
     by case: E.
   by case: b b' => [] [].
 pose roots_of (G : combinatorial_map) : {set G} := [set r in froots (@sigma G)].

@@ -21,9 +21,11 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps.
-From Allworlds Require Import HypothesisTests Paths Pass Cost Correctness Algorithm Refinement.
+From Allworlds Require Import HypothesisTests Paths Pass Cost Correctness Lighthouses Routes Algorithm.
+From Allworlds Require Import Refinement.
 From Allworlds Require Import Policies ShortestPaths NumberedWorlds Judge Impossibility DoubleCover.
-From Allworlds Require Import Twins AtLeastM Folding LowerBounds Enumeration Cluster.
+From Allworlds Require Import Twins AtLeastM Folding LowerBounds Enumeration TwoVertices Cluster
+  NaturalLighthouse.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -119,7 +121,7 @@ Proof. exact: algorithm1_numbered. Qed.
 (* What runs outside Coq, one step at a time without remembering the percepts, is that explorer. *)
 Theorem machine_is_explorer (pol : policy) (M : rooted_map) (senses : carrier M -> percept) budget :
   episode (algorithm1 pol) M senses budget
-  = machine pol (motion_in M) senses budget (Return (first_knowledge (senses (root M)))) (root M).
+  = machine directional pol (motion_in M) senses budget (Return (first_knowledge (senses (root M)))) (root M).
 Proof. exact: episode_machine. Qed.
 
 (* ==== Cost (Section VI) ==== *)
@@ -233,12 +235,6 @@ Theorem certificate_suffices (P : eqType) (senses : numbered_map -> nat -> P) M 
   twin_check senses M N L -> no_explorer_right_on_both senses M N.
 Proof. exact: certified_impossible. Qed.
 
-(* Section VIII, natural lighthouses: with loops allowed, a vertex of unique degree next to another one
-   is not enough. *)
-Theorem natural_lighthouse_is_not_enough :
-  no_explorer_right_on_both degree_percept natural_plane natural_torus.
-Proof. exact: natural_impossible. Qed.
-
 (* ==== Folding: the log is a proof of the map (Sections IV, V) ==== *)
 
 (* The log: the motions made and the percepts sensed.  log_dart L: its darts, (i, j) being the j-th dart
@@ -317,17 +313,53 @@ Set Warnings "-abstract-large-number".
 Theorem enumeration_counts : [seq size (rooted_maps m) | m <- iota 1 5] = [:: 2; 10; 74; 706; 8162].
 Proof. exact: counts. Qed.
 
-(* ==== The marker cluster (Sections IV and VIII), for every schedule ==== *)
+(* ==== Lighthouses without a direction (Sections IV and VIII) ==== *)
 
-(* Undirected markers, one at v0 and two at its neighbour v1; exactly one edge joins them. *)
-Theorem cluster_is_right (W : lighthouse_world) :
-  ~~ at_same_vertex (@start W) (alpha pointed) ->
-  (forall d : W, at_same_vertex start d -> at_same_vertex (alpha pointed) (alpha d) -> d = pointed) ->
-  (exists C c, cluster_reached (W := W) (edges W) C c /\ nothing_open c) /\
-  forall q C c, cluster_reached (W := W) q C c -> nothing_open c ->
-  [/\ q = edges W,
-      C <= paper_bound (vertices W) (edges W) +
-           \sum_(0 <= p < edges W) 2 * (2 * edges W - 2 * p - 1) & robot_knows c].
-Proof.
-by move=> H1 H2; split; [exact: cluster_completes | exact: cluster_correct].
-Qed.
+(* one_edge W: exactly one edge joins v0 and v1, the other end of the pointed dart; no direction is sensed.
+   Before the first pass the robot looks for that edge, and at the end of each test it asks whether the
+   edge is where S foretells it.  cluster_bound W: (1)+(2) and two traversals for each test.
+
+   Undirected markers, one at v0 and two at v1: the explorer, under every policy, with any budget of at
+   least the bound, stops within the bound and is right. *)
+Theorem cluster_is_right (W : lighthouse_world) : one_edge W -> forall (pol : policy) budget,
+  2 * degree (@start W) + cluster_bound W <= budget -> exists transcript answer z,
+  [/\ episode (cluster_algorithm pol) (rooted (@start W)) (@cluster_percept W) budget
+        = (transcript, Some answer, z),
+      size transcript <= 2 * degree (@start W) + cluster_bound W,
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. by move=> H pol budget; exact: cluster_correct. Qed.
+
+(* The same for every schedule: a run can be finished, and a finished run has made m passes. *)
+Theorem cluster_right_for_every_schedule (W : lighthouse_world) : one_edge W ->
+  let reached := reached_by coarse (leads_to_v1 (@cluster_percept W) (has_markers 2)) 2 in
+  (exists C c, reached (edges W) C c /\ nothing_open c) /\
+  forall q C c, reached q C c -> nothing_open c ->
+    [/\ q = edges W, C <= cluster_bound W & robot_knows c].
+Proof. exact: cluster_runs. Qed.
+
+(* With two edges between v0 and v1 no explorer is right in all worlds. *)
+Theorem cluster_needs_one_edge :
+  (edges_to_v1 natural_plane = 2 /\ edges_to_v1 natural_torus = 2) /\
+  no_explorer_right_on_both cluster_percept_in natural_plane natural_torus.
+Proof. exact: conj two_edges_between two_edges_impossible. Qed.
+
+(* Degrees only: v0 and v1 have degrees that no other vertex has, and the robot is told that of v1. *)
+Theorem natural_lighthouse_is_right (W : lighthouse_world) :
+  unique (@start W) -> unique (alpha (@pointed W)) -> one_edge W -> forall (pol : policy) budget,
+  2 * degree (@start W) + cluster_bound W <= budget -> exists transcript answer z,
+  [/\ episode (natural_algorithm (degree (alpha (@pointed W))) pol) (rooted (@start W)) (@degree W)
+        budget = (transcript, Some answer, z),
+      size transcript <= 2 * degree (@start W) + cluster_bound W,
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. by move=> u0 u1 H pol budget; exact: natural_correct. Qed.
+
+(* With two edges between them that is not enough. *)
+Theorem natural_lighthouse_is_not_enough :
+  no_explorer_right_on_both degree_percept natural_plane natural_torus.
+Proof. exact: natural_impossible. Qed.
+
+(* Such worlds exist. *)
+Theorem kinds_of_lighthouse_exist : (forall W, one_edge (longer W)) /\
+  forall k, [/\ unique (@start (longer (bouquet k))), unique (alpha (@pointed (longer (bouquet k))))
+              & one_edge (longer (bouquet k))].
+Proof. exact: conj cluster_hypotheses_met natural_hypotheses_met. Qed.

@@ -2,16 +2,22 @@
    The program is an instance of the relation: every pass of one_pass is a `pass`, step for step, under
    every policy and in every world.                                          Sections IV, V and VI
 
-     routeP               the breadth-first path is a path, shorter than S has vertices.
      makes p d x z n      run in the world from dart d, program p gives x, at dart z, after n
                           traversals.
      due c d x            a robot at d that turns by c is as if it had come in by x.
      trail done y x       the motions in done lead from x to y.
-     one_pass_is_pass     the refinement.
-     estimate_right       when U is empty the estimate is the world seen from the robot's true
-                          dart.
+
+   For any lighthouse L, once it is known in what its percepts and `confirm` amount to in the world:
+     one_pass_makes       a pass of the program is a `pass_by` (Lighthouses.v).
      episode_machine      the explorer, which remembers all percepts, is the machine, which does
                           not.
+     episode_right        if each pass leads from one reached configuration to the next, the explorer
+                          is right, within any budget that covers their cost.
+     estimate_right       when U is empty the estimate is the world seen from the robot's true
+                          dart.
+
+   For the directional lighthouse:
+     one_pass_is_pass     the refinement.
      algorithm1_correct   in every world with a directional lighthouse, under every policy, with
                           any budget of at least (1)+(2) traversals: it stops after at most
                           (1)+(2), and is right.
@@ -19,107 +25,10 @@
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps
   HypothesisTests Paths.
-From Allworlds Require Import Pass Cost Correctness Algorithm.
+From Allworlds Require Import Pass Cost Correctness Lighthouses Routes Algorithm.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
-
-(* ---- Breadth-first search finds every vertex that can be reached ---- *)
-Section RouteP.
-Variables (S : partial_map) (a : dart).
-Hypothesis ka : known S a.
-Hypothesis Hl : forall x y, partner S x = Some y -> known S y.
-Definition good (T : seq branch) := uniq (unzip1 T) /\ forall j, j < size T ->
-  let t := nth no_branch T j in
-  [/\ follow S t.2.1 a = Some t.2.2, t.2.2.1 = t.1, known S t.2.2 & size t.2.1 <= j].
-Lemma visits w c ks T : follow S w a = Some c -> size w < size T -> good T ->
-  exists X, [/\ foldl (visit S w c) T ks = T ++ X, good (T ++ X) &
-    forall k g, k \in ks -> partner S (turn S k c) = Some g -> g.1 \in unzip1 (T ++ X)].
-Proof.
-move=> R; elim: ks T => [|k ks IH] T sw G /=; first by exists [::]; rewrite cats0.
-have [Y [E GY HY]] : exists Y, [/\ visit S w c T k = T ++ Y, good (T ++ Y) &
-    forall g, partner S (turn S k c) = Some g -> g.1 \in unzip1 (T ++ Y)].
-  rewrite /visit; case L: (partner S _) => [g|]; last by exists [::]; rewrite cats0.
-  case: ifP => gT; first by exists [::]; rewrite cats0; split=> // g' [<-].
-  exists [:: (g.1, (rcons w k, g))]; rewrite cats1; split=> //; last first.
-    by move=> g' [<-]; rewrite /unzip1 map_rcons mem_rcons inE eqxx.
-  have [U H] := G; split; first by rewrite /unzip1 map_rcons rcons_uniq gT.
-  move=> j; rewrite size_rcons nth_rcons ltnS leq_eqVlt => /orP[/eqP->|lj]; last by rewrite lj;
-    exact: H.
-  rewrite ltnn eqxx /=; split=> //; last by rewrite size_rcons.
-    by rewrite -cats1 (follow_cat _ R) /= L.
-  exact: (Hl L).
-have [|X [EX GX HX]] := IH (T ++ Y) _ GY; first by rewrite size_cat ltn_addr.
-rewrite E; exists (Y ++ X); rewrite catA; split=> // k' g; rewrite inE => /orP[/eqP->|] L;
-  last exact: HX.
-by rewrite /unzip1 map_cat mem_cat HY.
-Qed.
-
-(* the neighbours of the first i vertices have been found *)
-Definition done_to i (T : seq branch) := forall j, j < i -> forall p g,
-  let c := (nth no_branch T j).2.2 in
-  p < degree_in S c.1 -> partner S (c.1, p) = Some g -> g.1 \in unzip1 T.
-Lemma good_size T : good T -> size T <= size (degrees S).
-Proof.
-case=> U H; rewrite -(size_map fst) -[X in _ <= X](size_iota 0); apply: uniq_leq_size => // v.
-case/(nthP 0)=> j; rewrite size_map => lj <-; rewrite (nth_map no_branch) // mem_iota /=.
-by have [_ <- /andP[]] := H j lj.
-Qed.
-
-Lemma growP fuel i T : good T -> i <= size T -> size (degrees S) <= fuel + i -> done_to i T ->
-  let T' := grow S fuel i T in [/\ good T', done_to (size T') T' & {subset unzip1 T <= unzip1 T'}].
-Proof.
-elim: fuel i T => [|fl IH] i T G li ns Dn /=.
-  have E : i = size T by apply/eqP; rewrite eqn_leq li /=; exact: leq_trans (good_size G) ns.
-  by rewrite -E; split.
-case: ifP => [lt|/negbT]; last first.
-  by rewrite -leqNgt => le; have E : i = size T by [apply/eqP; rewrite eqn_leq li]; rewrite -E; split.
-set t := (nth no_branch T i).2; have [U H] := G; have [R e1 kc sw] := H i lt.
-have [X [E GX HX]] := visits (round S t.2) R (leq_ltn_trans sw lt) G.
-rewrite E; have [|||A B C] := IH i.+1 (T ++ X) GX.
-- by rewrite size_cat ltn_addr.
-- by rewrite addnS -addSn.
-- move=> j; rewrite ltnS leq_eqVlt => /orP[/eqP->|lj] p g; rewrite /= nth_cat.
-    rewrite lt -/t => lp L; have [lc _] := andP kc.
-    apply: (HX (degree_in S t.2.1 - t.2.2 + p)); first by rewrite map_f ?mem_iota.
-    by rewrite (@turn_to S t.2 (t.2.1, p)) //; apply/andP.
-  rewrite (ltn_trans lj lt) => lp L; rewrite /unzip1 map_cat mem_cat; apply/orP; left.
-  exact: (Dn j lj p g).
-by split=> // v vT; apply: C; rewrite /unzip1 map_cat mem_cat vT.
-Qed.
-
-Lemma routeP v : joined S a v -> let way := route S a v in
-  [/\ follow S way.1 a = Some way.2, way.2.1 = v & size way.1 < size (degrees S)].
-Proof.
-move=> [w [f [R fv]]]; rewrite /route; set T := tree S a.
-have [||||G Dn Sub] := @growP (size (degrees S)) 0 [:: (a.1, ([::], a))] => //.
-- by split=> // -[|j].
-- by rewrite addn0.
-rewrite -[grow _ _ _ _]/T in G Dn Sub.
-have cl x : known S x -> x.1 \in unzip1 T -> forall w f, follow S w x = Some f -> f.1 \in unzip1 T.
-  move=> kx xT w' f'; elim: w' x kx xT => [|k w' IH] x kx xT /=; first by case=> <-.
-  case L: (partner S _) => [g|] //; apply: IH; first exact: (Hl L).
-  have [U H] := G; set j := index x.1 (unzip1 T).
-  have lj : j < size T by rewrite -(size_map fst) index_mem.
-  have [_ c1 kc _] := H j lj; set c := (nth no_branch T j).2.2 in c1 kc.
-  have cx : c.1 = x.1.
-    by rewrite c1 -(nth_map no_branch 0 fst) // nth_index.
-  have dx : 0 < degree_in S x.1 by case/andP: kx => _; case: (degree_in S _).
-  by apply: (Dn j lj ((x.2 + k) %% degree_in S x.1)); rewrite -/c cx ?ltn_mod.
-have vT : v \in unzip1 T by rewrite -fv; apply: (cl a ka _ w f R); apply: Sub; rewrite /= inE.
-have lj : index v (unzip1 T) < size T by rewrite -(size_map fst) index_mem.
-have [U H] := G; have [A B _ C] := H _ lj; split=> //.
-  by rewrite B -(nth_map no_branch 0 fst) // nth_index.
-exact: leq_ltn_trans C (leq_trans lj (good_size G)).
-Qed.
-
-Lemma route_or_elseP w v : joined S a v -> let way := route_or_else S w a v in
-  [/\ follow S way.1 a = Some way.2, way.2.1 = v & size way.1 < size (degrees S)].
-Proof.
-move/routeP=> R; rewrite /route_or_else; case F: (follow S w a) => [f|] //.
-by case: ifP => // /andP[/eqP fv sw].
-Qed.
-End RouteP.
 
 (* ---- U as a queue ---- *)
 Definition queue_of S (U : seq dart) := uniq U /\ forall e, (e \in U) = is_open S e.
@@ -170,45 +79,49 @@ by exists i; rewrite // mem_iota lt0n i0; case: k lk'.
 Qed.
 
 (* ---- The explorer that remembers everything is the machine that remembers its program only ---- *)
-Lemma explore_machine pol (M : rooted_map) (senses : carrier M -> percept) budget o seen d :
-  explore (algorithm1 pol) M senses budget (o :: seen) d
-  = machine pol (motion_in M) senses budget (foldl (sense pol) (Return (first_knowledge o)) seen) d.
+Section Remembering.
+Variables (O : Type) (B : eqType) (L : lighthouse O B) (pol : policy).
+Variables (M : rooted_map) (senses : carrier M -> O).
+Local Notation machine := (machine L pol (motion_in M) senses).
+
+Lemma explore_machine budget o seen d :
+  explore (explorer_by L pol) M senses budget (o :: seen) d
+  = machine budget (foldl (sense L pol) (set_out L o) seen) d.
 Proof.
-elim: budget seen d => [|n IH] seen d /=; rewrite /act; case E: (next pol _) => [e|[k f]] //.
+elim: budget seen d => [|n IH] seen d /=; rewrite /act; case E: (next L pol _) => [e|[k f]] //.
 rewrite IH.
-have -> : foldl (sense pol) (Return (first_knowledge o)) (rcons seen (senses (motion_in M k d)))
+have -> : foldl (sense L pol) (set_out L o) (rcons seen (senses (motion_in M k d)))
     = f (senses (motion_in M k d)).
   by rewrite -cats1 foldl_cat /= /sense E.
 by [].
 Qed.
 
-Theorem episode_machine pol (M : rooted_map) (senses : carrier M -> percept) budget :
-  episode (algorithm1 pol) M senses budget
-  = machine pol (motion_in M) senses budget (Return (first_knowledge (senses (root M)))) (root M).
+Theorem episode_machine budget :
+  episode (explorer_by L pol) M senses budget
+  = machine budget (set_out L (senses (root M))) (root M).
 Proof. exact: explore_machine. Qed.
+End Remembering.
 
 (* ---- A program in a world ---- *)
-Section InWorld.
-Variable W : lighthouse_world.
-Local Notation v0 := (@start W).
-Local Notation b := (first_bearing W).
-Local Notation program := (program percept).
+Section Makes.
+Variables (G : combinatorial_map) (O : Type) (senses : G -> O).
+Local Notation program := (program O).
 
-Fixpoint exec A (p : program A) (d : W) : A * W * seq (nat * percept) :=
+Fixpoint exec A (p : program A) (d : G) : A * G * seq (nat * O) :=
   match p with
   | Return x => (x, d, [::])
   | Go k f =>
-      let: (x, z, t) := exec (f (percept_of (motion k d))) (motion k d) in
-      (x, z, (k, percept_of (motion k d)) :: t)
+      let: (x, z, t) := exec (f (senses (motion k d))) (motion k d) in
+      (x, z, (k, senses (motion k d)) :: t)
   end.
 Definition makes A (p : program A) d x z n := exists t, exec p d = (x, z, t) /\ size t = n.
 
 Lemma makes_return A (x : A) d : makes (Return x) d x d 0.
 Proof. by exists [::]. Qed.
 
-Lemma makes_go A k (f : percept -> program A) d x z n :
-  makes (f (percept_of (motion k d))) (motion k d) x z n -> makes (Go k f) d x z n.+1.
-Proof. by case=> t [E <-]; exists ((k, percept_of (motion k d)) :: t); rewrite /= E. Qed.
+Lemma makes_go A k (f : O -> program A) d x z n :
+  makes (f (senses (motion k d))) (motion k d) x z n -> makes (Go k f) d x z n.+1.
+Proof. by case=> t [E <-]; exists ((k, senses (motion k d)) :: t); rewrite /= E. Qed.
 
 Lemma makes_bind A B (p : program A) (f : A -> program B) d x z n y z' n' :
   makes p d x z n -> makes (f x) z y z' n' -> makes (bind p f) d y z' (n + n').
@@ -218,27 +131,27 @@ case E: (exec _ _) => [[x1 z1] t1] [X Z <-]; subst x1 z1; rewrite addSn; apply: 
 exact: (IH _ _ _ E).
 Qed.
 
-Definition due c (d x : W) := iter c sigma d = x.
+Definition due c (d x : G) := iter c sigma d = x.
 
 Lemma motion_due c d x k : due c d x -> motion (c + k) d = motion k x.
 Proof. by move=> <-; rewrite /motion addnC iterD. Qed.
 
 Lemma walk_to_makes w k c d x : due c d x ->
-  makes (walk_to w k c) d (percept_of (motion k (walk w x))) (motion k (walk w x)) (size w).+1.
+  makes (walk_to O w k c) d (senses (motion k (walk w x))) (motion k (walk w x)) (size w).+1.
 Proof.
 elim: w c d x => [|j w IH] c d x du /=; apply: makes_go; rewrite (motion_due _ du).
   exact: makes_return.
 exact: IH.
 Qed.
 
-Fixpoint trail (done : seq (nat * nat)) (y x : W) :=
+Fixpoint trail (done : seq (nat * nat)) (y x : G) :=
   if done is q :: done' then
     exists z, [/\ y = motion q.1 z, q.2 = degree z & trail done' z x]
   else y = x.
 
 (* line 15: the robot retraces, coming back to v_u and resuming its orientation *)
 Lemma go_back_makes done c d y x : due c d y -> trail done y x ->
-  exists c' z, makes (go_back done c) d c' z (size done) /\ due c' z x.
+  exists c' z, makes (go_back O done c) d c' z (size done) /\ due c' z x.
 Proof.
 elim: done c d y => [|[k n] done IH] c d y du /=.
   by move=> <-; exists c, d; split=> //; exact: makes_return.
@@ -248,73 +161,118 @@ have [|c' [z' [A B]]] := IH (opposite n k) (motion c d) z _ T.
   by rewrite E N; exact: opposite_turn.
 by exists c', z'; split=> //; exact: makes_go.
 Qed.
+End Makes.
 
-Lemma check_path_makes w P done c d y x :
+(* ---- A pass of the program, with any lighthouse ---- *)
+Section InWorld.
+Variables (W : lighthouse_world) (O : Type) (B : eqType) (L : lighthouse O B) (pol : policy).
+Variable senses : W -> O.
+Local Notation v0 := (@start W).
+Local Notation b := (first_bearing W).
+Local Notation phi := (@phi W v0).
+Local Notation program := (program O).
+Local Notation makes := (makes senses).
+Local Notation foretells := (foretells L).
+
+Variables (confirms : partial_map -> dart -> W -> bool) (confirm_cost : nat).
+Hypothesis reads_senses : forall d, reads L (senses d) = foretells (percept_of d).
+Hypothesis degree_foretold : forall o, (foretells o).1 = o.1.
+Hypothesis confirm_makes : forall k f y c d, bearing0 k = b -> f.1 = 0 ->
+  degree y = degree_in (known_map k) f.1 -> due c d y -> exists c' z,
+  makes (confirm L k f c) d (confirms (known_map k) f y, c') z confirm_cost /\ due c' z y.
+
+Local Notation looks := (looks foretells).
+Local Notation matches := (matches foretells confirms).
+Local Notation failed_cost := (failed_cost foretells confirm_cost).
+Local Notation refuted := (refuted foretells confirms).
+Local Notation pass_by := (pass_by foretells confirms confirm_cost).
+
+Lemma check_path_makes w (P : seq percept) done c d y x :
   due c d y -> size P = (size w).+1 -> trail done y x ->
   exists done' c' z y',
-    let j := find (fun q => q.1 != q.2) (zip (percepts_along w y) P) in
-    if percepts_along w y == P then
-      makes (check_path w P done c (percept_of y)) d (true, done', c') z (size w) /\ due c' z (walk w y)
-    else [/\ makes (check_path w P done c (percept_of y)) d (false, done', c') z j,
+    let sensed := map foretells (percepts_along w y) in let P' := map foretells P in
+    let j := find (fun q => q.1 != q.2) (zip sensed P') in
+    if sensed == P' then
+      [/\ makes (check_path L w P' done c (senses y)) d (true, done', c') z (size w),
+          due c' z (walk w y), trail done' (walk w y) x & size done' = size done + size w]
+    else [/\ makes (check_path L w P' done c (senses y)) d (false, done', c') z j,
              due c' z y', trail done' y' x & size done' = size done + j].
 Proof.
 elim: w P done c d y => [|k w IH] [|e0 P] done c d y du //= [sz] T.
-  case: P sz => // _; exists done, c, d, y; rewrite eqseq_cons eqxx andbT.
-  by case: (percept_of y =P e0) => E /=; rewrite ?addn0; split=> //; exact: makes_return.
-rewrite eqseq_cons; case: (percept_of y =P e0) => E /=; last first.
+  case: P sz => // _; exists done, c, d, y; rewrite reads_senses eqseq_cons eqxx andbT.
+  by case: (_ =P foretells e0) => E /=; rewrite ?addn0; split=> //; exact: makes_return.
+rewrite reads_senses eqseq_cons; case: (_ =P foretells e0) => E /=; last first.
   by exists done, c, d, y; split; rewrite ?addn0 //; exact: makes_return.
-have T' : trail ((k, (percept_of y).1) :: done) (motion k y) x by exists y.
+have T' : trail ((k, (foretells (percept_of y)).1) :: done) (motion k y) x.
+  by exists y; rewrite degree_foretold.
 have [done' [c' [z [y' H]]]] := IH P _ 0 (motion k y) (motion k y) (erefl _) sz T'.
-exists done', c', z, y'; move: H; case: ifP => _ /=.
-  by case=> A B; split=> //; apply: makes_go; rewrite (motion_due k du).
-by case=> A B C F; split=> //; [apply: makes_go; rewrite (motion_due k du) | rewrite F addSnnS].
+exists done', c', z, y'; move: H => /=; case: ifP => _; case=> A C D F.
+all: by split=> //; [apply: makes_go; rewrite (motion_due k du) | rewrite F addSnnS].
 Qed.
 
-Variable pol : policy.
+(* lines 7-17: some of the hypotheses hs are refuted, one after the other; then one matches, or none is
+   left; p, run from dart d, does so *)
+Definition tests S e (x : W) (home : dart -> seq nat * dart) hs (p : program _) d :=
+  exists ts, let cost := \sum_(t <- ts) failed_cost S x t in
+  [/\ forall t, t \in ts -> refuted S e x t, {subset unzip1 ts <= hs}, uniq (unzip1 ts) &
+    (unzip1 ts = hs /\ exists c' z, makes p d (None, c') z cost /\ due c' z x)
+    \/ exists h c' z, let way := home h in
+      [/\ h \in hs, uniq (h :: unzip1 ts), matches S x (h, way.1) way.2,
+          makes p d (Some (h, way.2), c') z (cost + (size way.1 + confirm_cost))
+        & due c' z (walk way.1 x)]].
 
-(* lines 7-17 *)
-Lemma test_all_makes k e (x : W) hs c d : bearing0 k = b ->
+Lemma test_all_makes k r e (x : W) hs c d : bearing0 k = b -> embedded v0 (known_map k) r ->
   (forall h, h \in hs -> [/\ is_open (known_map k) h, h != e &
      leads_home (known_map k) h (way_home pol k h).1 (way_home pol k h).2]) ->
   uniq hs -> due c d x ->
-  exists ts, [/\ forall t, t \in ts -> rejected (known_map k) e x t,
-    {subset unzip1 ts <= hs}, uniq (unzip1 ts) &
-    (unzip1 ts = hs /\ exists c' z,
-       makes (test_all pol k (percept_of x) hs c) d (None, c') z (tests_cost (known_map k) x ts)
-       /\ due c' z x)
-    \/ exists h c' z, let way := way_home pol k h in
-      [/\ h \in hs, uniq (h :: unzip1 ts),
-          percepts_along way.1 x = expected_percepts b (known_map k) way.1 h,
-          makes (test_all pol k (percept_of x) hs c) d (Some (h, way.2), c') z
-            (tests_cost (known_map k) x ts + size way.1) & due c' z (walk way.1 x)]].
+  tests (known_map k) e x (way_home pol k) hs (test_all L pol k (senses x) hs c) d.
 Proof.
-move=> kb; set S := known_map k; elim: hs c d => [|h hs IH] c d H U du.
-  exists [::]; split=> //; left; split=> //; exists c, d; rewrite /tests_cost big_nil.
+move=> kb I; set S := known_map k in I *; elim: hs c d => [|h hs IH] c d H U du.
+  exists [::]; split=> //; left; split=> //; exists c, d; rewrite big_nil.
   by split=> //; exact: makes_return.
 have [oh he Lh] := H h (mem_head _ _); have [R f0 sw] := Lh; have /andP[hU U'] := U.
+have [kh _] := andP oh.
 set w := (way_home pol k h).1 in Lh R sw; set f := (way_home pol k h).2 in Lh R f0.
-have sz := size_expected W R.
-have [done [c' [z [y' CK]]]] := check_path_makes du sz (erefl : trail [::] x x).
-move: CK => /=; case: ifP => [/eqP V [A B]|/eqP V [A B T F]].
-  exists [::]; split=> //; right; exists h, c', z; rewrite -/w -/f; split=> //; first exact: mem_head.
-  rewrite /tests_cost big_nil add0n -[size w]addn0 /= kb; apply: (makes_bind A); exact: makes_return.
-have [c2 [z2 [A2 B2]]] := go_back_makes B T; rewrite /= add0n in F; rewrite -F in A.
-have [|ts [Rj Sb Ut HH]] := IH c2 z2 _ U' B2; first by move=> h' m; apply: H; rewrite inE m orbT.
-have tc : tests_cost S x ((h, w) :: ts) = size done + size done + tests_cost S x ts.
-  by rewrite /tests_cost big_cons /steps_walked /= addnn -mul2n F.
-exists ((h, w) :: ts); split=> /=.
-- move=> t; rewrite inE => /orP[/eqP->|m]; last exact: Rj.
-  by split=> //; exists f.
-- by move=> q; rewrite !inE => /orP[->//|/Sb->]; rewrite orbT.
-- by rewrite Ut andbT; apply: contra hU; exact: Sb.
-rewrite kb; case: HH => [[<- [c3 [z3 [A3 B3]]]]|[g [c3 [z3 [mg Ug Vg A3 B3]]]]]; [left|right].
-  split=> //; exists c3, z3; split=> //; rewrite tc -addnA /=.
-  apply: (makes_bind A); exact: (makes_bind A2 A3).
-exists g, c3, z3; split=> //; first by rewrite inE mg orbT.
-  move: Ug => /= /andP[gt _]; rewrite inE negb_or gt Ut !andbT; apply/andP; split.
+have [done [c1 [z1 [y CK]]]] := check_path_makes du (size_expected W R) (erefl : trail [::] x x).
+have go_on p c2 z2 : ~~ matches S x (h, w) f -> due c2 z2 x ->
+    (forall a z n, makes (test_all L pol k (senses x) hs c2) z2 a z n ->
+       makes p d a z (failed_cost S x (h, w) + n)) ->
+    tests S e x (way_home pol k) (h :: hs) p d.
+  move=> N du2 Mk; have [|ts [Rj Sb Ut HH]] := IH c2 z2 _ U' du2.
+    by move=> h' m; apply: H; rewrite inE m orbT.
+  exists ((h, w) :: ts); rewrite big_cons; split=> /=.
+  - by move=> t; rewrite inE => /orP[/eqP->|]; [split=> //; exists f | exact: Rj].
+  - by move=> q; rewrite !inE => /orP[->//|/Sb->]; rewrite orbT.
+  - by rewrite Ut andbT; apply: contra hU; exact: Sb.
+  case: HH => [[tsE [c3 [z3 [A3 B3]]]]|[g [c3 [z3 [mg Ug Vg A3 B3]]]]]; [left|right].
+    by rewrite tsE; split=> //; exists c3, z3; split=> //; exact: Mk A3.
+  exists g, c3, z3; rewrite -addnA; split=> //; [by rewrite inE mg orbT | | exact: Mk].
+  case/andP: Ug => gt _; rewrite inE negb_or gt Ut !andbT; apply/andP; split.
     by apply/eqP=> gh; move: hU; rewrite -gh mg.
   by apply: contra hU; exact: Sb.
-rewrite tc -!addnA /=; apply: (makes_bind A); exact: (makes_bind A2 A3).
+rewrite /= kb -/w -/f -/S.
+move: CK => /=; case: ifP => [V [A du1 T F]|V [A du1 T F]]; last first.
+  have [c2 [z2 [A2 B2]]] := go_back_makes senses du1 T; rewrite /= add0n in F.
+  apply: (go_on _ c2 z2) => [||a z q Q] //.
+    by rewrite /Lighthouses.matches /Lighthouses.looks /foretold V.
+  rewrite /Lighthouses.failed_cost /Lighthouses.looks /foretold /= V mul2n -addnn -addnA.
+  by rewrite F in A2; apply: (makes_bind A); exact: (makes_bind A2 Q).
+have Lk : looks S x (h, w) by [].
+have [kf _] := follow_phi I kh R; have [lf _] := knownP I kf.
+have D : degree (walk w x) = degree_in S f.1.
+  have := congr1 fst (looks_last I kh R Lk); rewrite !degree_foretold /= => ->.
+  by rewrite (degree_same (phi_vertex v0 r f)) (degree_phi I lf).
+have [c2 [z2 [A2 du2]]] := confirm_makes kb f0 D du1.
+case C: (confirms S f (walk w x)) in A2.
+  exists [::]; split=> //; right; exists h, c2, z2; rewrite -/w -/f -/S; split=> //.
+  - exact: mem_head.
+  - by rewrite /Lighthouses.matches Lk.
+  rewrite big_nil add0n; apply: (makes_bind A).
+  rewrite -[confirm_cost]addn0; apply: (makes_bind A2); exact: makes_return.
+have [c3 [z3 [A3 du3]]] := go_back_makes senses du2 T; rewrite /= add0n in F.
+apply: (go_on _ c3 z3) => [||a z q Q] //; first by rewrite /Lighthouses.matches Lk C.
+rewrite /Lighthouses.failed_cost Lk mul2n -addnn -!addnA; apply: (makes_bind A).
+rewrite addnCA; apply: (makes_bind A2); rewrite F in A3; exact: (makes_bind A3 Q).
 Qed.
 
 (* ---- One pass of the program is a pass of the relation ---- *)
@@ -322,8 +280,8 @@ Definition knows k (c : configuration W) (d : W) :=
   [/\ bearing0 k = b, mapped c = known_map k, here c = at_dart k,
       queue_of (known_map k) (unexplored k) & due (due_turn k) d (robot c)].
 
-Theorem one_pass_is_pass k c d : sound c -> knows k c d -> unexplored k != [::] ->
-  exists k' z n c', [/\ makes (one_pass pol k) d k' z n, pass (next_edge pol k) c n c'
+Theorem one_pass_makes k c d : sound c -> knows k c d -> unexplored k != [::] ->
+  exists k' z n c', [/\ makes (one_pass L pol k) d k' z n, pass_by (next_edge pol k) c n c'
     & knows k' c' z].
 Proof.
 case: c => S0 h0 p Ok [/= kb ES Eh Q du] ne; subst S0 h0.
@@ -334,7 +292,7 @@ have oe : is_open S e.
   by case: (unexplored k) ne => // *; exact: mem_head.
 have [ke _] := andP oe.
 have Hl x y : partner S x = Some y -> known S y.
-  by move=> L; have [_ ? _ _] := embedded_links I (partnerP L).
+  by move=> P; have [_ ? _ _] := embedded_links I (partnerP P).
 have [R g1 sw0] : let way := way_to pol k e in
     [/\ follow S way.1 h0 = Some way.2, way.2.1 = e.1 & size way.1 < size (degrees S)].
   apply: route_or_elseP => //; have [[w [f [Rw f0]]] _] := Rc h0 kh; have [_ A] := Rc e ke.
@@ -343,65 +301,74 @@ rewrite /one_pass -/S -/e; set w0 := (way_to pol k e).1 in R sw0 *.
 set g := (way_to pol k e).2 in R g1 *.
 have [kg _] := follow_phi I kh R; have T := turn_to kg ke g1; set j := (_ + _) in T *.
 have Tr : transit S h0 e w0 j by split=> //; exists g.
-have Wk := walk_to_makes w0 j du; set x := motion j (walk w0 p) in Wk.
-set hs := hypotheses pol k e (percept_of x).
-pose H := [seq h <- unexplored k | (h != e) && (expected_percept b S h == percept_of x)].
+have Wk := walk_to_makes senses w0 j du; set x := motion j (walk w0 p) in Wk.
+set hs := hypotheses L pol k e (senses x).
+pose H := [seq h <- unexplored k | (h != e) &&
+  (foretells (expected_percept b S h) == reads L (senses x))].
 have pH : perm_eq hs H by rewrite /hs /hypotheses -/S kb -/H; case: ifP.
-have mH h : (h \in hs) = [&& h != e, expected_percept b S h == percept_of x & is_open S h].
-  by rewrite (perm_mem pH) mem_filter mU andbA.
+have mH h : (h \in hs) = [&& h != e, foretells (expected_percept b S h) == foretells (percept_of x)
+    & is_open S h].
+  by rewrite (perm_mem pH) mem_filter mU -reads_senses andbA.
 have Uh : uniq hs by rewrite (perm_uniq pH) filter_uniq.
 have Hh h : h \in hs -> [/\ is_open S h,
   h != e & leads_home S h (way_home pol k h).1 (way_home pol k h).2].
   rewrite mH => /and3P[he _ oh]; have [kh' _] := andP oh.
   by have [Ra Rb Rd] := route_or_elseP kh' Hl (choose_home pol k h) (proj1 (Rc h kh')).
-have [ts [Rj Sb Ut HH]] := test_all_makes kb Hh Uh (erefl (iter 0 sigma x)).
-case: HH => [[E [c' [z [A B]]]]|[h [c' [z [mh Uh' V A B]]]]].
-  exists (augment k e (percept_of x) (None, c')), z; do 2 eexists; split.
+have [ts [Rj Sb Ut HH]] := test_all_makes kb I Hh Uh (erefl (iter 0 sigma x)).
+case: HH => [[E [c' [z [A C]]]]|[h [c' [z [mh Uh' V A C]]]]].
+  exists (augment L k e (senses x) (None, c')), z; do 2 eexists; split.
   - apply: (makes_bind Wk); apply: (makes_bind A); exact: makes_return.
   - rewrite addn0 -[_.+1]addn1.
-    apply: (@VertexPass W e S h0 p w0 j ts Tr Rj Ut) => h oh he sg.
+    apply: (@VertexPassBy _ _ _ _ _ e S h0 p w0 j ts Tr Rj Ut) => h oh he sg.
     by rewrite E mH he sg eqxx oh.
+  rewrite /augment reads_senses degree_foretold.
   split=> //=; apply: queue_vertex => // y /exploredP[f m].
   by have [? _ _ _] := embedded_links I m.
 have [oh he Lh] := Hh h mh.
-exists (augment k e (percept_of x) (Some (h, (way_home pol k h).2), c')), z; do 2 eexists; split.
+exists (augment L k e (senses x) (Some (h, (way_home pol k h).2), c')), z; do 2 eexists; split.
 - apply: (makes_bind Wk); apply: (makes_bind A); exact: makes_return.
 - rewrite addn0 addnA -[_.+1]addn1.
-  exact: (@LoopPass W e S h0 p w0 j ts h _ _ Tr Rj Uh' oh he Lh V).
+  exact: (@LoopPassBy _ _ _ _ _ e S h0 p w0 j ts h _ _ Tr Rj Uh' oh he Lh V).
 by split=> //=; exact: queue_loop.
 Qed.
 
 (* ---- The whole run ---- *)
-Local Notation machine := (machine pol motion (@percept_of W)).
+Local Notation machine := (machine L pol motion senses).
 
-Lemma machine_next fuel p q d : next pol p = next pol q -> machine fuel p d = machine fuel q d.
+Lemma machine_next fuel p q d : next L pol p = next L pol q -> machine fuel p d = machine fuel q d.
 Proof. by case: fuel => [|fuel] /= ->. Qed.
 
-Lemma next_pass k : unexplored k != [::] -> next pol (Return k) = next pol (one_pass pol k).
+Lemma next_pass k : unexplored k != [::] -> next L pol (Return k) = next L pol (one_pass L pol k).
 Proof.
 rewrite /=; case E: (unexplored k) => // _.
 by rewrite /one_pass; case: (way_to pol k (next_edge pol k)).1.
 Qed.
 
 Lemma machine_exec p d s z t fuel t' e z' :
-  exec p d = (s, z, t) -> machine fuel (Return s) z = (t', Some e, z') ->
+  exec senses p d = (s, z, t) -> machine fuel (Return s) z = (t', Some e, z') ->
   machine (size t + fuel) p d = (t ++ t', Some e, z').
 Proof.
 move=> E F; elim: p d t E => [x|k g IH] d t; first by case=> -> -> <-.
-rewrite [exec _ _]/=; case E: (exec _ _) => [[x1 z1] t1] [X Z <-]; subst x1 z1.
-by rewrite [size _]/= addSn [Algorithm.machine _ _ _ _ _ _]/= (IH _ _ _ E).
+rewrite [exec _ _ _]/=; case E: (exec _ _ _) => [[x1 z1] t1] [X Z <-]; subst x1 z1.
+by rewrite [size _]/= addSn [Algorithm.machine _ _ _ _ _ _ _]/= (IH _ _ _ E).
 Qed.
 
-Lemma program_run k c d n C : reached n C c -> knows k c d ->
+Hypothesis decides : forall S r h w f x, embedded v0 S r -> known S h -> follow S w h = Some f ->
+  f.1 = 0 -> matches S x (h, w) f <-> percepts_along w x = expected_percepts b S w h.
+Local Notation reached_by := (reached_by foretells confirms confirm_cost).
+
+Lemma program_run k c d n C : reached_by n C c -> knows k c d ->
   exists t k' c' d' n', [/\ machine (size t) (Return k) d = (t, Some (estimate k'), d'),
-    reached n' (C + size t) c', knows k' c' d' & unexplored k' = [::]].
+    reached_by n' (C + size t) c', knows k' c' d' & unexplored k' = [::]].
 Proof.
 have [N] := ubnP (edges W - n); elim: N k c d n C => // N IH k c d n C lN R K.
 case: (boolP (unexplored k == [::])) => [/eqP U|U].
   by exists [::], k, c, d, n; rewrite addn0; split=> //=; rewrite U.
-have [k1 [z [n1 [c1 [[t1 [E1 s1]] P1 K1]]]]] := one_pass_is_pass (reached_sound R) K U.
-have R1 := ReachedPass R P1; have [|t [k' [c' [d' [n' [A B F G]]]]]] := IH _ _ _ _ _ _ R1 K1.
-  by rewrite ltnS in lN; apply: leq_trans lN; apply: ltn_sub2l => //; exact: (run_passes R1).
+have [C0 R0] := reached_by_reached decides R.
+have [k1 [z [n1 [c1 [[t1 [E1 s1]] P1 K1]]]]] := one_pass_makes (reached_sound R0) K U.
+have R1 := ReachedByPass R P1; have [|t [k' [c' [d' [n' [A D F G]]]]]] := IH _ _ _ _ _ _ R1 K1.
+  have [C1 R'] := reached_by_reached decides R1.
+  by rewrite ltnS in lN; apply: leq_trans lN; apply: ltn_sub2l => //; exact: (run_passes R').
 exists (t1 ++ t), k', c', d', n'; split=> //; last by rewrite size_cat addnA s1.
 by rewrite size_cat (machine_next _ _ (next_pass U)); exact: (machine_exec E1 A).
 Qed.
@@ -437,10 +404,10 @@ set S := known_map k in I kh *; set h := at_dart k in kh ph.
 have nopen e : ~~ is_open S e by rewrite -mU U.
 have X := complete_when_nothing_open I nopen.
 have Hl x y : partner S x = Some y -> known S y.
-  by move=> L; have [_ ? _ _] := embedded_links I (partnerP L).
+  by move=> P; have [_ ? _ _] := embedded_links I (partnerP P).
 set t := opposite (degree_in S h.1) (due_turn k).
 have kt : known S (turn S t h) by exact: known_turn.
-have Hd : phi v0 r (turn S t h) = d.
+have Hd : phi r (turn S t h) = d.
   have [l1 _] := knownP I kh; rewrite (phi_turn I) // -ph -du /t (degree_phi I l1).
   rewrite -(degree_same (phi_vertex v0 r h)) -ph -du.
   by rewrite (degree_same (fconnect_iter sigma _ d)) opposite_turn.
@@ -458,22 +425,73 @@ apply: (isomorphic_wellformed J (rooted_wellformed d)) => /=; rewrite ?size_map.
 move=> i; apply: nP => e ke; case E: (partner S e) => [g|] //=; exact: Hl E.
 Qed.
 
-(* with any budget of at least (1) + (2) traversals *)
+(* with any budget that is large enough *)
+Variable set_out_cost : nat.
+Hypothesis set_out_makes : exists k z,
+  makes (set_out L (senses v0)) v0 k z set_out_cost /\ knows k (initial W) z.
+Local Notation bound := (set_out_cost + bound_by W confirm_cost).
+
+Theorem explorer_by_correct budget : bound <= budget -> exists transcript answer z,
+  [/\ episode (explorer_by L pol) (rooted v0) senses budget = (transcript, Some answer, z),
+      size transcript <= bound, valid answer & isomorphic (denote answer) (rooted z)].
+Proof.
+move=> le; have [k0 [z0 [[t0 [E0 s0]] K0]]] := set_out_makes.
+have [t [k [c [d [n [A R K U]]]]]] := program_run (ReachedByStart _ _ _) K0.
+have [C0 R0] := reached_by_reached decides R.
+have [nopen V J] := estimate_right (reached_sound R0) K U.
+have [_ Cb _] := run_by_correct decides R nopen; rewrite add0n in Cb.
+have Cb' : size (t0 ++ t) <= bound by rewrite size_cat s0 leq_add2l.
+exists (t0 ++ t), (estimate k), d; split=> //; rewrite -(subnKC (leq_trans Cb' le)).
+apply: explore_more; rewrite explore_machine size_cat; exact: (machine_exec E0 A).
+Qed.
+
+Corollary explorer_by_right : right denote (explorer_by L pol) (rooted v0) senses.
+Proof.
+have [t [e [z [A _ V J]]]] := explorer_by_correct (leqnn _).
+by exists bound, t, e, z; split=> //; exact: validP.
+Qed.
+End InWorld.
+
+(* ---- Algorithm 1, with a directional lighthouse ---- *)
+Section Directional.
+Variables (W : lighthouse_world) (pol : policy).
+Local Notation v0 := (@start W).
+Local Notation always := (fun _ _ (_ : W) => true).
+Local Notation senses := (@percept_of W).
+
+Lemma nothing_to_confirm k f (y : W) c d : due c d y -> exists c' z,
+  makes senses (confirm directional k f c) d (true, c') z 0 /\ due c' z y.
+Proof. by exists c, d; split=> //; exact: makes_return. Qed.
+
+Lemma directional_decides S r h w f (x : W) : embedded v0 S r -> known S h ->
+  follow S w h = Some f -> f.1 = 0 -> matches (foretells directional) always S x (h, w) f <->
+  percepts_along w x = expected_percepts (first_bearing W) S w h.
+Proof. by move=> *; rewrite directional_matches; split=> /eqP. Qed.
+
+Theorem one_pass_is_pass k c d : sound c -> knows k c d -> unexplored k != [::] ->
+  exists k' z n c', [/\ makes senses (one_pass directional pol k) d k' z n,
+    pass (next_edge pol k) c n c' & knows k' c' z].
+Proof.
+move=> Ok K U.
+have [//|//|k0 f y c0 d0 _ _ _|k' [z [n [c' [A P K']]]]] :=
+  @one_pass_makes W _ _ directional pol senses always 0 _ _ _ k c d Ok K U.
+  exact: nothing_to_confirm.
+by exists k', z, n, c'; split=> //; exact: directional_pass.
+Qed.
+
 Theorem algorithm1_correct budget : paper_bound (vertices W) (edges W) <= budget ->
   exists transcript answer z,
   [/\ episode (algorithm1 pol) (rooted v0) (@percept_of W) budget = (transcript, Some answer, z),
       size transcript <= paper_bound (vertices W) (edges W),
       valid answer & isomorphic (denote answer) (rooted z)].
 Proof.
-move=> le; pose k0 := first_knowledge (percept_of v0).
-have K0 : knows k0 (initial W) v0.
-  split=> //; last exact: queue_initial.
-  by rewrite /= bearing_start.
-have [t [k [c [d [n [A R K U]]]]]] := program_run (ReachedStart W) K0.
-have [nopen V J] := estimate_right (reached_sound R) K U.
-have [_ Cb _] := run_correct R nopen; rewrite add0n in Cb.
-exists t, (estimate k), d; split=> //; rewrite -(subnKC (leq_trans Cb le)).
-by apply: explore_more; rewrite (explore_machine pol).
+have <- : 0 + bound_by W 0 = paper_bound (vertices W) (edges W).
+  by rewrite /bound_by /confirmations_cost big1 ?addn0.
+apply: (@explorer_by_correct W _ _ directional pol senses always) => //.
+- by move=> k f y c d _ _ _; exact: nothing_to_confirm.
+- exact: directional_decides.
+exists (first_knowledge (percept_of v0)), v0; split; first exact: makes_return.
+by split=> //; [rewrite /= bearing_start | exact: queue_initial].
 Qed.
 
 Corollary algorithm1_right : right denote (algorithm1 pol) (rooted v0) (@percept_of W).
@@ -481,7 +499,7 @@ Proof.
 have [t [e [z [A _ V J]]]] := algorithm1_correct (leqnn _).
 by exists (paper_bound (vertices W) (edges W)), t, e, z; split=> //; exact: validP.
 Qed.
-End InWorld.
+End Directional.
 
 (* worlds with a directional lighthouse that no motion tells apart are the same rooted map *)
 Corollary directional_unambiguous (W1 W2 : lighthouse_world) (R : W1 -> W2 -> Prop) :

@@ -33,7 +33,7 @@ def sources() -> list[str]:
 def imports(name: str) -> set[str]:
     """The files that ``name`` requires directly."""
     text = (ROOT / name).read_text()
-    found = re.findall(r"From Allworlds Require(?: Import)? ([\w ]+)\.", text)
+    found = re.findall(r"From Allworlds Require(?: Import)? ([\w\s]+)\.", text)
     return {f"{module}.v" for line in found for module in line.split()}
 
 

@@ -14,7 +14,7 @@ let percept line =
    match Json.field "bearing" p with Json.Null -> None | b -> Some (Json.int b))
 
 let say program =
-  (match next policy program with
+  (match algorithm1_next policy program with
    | Inl e ->
        Printf.printf "{\"estimate\":{\"sigma\":%s,\"alpha\":%s,\"here\":%d}}\n"
          (Json.show e.sigma_list) (Json.show e.alpha_list) e.root_number
@@ -29,7 +29,7 @@ let () =
       let o = percept line in
       let program = match Json.field "episode" line, !current with
         | Json.Null, Some program ->
-            (match next policy program with Inr (_, go_on) -> go_on o | Inl _ -> program)
+            (match algorithm1_next policy program with Inr (_, go_on) -> go_on o | Inl _ -> program)
         | _ -> Return (first_knowledge o) in
       current := Some program;
       say program
