@@ -1,5 +1,5 @@
 (* ---------------------------------------------------------------------------------------------
-   Exploring topological worlds with minimal information: what is proved.
+   Exploring topological worlds with minimal information: the main theorems.
 
    A world is an embedding of a finite connected graph, given by its darts (edge ends): sigma d is the
    next dart clockwise round the vertex of d, alpha d the other end of its edge.  Loops and parallel
@@ -18,167 +18,17 @@
    `reached n C c`: some run of Algorithm 1 is in configuration c after n passes and C traversals.  All
    choices that the paper leaves open are left open here.  mapped c is S, here c the robot's dart in S,
    robot c its true dart; is_open S e: the dart e of S is in U; phi r: the map from S to G.
+
+   Further.v has the other theorems.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps.
-From Allworlds Require Import HypothesisTests Paths Pass Cost Correctness Lighthouses Routes Algorithm.
-From Allworlds Require Import Refinement.
-From Allworlds Require Import Policies ShortestPaths NumberedWorlds Judge Impossibility DoubleCover.
-From Allworlds Require Import Twins AtLeastM Folding LowerBounds Enumeration TwoVertices Cluster
-  NaturalLighthouse.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Pass Cost Correctness.
+From Allworlds Require Import Algorithm Refinement Impossibility Twins Folding LowerBounds Cluster.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(* ==== Motion (Section II.B) ==== *)
-
-(* Motions can be undone, and equal motions lead different darts to different darts. *)
-Theorem motion_is_reversible (G : combinatorial_map) (w : seq nat) :
-  (forall d : G, retrace (rev w) (walk w d) = d) /\ injective (@walk G w).
-Proof. exact: conj (retraceK w) (@walk_inj G w). Qed.
-
-(* ==== Algorithm 1, for every schedule (Sections IV and V) ==== *)
-
-(* After every pass: I-1, S is isomorphic to the explored subgraph; I-2, U is the set of the unexplored
-   darts at its vertices; and the robot is where it believes to be. *)
-Theorem invariant_holds (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
-  exists r, [/\ I1 start (mapped c) r, I2 start (mapped c) r,
-                known (mapped c) (here c) & robot c = phi start r (here c)].
-Proof. exact: run_invariant. Qed.
-
-(* A hypothesis h, tested by a path w from h to v0 in S, matches throughout if and only if it is true;
-   and the motions of such a path with the percepts expected on it belong to one dart only. *)
-Theorem tests_decide (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
-  exists2 r, I1 start (mapped c) r & forall w h f,
-    known (mapped c) h -> follow (mapped c) w h = Some f -> f.1 = 0 ->
-    (forall x : W, percepts_along w x = expected_percepts (first_bearing W) (mapped c) w h
-                   <-> x = phi start r h) /\
-    (forall h' f', known (mapped c) h' -> follow (mapped c) w h' = Some f' ->
-       expected_percepts (first_bearing W) (mapped c) w h
-       = expected_percepts (first_bearing W) (mapped c) w h' -> h = h').
-Proof. exact: run_tests. Qed.
-
-(* While a dart is open it can be explored, and every pass makes t = m - |E_S| smaller by one. *)
-Theorem never_stuck (W : lighthouse_world) n C (c : configuration W) e : reached n C c ->
-  is_open (mapped c) e -> exists C' c', pass e c C' c'.
-Proof. exact: run_progress. Qed.
-
-Theorem variant_falls (W : lighthouse_world) n C (c : configuration W) e C' c' : reached n C c ->
-  pass e c C' c' -> variant c = (variant c').+1.
-Proof. exact: pass_decreases_variant. Qed.
-
-(* When U is empty exactly m passes were made, with at most (1) + (2) traversals; S is the world and the
-   robot knows its place in it. *)
-Theorem correct_when_done (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
-  (forall e, ~~ is_open (mapped c) e) ->
-  [/\ n = edges W, C <= paper_bound (vertices W) (edges W) &
-      isomorphic (map_with_robot (mapped c) (here c)) (rooted (robot c))].
-Proof. exact: run_correct. Qed.
-
-(* Every run can be continued to such an end; and no run makes more than m passes. *)
-Theorem runs_end (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
-  n <= edges W /\ exists C' (c' : configuration W),
-    [/\ reached (edges W) C' c', forall e, ~~ is_open (mapped c') e & C <= C'].
-Proof. exact: run_ends. Qed.
-
-(* ==== Algorithm 1, as an explorer ==== *)
-
-(* In every world with a directional lighthouse, under every policy for the choices left open (first in
-   first out, last in first out and nearest dart are three): given at least (1) + (2) motions, the
-   explorer stops after at most (1) + (2), with the right answer. *)
-Theorem explorer_correct (pol : policy) (W : lighthouse_world) budget :
-  paper_bound (vertices W) (edges W) <= budget -> exists transcript answer z,
-  [/\ episode (algorithm1 pol) (rooted start) (@percept_of W) budget = (transcript, Some answer, z),
-      size transcript <= paper_bound (vertices W) (edges W),
-      valid answer & isomorphic (denote answer) (rooted z)].
-Proof. exact: algorithm1_correct. Qed.
-
-Theorem explorer_right (W : lighthouse_world) (pol : policy) :
-  right denote (algorithm1 pol) (rooted start) (@percept_of W).
-Proof. exact: algorithm1_right. Qed.
-
-(* Where a policy proposes no path of its own the path taken is a shortest one in S; and `nearest`
-   explores an open dart with the shortest way to it. *)
-Theorem paths_are_shortest S a w f : known S a ->
-  (forall x y, partner S x = Some y -> known S y) ->
-  follow S w a = Some f -> size (route S a f.1).1 <= size w.
-Proof. by move=> ka kl; exact: (route_shortest ka kl). Qed.
-
-Theorem nearest_takes_the_nearest k : unexplored k != [::] ->
-  next_edge nearest k \in unexplored k /\
-  forall e, e \in unexplored k -> distance k (next_edge nearest k) <= distance k e.
-Proof. exact: nearest_is_nearest. Qed.
-
-(* What is computed and extracted: the same for worlds written down as lists of numbers. *)
-Theorem explorer_correct_in_numbers (pol : policy) (M : numbered_map) k :
-  valid M -> size (dart_order M) == size (sigma_list M) ->
-  let pointed := iter k (nth 0 (sigma_list M)) (root_number M) in
-  exists bound, forall budget, bound <= budget -> exists transcript answer z,
-  [/\ episode (algorithm1 pol) (denote M) (sensed M pointed) budget = (transcript, Some answer, z),
-      size transcript <= bound & same_code answer (seen_from M z)].
-Proof. exact: algorithm1_numbered. Qed.
-
-(* What runs outside Coq, one step at a time without remembering the percepts, is that explorer. *)
-Theorem machine_is_explorer (pol : policy) (M : rooted_map) (senses : carrier M -> percept) budget :
-  episode (algorithm1 pol) M senses budget
-  = machine directional pol (motion_in M) senses budget (Return (first_knowledge (senses (root M)))) (root M).
-Proof. exact: episode_machine. Qed.
-
-(* ==== Cost (Section VI) ==== *)
-
-(* (1) + (2), exactly: 2m^2 n - 2mn^2 + (2/3)n^3 - 2m^2 + 5mn - (5/2)n^2 - 2m + (11/6)n. *)
-Theorem bound_is_polynomial n m : 0 < n -> n - 1 <= m ->
-  6 * paper_bound n m + 12 * m * n ^ 2 + 12 * m ^ 2 + 15 * n ^ 2 + 12 * m
-  = 12 * m ^ 2 * n + 4 * n ^ 3 + 30 * m * n + 11 * n.
-Proof. exact: paper_bound_polynomial. Qed.
-
-Theorem cost_is_O_m2n (W : lighthouse_world) n C (c : configuration W) :
-  reached n C c -> C <= 2 * edges W ^ 2 * vertices W.
-Proof. exact: run_cost_O_m2n. Qed.
-
-(* Every explorer that is right with a directional lighthouse makes at least m motions in each world. *)
-Theorem at_least_m_motions E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall W : lighthouse_world, exists budget transcript answer z,
-    episode X (rooted (@start W)) (@percept_of W) budget = (transcript, Some answer, z) /\
-    edges W <= size transcript.
-Proof. exact: directional_at_least_m. Qed.
-
-(* ==== Answers ==== *)
-
-(* Equality of codes decides whether two rooted maps are the same. *)
-Theorem same_map_decided M N : valid M -> valid N -> connected (denote M) ->
-  reflect (isomorphic (denote M) (denote N)) (same_code M N).
-Proof. exact: same_codeP. Qed.
-
-(* The judge: right if and only if the answer e is the world M seen from the robot's dart z. *)
-Theorem judge_correct M e z : valid M -> connected (denote M) -> z < size (sigma_list M) ->
-  size (alpha_list e) = size (sigma_list e) ->
-  [/\ judge M z e = IsRight <-> is_world_from M e z,
-      judge M z e = WrongPose <->
-        ~ is_world_from M e z /\ exists2 d, d < size (sigma_list M) & is_world_from M e d
-    & judge M z e = WrongMap <-> forall d, d < size (sigma_list M) -> ~ is_world_from M e d].
-Proof. by move=> V C l s; split; [exact: judge_right | exact: judge_pose | exact: judge_map]. Qed.
-
-(* ==== Impossibility (Section III) ==== *)
-
-(* Two worlds related by a bisimulation R: no explorer is right in both unless they are the same. *)
-Theorem twins_cannot_both_be_explored P E (meaning : E -> rooted_map) (X : explorer P E)
-    (M N : rooted_map) (sensesM : carrier M -> P) (sensesN : carrier N -> P)
-    (R : carrier M -> carrier N -> Prop) :
-  (forall x y, R x y -> sensesM x = sensesN y) ->
-  (forall x y, R x y -> R (sigma_of M x) (sigma_of N y)) ->
-  (forall x y, R x y -> R (alpha_of M x) (alpha_of N y)) ->
-  R (root M) (root N) -> wellformed M -> wellformed N ->
-  right meaning X M sensesM -> right meaning X N sensesN -> isomorphic M N.
-Proof. exact: twins_impossible. Qed.
-
-(* A directional lighthouse leaves no such pair: what no motion tells apart is the same. *)
-Theorem lighthouse_leaves_no_twins (W W' : lighthouse_world) (R : W -> W' -> Prop) :
-  (forall x y, R x y -> percept_of x = percept_of y) ->
-  (forall x y, R x y -> R (sigma x) (sigma y)) -> (forall x y, R x y -> R (alpha x) (alpha y)) ->
-  R start start -> isomorphic (rooted (@start W)) (rooted (@start W')).
-Proof. exact: directional_unambiguous. Qed.
+(* ==== What no explorer can do (Section III) ==== *)
 
 (* No information: every vertex of a cycle has degree 2, and nothing else is sensed.  Cycles of two
    lengths; `side` is the side that the robot faces first. *)
@@ -195,18 +45,6 @@ Theorem orientation_is_not_enough E (meaning : E -> rooted_map) (X : explorer (n
      right meaning X (cycle_world n' side) (fun d => (2, d.2))).
 Proof. exact: cycles_with_compass. Qed.
 
-(* The same for every world with a cycle through e, against its double cover. *)
-Theorem no_world_with_a_cycle_without_position (G : combinatorial_map) (e : G) (cycle : on_cycle e)
-    E (meaning : E -> rooted_map) (d : G) (ref : pred G) :
-  let H := double_cover cycle in
-  (forall X : explorer nat E,
-     ~ (right meaning X (rooted d) (@degree_sensed G) /\
-        right meaning X (rooted ((d, false) : H)) (@degree_sensed H))) /\
-  (forall X : explorer (nat * nat) E,
-     ~ (right meaning X (rooted d) (compass ref) /\
-        right meaning X (rooted ((d, false) : H)) (@compass H (fun p => ref p.1)))).
-Proof. exact: world_with_cycle_impossible. Qed.
-
 (* Position without orientation: pairs of worlds with 2 edges, with 6 (simple), with 8 (simple and
    planar), and a simple planar pair that has everything the caption of Fig. 1 fixes. *)
 Theorem position_is_not_enough :
@@ -214,82 +52,56 @@ Theorem position_is_not_enough :
       no_explorer_right_on_both position_percept k4_plane k4_torus,
       no_explorer_right_on_both position_percept hexagon triangles &
       no_explorer_right_on_both position_percept figure_1_left figure_1_right].
-Proof.
-exact: And4 two_loops_impossible k4_impossible hexagon_impossible figure_1_impossible.
-Qed.
+Proof. exact: And4 two_loops_impossible k4_impossible hexagon_impossible figure_1_impossible. Qed.
 
-Theorem kinds_of_these_worlds :
-  [/\ all planar [:: two_loops_plane; k4_plane; hexagon; triangles; figure_1_left; figure_1_right],
-      all (predC planar) [:: two_loops_torus; k4_torus]
-    & all simple [:: k4_plane; k4_torus; hexagon; triangles; figure_1_left; figure_1_right]].
-Proof. exact: kinds. Qed.
+(* ==== Algorithm 1 with a directional lighthouse (Sections IV, V and VI) ==== *)
 
-Theorem figure_1_caption_holds :
-  as_in_the_caption figure_1_left && as_in_the_caption figure_1_right /\
-  forall d, d < size (sigma_list figure_1_right) ->
-    ~ isomorphic (denote figure_1_left) (denote (seen_from figure_1_right d)).
-Proof. exact: conj figure_1_caption figure_1_different. Qed.
+(* The explorer, under every policy for the choices left open (first in first out, last in first out and
+   nearest dart are three): given at least (1) + (2) motions it stops within (1) + (2), with the right
+   answer.  denote: the rooted map that an answer stands for. *)
+Theorem explorer_correct (pol : policy) (W : lighthouse_world) budget :
+  paper_bound (vertices W) (edges W) <= budget -> exists transcript answer z,
+  [/\ episode (algorithm1 pol) (rooted start) (@percept_of W) budget = (transcript, Some answer, z),
+      size transcript <= paper_bound (vertices W) (edges W),
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. exact: algorithm1_correct. Qed.
 
-(* Any certificate that the Boolean check accepts is such a theorem. *)
-Theorem certificate_suffices (P : eqType) (senses : numbered_map -> nat -> P) M N L :
-  twin_check senses M N L -> no_explorer_right_on_both senses M N.
-Proof. exact: certified_impossible. Qed.
+(* The relation, for every schedule.  After every pass: I-1, S is isomorphic to the explored subgraph;
+   I-2, U is the set of the unexplored darts at its vertices; the robot is where it believes to be. *)
+Theorem invariant_holds (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
+  exists r, [/\ I1 start (mapped c) r, I2 start (mapped c) r,
+                known (mapped c) (here c) & robot c = phi start r (here c)].
+Proof. exact: run_invariant. Qed.
 
-(* ==== Folding: the log is a proof of the map (Sections IV, V) ==== *)
+(* When U is empty exactly m passes were made, with at most (1) + (2) traversals; S is the world and the
+   robot knows its place in it.  Every run can be continued to such an end. *)
+Theorem correct_when_done (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
+  (forall e, ~~ is_open (mapped c) e) ->
+  [/\ n = edges W, C <= paper_bound (vertices W) (edges W) &
+      isomorphic (map_with_robot (mapped c) (here c)) (rooted (robot c))].
+Proof. exact: run_correct. Qed.
 
-(* The log: the motions made and the percepts sensed.  log_dart L: its darts, (i, j) being the j-th dart
-   clockwise from the robot's dart after motion i; place W p: the dart of W that p is.  The folding
-   identifies log darts (same_dart) and finds other ends (glued) as far as the log forces it to. *)
-Theorem folding_is_sound (L : log) (W : lighthouse_world) : agrees W L -> forall p q : log_dart L,
-  (same_dart p q -> place W p = place W q) /\
-  (glued (@next_dart L) (@crossed L) (@sensed_pointed L) p q -> place W q = alpha (place W p)).
-Proof.
-by move=> A p q; split; [exact: folding_sound | exact: folding_sound_ends].
-Qed.
+Theorem runs_end (W : lighthouse_world) n C (c : configuration W) : reached n C c ->
+  n <= edges W /\ exists C' (c' : configuration W),
+    [/\ reached (edges W) C' c', forall e, ~~ is_open (mapped c') e & C <= C'].
+Proof. exact: run_ends. Qed.
 
-(* A log that leaves no dart open belongs to one world: marker and way of the robot included. *)
-Theorem folded_log_is_the_world (L : log) (W W' : lighthouse_world) :
-  agrees W L -> agrees W' L -> no_open_dart L ->
-  exists f : W -> W', [/\ bijective f, forall x, f (sigma x) = sigma (f x),
-    forall x, f (alpha x) = alpha (f x), f pointed = pointed &
-    forall i, i <= size (steps L) -> f (robot_at L W i) = robot_at L W' i].
-Proof. exact: folding_determines. Qed.
+(* (1) + (2) is O(m^2 n). *)
+Theorem cost_is_O_m2n (W : lighthouse_world) n C (c : configuration W) :
+  reached n C c -> C <= 2 * edges W ^ 2 * vertices W.
+Proof. exact: run_cost_O_m2n. Qed.
 
-(* Where a dart is open, two worlds of different size agree with the log. *)
-Theorem open_dart_leaves_two_worlds (L : log) (W : lighthouse_world) (p : log_dart L) :
-  agrees W L -> ~~ dart_settled p ->
-  exists W1 W2, [/\ agrees W1 L, agrees W2 L & edges W1 <> edges W2].
-Proof.
-by move=> A np; have [A1 A2 ne] := open_dart_two_worlds A np; do 2 eexists; split; [exact: A1 | exact: A2 |].
-Qed.
+(* ==== Every explorer with a directional lighthouse (Sections V and VI) ==== *)
 
-(* So the log of an explorer that is right in all worlds leaves no dart open. *)
+(* Right in all worlds: then what it has sensed when it stops is a proof of its answer.  The log, folded as
+   far as it forces places to be the same, has no open dart, so one world only agrees with it. *)
 Theorem log_of_a_right_explorer_folds E (meaning : E -> rooted_map) (X : explorer percept E) :
   (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
   forall (W : lighthouse_world) budget t e z,
   episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) -> no_open_dart (log_of W t).
 Proof. exact: right_explorer_log_folds. Qed.
 
-(* ==== Lower bounds (Section VI) ==== *)
-
-(* At least m-n+1 entries into v0. *)
-Theorem entries_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall (W : lighthouse_world) budget t e z,
-  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
-  edges W + 1 <= vertices W + entries (unzip1 t) (@start W).
-Proof. by move=> H W budget t e z; exact: entries_at_least. Qed.
-
-(* Any world W at the end of a path of L edges, v0 at the other end: at least 2 L (m-n+1) motions. *)
-Theorem path_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall W L budget t e z,
-  let W' := at_end_of_path L W in
-  episode X (rooted (@start W')) (@percept_of W') budget = (t, Some e, z) ->
-  2 * L * (edges W + 1 - vertices W) <= size t.
-Proof. exact: path_costs_every_cycle. Qed.
-
-(* Omega(mn): worlds with m = 2(k+1) and n = k+2 where no right explorer does with fewer than m (n-1). *)
+(* Omega(mn): worlds with m = 2(k+1) and n = k+2 where no such explorer does with fewer than m (n-1). *)
 Theorem quadratic_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
   (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
   forall k, exists W : lighthouse_world,
@@ -298,29 +110,11 @@ Theorem quadratic_lower_bound E (meaning : E -> rooted_map) (X : explorer percep
       edges W * (vertices W - 1) <= size t].
 Proof. exact: mn_lower_bound. Qed.
 
-(* ==== Enumeration ==== *)
+(* ==== Another lighthouse: undirected markers (Sections IV and VIII) ==== *)
 
-(* rooted_maps m lists the connected rooted maps with m edges, each once. *)
-Theorem enumeration_is_complete (G : combinatorial_map) (d : G) :
-  exists2 M, M \in rooted_maps (edges G) & isomorphic (rooted d) (denote M).
-Proof. exact: rooted_maps_complete. Qed.
-
-Theorem enumeration_has_no_repeats m : uniq (rooted_maps m) /\
-  forall M N, M \in rooted_maps m -> N \in rooted_maps m -> isomorphic (denote M) (denote N) -> M = N.
-Proof. exact: conj (rooted_maps_uniq m) (@rooted_maps_distinct m). Qed.
-
-Set Warnings "-abstract-large-number".
-Theorem enumeration_counts : [seq size (rooted_maps m) | m <- iota 1 5] = [:: 2; 10; 74; 706; 8162].
-Proof. exact: counts. Qed.
-
-(* ==== Lighthouses without a direction (Sections IV and VIII) ==== *)
-
-(* one_edge W: exactly one edge joins v0 and v1, the other end of the pointed dart; no direction is sensed.
-   Before the first pass the robot looks for that edge, and at the end of each test it asks whether the
-   edge is where S foretells it.  cluster_bound W: (1)+(2) and two traversals for each test.
-
-   Undirected markers, one at v0 and two at v1: the explorer, under every policy, with any budget of at
-   least the bound, stops within the bound and is right. *)
+(* One marker at v0, two at v1, exactly one edge between them, no direction.  The robot looks for that edge
+   first, and asks at the end of each test whether it is where S foretells it.  cluster_bound W: (1) + (2)
+   and two traversals for each test. *)
 Theorem cluster_is_right (W : lighthouse_world) : one_edge W -> forall (pol : policy) budget,
   2 * degree (@start W) + cluster_bound W <= budget -> exists transcript answer z,
   [/\ episode (cluster_algorithm pol) (rooted (@start W)) (@cluster_percept W) budget
@@ -328,38 +122,3 @@ Theorem cluster_is_right (W : lighthouse_world) : one_edge W -> forall (pol : po
       size transcript <= 2 * degree (@start W) + cluster_bound W,
       valid answer & isomorphic (denote answer) (rooted z)].
 Proof. by move=> H pol budget; exact: cluster_correct. Qed.
-
-(* The same for every schedule: a run can be finished, and a finished run has made m passes. *)
-Theorem cluster_right_for_every_schedule (W : lighthouse_world) : one_edge W ->
-  let reached := reached_by coarse (leads_to_v1 (@cluster_percept W) (has_markers 2)) 2 in
-  (exists C c, reached (edges W) C c /\ nothing_open c) /\
-  forall q C c, reached q C c -> nothing_open c ->
-    [/\ q = edges W, C <= cluster_bound W & robot_knows c].
-Proof. exact: cluster_runs. Qed.
-
-(* With two edges between v0 and v1 no explorer is right in all worlds. *)
-Theorem cluster_needs_one_edge :
-  (edges_to_v1 natural_plane = 2 /\ edges_to_v1 natural_torus = 2) /\
-  no_explorer_right_on_both cluster_percept_in natural_plane natural_torus.
-Proof. exact: conj two_edges_between two_edges_impossible. Qed.
-
-(* Degrees only: v0 and v1 have degrees that no other vertex has, and the robot is told that of v1. *)
-Theorem natural_lighthouse_is_right (W : lighthouse_world) :
-  unique (@start W) -> unique (alpha (@pointed W)) -> one_edge W -> forall (pol : policy) budget,
-  2 * degree (@start W) + cluster_bound W <= budget -> exists transcript answer z,
-  [/\ episode (natural_algorithm (degree (alpha (@pointed W))) pol) (rooted (@start W)) (@degree W)
-        budget = (transcript, Some answer, z),
-      size transcript <= 2 * degree (@start W) + cluster_bound W,
-      valid answer & isomorphic (denote answer) (rooted z)].
-Proof. by move=> u0 u1 H pol budget; exact: natural_correct. Qed.
-
-(* With two edges between them that is not enough. *)
-Theorem natural_lighthouse_is_not_enough :
-  no_explorer_right_on_both degree_percept natural_plane natural_torus.
-Proof. exact: natural_impossible. Qed.
-
-(* Such worlds exist. *)
-Theorem kinds_of_lighthouse_exist : (forall W, one_edge (longer W)) /\
-  forall k, [/\ unique (@start (longer (bouquet k))), unique (alpha (@pointed (longer (bouquet k))))
-              & one_edge (longer (bouquet k))].
-Proof. exact: conj cluster_hypotheses_met natural_hypotheses_met. Qed.

@@ -1,6 +1,6 @@
-"""Prints the assumptions of every theorem of a file; exit 1 unless there are none.
+"""Prints the assumptions of every theorem of some files; exit 1 unless there are none.
 
-Usage: check_assumptions.py Main.v   (in the folder of the compiled files)
+Usage: check_assumptions.py FILE.v ...   (in the folder of the compiled files)
 """
 
 import pathlib
@@ -26,16 +26,13 @@ def without_comments(text: str) -> str:
     return "".join(out)
 
 
-def main() -> int:
-    """The exit code."""
-    source = pathlib.Path(sys.argv[1])
-    bad = [
-        f"{path}: {word}"
-        for path in sorted(source.resolve().parent.glob("*.v"))
-        for word in FORBIDDEN.findall(without_comments(path.read_text()))
-    ]
-    names = re.findall(r"^Theorem (\w+)", without_comments(source.read_text()), re.MULTILINE)
+def assumptions(source: pathlib.Path) -> list[tuple[str, str]]:
+    """Each theorem of a file with what Coq prints of its assumptions.
+
+    Raises RuntimeError if the file is not compiled, or the answers are not as many as the theorems.
+    """
     module = source.stem
+    names = re.findall(r"^Theorem (\w+)", without_comments(source.read_text()), re.MULTILINE)
     ask = f"From Allworlds Require {module}.\n" + "".join(
         f"Print Assumptions {module}.{name}.\n" for name in names
     )
@@ -46,16 +43,29 @@ def main() -> int:
         run = subprocess.run(command, capture_output=True, text=True, check=False)
     answers = run.stdout.strip().split("\n")
     if run.returncode or len(answers) != len(names):
-        print(run.stdout + run.stderr)
+        raise RuntimeError(f"{source}: {run.stdout}{run.stderr}")
+    return list(zip(names, answers, strict=True))
+
+
+def main() -> int:
+    """The exit code."""
+    sources = [pathlib.Path(name) for name in sys.argv[1:]]
+    try:
+        found = [pair for source in sources for pair in assumptions(source)]
+    except RuntimeError as error:
+        print(error)
         return 1
-    for name, answer in zip(names, answers, strict=True):
+    for name, answer in found:
         print(f"{name}: {answer}")
-        if answer != CLOSED:
-            bad.append(name)
-    if bad or not names:
+    bad = [name for name, answer in found if answer != CLOSED] + [
+        f"{path}: {word}"
+        for path in sorted(pathlib.Path().glob("*.v"))
+        for word in FORBIDDEN.findall(without_comments(path.read_text()))
+    ]
+    if bad or not found:
         print("not closed:", *bad, sep="\n  ")
         return 1
-    print(f"{len(names)} theorems, no assumptions")
+    print(f"{len(found)} theorems, no assumptions")
     return 0
 
 
