@@ -1,8 +1,8 @@
 (* ---------------------------------------------------------------------------------------------
-   Extraction to OCaml: the explorer, step by step, its policies, the judge.
+   Extraction to OCaml: the explorers, step by step, their policies, the judge.
 
-     first_knowledge      line 1.
-     algorithm1_next      the next motion, or the end.
+     K_starts             what explorer K does from its first percept on, for three lighthouses K.
+     K_next               its next motion, or the end.
      algorithm1_machine   a whole run.
 
    Trusted here: the extraction itself; ExtrOcamlBasic and ExtrOcamlNatInt (nat becomes int: no
@@ -11,6 +11,7 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Percepts RootedMaps Explorers Algorithm Policies NumberedWorlds Judge.
+From Allworlds Require Import Cluster NaturalLighthouse.
 Require Extraction.
 Require Import ExtrOcamlBasic ExtrOcamlNatInt.
 
@@ -18,10 +19,17 @@ Extract Inlined Constant ssrnat.eqn => "(fun (a : int) b -> a = b)".
 Extract Inlined Constant div.modn => "(fun a b -> if b = 0 then a else a mod b)".
 Extract Inlined Constant Nat.add => "(+)".
 
+Definition algorithm1_starts := set_out directional.
 Definition algorithm1_next := next directional.
 Definition algorithm1_machine pol := machine directional pol.
+Definition cluster_starts := set_out cluster.
+Definition cluster_next := next cluster.
+(* a, b: the degrees of v0, the first percept, and of v1, which is told *)
+Definition natural_starts (a b : nat) := set_out (natural a b).
+Definition natural_next (a b : nat) := next (natural a b).
 
 Set Warnings
   "-extraction-default-directory,-extraction-opaque-accessed,-extraction-reserved-identifier".
 Extraction "ocaml/certified.ml"
-  first_knowledge algorithm1_next algorithm1_machine fifo lifo nearest valid dart_order same_code judge sensed.
+  algorithm1_starts algorithm1_next algorithm1_machine cluster_starts cluster_next
+  natural_starts natural_next fifo lifo nearest valid dart_order same_code judge sensed.

@@ -22,7 +22,9 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-Definition natural a b : lighthouse nat [eqType of bool] := two_vertices id (pred1 a) (pred1 b).
+Definition has_degree (a o : nat) := o == a.
+Definition natural (a b : nat) : lighthouse nat [eqType of bool] :=
+  two_vertices id (has_degree a) (has_degree b).
 Definition natural_algorithm b pol : explorer nat numbered_map :=
   fun seen => explorer_by (natural (head 0 seen) b) pol seen.
 
@@ -58,7 +60,7 @@ Theorem natural_correct pol budget : 2 * degree v0 + cluster_bound W <= budget -
       valid answer & isomorphic (denote answer) (rooted z)].
 Proof.
 rewrite natural_episode /=; move: pol budget.
-exact: (@two_vertices_correct W _ (@degree W) id (pred1 (degree v0)) (pred1 (degree v1))
+exact: (@two_vertices_correct W _ (@degree W) id (has_degree (degree v0)) (has_degree (degree v1))
   (fun=> erefl) (degree_of unique_v0) (degree_of unique_v1) one).
 Qed.
 

@@ -54,7 +54,7 @@ let () =
           (Array.length o, find 0)) in
         let senses d = percepts.(d) in
         let (transcript, answer), z =
-          algorithm1_machine policy moves senses max_int (Return (first_knowledge (senses 0))) 0 in
+          algorithm1_machine policy moves senses max_int (algorithm1_starts (senses 0)) 0 in
         let cost = List.length transcript in
         incr runs;
         total := !total + cost;

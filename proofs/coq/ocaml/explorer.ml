@@ -1,39 +1,53 @@
-(* The extracted explorer behind JSON lines: reads percepts, writes motions and the estimate.
-   Usage: explorer [fifo|lifo|nearest]   (default fifo) *)
+(* The extracted explorers behind JSON lines: read percepts, write motions and the estimate.
+   Usage: explorer [POLICY] [LIGHTHOUSE]
+   POLICY: fifo (default), lifo, nearest.  LIGHTHOUSE: directional (default), cluster, natural. *)
 open Certified
 
-let policy = match Array.to_list Sys.argv with
-  | [_] | [_; "fifo"] -> fifo
-  | [_; "lifo"] -> lifo
-  | [_; "nearest"] -> nearest
-  | _ -> prerr_endline "usage: explorer [fifo|lifo|nearest]"; exit 2
+let usage () =
+  prerr_endline "usage: explorer [fifo|lifo|nearest] [directional|cluster|natural]"; exit 2
 
-let percept line =
-  let p = Json.field "percept" line in
-  (Json.int (Json.field "degree" p),
-   match Json.field "bearing" p with Json.Null -> None | b -> Some (Json.int b))
+let argument i default = if Array.length Sys.argv > i then Sys.argv.(i) else default
 
-let say program =
-  (match algorithm1_next policy program with
-   | Inl e ->
-       Printf.printf "{\"estimate\":{\"sigma\":%s,\"alpha\":%s,\"here\":%d}}\n"
-         (Json.show e.sigma_list) (Json.show e.alpha_list) e.root_number
-   | Inr (k, _) -> Printf.printf "{\"move\":%d}\n" k);
-  flush stdout
+let policy = match argument 1 "fifo" with
+  | "fifo" -> fifo | "lifo" -> lifo | "nearest" -> nearest | _ -> usage ()
 
-let () =
+let say = function
+  | Inl e ->
+      Printf.printf "{\"estimate\":{\"sigma\":%s,\"alpha\":%s,\"here\":%d}}\n%!"
+        (Json.show e.sigma_list) (Json.show e.alpha_list) e.root_number
+  | Inr (k, _) -> Printf.printf "{\"move\":%d}\n%!" k
+
+(* percept: what the explorer takes from a percept; starts told o: its first program, and its next *)
+let serve percept starts =
   let current = ref None in
   try
     while true do
       let line = Json.parse (input_line stdin) in
-      let o = percept line in
-      let program = match Json.field "episode" line, !current with
-        | Json.Null, Some program ->
-            (match algorithm1_next policy program with Inr (_, go_on) -> go_on o | Inl _ -> program)
-        | _ -> Return (first_knowledge o) in
-      current := Some program;
-      say program
+      let o = percept (Json.field "percept" line) in
+      let next, program = match Json.field "episode" line, !current with
+        | Json.Null, Some (next, program) ->
+            (next, match next program with Inr (_, go_on) -> go_on o | Inl _ -> program)
+        | _ -> starts (Json.field "told" line) o in
+      current := Some (next, program);
+      say (next program)
     done
   with
   | End_of_file -> ()
   | Json.Malformed why -> prerr_endline why; exit 2
+
+let degree p = Json.int (Json.field "degree" p)
+let bearing p = match Json.field "bearing" p with Json.Null -> None | b -> Some (Json.int b)
+
+let () = match argument 2 "directional" with
+  | "directional" ->
+      serve (fun p -> (degree p, bearing p))
+        (fun _ o -> (algorithm1_next policy, algorithm1_starts o))
+  | "cluster" ->
+      serve (fun p -> (degree p, Json.int (Json.field "marks" p)))
+        (fun _ o -> (cluster_next policy, cluster_starts o))
+  | "natural" ->
+      serve degree
+        (fun told o ->
+          let v1 = Json.int told in
+          (natural_next o v1 policy, natural_starts o v1 o))
+  | _ -> usage ()
