@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 
 COQ = Path(__file__).parents[2] / "proofs" / "coq"
+README = (COQ / "README.md").read_text(encoding="utf-8")
+TABLE = README.partition("\n| theorem |")[2].partition("\n\n")[0].splitlines()[2:]
 LISTED = [name for name in (COQ / "_CoqProject").read_text().split() if name.endswith(".v")]
 
 needs_coq = pytest.mark.skipif(
@@ -43,6 +45,39 @@ def test_the_headline_theorems_are_proved_by_naming_their_proof(name, at_least):
     assert len(theorems) >= at_least
     proofs = [text.partition("Proof.")[2] for text in theorems]
     assert all(0 < len(proof) < 300 for proof in proofs)
+
+
+def headline_theorems(name):
+    return re.findall(r"^Theorem (\w+)", (COQ / name).read_text(encoding="utf-8"), re.MULTILINE)
+
+
+def test_the_table_names_every_headline_theorem_and_the_main_ones_in_bold():
+    rows = [row.split(" | ")[0] for row in TABLE]
+    named = [(name, bold != "") for row in rows for bold, name in re.findall(r"(\**)`(\w+)`", row)]
+    assert sorted(named) == sorted(
+        [(name, True) for name in headline_theorems("Main.v")]
+        + [(name, False) for name in headline_theorems("Further.v")]
+    )
+
+
+def test_the_table_says_how_long_each_proof_is():
+    """From the statement to Qed, in the file that is named, or was named last in the row."""
+    stated = []
+    for row in TABLE:
+        file = ""
+        for where, name, lines in re.findall(r"`(?:(\w+)\.)?(\w+)` \((\d+)\)", row):
+            file = where or file
+            stated.append((file, name, int(lines)))
+    assert len(stated) > 50
+    assert stated == [(file, name, lines_of(file, name)) for file, name, _ in stated]
+
+
+def lines_of(file, name):
+    lines = (COQ / f"{file}.v").read_text(encoding="utf-8").splitlines()
+    (start,) = (
+        i for i, line in enumerate(lines) if re.match(rf"(Theorem|Lemma|Corollary) {name}\b", line)
+    )
+    return next(i for i in range(start, len(lines)) if "Qed." in lines[i]) - start + 1
 
 
 @pytest.fixture(scope="module")
