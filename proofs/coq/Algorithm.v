@@ -28,7 +28,7 @@
                             confirm k f c       what else has to be done at v0, where a test has
                                                 matched up to its last dart f: matched or not?
      directional          the lighthouse of the paper: the bearing is seen, nothing else to do.
-                          Another one: ClusterExplorer.v.
+                          Another one: TwoVertices.v.
      walk_to w k c        follow w, then leave by k; c: the turn that is due.             lines 4-5
      check_path w P c o   execute w while the percepts are those of P.                   lines 10-13
      go_back done c       retrace: undo the motions done.                                 line 15

@@ -6,7 +6,10 @@
 
      marks d              how many markers lie at the vertex of d.
      cluster_percept d    what is sensed: the degree and the number of markers.
-     one_edge             exactly one edge joins v0 and v1.
+     one_edge             exactly one edge joins v0 and v1, the vertex at the other end of `pointed`: no
+                          other dart of v0 leads to v1.  simple_one_edge: so it is in simple worlds.
+     cluster_bound        (1)+(2) and two traversals for each test, 2 m^2 in all.
+     same_vertex_in, cluster_percept_in, edges_to_v1   the same for worlds written as lists.
      cluster, cluster_algorithm pol   the lighthouse, and the explorer.
 
      cluster_runs         the algorithm with any schedule: it can be finished, and then it is right.
@@ -17,8 +20,8 @@
      two_edges_impossible     with two edges between v0 and v1 no explorer is right in all worlds.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Pass Cost Correctness.
-From Allworlds Require Import Lighthouses Algorithm Refinement TwoVertices Impossibility Twins.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers Cost Correctness.
+From Allworlds Require Import Lighthouses Algorithm TwoVertices Impossibility Twins.
 From Allworlds Require Import NumberedWorlds LowerBounds.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -26,6 +29,17 @@ Unset Printing Implicit Defensive.
 
 Definition one_edge (W : lighthouse_world) := forall d : W,
   at_same_vertex start d -> at_same_vertex (alpha pointed) (alpha d) -> d = pointed.
+
+(* no two edges have the same ends; no loop either: there alpha d would be another such dart than d *)
+Definition simple_world (G : combinatorial_map) := forall d e : G,
+  at_same_vertex d e -> at_same_vertex (alpha d) (alpha e) -> d = e.
+
+Lemma simple_one_edge (W : lighthouse_world) : simple_world W -> one_edge W.
+Proof.
+move=> S d c c1; apply: S; last by rewrite at_same_vertex_sym.
+rewrite at_same_vertex_sym; apply: connect_trans c; rewrite -/(at_same_vertex _ _).
+by rewrite at_same_vertex_sym; exact: pointed_at_v0.
+Qed.
 
 (* a loop at v0 joins v0 and v1 = v0 twice, once from each end *)
 Lemma one_edge_apart (W : lighthouse_world) : one_edge W -> ~~ at_same_vertex (@start W) (alpha pointed).
@@ -48,9 +62,8 @@ Local Notation v1 := (alpha (@pointed W)).
 Definition marks (d : W) := if at_same_vertex v0 d then 1 else if at_same_vertex v1 d then 2 else 0.
 Definition cluster_percept d := (degree d, marks d).
 
-(* two traversals for each test *)
-Definition cluster_bound := paper_bound (vertices W) (edges W) +
-  \sum_(0 <= p < edges W) 2 * (2 * edges W - 2 * p - 1).
+(* two traversals for each test: in pass p at most 2m-2p-1, so m^2 in all *)
+Definition cluster_bound := paper_bound (vertices W) (edges W) + 2 * edges W ^ 2.
 
 Hypothesis one : one_edge W.
 
@@ -66,10 +79,9 @@ Qed.
 
 Local Notation leads_to_v1 := (leads_to_v1 cluster_percept (has_markers 2)).
 
-Theorem cluster_runs :
-  (exists C c, reached_by coarse leads_to_v1 2 (edges W) C c /\ nothing_open c) /\
-  forall q C c, reached_by coarse leads_to_v1 2 q C c -> nothing_open c ->
-    [/\ q = edges W, C <= cluster_bound & robot_knows c].
+Theorem cluster_runs q C c : reached_by coarse leads_to_v1 2 q C c ->
+  (exists C' c', reached_by coarse leads_to_v1 2 (edges W) C' c' /\ nothing_open c') /\
+  (nothing_open c -> [/\ q = edges W, C <= cluster_bound & robot_knows c]).
 Proof.
 exact: (@two_vertices_runs W _ cluster_percept fst (has_markers 1) (has_markers 2)
   (fun=> erefl) one_marker two_markers one).
@@ -84,12 +96,6 @@ Theorem cluster_correct pol budget : 2 * degree v0 + cluster_bound <= budget ->
 Proof.
 exact: (@two_vertices_correct W _ cluster_percept fst (has_markers 1) (has_markers 2)
   (fun=> erefl) one_marker two_markers one).
-Qed.
-
-Corollary cluster_right pol : right denote (cluster_algorithm pol) (rooted v0) cluster_percept.
-Proof.
-have [t [e [z [A _ V J]]]] := cluster_correct pol (leqnn _).
-by exists (2 * degree v0 + cluster_bound), t, e, z; split=> //; exact: validP.
 Qed.
 End Cluster.
 

@@ -54,7 +54,7 @@ Theorem run_tests n C c : reached n C c -> exists2 r, I1 v0 (mapped c) r & foral
 Proof.
 move/run_embedded=> [r [I _ _]]; exists r; first exact: invariant_I1.
 move=> w h f kh R f0; split=> [x|h' f' kh' R' E].
-  by split=> [|->]; [exact: (match_proves I kh R f0) | exact: (truth_matches I kh R)].
+  exact: (test_iff I x kh R f0).
 exact: (embedded_path_unique I kh kh' R f0 R' E).
 Qed.
 

@@ -11,8 +11,9 @@
      canonical M          M is numbered in the order of the search from its root.
      rooted_maps m        the list of the canonical numbered_maps with m edges.
 
-     rooted_maps_connected   every member is a map, and connected.
-     rooted_maps_complete    every connected map with m edges, seen from any of its darts, is in the list.
+     rooted_maps_sound       every member is a map, connected, with m edges.
+     rooted_maps_complete    every connected map with m edges, seen from any of its darts, is in
+                             the list.
      rooted_maps_distinct    two members that are the same rooted map are the same member;
      rooted_maps_uniq        and none is listed twice.
      counts                  2, 10, 74, 706, 8162 for m = 1..5.
@@ -51,6 +52,13 @@ Proof.
 elim: fuel c s a => [|fuel IH] c s a /=; first by rewrite inE => /eqP->.
 case: ifP => // _ /flattenP[_ /mapP[x _ ->]] /flattenP[_ /mapP[y _ ->]] /IH[H1 H2].
 by split=> i li; [rewrite H1 | rewrite H2]; rewrite ?size_rcons ?ltnS ?(ltnW li) // nth_rcons li.
+Qed.
+
+Lemma codes_size fuel c s a t : t \in codes fuel c s a -> size t.1 = size s + fuel.
+Proof.
+elim: fuel c s a => [|fuel IH] c s a /=; first by rewrite inE addn0 => /eqP->.
+case: ifP => // _ /flattenP[_ /mapP[x _ ->]] /flattenP[_ /mapP[y _ ->]] /IH ->.
+by rewrite size_rcons addSnnS.
 Qed.
 
 Lemma uniq_flatten (T U : eqType) (f : T -> seq U) (s : seq T) :
@@ -268,11 +276,12 @@ Variable m : nat.
 Lemma listed M : M \in rooted_maps m -> valid M /\ canonical M.
 Proof. by rewrite mem_filter => /andP[/andP[]]. Qed.
 
-Theorem rooted_maps_connected M : M \in rooted_maps m -> wellformed (denote M) /\
-  connected (denote M).
+Theorem rooted_maps_sound M : M \in rooted_maps m ->
+  [/\ valid M, connected (denote M) & size (sigma_list M) = m.*2].
 Proof.
-case/listed=> V /andP[_ /eqP o]; split; first exact: validP.
-by apply/(connectedP V); rewrite o size_iota.
+move=> lM; have [V /andP[_ /eqP o]] := listed lM; split=> //.
+  by apply/(connectedP V); rewrite o size_iota.
+by move: lM; rewrite mem_filter => /andP[_ /mapP[t /codes_size s ->]].
 Qed.
 
 Lemma index_number i k : i < k -> index i (iota 0 k) = i.
@@ -284,7 +293,7 @@ Qed.
 Theorem rooted_maps_distinct M N : M \in rooted_maps m -> N \in rooted_maps m ->
   isomorphic (denote M) (denote N) -> M = N.
 Proof.
-move=> lM lN I; have [_ C] := rooted_maps_connected lM.
+move=> lM lN I; have [_ C _] := rooted_maps_sound lM.
 have [VM /andP[/eqP rM /eqP oM]] := listed lM; have [VN /andP[/eqP rN /eqP oN]] := listed lN.
 have /and3P[_ _ /eqP] := same_code_complete VM VN C I.
 have codeE K : valid K -> dart_order K = iota 0 (size (sigma_list K)) -> code K =

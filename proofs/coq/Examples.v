@@ -51,7 +51,8 @@ Example figure_eight_runs : runs run fifo figure_eight = nseq 4 (2, true).
 Proof. by vm_compute. Qed.
 Example theta_runs : runs run fifo theta = nseq 3 (8, true).
 Proof. by vm_compute. Qed.
-Example k4_runs : all (fun pol => all (fun r => r.2) (runs run pol k4)) [:: fifo; lifo; nearest; unhelpful].
+Definition policies := [:: fifo; lifo; nearest; unhelpful].
+Example k4_runs : all (fun pol => all (fun r => r.2) (runs run pol k4)) policies.
 Proof. by vm_compute. Qed.
 Example machine_runs : all (fun M => runs run_machine fifo M == runs run fifo M)
   [:: figure_eight; theta; k4].
@@ -70,6 +71,10 @@ Definition judged (O : Type) (B : eqType) (L : lighthouse O B) pol senses M :=
     machine L pol (motion_in (denote M)) (senses M) 200 (set_out L (senses M d)) d in
   (size transcript, if answer is Some e then same_code e (seen_from M z) else false).
 Definition cluster_run pol M := judged cluster pol cluster_percept_in M.
+(* begun k darts further round v0, so that v1 has to be searched *)
+Definition cluster_run_from k pol M :=
+  judged cluster pol (fun _ => cluster_percept_in M)
+    (seen_from M (iter k (nth 0 (sigma_list M)) (root_number M))).
 Definition natural_run pol b M := judged (natural (degree_at M (root_number M)) b) pol degree_at M.
 
 (* every world up to three edges in which one edge joins v0 and v1 *)
@@ -77,7 +82,8 @@ Definition one_edge_worlds :=
   [seq M <- flatten [seq rooted_maps m | m <- iota 1 3] | edges_to_v1 M == 1].
 
 Example cluster_runs : size one_edge_worlds = 30 /\
-  all (fun pol => all (fun M => (cluster_run pol M).2) one_edge_worlds) [:: fifo; lifo; nearest; unhelpful].
+  all (fun pol => all (fun M => all (fun k => (cluster_run_from k pol M).2)
+    (iota 0 (degree_at M (root_number M)))) one_edge_worlds) policies.
 Proof. by vm_compute. Qed.
 (* with three edges between v0 and v1: the same explorer ends with another map *)
 Example cluster_errs : cluster_run fifo theta = (12, false).
@@ -86,6 +92,12 @@ Proof. by vm_compute. Qed.
 (* an edge with a loop at its end, begun at the other end *)
 Definition lollipop := NumberedMap [:: 0; 2; 3; 1] [:: 1; 0; 3; 2] 0.
 Example natural_runs : natural_run fifo 3 lollipop = (7, true).
+Proof. by vm_compute. Qed.
+
+(* v0 of degree 2 between a leaf, which it faces, and v1, which has a loop *)
+Definition between := NumberedMap [:: 1; 0; 3; 4; 2; 5] [:: 2; 5; 0; 4; 3; 1] 1.
+Example natural_searches : [seq natural_run pol 3 between | pol <- policies]
+  = [:: (11, true); (10, true); (11, true); (11, true)].
 Proof. by vm_compute. Qed.
 
 Definition theta_world := world_of_numbers theta_valid (elimT (connectedP theta_valid) theta_order) 1.

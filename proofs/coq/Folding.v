@@ -305,8 +305,6 @@ Definition completion :=
 Lemma card_completion : #|completion| = #|F| + #|loose| * #|T|.
 Proof. by rewrite card_sum card_prod. Qed.
 
-Lemma completion_turn k x : iter k (@sigma completion) (inl x) = inl (iter k s x).
-Proof. by elim: k => //= k ->. Qed.
 End Completion.
 
 (* ---- The log ---- *)

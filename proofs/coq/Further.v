@@ -3,10 +3,10 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps.
-From Allworlds Require Import HypothesisTests Paths Pass Cost Correctness Lighthouses Routes Algorithm.
+From Allworlds Require Import Paths Pass Cost Correctness Lighthouses Routes Algorithm.
 From Allworlds Require Import Refinement.
 From Allworlds Require Import Policies ShortestPaths NumberedWorlds Judge Impossibility DoubleCover.
-From Allworlds Require Import Twins AtLeastM Folding LowerBounds Enumeration TwoVertices Cluster
+From Allworlds Require Import Twins Folding LowerBounds Enumeration TwoVertices Cluster
   NaturalLighthouse.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -14,10 +14,12 @@ Unset Printing Implicit Defensive.
 
 (* ==== Motion (Section II.B) ==== *)
 
-(* Motions can be undone, and equal motions lead different darts to different darts. *)
+(* Motions can be undone, by as many motions and a turn; and equal motions lead different darts to
+   different darts. *)
 Theorem motion_is_reversible (G : combinatorial_map) (w : seq nat) :
-  (forall d : G, retrace (rev w) (walk w d) = d) /\ injective (@walk G w).
-Proof. exact: conj (retraceK w) (@walk_inj G w). Qed.
+  (forall d : G, exists v j, size v = size w /\ iter j sigma (walk v (walk w d)) = d) /\
+  injective (@walk G w).
+Proof. exact: conj (motions_undone w) (@walk_inj G w). Qed.
 
 (* ==== Algorithm 1, for every schedule (Sections IV and V) ==== *)
 
@@ -52,8 +54,12 @@ Proof. exact: algorithm1_right. Qed.
    explores an open dart with the shortest way to it. *)
 Theorem paths_are_shortest S a w f : known S a ->
   (forall x y, partner S x = Some y -> known S y) ->
-  follow S w a = Some f -> size (route S a f.1).1 <= size w.
-Proof. by move=> ka kl; exact: (route_shortest ka kl). Qed.
+  follow S w a = Some f -> let way := route S a f.1 in
+  [/\ follow S way.1 a = Some way.2, way.2.1 = f.1 & size way.1 <= size w].
+Proof.
+move=> ka kl R /=; have J : joined S a f.1 by exists w, f.
+by have [A B _] := routeP ka kl J; split=> //; exact: (route_shortest ka kl R).
+Qed.
 
 Theorem nearest_takes_the_nearest k : unexplored k != [::] ->
   next_edge nearest k \in unexplored k /\
@@ -69,11 +75,20 @@ Theorem explorer_correct_in_numbers (pol : policy) (M : numbered_map) k :
       size transcript <= bound & same_code answer (seen_from M z)].
 Proof. exact: algorithm1_numbered. Qed.
 
-(* What runs outside Coq, one step at a time without remembering the percepts, is that explorer. *)
-Theorem machine_is_explorer (pol : policy) (M : rooted_map) (senses : carrier M -> percept) budget :
-  episode (algorithm1 pol) M senses budget
-  = machine directional pol (motion_in M) senses budget (Return (first_knowledge (senses (root M)))) (root M).
+(* What runs outside Coq, one step at a time without remembering the percepts, is that explorer, with
+   each of the lighthouses. *)
+Theorem machine_is_explorer O B (L : lighthouse O B) (pol : policy) (M : rooted_map)
+    (senses : carrier M -> O) budget :
+  episode (explorer_by L pol) M senses budget
+  = machine L pol (motion_in M) senses budget (set_out L (senses (root M))) (root M).
 Proof. exact: episode_machine. Qed.
+
+(* Each pass of the program is a pass of the relation, with the same traversals. *)
+Theorem program_is_an_instance (W : lighthouse_world) (pol : policy) k c d :
+  sound c -> knows k c d -> unexplored k != [::] ->
+  exists k' z n c', [/\ makes (@percept_of W) (one_pass directional pol k) d k' z n,
+    pass (next_edge pol k) c n c' & knows k' c' z].
+Proof. exact: one_pass_is_pass. Qed.
 
 (* ==== Cost (Section VI) ==== *)
 
@@ -86,10 +101,9 @@ Proof. exact: paper_bound_polynomial. Qed.
 (* Every explorer that is right with a directional lighthouse makes at least m motions in each world. *)
 Theorem at_least_m_motions E (meaning : E -> rooted_map) (X : explorer percept E) :
   (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall W : lighthouse_world, exists budget transcript answer z,
-    episode X (rooted (@start W)) (@percept_of W) budget = (transcript, Some answer, z) /\
-    edges W <= size transcript.
-Proof. exact: directional_at_least_m. Qed.
+  forall (W : lighthouse_world) budget t e z,
+  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) -> edges W <= size t.
+Proof. by move=> H W budget t e z; exact: edges_at_most_motions. Qed.
 
 (* ==== Answers ==== *)
 
@@ -108,6 +122,13 @@ Theorem judge_correct M e z : valid M -> connected (denote M) -> z < size (sigma
 Proof. by move=> V C l s; split; [exact: judge_right | exact: judge_pose | exact: judge_map]. Qed.
 
 (* ==== Impossibility (Section III) ==== *)
+
+(* The cycles of Main.v are connected maps, with two darts at each vertex. *)
+Theorem cycles_are_worlds n side : 0 < n ->
+  [/\ wellformed (cycle_world n side), connected (cycle_world n side) &
+      forall d, sigma_of (cycle_world n side) (sigma_of (cycle_world n side) d) = d /\
+                sigma_of (cycle_world n side) d <> d].
+Proof. by move=> n0; split; [exact: cycle_wellformed | exact: cycle_connected | exact: cycle_degree]. Qed.
 
 (* Two worlds related by a bisimulation R: no explorer is right in both unless they are the same. *)
 Theorem twins_cannot_both_be_explored P E (meaning : E -> rooted_map) (X : explorer P E)
@@ -146,6 +167,12 @@ Theorem kinds_of_these_worlds :
     & all simple [:: k4_plane; k4_torus; hexagon; triangles; figure_1_left; figure_1_right]].
 Proof. exact: kinds. Qed.
 
+(* The two worlds of each pair are different maps, not only different places in one. *)
+Theorem pairs_are_different_maps : all (fun p => differ_check p.1 p.2)
+  [:: (two_loops_plane, two_loops_torus); (k4_plane, k4_torus); (hexagon, triangles);
+      (figure_1_left, figure_1_right); (natural_plane, natural_torus)].
+Proof. by vm_compute. Qed.
+
 Theorem figure_1_caption_holds :
   as_in_the_caption figure_1_left && as_in_the_caption figure_1_right /\
   forall d, d < size (sigma_list figure_1_right) ->
@@ -182,7 +209,8 @@ Theorem open_dart_leaves_two_worlds (L : log) (W : lighthouse_world) (p : log_da
   agrees W L -> ~~ dart_settled p ->
   exists W1 W2, [/\ agrees W1 L, agrees W2 L & edges W1 <> edges W2].
 Proof.
-by move=> A np; have [A1 A2 ne] := open_dart_two_worlds A np; do 2 eexists; split; [exact: A1 | exact: A2 |].
+move=> A np; have [A1 A2 ne] := open_dart_two_worlds A np.
+by do 2 eexists; split; [exact: A1 | exact: A2 |].
 Qed.
 
 (* ==== Lower bounds (Section VI) ==== *)
@@ -207,6 +235,10 @@ Proof. exact: path_costs_every_cycle. Qed.
 (* ==== Enumeration ==== *)
 
 (* rooted_maps m lists the connected rooted maps with m edges, each once. *)
+Theorem enumeration_is_sound m M : M \in rooted_maps m ->
+  [/\ valid M, connected (denote M) & size (sigma_list M) = m.*2].
+Proof. exact: rooted_maps_sound. Qed.
+
 Theorem enumeration_is_complete (G : combinatorial_map) (d : G) :
   exists2 M, M \in rooted_maps (edges G) & isomorphic (rooted d) (denote M).
 Proof. exact: rooted_maps_complete. Qed.
@@ -225,10 +257,10 @@ Proof. exact: counts. Qed.
    passes. *)
 Theorem cluster_right_for_every_schedule (W : lighthouse_world) : one_edge W ->
   let reached := reached_by coarse (leads_to_v1 (@cluster_percept W) (has_markers 2)) 2 in
-  (exists C c, reached (edges W) C c /\ nothing_open c) /\
-  forall q C c, reached q C c -> nothing_open c ->
-    [/\ q = edges W, C <= cluster_bound W & robot_knows c].
-Proof. exact: cluster_runs. Qed.
+  forall q C c, reached q C c ->
+  (exists C' c', reached (edges W) C' c' /\ nothing_open c') /\
+  (nothing_open c -> [/\ q = edges W, C <= cluster_bound W & robot_knows c]).
+Proof. by move=> H reached q C c; exact: cluster_runs. Qed.
 
 (* With two edges between v0 and v1 a cluster is not enough. *)
 Theorem cluster_needs_one_edge :
@@ -236,7 +268,12 @@ Theorem cluster_needs_one_edge :
   no_explorer_right_on_both cluster_percept_in natural_plane natural_torus.
 Proof. exact: conj two_edges_between two_edges_impossible. Qed.
 
-(* A natural lighthouse, degrees only: v0 and v1 have degrees that no other vertex has, and the robot is told that of v1. *)
+(* In a simple world no two edges join v0 and v1. *)
+Theorem simple_worlds_have_one_edge (W : lighthouse_world) : simple_world W -> one_edge W.
+Proof. exact: simple_one_edge. Qed.
+
+(* A natural lighthouse, degrees only: v0 and v1 have degrees that no other vertex has, and the robot is
+   told that of v1. *)
 Theorem natural_lighthouse_is_right (W : lighthouse_world) :
   unique (@start W) -> unique (alpha (@pointed W)) -> one_edge W -> forall (pol : policy) budget,
   2 * degree (@start W) + cluster_bound W <= budget -> exists transcript answer z,
@@ -246,10 +283,13 @@ Theorem natural_lighthouse_is_right (W : lighthouse_world) :
       valid answer & isomorphic (denote answer) (rooted z)].
 Proof. by move=> u0 u1 H pol budget; exact: natural_correct. Qed.
 
-(* With two edges between them that is not enough. *)
+(* With two edges between them that is not enough: v0 has darts 0 and 1, v1 the six others. *)
 Theorem natural_lighthouse_is_not_enough :
-  no_explorer_right_on_both degree_percept natural_plane natural_torus.
-Proof. exact: natural_impossible. Qed.
+  [/\ all (fun M => map (degree_at M) (iota 0 8) == [:: 2; 2; 6; 6; 6; 6; 6; 6])
+          [:: natural_plane; natural_torus],
+      edges_to_v1 natural_plane = 2 /\ edges_to_v1 natural_torus = 2
+    & no_explorer_right_on_both degree_percept natural_plane natural_torus].
+Proof. exact: And3 natural_degrees two_edges_between natural_impossible. Qed.
 
 (* Worlds with such lighthouses exist. *)
 Theorem kinds_of_lighthouse_exist : (forall W, one_edge (longer W)) /\

@@ -12,6 +12,8 @@
      matches S x t f      the test matches, `confirms` at its last dart f included.
      failed_cost S x t    traversals of a test that fails, the way back included.
      pass_by, reached_by  as pass and reached in Pass.v.
+     foretold, refuted    what S foretells of a test; the test of a hypothesis that does not match.
+     bound_by             (1)+(2) and confirm_cost for each test, confirm_cost m^2 in all.
      decides              a test matches if and only if its hypothesis is true.
 
    If it does:
@@ -19,14 +21,13 @@
      pass_by_progress     while a dart is open there is a next pass.
      pass_by_cost         each test costs at most confirm_cost traversals more.
      run_by_correct       a run that leaves no dart open has made m passes; the map is the world, the
-                          pose is right, and the cost is at most (1)+(2) and confirm_cost (2m-2p-1)
-                          for every pass p.
-     run_by_completes     there is such a run.
+                          pose is right, and the cost is at most bound_by.
+     run_by_completes     every run can be continued to such an end.
      directional_pass     with the paper's lighthouse a pass_by is a pass, with the same cost.
    --------------------------------------------------------------------------------------------- *)
 From Coq Require Import Lia.
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts PartialMaps HypothesisTests Paths Pass Cost Correctness.
+From Allworlds Require Import Maps Percepts PartialMaps HypothesisTests Pass Cost Correctness.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -43,6 +44,15 @@ Lemma vertex_arithmetic c s a k K t : a < s -> t <= (2 * (s - 1) + c) * k -> k <
 Proof.
 move=> /leP h1 /leP h2 /leP h3; apply/leP; move: h1 h2 h3.
 by rewrite -!(plusE, multE, minusE); nia.
+Qed.
+
+(* c for each test that can be made: in pass p at most 2m-2p-1 *)
+Lemma tests_of_a_run m c : \sum_(0 <= p < m) c * (2 * m - 2 * p - 1) = c * m ^ 2.
+Proof.
+rewrite -big_distrr /=; congr (c * _); elim: m => [|m IH]; first by rewrite big_geq.
+rewrite big_nat_recl //= (eq_bigr (fun i => 2 * m - 2 * i - 1)).
+  by rewrite IH muln0 subn0 !expnS !expn0 !muln1 -!(plusE, multE, minusE); nia.
+by move=> i _; rewrite !mulnS subnDl.
 Qed.
 
 Section Lighthouses.
@@ -96,13 +106,13 @@ by rewrite !last_map !percepts_last.
 Qed.
 
 Hypothesis decides : forall S r h w f x, embedded S r -> known S h -> follow S w h = Some f ->
-  f.1 = 0 -> matches S x (h, w) f <-> percepts_along w x = expected_percepts b S w h.
+  f.1 = 0 -> matches S x (h, w) f <-> x = phi r h.
 
 (* ---- Each pass is a pass of Algorithm 1 ---- *)
 Lemma refuted_rejected S r e x t : embedded S r -> refuted S e x t -> rejected S e x t.
 Proof.
 case: t => h w I [/= oh he [f [R f0 sw] N]]; have [kh _] := andP oh; split=> //; first by exists f.
-by move/(decides x I kh R f0); apply/negP.
+by move/(match_proves I kh R f0)=> E; case/negP: N; exact/(decides _ I kh R f0).
 Qed.
 
 Theorem pass_by_is_pass e c C c' : sound c -> pass_by e c C c' -> exists C0, pass e c C0 c'.
@@ -110,33 +120,29 @@ Proof.
 move=> Ok P; case: P Ok => S d p w0 k ts => [h w f|] x Tr Rj U.
   move=> oh he Hf V [r [/= I _ _ _]]; eexists; apply: (LoopPass Tr _ U oh he Hf).
     by move=> t mt; exact: (refuted_rejected I (Rj t mt)).
-  by have [kh _] := andP oh; have [R f0 _] := Hf; apply/(decides _ I kh R f0).
+  have [kh _] := andP oh; have [R f0 _] := Hf.
+  by rewrite -(truth_matches I kh R) -((decides _ I kh R f0).1 V).
 move=> H [r [/= I _ _ _]]; eexists; apply: (VertexPass Tr _ U).
   by move=> t mt; exact: (refuted_rejected I (Rj t mt)).
 by move=> h oh he E; apply: H => //; rewrite E.
 Qed.
 
-Lemma pass_transit e (c : configuration W) C c' :
-  pass e c C c' -> exists w0 k, transit (mapped c) (here c) e w0 k.
-Proof. by case=> S d p w0 k ts => [h w f|] x Tr *; exists w0, k. Qed.
-
 Theorem pass_by_progress e c : sound c -> is_open (mapped c) e -> exists C c', pass_by e c C c'.
 Proof.
-case: c => S d p Ok oe; have [C [c' P]] := pass_progress Ok oe; have [r [/= I kd pd Rc]] := Ok.
-have [w0 [k Tr]] := pass_transit P; rewrite /= in Tr.
+case: c => S d p [r [/= I kd pd Rc]] oe; have [w0 [k Tr]] := transit_to I Rc kd oe.
 set x := motion k (walk w0 p).
 case: (boolP (has (fun h => phi r h == x) (darts S))) => [/hasP[h]|/hasPn N].
   rewrite mem_darts => kh /eqP E.
   have [oh he] := other_end I oe kh (esym (etrans E (arrival I kd pd Tr))).
   have [w [f Hf]] := home I Rc kh; have [Rw f0 _] := Hf.
   do 2 eexists; apply: (@LoopPassBy e S d p w0 k [::] h w f Tr) => //.
-  by apply/(decides _ I kh Rw f0); rewrite -/x -E; exact: (truth_matches I kh Rw).
+  by apply/(decides _ I kh Rw f0); rewrite E.
 have [h|ts [tsE tsP]] := @list_choice _ _ (fun h w => refuted S e x (h, w))
     [seq h <- open_darts S | h != e].
   rewrite mem_filter mem_open_darts => /andP[he oh]; have [kh _] := andP oh.
   have [w [f Hf]] := home I Rc kh; have [Rw f0 _] := Hf; exists w; split=> //; exists f => //.
-  apply/negP=> /(decides _ I kh Rw f0) V; have E := match_proves I kh Rw f0 V.
-  by have := N h; rewrite mem_darts E eqxx => /(_ kh).
+  apply/negP=> /(decides _ I kh Rw f0) E.
+  by have := N h; rewrite mem_darts -E eqxx => /(_ kh).
 do 2 eexists; apply: (@VertexPassBy e S d p w0 k ts Tr).
 - by move=> -[h w] /tsP.
 - by rewrite tsE filter_uniq ?open_darts_uniq.
@@ -189,7 +195,7 @@ rewrite /= size_map in H; exact: (vertex_arithmetic sw0 sum H).
 Qed.
 
 Definition confirmations_cost q := \sum_(0 <= p < q) confirm_cost * (2 * m - 2 * p - 1).
-Definition bound_by := paper_bound n m + confirmations_cost m.
+Definition bound_by := paper_bound n m + confirm_cost * m ^ 2.
 
 Lemma reached_by_reached q C c : reached_by q C c -> exists C0, reached q C0 c.
 Proof.
@@ -216,17 +222,16 @@ Theorem run_by_correct q C c : reached_by q C c -> nothing_open c ->
   [/\ q = m, C <= bound_by & robot_knows c].
 Proof.
 move=> R0 nopen; have [C0 R] := reached_by_reached R0; have [E _ K] := run_correct R nopen.
-split=> //; have := run_by_cost R0; rewrite E run_bound_paper //.
+split=> //; have := run_by_cost R0; rewrite E /confirmations_cost tests_of_a_run run_bound_paper //.
   exact: (vertices_gt0 v0).
 have [r [I _ _ _]] := reached_sound R.
 rewrite -E leq_subLR add1n (leq_trans _ (reached_size R)) //.
 exact: complete_vertices I (complete_when_nothing_open I nopen).
 Qed.
 
-Theorem run_by_completes : exists C c, reached_by m C c /\ nothing_open c.
+Theorem run_by_completes q C c : reached_by q C c ->
+  exists C' c', reached_by m C' c' /\ nothing_open c'.
 Proof.
-suff H q C c : reached_by q C c -> exists C' c', reached_by m C' c' /\ nothing_open c'.
-  exact: H ReachedByStart.
 have [N] := ubnP (m - q); elim: N q C c => // N IH q C c lN R0.
 have [C0 R] := reached_by_reached R0.
 case: (boolP (has (fun e => is_open (mapped c) e) (PartialMaps.darts (mapped c)))) => [|/hasPn H].

@@ -36,7 +36,7 @@ Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
 (* ---- At least m motions ---- *)
-Section AtLeastM.
+Section AtLeastOneMotionAnEdge.
 Variables (E : Type) (meaning : E -> rooted_map) (X : explorer percept E).
 Hypothesis right_X : right_everywhere meaning X.
 
@@ -55,7 +55,7 @@ rewrite (folding_sound A s) mem_cat; case/hasP: c => i mi /orP[]/eqP ci.
   by apply/orP; left; apply/mapP; exists i; rewrite // -ci.
 by apply/orP; right; apply/mapP; exists i; rewrite // -ci.
 Qed.
-End AtLeastM.
+End AtLeastOneMotionAnEdge.
 
 (* ---- Covers with two sheets ---- *)
 Section VoltageCover.

@@ -11,13 +11,26 @@
    walk w d, percepts_along w d: where the motions w lead from d, and what is sensed on the way: at each
    vertex the degree and, at v0 only, how many darts clockwise from the entry the marker points.
 
-   An explorer is any function from the percepts so far to a motion or an answer.  It is `right` in a
-   world if it stops and its answer is the world's map with the robot's true place in it: isomorphic to
-   the world seen from the robot's dart (the paper's extended isomorphism, place included).
+   An explorer is any function from the percepts so far to a motion or an answer; `explorer P E`:
+   percepts of type P, answers of type E, and `meaning` says which map, seen from which dart, an answer
+   stands for: any reading will do.  rooted d: a map seen from its dart d.
+   episode X M senses budget: X in the world M, where `senses d` is sensed in dart d, for at most
+   `budget` motions.  It gives the transcript (each motion, with what was sensed after it), the answer
+   (None if the motions ran out) and the dart in which the robot then is.
+   right meaning X M senses: with some budget X stops, and its answer is the world's map with the robot's
+   true place in it: isomorphic to the world seen from the robot's dart (the paper's extended
+   isomorphism, place included).  valid: an answer written as lists of numbers is a map.
+
+   no_explorer_right_on_both senses M N: no explorer, with any answers, is right in M and in N.
+   position_percept: the degree, and whether the vertex is the one where the robot started.
+   policy: four functions of all that the program knows, one for each choice that Algorithm 1 leaves open
+   (the edge, the path to it, the order of the tests, the path of a test); an illegal choice is replaced.
 
    `reached n C c`: some run of Algorithm 1 is in configuration c after n passes and C traversals.  All
    choices that the paper leaves open are left open here.  mapped c is S, here c the robot's dart in S,
-   robot c its true dart; is_open S e: the dart e of S is in U; phi r: the map from S to G.
+   robot c its true dart; known S e: e is a dart of a vertex of S; is_open S e: e is in U.
+   phi start r: the paper's phi, from the darts of S to those of G; r lists, for each vertex of S, the
+   dart of G where the count of its darts begins.  map_with_robot S h: S as a map, seen from its dart h.
 
    Further.v has the other theorems.
    --------------------------------------------------------------------------------------------- *)
@@ -93,8 +106,10 @@ Proof. exact: run_cost_O_m2n. Qed.
 
 (* ==== Every explorer with a directional lighthouse (Sections V and VI) ==== *)
 
-(* Right in all worlds: then what it has sensed when it stops is a proof of its answer.  The log, folded as
-   far as it forces places to be the same, has no open dart, so one world only agrees with it. *)
+(* Right in all worlds: then what it has sensed when it stops is a proof of its answer.  Its log (the
+   percepts and motions) is folded: darts that every world with this log must have as one dart are made
+   one.  Then every dart has a known other end, none is open, so one world only agrees with the log
+   (folded_log_is_the_world in Further.v). *)
 Theorem log_of_a_right_explorer_folds E (meaning : E -> rooted_map) (X : explorer percept E) :
   (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
   forall (W : lighthouse_world) budget t e z,
@@ -112,9 +127,11 @@ Proof. exact: mn_lower_bound. Qed.
 
 (* ==== Another lighthouse: undirected markers (Sections IV and VIII) ==== *)
 
-(* One marker at v0, two at v1, exactly one edge between them, no direction.  The robot looks for that edge
-   first, and asks at the end of each test whether it is where S foretells it.  cluster_bound W: (1) + (2)
-   and two traversals for each test. *)
+(* One marker at v0, two at v1, no direction: v1 is the vertex at the other end of `pointed`, which now
+   says only where the two markers lie.  one_edge W: no other dart of v0 leads to v1, and v1 is not v0.
+   cluster_percept: the degree and the number of markers.  The robot looks for that edge first, at most
+   2 deg(v0) traversals, and at the end of each test leaves by the dart that should lead to v1, looks,
+   and comes back.  cluster_bound W: (1) + (2) + 2 m^2, which is two traversals for each test. *)
 Theorem cluster_is_right (W : lighthouse_world) : one_edge W -> forall (pol : policy) budget,
   2 * degree (@start W) + cluster_bound W <= budget -> exists transcript answer z,
   [/\ episode (cluster_algorithm pol) (rooted (@start W)) (@cluster_percept W) budget

@@ -20,6 +20,7 @@
                           end. One motion is one edge traversal; turning on the spot is free.
      walk w d             where the motions of the list w lead from d.
      retrace w d          undoes motions: cross back, turn back, ...; the last turn is free.
+                          motions_undone: that is motions too, as many, and the last turn.
 
    A robot's state is a dart, not a vertex, because the door by which it came in is all that its
    next turn can refer to.  One law does most of the work: walk_inj, a fixed list of motions leads
@@ -172,6 +173,19 @@ Lemma opposite_turn k d : iter (opposite (degree d) k) sigma (iter k sigma d) = 
 Proof.
 rewrite /opposite -(turn_modulo_degree k) -iterD subnK ?iter_degree //.
 by rewrite ltnW // ltn_mod degree_gt0.
+Qed.
+
+Lemma walk_rcons w k d : walk (rcons w k) d = motion k (walk w d).
+Proof. by elim: w d => //= a w IH d. Qed.
+
+(* and the way back is made of motions, as many, and a last turn *)
+Theorem motions_undone w d :
+  exists v j, size v = size w /\ iter j sigma (walk v (walk w d)) = d.
+Proof.
+elim: w d => [|k w IH] d; first by exists [::], 0.
+have [v [j [s E]]] := IH (motion k d).
+exists (rcons v j), (opposite (degree d) k); rewrite size_rcons s walk_rcons /= /motion E alphaK.
+by split=> //; exact: opposite_turn.
 Qed.
 End Motions.
 

@@ -16,8 +16,8 @@
      natural_hypotheses_met   worlds in which the hypotheses hold.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Pass Cost Correctness.
-From Allworlds Require Import Lighthouses Algorithm Refinement TwoVertices Cluster LowerBounds.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers.
+From Allworlds Require Import Algorithm TwoVertices Cluster LowerBounds.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -62,13 +62,6 @@ Proof.
 rewrite natural_episode /=; move: pol budget.
 exact: (@two_vertices_correct W _ (@degree W) id (has_degree (degree v0)) (has_degree (degree v1))
   (fun=> erefl) (degree_of unique_v0) (degree_of unique_v1) one).
-Qed.
-
-Corollary natural_right pol :
-  right denote (natural_algorithm (degree v1) pol) (rooted v0) (@degree W).
-Proof.
-have [t [e [z [A _ V J]]]] := natural_correct pol (leqnn _).
-by exists (2 * degree v0 + cluster_bound W), t, e, z; split=> //; exact: validP.
 Qed.
 End Natural.
 

@@ -137,15 +137,21 @@ Qed.
 Lemma home S r h : embedded S r -> all_joined S -> known S h -> exists w f, leads_home S h w f.
 Proof. by move=> I Rc kh; apply: (simple_path I kh); case: (Rc h kh). Qed.
 
-Theorem pass_progress e c : sound c -> is_open (mapped c) e -> exists C c', pass e c C c'.
+(* lines 3-4 can be done *)
+Lemma transit_to S r d e : embedded S r -> all_joined S -> known S d -> is_open S e ->
+  exists w k, transit S d e w k.
 Proof.
-case: c => S d p [r [/= I kd pd Rc]] oe; have [ke _] := andP oe.
-have [w0 [g [R g1 sw0]]] :
-    exists w0 g, [/\ follow S w0 d = Some g, g.1 = e.1 & size w0 < size (degrees S)].
+move=> I Rc kd oe; have [ke _] := andP oe.
+have [w [g [R g1 sw]]] : exists w g, [/\ follow S w d = Some g, g.1 = e.1 & size w < size (degrees S)].
   apply: (simple_path I kd); have [[w [f [Rw f0]]] _] := Rc d kd; have [_ A] := Rc e ke.
   by have [kf _] := follow_phi I kd Rw; exact: (joined_trans Rw (joined_turn A kf f0)).
-have [kg _] := follow_phi I kd R; have T := turn_to kg ke g1; set k := (_ + _) in T.
-have Tr : transit S d e w0 k by split=> //; exists g.
+have [kg _] := follow_phi I kd R.
+by exists w, (degree_in S g.1 - g.2 + e.2); split=> //; exists g => //; exact: turn_to.
+Qed.
+
+Theorem pass_progress e c : sound c -> is_open (mapped c) e -> exists C c', pass e c C c'.
+Proof.
+case: c => S d p [r [/= I kd pd Rc]] oe; have [w0 [k Tr]] := transit_to I Rc kd oe.
 have X := arrival I kd pd Tr; set x := alpha (phi r e) in X.
 case: (boolP (has (fun h => phi r h == x) (darts S))) => [/hasP[h]|/hasPn N].
   rewrite mem_darts => kh /eqP E; have [oh he] := other_end I oe kh (esym E).

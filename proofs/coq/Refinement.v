@@ -11,8 +11,8 @@
      one_pass_makes       a pass of the program is a `pass_by` (Lighthouses.v).
      episode_machine      the explorer, which remembers all percepts, is the machine, which does
                           not.
-     episode_right        if each pass leads from one reached configuration to the next, the explorer
-                          is right, within any budget that covers their cost.
+     explorer_by_correct  if each test decides its hypothesis and set_out finds the bearing, the
+                          explorer is right, within any budget that covers set_out and bound_by.
      estimate_right       when U is empty the estimate is the world seen from the robot's true
                           dart.
 
@@ -354,7 +354,7 @@ by rewrite [size _]/= addSn [Algorithm.machine _ _ _ _ _ _ _]/= (IH _ _ _ E).
 Qed.
 
 Hypothesis decides : forall S r h w f x, embedded v0 S r -> known S h -> follow S w h = Some f ->
-  f.1 = 0 -> matches S x (h, w) f <-> percepts_along w x = expected_percepts b S w h.
+  f.1 = 0 -> matches S x (h, w) f <-> x = phi r h.
 Local Notation reached_by := (reached_by foretells confirms confirm_cost).
 
 Lemma program_run k c d n C : reached_by n C c -> knows k c d ->
@@ -444,12 +444,6 @@ have Cb' : size (t0 ++ t) <= bound by rewrite size_cat s0 leq_add2l.
 exists (t0 ++ t), (estimate k), d; split=> //; rewrite -(subnKC (leq_trans Cb' le)).
 apply: explore_more; rewrite explore_machine size_cat; exact: (machine_exec E0 A).
 Qed.
-
-Corollary explorer_by_right : right denote (explorer_by L pol) (rooted v0) senses.
-Proof.
-have [t [e [z [A _ V J]]]] := explorer_by_correct (leqnn _).
-by exists bound, t, e, z; split=> //; exact: validP.
-Qed.
 End InWorld.
 
 (* ---- Algorithm 1, with a directional lighthouse ---- *)
@@ -464,9 +458,11 @@ Lemma nothing_to_confirm k f (y : W) c d : due c d y -> exists c' z,
 Proof. by exists c, d; split=> //; exact: makes_return. Qed.
 
 Lemma directional_decides S r h w f (x : W) : embedded v0 S r -> known S h ->
-  follow S w h = Some f -> f.1 = 0 -> matches (foretells directional) always S x (h, w) f <->
-  percepts_along w x = expected_percepts (first_bearing W) S w h.
-Proof. by move=> *; rewrite directional_matches; split=> /eqP. Qed.
+  follow S w h = Some f -> f.1 = 0 ->
+  matches (foretells directional) always S x (h, w) f <-> x = phi v0 r h.
+Proof.
+by move=> I kh R f0; rewrite directional_matches -(test_iff I x kh R f0); split=> /eqP.
+Qed.
 
 Theorem one_pass_is_pass k c d : sound c -> knows k c d -> unexplored k != [::] ->
   exists k' z n c', [/\ makes senses (one_pass directional pol k) d k' z n,
@@ -486,7 +482,7 @@ Theorem algorithm1_correct budget : paper_bound (vertices W) (edges W) <= budget
       valid answer & isomorphic (denote answer) (rooted z)].
 Proof.
 have <- : 0 + bound_by W 0 = paper_bound (vertices W) (edges W).
-  by rewrite /bound_by /confirmations_cost big1 ?addn0.
+  by rewrite /bound_by mul0n addn0.
 apply: (@explorer_by_correct W _ _ directional pol senses always) => //.
 - by move=> k f y c d _ _ _; exact: nothing_to_confirm.
 - exact: directional_decides.

@@ -151,8 +151,6 @@ by elim: w x y => //= k w IH x y dx dy /IH E; apply: (@motion_in_inj k) => //; a
   exact: is_dart_motion.
 Qed.
 
-Lemma is_dart_walk w x : is_dart M x -> is_dart M (walk_in M w x).
-Proof. by elim: w x => //= k w IH x /(is_dart_motion k)/IH. Qed.
 End Moves.
 (* if two maps are the same seen from where one list of motions ends, they are the same
    seen from its start *)

@@ -5,8 +5,8 @@
      tree S a             a branch for each vertex that can be reached from dart a.
      route S a v          a breadth-first path in S from dart a to vertex v, with the dart that it
                           arrives by.
-     route_or_else S w a v    the path w if it leads from a to v and is no longer than needed, else
-                          route S a v.
+     route_or_else S w a v    the path w if it leads from a to v in fewer steps than S has vertices,
+                          else route S a v.
 
      good T               T holds paths, each no longer than its place in T, to different vertices.
      routeP               a vertex that can be reached is: by a path shorter than S has vertices.

@@ -12,8 +12,8 @@
      two_loops            position only, two edges: one vertex with two loops, on the
                           sphere and on the torus.
      k4                   position only, simple, six edges: K4 in the plane and on the torus.
-     hexagon, triangles   position only, planar and simple, eight edges: v0 joined to opposite corners of a
-                          hexagon; v0 joining two triangles.
+     hexagon, triangles   position only, planar and simple, eight edges: v0 joined to opposite corners
+                          of a hexagon; v0 joining two triangles.
      figure_1             position only, planar and simple: a pair with all that the caption of
                           Fig. 1 fixes. Which pair was drawn there is a guess.
      natural              Section VIII, a vertex of unique degree next to another: two worlds with

