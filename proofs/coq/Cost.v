@@ -18,7 +18,7 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Coq Require Import Lia.
-From Allworlds Require Import Maps Percepts PartialMaps HypothesisTests Paths Pass.
+From Allworlds Require Import Maps Percepts PartialMaps HypothesisTests Pass.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -12,10 +12,9 @@
                                exist.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Cost Algorithm.
-From Allworlds Require Import Refinement.
-From Allworlds Require Import Policies NumberedWorlds Judge DoubleCover Enumeration Cluster
-  NaturalLighthouse.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers Cost Algorithm.
+From Allworlds Require Import Refinement Policies NumberedWorlds Judge DoubleCover Enumeration.
+From Allworlds Require Import Cluster NaturalLighthouse.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -4,10 +4,9 @@
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps.
 From Allworlds Require Import Paths Pass Cost Correctness Lighthouses Routes Algorithm.
-From Allworlds Require Import Refinement.
-From Allworlds Require Import Policies ShortestPaths NumberedWorlds Judge Impossibility DoubleCover.
-From Allworlds Require Import Twins Folding LowerBounds Enumeration TwoVertices Cluster
-  NaturalLighthouse.
+From Allworlds Require Import Refinement Policies ShortestPaths NumberedWorlds Judge Impossibility.
+From Allworlds Require Import DoubleCover Twins Folding LowerBounds Enumeration TwoVertices Cluster.
+From Allworlds Require Import NaturalLighthouse.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

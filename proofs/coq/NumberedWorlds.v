@@ -10,7 +10,7 @@
                               a Boolean check and its conclusion decided by same_code.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable.
 From Allworlds Require Import Cost Algorithm Refinement.
 Set Implicit Arguments.
 Unset Strict Implicit.

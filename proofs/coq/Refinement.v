@@ -2,12 +2,16 @@
    The program is an instance of the relation: every pass of one_pass is a `pass`, step for step, under
    every policy and in every world.                                          Sections IV, V and VI
 
-     makes p d x z n      run in the world from dart d, program p gives x, at dart z, after n
-                          traversals.
+     queue_of S U         the list U holds the open darts of S, each once.
+     exec p d             program p, run in the world from dart d: its result, the robot's dart, the
+                          transcript.
+     makes p d x z n      run from dart d, program p gives x, at dart z, after n traversals.
      due c d x            a robot at d that turns by c is as if it had come in by x.
      trail done y x       the motions in done lead from x to y.
 
    For any lighthouse L, once it is known in what its percepts and `confirm` amount to in the world:
+     tests                what p does when it tests hypotheses one after the other.
+     knows k c d          k says what is so in configuration c, the robot being at d.
      one_pass_makes       a pass of the program is a `pass_by` (Lighthouses.v).
      episode_machine      the explorer, which remembers all percepts, is the machine, which does
                           not.
@@ -23,9 +27,8 @@
                           (1)+(2), and is right.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps
-  HypothesisTests Paths.
-From Allworlds Require Import Pass Cost Correctness Lighthouses Routes Algorithm.
+From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps.
+From Allworlds Require Import HypothesisTests Paths Pass Cost Correctness Lighthouses Routes Algorithm.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

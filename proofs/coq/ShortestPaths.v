@@ -9,8 +9,7 @@
      nearest_is_nearest   the dart that `nearest` explores has the least distance of all open darts.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Paths Routes Algorithm.
-From Allworlds Require Import Refinement Policies.
+From Allworlds Require Import PartialMaps Paths Routes Algorithm Policies.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
