@@ -1,12 +1,13 @@
-"""The explorer and the judge extracted from the Coq proofs, held against the Python ones.
+"""The explorers and the judge extracted from the Coq proofs, held against the Python ones.
 
     python proofs/certified.py [--edges 5] [--judged-edges 4]
 
 needs the programs that ``make -C proofs/coq explorer`` builds, and the package.  The certified
-explorer is checked like anybody's, and its traversals must equal, row by row, those of the
-built-in Algorithm 1 under the same policy, in the Python engine and in the kernel.  The
-certified judge gets the answer of every mutant and of Algorithm 1 on every world, and must give
-the Python judge's verdict.  Exit code 1: they disagree; 2: a program is missing.
+explorers, one a lighthouse, are checked like anybody's, and the traversals of each must equal, row
+by row, those of the built-in Algorithm 1 under the same policy, in the Python engine and, where it
+has one, in the kernel.  The certified judge gets the answer of every mutant and of Algorithm 1 on
+every world, and must give the Python judge's verdict.  Exit code 1: they disagree; 2: a program
+is missing.
 """
 
 from __future__ import annotations
@@ -18,6 +19,8 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from allworlds.checker import check, worlds
@@ -32,17 +35,53 @@ HERE = Path(__file__).resolve().parent
 EXPLORER, JUDGE = HERE / "coq" / "explorer", HERE / "coq" / "judge"
 
 
-def explorers_agree(edges: int, workers: int) -> bool:
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """A certified explorer and the built-in one that it is held against.
+
+    Attributes:
+        name: of the certified explorer.
+        built_in: the name of the other.
+        lighthouse, map_class: where both are right.
+        engines: those that run the built-in one.
+        more: how many levels further to go, where there are few places for the lighthouse.
+    """
+
+    name: str
+    built_in: str
+    lighthouse: str
+    map_class: str
+    engines: tuple[str, ...]
+    more: int = 0
+
+
+PAIRS = (
+    Pair("directional", "algorithm1", "directional", "maps", ("python", "kernel")),
+    Pair("cluster", "algorithm1-cluster", "cluster:single=true", "maps", ("python",)),
+    Pair("natural", "algorithm1-natural", "natural", "simple", ("python",), more=2),
+)
+
+
+def explorers_agree(pair: Pair, edges: int, workers: int) -> bool:
     """Whether the certified explorer holds, and walks as far as the Python one in every row."""
-    start = time.monotonic()
-    certified = check(f"exec:{EXPLORER}", edges=edges, workers=workers)
-    seconds = time.monotonic() - start
-    agree = certified.verdict.value == "holds"
-    print(
-        f"certified explorer: {certified.verdict.value}, {certified.runs:,} runs, {seconds:.0f} s"
+    checked = partial(
+        check,
+        edges=edges + pair.more,
+        map_class=pair.map_class,
+        lighthouse=pair.lighthouse,
+        workers=workers,
     )
-    for engine in ("python", "kernel"):
-        built_in = check("algorithm1", edges=edges, workers=workers, engine=engine)
+    start = time.monotonic()
+    certified = checked(f"exec:{EXPLORER} fifo {pair.name}")
+    seconds = time.monotonic() - start
+    # A verdict about no run at all says nothing.
+    agree = certified.verdict.value == "holds" and certified.runs > 0
+    print(
+        f"certified explorer, {pair.name} lighthouse: {certified.verdict.value}, "
+        f"{certified.runs:,} runs, {seconds:.0f} s"
+    )
+    for engine in pair.engines:
+        built_in = checked(pair.built_in, engine=engine)
         same = _rows(certified.rows()) == _rows(built_in.rows())
         agree = agree and same
         print(f"  traversals equal the {engine} engine's in every row: {'yes' if same else 'NO'}")
@@ -113,7 +152,7 @@ def _cases(edges: int) -> Iterator[tuple[str, Case]]:
 def main() -> int:
     """Compare both, and say so."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--edges", type=int, default=5, help="for the explorer")
+    parser.add_argument("--edges", type=int, default=5, help="for the explorers")
     parser.add_argument("--judged-edges", type=int, default=4, help="for the judge")
     parser.add_argument("--workers", type=int, default=2)
     options = parser.parse_args()
@@ -121,8 +160,8 @@ def main() -> int:
         if not program.exists():
             print(f"{program} is missing: make -C proofs/coq explorer", file=sys.stderr)
             return 2
-    agree = explorers_agree(options.edges, options.workers)
-    agree = judges_agree(options.judged_edges) and agree
+    answers = [explorers_agree(pair, options.edges, options.workers) for pair in PAIRS]
+    agree = all([*answers, judges_agree(options.judged_edges)])
     print("AGREE" if agree else "DISAGREE")
     return 0 if agree else 1
 
