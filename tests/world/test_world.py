@@ -183,12 +183,39 @@ def test_json_names_the_four_parts():
     }
 
 
-def test_start_and_lighthouse_may_be_missing_and_other_keys_are_ignored():
+def test_start_and_lighthouse_may_be_missing():
     assert World.from_json(DOCUMENT) == World(PATH, Directional(0), 0)
     assert World.from_json({**DOCUMENT, "start": 2}) == World(PATH, Directional(2), 2)
-    document = {**DOCUMENT, "start": 1, "lighthouse": {"kind": "directional"}, "name": "x"}
+    document = {**DOCUMENT, "start": 1, "lighthouse": {"kind": "directional"}}
     assert World.from_json(document) == World(PATH, Directional(1), 1)
-    assert World.from_json({**DOCUMENT, "lighthouse": None}) == World(PATH, Directional(0), 0)
+
+
+@pytest.mark.parametrize("key", ["start", "lighthouse"])
+def test_null_is_not_missing(key):
+    with pytest.raises(InvalidWorld, match=f"{key} = None"):
+        World.from_json({**DOCUMENT, key: None})
+
+
+@pytest.mark.parametrize(
+    ("key", "document"),
+    [
+        ("strat", {**DOCUMENT, "strat": 1}),
+        ("here", {**DOCUMENT, "here": 1}),
+        ("drat", {**DOCUMENT, "lighthouse": {"kind": "directional", "drat": 0}}),
+        ("darts", {**DOCUMENT, "lighthouse": {"kind": "directional", "darts": [0]}}),
+        ("dart", {**DOCUMENT, "lighthouse": {"kind": "none", "dart": 0}}),
+        ("dart", {**DOCUMENT, "lighthouse": {"kind": "compass", "dart": 0}}),
+    ],
+)
+def test_an_unknown_key_is_refused_with_the_legal_ones(key, document):
+    with pytest.raises(InvalidWorld, match=f"'{key}' is no key of a .*; legal are"):
+        World.from_json(document)
+
+
+def test_a_key_that_stands_twice_is_refused():
+    text = '{"sigma": [0, 1], "alpha": [1, 0], "start": 0, "start": 1}'
+    with pytest.raises(InvalidWorld, match="'start' stands twice"):
+        World.from_json(text)
 
 
 def directional(dart):

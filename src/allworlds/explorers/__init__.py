@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from allworlds.explorers.algorithm1 import algorithm1
+from allworlds.explorers.undirected import algorithm1_cluster, algorithm1_natural
 
 Size: TypeAlias = tuple[int, int]
 """Numbers of edges and of vertices."""
@@ -18,18 +19,22 @@ class BuiltIn:
     """An explorer that ships with the package.
 
     Attributes:
-        explore: the generator function; it takes ``choices`` and ``notice``.
-        lighthouse: the kind it is written for.
-        witnesses: the events that a complete check must have seen, each with the least
+        explore: the generator function; it takes ``choices`` and ``notice``, and may take
+            ``told``.
+        lighthouse: the one it is written for, as ``KIND[:key=value,...]``.
+        witnesses: the events that a complete check must have seen, each with the least known
             (edges, vertices) within which every policy meets it, for classes with loops and
             parallel edges and for simple classes; None where some policy never meets it.
             An event met later, or never, would mean that a branch of the algorithm has not
             been tried.
+        bound: the name of the bound that it keeps under that kind of lighthouse, if it is not
+            the lighthouse's own.
     """
 
     explore: Callable[..., Any]
     lighthouse: str
     witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
+    bound: str | None = None
 
 
 BUILT_IN: dict[str, BuiltIn] = {
@@ -48,7 +53,41 @@ BUILT_IN: dict[str, BuiltIn] = {
             "v0-hypothesis": ((1, 1), None),
         },
     ),
+    "algorithm1-cluster": BuiltIn(
+        algorithm1_cluster,
+        "cluster:single=true",
+        {
+            "case-1": ((5, 5), (8, 8)),
+            "case-2": ((4, 3), (6, 5)),
+            "case-3": ((2, 2), (3, 3)),
+            "empty-H": ((1, 2), (1, 2)),
+            "loop": ((2, 2), (3, 3)),
+            "non-loop": ((1, 2), (1, 2)),
+            "v0-hypothesis": ((2, 2), None),
+        },
+        "two-vertices",
+    ),
+    "algorithm1-natural": BuiltIn(
+        algorithm1_natural,
+        "natural",
+        # A rejected test cannot be asked for: no world is known in which it is unavoidable.
+        {
+            "case-3": ((2, 2), (4, 4)),
+            "empty-H": ((2, 2), (4, 4)),
+            "loop": ((2, 2), (4, 4)),
+            "non-loop": ((2, 2), (4, 4)),
+            "v0-hypothesis": ((2, 2), None),
+        },
+        "two-vertices",
+    ),
 }
 """The built-in explorers by the names they have on the command line."""
 
-__all__ = ["BUILT_IN", "BuiltIn", "Size", "algorithm1"]
+__all__ = [
+    "BUILT_IN",
+    "BuiltIn",
+    "Size",
+    "algorithm1",
+    "algorithm1_cluster",
+    "algorithm1_natural",
+]

@@ -65,14 +65,14 @@ class Algorithm1:
     Attributes:
         s: the map S with its open darts U.
         here: the robot's dart in S; only meaningful between two passes.
-        turned: after a rejected hypothesis, how far clockwise of the dart by which it has
-            entered v_u the robot stands.
+        turned: after a test, how far clockwise of the dart by which it has entered the vertex
+            the robot stands; after a rejected hypothesis that is v_u.
     """
 
     def __init__(
         self, first: Percept, choices: Choices, notice: Callable[[str], None] = nobody
     ) -> None:
-        self.s = PartialMap(first)  # line 1
+        self.s = PartialMap(self.reads(first))  # line 1
         self.here = 0
         self.turned = 0
         self.choices = choices
@@ -82,7 +82,7 @@ class Algorithm1:
         """Lines 2-22: passes until U is empty."""
         while self.s.unexplored:
             goal = self.take_from_u()
-            percept = yield from self.follow(goal)
+            percept = self.reads((yield from self.follow(goal)))
             hypotheses = self.hypotheses(goal, percept)
             if not hypotheses:
                 self.notice("empty-H")
@@ -95,6 +95,10 @@ class Algorithm1:
                 self.augment_by_loop(goal, partner)
             yield self.s.checkpoint(self.here)
         return self.answer()
+
+    def reads(self, percept: Percept) -> Percept:
+        """What is compared of a percept: all of it."""
+        return percept
 
     def take_from_u(self) -> int:
         """Line 3: the dart e to be explored."""
@@ -131,11 +135,15 @@ class Algorithm1:
             motions, matched = yield from self.try_path(partner, path)
             if matched:  # case (3)
                 self.notice("case-3")
-                self.here = self.s.alpha[path[-1]] if path else partner
+                self.here = self.confirmed_at(partner, path)
                 return partner
             self.notice("case-2" if len(motions) == len(path) else "case-1")
             yield from self.retrace(motions)
         return None
+
+    def confirmed_at(self, partner: int, path: list[int]) -> int:
+        """The robot's dart in S after case (3), at v0."""
+        return self.s.alpha[path[-1]] if path else partner
 
     def path_to_v0(self, partner: int) -> list[int]:
         """Line 9: the darts by which a simple path in S from v_k' leaves its vertices."""
@@ -155,7 +163,7 @@ class Algorithm1:
             self.turned = 0
             motions.append(motion)
             at = s.alpha[dart]
-            if seen != s.expected[at]:
+            if self.reads(seen) != s.expected[at]:
                 return motions, False
         return motions, True
 
@@ -163,13 +171,14 @@ class Algorithm1:
         """Line 15: undo the motions.
 
         The run ``k1..kr`` is undone by ``0, -kr, ..., -k2``; the turn by ``-k1`` that is left
-        costs nothing and is folded into the next motion.
+        costs nothing and is folded into the next motion.  So is a turn from the dart of entry
+        that is left of the test.
         """
-        back = 0
+        back = -self.turned
         for motion in reversed(motions):
             yield Move(back)
             back = -motion
-        self.turned = motions[0]
+        self.turned = -back
 
     def augment_by_vertex(self, goal: int, percept: Percept) -> None:
         """Lines 20-21: v_u is a new vertex; its first dart is the one of entry."""

@@ -2,10 +2,12 @@
 
 from allworlds.world.lighthouses import (
     LIGHTHOUSES,
+    Cluster,
     Compass,
     Directional,
     InvalidWorld,
     Lighthouse,
+    Natural,
     Nothing,
     Position,
     lighthouse_from_json,
@@ -16,11 +18,13 @@ from allworlds.world.world import IllegalAction, World
 
 __all__ = [
     "LIGHTHOUSES",
+    "Cluster",
     "Compass",
     "Directional",
     "IllegalAction",
     "InvalidWorld",
     "Lighthouse",
+    "Natural",
     "Nothing",
     "Position",
     "Sensing",

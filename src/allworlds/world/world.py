@@ -15,6 +15,7 @@ from allworlds.world.lighthouses import (
     InvalidWorld,
     Lighthouse,
     lighthouse_from_json,
+    refuse_other_keys,
 )
 
 
@@ -93,7 +94,7 @@ class World:
     def from_json(
         cls, document: str | Mapping[str, Any], *, missing: str = Directional.kind
     ) -> World:
-        """The world of :meth:`to_json`'s document, or of its text; other keys are ignored.
+        """The world of :meth:`to_json`'s document, or of its text; other keys are refused.
 
         ``start`` may be missing (0), and so may the lighthouse: then it is of the kind
         ``missing``, at its default place.
@@ -107,6 +108,9 @@ class World:
             raise InvalidWorld(
                 f"a world is an object with 'sigma' and 'alpha', not {show(document)}"
             )
+        refuse_other_keys("world", document, ("sigma", "alpha", "start", "lighthouse"))
+        if document.get("lighthouse", "") is None:
+            raise InvalidWorld(f"lighthouse = None is no object; without one it is {missing}")
         map_ = CombinatorialMap.from_json(document)
         try:
             start = integer(document.get("start", 0))

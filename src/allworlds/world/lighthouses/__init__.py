@@ -8,15 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from allworlds.errors import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse
+from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, refuse_other_keys
+from allworlds.world.lighthouses.cluster import Cluster
 from allworlds.world.lighthouses.compass import Compass
 from allworlds.world.lighthouses.directional import Directional
+from allworlds.world.lighthouses.natural import Natural
 from allworlds.world.lighthouses.nothing import Nothing
 from allworlds.world.lighthouses.position import Position
 
 LIGHTHOUSES: dict[str, type[Lighthouse]] = {
-    kind.kind: kind for kind in (Nothing, Position, Directional, Compass)
+    kind.kind: kind for kind in (Nothing, Position, Directional, Compass, Cluster, Natural)
 }
 """Every kind of lighthouse by its name."""
 
@@ -27,12 +30,23 @@ def lighthouse_named(text: str) -> type[Lighthouse]:
     Raises:
         InvalidWorld: naming the legal kinds, or the option that the kind does not have.
     """
-    kind, colon, options = text.partition(":")
+    kind, colon, rest = text.partition(":")
     if kind not in LIGHTHOUSES:
         raise InvalidWorld(f"lighthouse {kind!r} is none of {', '.join(sorted(LIGHTHOUSES))}")
-    if colon:
-        raise InvalidWorld(f"the {kind} lighthouse takes no options, not {options!r}")
-    return LIGHTHOUSES[kind]
+    return LIGHTHOUSES[kind].with_options(_options(text, rest)) if colon else LIGHTHOUSES[kind]
+
+
+def _options(text: str, rest: str) -> dict[str, str]:
+    """The options of ``key=value,...``."""
+    options: dict[str, str] = {}
+    for part in rest.split(","):
+        key, equals, value = part.partition("=")
+        if not equals:
+            raise InvalidWorld(f"{part!r} in lighthouse {text!r} is not of the form key=value")
+        if key in options:
+            raise InvalidWorld(f"lighthouse {text!r} names {key!r} twice")
+        options[key] = value
+    return options
 
 
 def lighthouse_from_json(
@@ -42,21 +56,23 @@ def lighthouse_from_json(
     if document is None:
         document = {"kind": missing}
     if not isinstance(document, Mapping) or not isinstance(document.get("kind"), str):
-        raise InvalidWorld(f"a lighthouse is an object with a 'kind', not {document!r}")
+        raise InvalidWorld(f"a lighthouse is an object with a 'kind', not {show(document)}")
     kind = lighthouse_named(document["kind"])
-    if "darts" in document and kind is not Compass:
-        raise InvalidWorld(f"a {kind.kind} lighthouse stands at one 'dart', not at 'darts'")
+    refuse_other_keys(f"{kind.kind} lighthouse", document, ("kind", *kind.keys))
     return kind.from_json(document, map_, start)
 
 
 __all__ = [
     "LIGHTHOUSES",
+    "Cluster",
     "Compass",
     "Directional",
     "InvalidWorld",
     "Lighthouse",
+    "Natural",
     "Nothing",
     "Position",
     "lighthouse_from_json",
     "lighthouse_named",
+    "refuse_other_keys",
 ]

@@ -25,12 +25,24 @@ class Lighthouse(ABC):
         default_bound: the bound on the traversals that is checked unless another is named.
         folds: whether the log of a correct explorer determines the map (every arrival at v0
             tells where the robot is, and how it is turned).
+        keys: what its JSON may hold besides ``kind``.
     """
 
     kind: ClassVar[str]
     sensing: ClassVar[Sensing]
     default_bound: ClassVar[str]
     folds: ClassVar[bool]
+    keys: ClassVar[tuple[str, ...]] = ("dart",)
+
+    @classmethod
+    def with_options(cls, options: Mapping[str, str]) -> type[Lighthouse]:
+        """The kind with the options of ``KIND:key=value``; it has none, unless it says otherwise.
+
+        Raises:
+            InvalidWorld: naming the option, or the value, that the kind does not have.
+        """
+        given = ",".join(f"{key}={value}" for key, value in options.items())
+        raise InvalidWorld(f"the {cls.kind} lighthouse takes no options, not {given!r}")
 
     @classmethod
     @abstractmethod
@@ -41,14 +53,13 @@ class Lighthouse(ABC):
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """Nothing, if the lighthouse can stand there; else raises InvalidWorld."""
 
-    @property
     @abstractmethod
-    def references(self) -> tuple[Dart, ...]:
-        """One dart of each vertex at which more than the degree is sensed."""
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
+        """One dart of each vertex at which more than the degree is sensed; v0's is the first."""
 
     def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
         """For each dart what is sensed by a robot that has arrived by it."""
-        return self.sensing.percepts(map_, self.references)
+        return self.sensing.percepts(map_, self.references(map_))
 
     @abstractmethod
     def relabelled(self, names: Sequence[Dart]) -> Lighthouse:
@@ -65,9 +76,16 @@ class Lighthouse(ABC):
     ) -> Lighthouse:
         """The lighthouse of :meth:`to_json`'s document; it may leave out where it stands."""
 
-    def told(self, _map: CombinatorialMap) -> int | None:
+    def told(self, map_: CombinatorialMap) -> int | None:  # noqa: ARG002  # for kinds that need it
         """What the explorer is told before the start; nothing, unless a kind says otherwise."""
         return None
+
+
+def refuse_other_keys(what: str, document: Mapping[str, Any], legal: Sequence[str]) -> None:
+    """Nothing, if the document holds only these keys: a misspelt one would change nothing."""
+    for key in document:
+        if key not in legal:
+            raise InvalidWorld(f"{show(key)} is no key of a {what}; legal are {', '.join(legal)}")
 
 
 def check_at_start(what: str, dart: object, map_: CombinatorialMap, start: Dart) -> None:
@@ -82,3 +100,20 @@ def check_at_start(what: str, dart: object, map_: CombinatorialMap, start: Dart)
             f"the lighthouse {what} dart {show(found)}, which is not at the start's vertex; "
             f"legal are {', '.join(map(str, at_start))}"
         )
+
+
+def check_leads_away(dart: object, map_: CombinatorialMap, start: Dart) -> None:
+    """Nothing, if ``dart`` is one of the start's vertex and leads to another; else InvalidWorld."""
+    check_at_start("looks along", dart, map_, start)
+    v0 = map_.vertex_of[start]
+    if map_.vertex_of[map_.alpha[integer(dart)]] == v0:
+        legal = [d for d in map_.vertices[v0] if map_.vertex_of[map_.alpha[d]] != v0]
+        raise InvalidWorld(
+            f"lighthouse.dart = {show(dart)} leads back to the start's vertex, not to another one; "
+            f"legal are {', '.join(map(str, legal)) or 'none'}"
+        )
+
+
+def no_place(name: str, start: Dart) -> InvalidWorld:
+    """The error that a map has no place for a lighthouse which names none."""
+    return InvalidWorld(f"the lighthouse {name} has no place in this map with start {start}")

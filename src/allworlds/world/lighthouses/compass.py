@@ -32,6 +32,7 @@ class Compass(Lighthouse):
     sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE, bearing=True)
     default_bound: ClassVar[str] = "none"
     folds: ClassVar[bool] = False
+    keys: ClassVar[tuple[str, ...]] = ("darts",)
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Compass]:
@@ -66,8 +67,7 @@ class Compass(Lighthouse):
                     f"vertex {show(list(vertex))}; it must have one of each vertex"
                 )
 
-    @property
-    def references(self) -> tuple[Dart, ...]:
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # it knows
         """The dart of each vertex."""
         return self.darts
 

@@ -36,8 +36,7 @@ class Directional(Lighthouse):
         """The pointed dart is one of the start's vertex."""
         check_at_start("points to", self.dart, map_, start)
 
-    @property
-    def references(self) -> tuple[Dart, ...]:
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # it knows
         """The pointed dart."""
         return (self.dart,)
 

@@ -22,6 +22,7 @@ class Nothing(Lighthouse):
     sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
     default_bound: ClassVar[str] = "none"
     folds: ClassVar[bool] = False
+    keys: ClassVar[tuple[str, ...]] = ()
 
     @classmethod
     def places(
@@ -35,8 +36,7 @@ class Nothing(Lighthouse):
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """Every map and every start will do."""
 
-    @property
-    def references(self) -> tuple[Dart, ...]:
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # any map
         """None."""
         return ()
 

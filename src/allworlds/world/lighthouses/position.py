@@ -40,8 +40,7 @@ class Position(Lighthouse):
         """The marked vertex is the start's."""
         check_at_start("stands at", self.dart, map_, start)
 
-    @property
-    def references(self) -> tuple[Dart, ...]:
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # it knows
         """The dart of v0."""
         return (self.dart,)
 

@@ -16,6 +16,7 @@ class Where(Enum):
 
     NOWHERE = "nowhere"
     AT_V0 = "at the start's vertex"
+    AT_V0_AND_V1 = "at the start's vertex and at a neighbour of it"
     EVERYWHERE = "everywhere"
 
 
@@ -34,16 +35,18 @@ class Sensing:
     @property
     def marks_v0(self) -> bool:
         """One mark lies at v0: what is sensed at one vertex alone tells it from all others."""
-        return self.where is Where.AT_V0
+        return self.where in (Where.AT_V0, Where.AT_V0_AND_V1)
 
     def percepts(self, map_: CombinatorialMap, references: Sequence[Dart]) -> tuple[Percept, ...]:
         """For each dart what is sensed by a robot that has arrived by it.
 
         ``references`` holds one dart of each vertex at which more than the degree is sensed.
+        Where there are marks, one lies at the first of these vertices, two at the second.
         """
         sensed = [_percept(degree) for degree in map_.degree_at]
-        marks = int(self.marks_v0)
-        for reference in references:
+        # The first comes last: where a wrong answer takes v1 for v0, what is sensed is v0.
+        for number, reference in reversed([*enumerate(references, 1)]):
+            marks = number if self.marks_v0 else 0
             degree = map_.degree_at[reference]
             for back in range(degree):
                 # sigma^back(d) is the reference dart for the dart d that lies back places before.

@@ -1,0 +1,85 @@
+"""No marker at all: two neighbours that have degrees of their own."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.world.lighthouses.base import (
+    InvalidWorld,
+    Lighthouse,
+    check_leads_away,
+    no_place,
+)
+from allworlds.world.lighthouses.sensing import Sensing, Where
+
+
+@dataclass(frozen=True, slots=True)
+class Natural(Lighthouse):
+    """The start vertex v0 and a neighbour v1 of it; no other vertex has the degree of either.
+
+    Only the degree is sensed.  The explorer is told the degree of v1: that it is unique could
+    not be sensed.  ``dart`` is any dart that leads from v0 to v1.
+    Source: Section VIII of the paper.
+    """
+
+    dart: Dart
+
+    kind: ClassVar[str] = "natural"
+    sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
+    default_bound: ClassVar[str] = "none"
+    folds: ClassVar[bool] = False
+
+    @classmethod
+    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Natural]:
+        """One place for each neighbour that will do, at the first dart clockwise to it."""
+        vertices = Counter(map_.degrees)
+        if vertices[map_.degree_at[start]] > 1:
+            return
+        met = {map_.degree_at[start]}
+        for bearing in range(map_.degree_at[start]):
+            dart = map_.turn(start, bearing)
+            degree = map_.degree_at[map_.alpha[dart]]
+            if degree not in met and vertices[degree] == 1:
+                met.add(degree)
+                yield cls(dart)
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """The dart leads from the start's vertex to another one, and both degrees are unique."""
+        check_leads_away(self.dart, map_, start)
+        vertices = Counter(map_.degrees)
+        for name, dart in (("start's vertex", start), ("other vertex", map_.alpha[self.dart])):
+            degree = map_.degree_at[dart]
+            if vertices[degree] > 1:
+                raise InvalidWorld(
+                    f"lighthouse.dart = {self.dart}: the {name} has degree {degree}, and so have "
+                    f"{vertices[degree]} vertices; a natural lighthouse needs unique degrees"
+                )
+
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # any map
+        """None: nothing but the degree is sensed anywhere."""
+        return ()
+
+    def told(self, map_: CombinatorialMap) -> int:
+        """The degree of v1."""
+        return map_.degree_at[map_.alpha[self.dart]]
+
+    def relabelled(self, names: Sequence[Dart]) -> Natural:
+        """At the renamed dart."""
+        return Natural(names[self.dart])
+
+    def to_json(self) -> dict[str, Any]:
+        """``{"kind": "natural", "dart": d}``."""
+        return {"kind": self.kind, "dart": self.dart}
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart) -> Natural:
+        """At ``dart``, or at the first place where no dart is named."""
+        if "dart" in document:
+            return cls(document["dart"])
+        for place in cls.places(map_, start):
+            return place
+        raise no_place(cls.kind, start)

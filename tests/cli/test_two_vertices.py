@@ -1,0 +1,133 @@
+"""The lighthouses and explorers without a direction, from the command line."""
+
+import json
+
+import pytest
+
+from allworlds.cli.app import _guarded
+
+# v0 with an edge to v1 and a loop: the edge is dart 0.
+LOLLIPOP = '{"sigma":[1,2,0,3],"alpha":[3,2,1,0]'
+PAIR = [
+    {"sigma": [1, 0, 3, 4, 5, 6, 7, 2], "alpha": [2, 5, 0, 4, 3, 1, 7, 6]},
+    {"sigma": [1, 0, 3, 4, 5, 6, 7, 2], "alpha": [2, 5, 0, 7, 6, 1, 4, 3]},
+]
+
+
+@pytest.fixture
+def guarded(capsys):
+    def call(*arguments):
+        code = _guarded([str(argument) for argument in arguments])
+        return code, *capsys.readouterr()
+
+    return call
+
+
+def test_the_lighthouse_of_a_built_in_explorer_need_not_be_named(guarded):
+    plain = guarded("check", "algorithm1-cluster", "--edges", 2, "--json")
+    named = guarded(
+        *("check", "algorithm1-cluster", "--edges", 2, "--json"),
+        *("--lighthouse", "cluster:single=true", "--bound", "two-vertices"),
+    )
+    assert plain == named
+    report = json.loads(plain[1])
+    assert (report["verdict"], report["left_out"]) == ("holds", 5)
+    assert (report["scope"]["lighthouse"], report["engine"]) == ("cluster:single=true", "python")
+
+
+def test_without_the_promise_the_explorer_is_refuted_and_the_command_shows_it_again(guarded):
+    options = ["--lighthouse", "cluster", "--edges", 3, "--json"]
+    code, out, _ = guarded("check", "algorithm1-cluster", *options)
+    (finding,) = json.loads(out)["findings"]
+    assert code == 1
+    assert len(finding["world"]["sigma"]) == 6
+    assert finding["world"]["lighthouse"]["kind"] == "cluster"
+    command = finding["reproduce"]
+    assert command.startswith("allworlds run algorithm1-cluster '{")
+    assert command.endswith("}'")
+    code, out, _ = guarded("run", "algorithm1-cluster", json.dumps(finding["world"]), "--json")
+    assert (code, json.loads(out)["finding"]["transcript"]) == (1, finding["transcript"])
+
+
+def test_a_replayed_finding_is_told_in_words(guarded, tmp_path):
+    _, out, _ = guarded("check", "algorithm1-natural", "--edges", 3, "--json")
+    (tmp_path / "report.json").write_text(out)
+    code, out, _ = guarded("replay", tmp_path / "report.json")
+    assert (code, out.split()[0]) == (0, "REPRODUCED")
+    code, out, _ = guarded("explain", tmp_path / "report.json")
+    assert code == 0
+    assert "236 traversals" in out
+
+
+def test_a_run_takes_the_explorers_lighthouse_where_the_world_names_none(guarded):
+    code, out, _ = guarded("run", "algorithm1-natural", LOLLIPOP + "}", "--json")
+    report = json.loads(out)
+    assert (code, report["world"]["lighthouse"]) == (0, {"kind": "natural", "dart": 0})
+    assert (report["cost"], report["bound"]) == (7, 21)
+    code, out, _ = guarded("run", "algorithm1-cluster", LOLLIPOP + "}")
+    assert "HOLDS      7 traversals of at most 21" in out
+    code, out, _ = guarded("run", "algorithm1-cluster", "--family", "lattice:3x3", "--json")
+    assert (code, json.loads(out)["world"]["lighthouse"]["kind"]) == (0, "cluster")
+    code, out, _ = guarded("run", "algorithm1", LOLLIPOP + "}", "--json")
+    assert json.loads(out)["world"]["lighthouse"]["kind"] == "directional"
+
+
+def test_fuzz_takes_a_lighthouse(guarded):
+    options = ["--edges", 6, "--runs", 20, "--json"]
+    _, own, _ = guarded("fuzz", "algorithm1-cluster", *options)
+    _, named, _ = guarded("fuzz", "algorithm1-cluster", "--lighthouse", "cluster", *options)
+    assert json.loads(own)["scope"]["lighthouse"] == "cluster:single=true"
+    assert json.loads(named)["scope"]["lighthouse"] == "cluster"
+    assert json.loads(own)["left_out"] > json.loads(named)["left_out"] > 0
+
+
+@pytest.mark.parametrize("kind", ["cluster", "natural"])
+def test_the_pair_with_two_edges_cannot_be_told_apart(guarded, kind):
+    # Half a turn round v1 and the exchange of v0's darts make darts alike in pairs.
+    pair = [json.dumps({**map_, "lighthouse": {"kind": kind, "dart": 0}}) for map_ in PAIR]
+    code, out, _ = guarded("twins", *pair, "--json")
+    report = json.loads(out)
+    assert (code, report["twins"], report["distinguishable"]) == (0, True, False)
+    assert [world["lighthouse"]["kind"] for world in report["worlds"]] == [kind, kind]
+    bare = [json.dumps(map_) for map_ in PAIR]
+    assert guarded("twins", *bare, "--info", kind, "--json") == (code, out, "")
+    code, out, _ = guarded("twins", *bare, "--info", "directional", "--json")
+    assert json.loads(out)["distinguishable"]
+
+
+BAD = [
+    (["check", "--lighthouse", "cluster:single=maybe"], "'maybe'"),
+    (["check", "--lighthouse", "cluster:markers=2"], "'markers'"),
+    (["check", "--lighthouse", "cluster:single"], "'single'"),
+    (["check", "--lighthouse", "natural:single=true"], "'single=true'"),
+    (["fuzz", "--edges", "3", "--runs", "1", "--lighthouse", "lamp"], "'lamp'"),
+    (["run", "algorithm1-cluster", "theta"], "cluster:single=true has no place"),
+    (["run", "algorithm1-natural", "k4"], "natural has no place"),
+    (["run", LOLLIPOP + ',"lighthouse":{"kind":"cluster","dart":1}}'], "legal are 0"),
+    (["run", LOLLIPOP + ',"lighthouse":{"kind":"natural","dart":3}}'], "dart 3"),
+    (["run", LOLLIPOP + ',"lighthouse":{"kind":"cluster","singel":true}}'], "'singel'"),
+    (["run", LOLLIPOP + ',"lighthouse":{"kind":"cluster","single":"yes"}}'], "'yes'"),
+    (["check", "algorithm1-cluster", "--engine", "kernel"], "'algorithm1-cluster'"),
+    (["search", "--info", "cluster", "--max-vertices", "2", "--max-edges", "2"], "'cluster'"),
+    (["ambiguity", "class", "edge", "--info", "cluster"], "cluster"),
+    (
+        [
+            "twins",
+            # v0 of degree 2 between vertices of degrees 1 and 3: the robot is told which is v1.
+            *(
+                '{"sigma":[1,0,2,4,5,3],"alpha":[2,3,0,1,5,4],'
+                f'"lighthouse":{{"kind":"natural","dart":{dart}}}}}'
+                for dart in (0, 1)
+            ),
+        ],
+        "tells 1 in one world and 3 in the other",
+    ),
+]
+
+
+@pytest.mark.parametrize(("arguments", "named"), BAD, ids=lambda value: str(value)[:60])
+def test_bad_input_is_one_line_that_names_it(guarded, arguments, named):
+    code, out, err = guarded(*arguments)
+    assert (code, out) == (2, "")
+    assert err.count("\n") == 1, err
+    assert named in err
