@@ -72,7 +72,7 @@ def explorers_agree(pair: Pair, edges: int, workers: int) -> bool:
         workers=workers,
     )
     start = time.monotonic()
-    certified = checked(f"exec:{EXPLORER} fifo {pair.name}")
+    certified = checked(f"exec:{EXPLORER} fifo {pair.name}").uninterrupted()
     seconds = time.monotonic() - start
     # A verdict about no run at all says nothing.
     agree = certified.verdict.value == "holds" and certified.runs > 0
@@ -81,7 +81,7 @@ def explorers_agree(pair: Pair, edges: int, workers: int) -> bool:
         f"{certified.runs:,} runs, {seconds:.0f} s"
     )
     for engine in pair.engines:
-        built_in = checked(pair.built_in, engine=engine)
+        built_in = checked(pair.built_in, engine=engine).uninterrupted()
         same = _rows(certified.rows()) == _rows(built_in.rows())
         agree = agree and same
         print(f"  traversals equal the {engine} engine's in every row: {'yes' if same else 'NO'}")

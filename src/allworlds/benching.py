@@ -22,7 +22,7 @@ from typing import Any
 
 from allworlds.checker.examine import Examiner
 from allworlds.checker.scope import Limits, make_scope
-from allworlds.errors import InputError
+from allworlds.errors import InputError, a_text, an_integer, show
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
 from allworlds.subjects import load
@@ -142,9 +142,11 @@ def bench(*, edges: int = 7, rounds: int = 3, peers: Sequence[str] = ()) -> Benc
     Raises:
         InputError: naming the offending option, or the peer that failed.
     """
-    if not 4 <= edges <= 10:
+    if isinstance(peers, str):
+        raise InputError(f"peers = {show(peers)} is not a list of NAME=COMMAND")
+    if not 4 <= an_integer("edges", edges) <= 10:
         raise InputError(f"edges = {edges}; a benchmark takes 4 up to 10")
-    if rounds < 1:
+    if an_integer("rounds", rounds) < 1:
         raise InputError(f"rounds = {rounds} is not positive")
     contenders = [*own_contenders(edges), *(peer(text, edges) for text in peers)]
     for contender in contenders[: -len(peers) or None]:
@@ -183,7 +185,7 @@ def peer(text: str, edges: int) -> Contender:
     Raises:
         InputError: if it is of another form.
     """
-    match = re.fullmatch(r"([^=@]+)(?:@([0-9]+))?=(.+)", text)
+    match = re.fullmatch(r"([^=@]+)(?:@([0-9]+))?=(.+)", a_text("peer", text))
     if match is None:
         raise InputError(f"peer {text!r} is not of the form NAME=COMMAND or NAME@M=COMMAND")
     name, level, command = match.groups()
@@ -199,7 +201,8 @@ def _run(name: str, command: str) -> None:
         raise InputError(f"peer {name!r} does not start: {error}") from None
     if done.returncode:
         said = done.stderr.decode(errors="replace").strip().splitlines()
-        raise InputError(f"peer {name!r} ended with {done.returncode}: {' '.join(said[-1:])}")
+        what = said[-1] if said else "it has printed nothing on stderr"
+        raise InputError(f"peer {name!r} ended with {done.returncode}: {what}")
 
 
 def _warm(contender: Contender) -> None:

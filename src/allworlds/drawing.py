@@ -13,7 +13,9 @@ printed numbers.
 from __future__ import annotations
 
 import textwrap
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
+
+T = TypeVar("T")
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -40,6 +42,7 @@ def draw(
     marked: Mapping[int, int] | None = None,
     labels: Sequence[str] | None = None,
     width: int = 80,
+    most: int | None = None,
 ) -> str:
     """The map as an arc diagram, or as :func:`rotation_table` where that is wider than ``width``.
 
@@ -52,17 +55,17 @@ def draw(
         ValueError: for a dart or vertex that the map does not have, a negative number of
             markers, or labels that are not one for each dart.
 
-    Cost: O(m^2).
+    Cost: O(m), and O(m^2) for a diagram, which has less than ``width`` darts.
     """
     marked = {} if marked is None else marked
     _check(map_, start, pointed, marked, labels)
     groups = _groups(map_, 0 if start is None else start)
-    names = [_names(map_, marked)[map_.vertex_of[group[0]]] for group in groups]
+    names_of = _names(map_, marked)
+    names = [names_of[map_.vertex_of[group[0]]] for group in groups]
     # Widths follow from the map alone, so that renaming the darts moves nothing.
     cell = max(map(len, [str(len(map_.sigma) - 1), *(labels or ())]))
     column = _columns(groups, cell, names)
-    arcs = list(_arcs([_span(column[d], column[e]) for d, e in map_.edges]))
-    rows = [*arcs, _darts(groups, column)]
+    rows = [_darts(groups, column)]
     if labels is not None:
         rows.append(_row({column[dart]: labels[dart] for dart in column}))
     rows.append(_row({column[group[0]]: name for group, name in zip(groups, names, strict=True)}))
@@ -71,10 +74,18 @@ def draw(
             rows.append(_row({column[dart]: sign}))
     if max(map(len, rows)) > width:
         return rotation_table(
-            map_, start=start, pointed=pointed, marked=marked, labels=labels, width=width
+            map_,
+            start=start,
+            pointed=pointed,
+            marked=marked,
+            labels=labels,
+            width=width,
+            most=most,
         )
+    # No arc reaches beyond the darts that it joins.
+    arcs = list(_arcs([_span(column[d], column[e]) for d, e in map_.edges]))
     signs = {"(", *"".join(arcs)} | _signs(start, pointed, marked)
-    return "\n".join([*rows, "", _legend(signs, width)])
+    return "\n".join([*arcs, *rows, "", _legend(signs, width)])
 
 
 def rotation_table(
@@ -85,17 +96,22 @@ def rotation_table(
     marked: Mapping[int, int] | None = None,
     labels: Sequence[str] | None = None,
     width: int = 80,
+    most: int | None = None,
 ) -> str:
     """The map as a table: a line for each vertex with name, degree and its darts clockwise.
 
     Arguments, order and errors are those of :func:`draw`.  Each dart is written
     ``dart→vertex.dart``: where its edge goes.  The signs stand before the dart, its label in
     square brackets after it.  Only the legend is kept within ``width``.
+
+    Of more than ``most`` vertices, and of more than ``most`` darts of a vertex, the first and
+    the last are shown, and how many there are between them.
     """
     marked = {} if marked is None else marked
     _check(map_, start, pointed, marked, labels)
     groups = _groups(map_, 0 if start is None else start)
     names = _names(map_, marked)
+    head, between, tail = _ends(groups, most)
 
     def entry(dart: int) -> str:
         signs = "S" * (dart == start) + "▲" * (dart == pointed)
@@ -103,9 +119,13 @@ def rotation_table(
         other = map_.alpha[dart]
         return f"{signs}{dart}{label}→v{map_.vertex_of[other]}.{other}"
 
-    rows = [
-        [names[map_.vertex_of[group[0]]], str(len(group)), *map(entry, group)] for group in groups
-    ]
+    def row(group: list[int]) -> list[str]:
+        first, left_out, last = _ends(group, most)
+        more = [f"({len(left_out):,} darts more)"] if left_out else []
+        texts = [*map(entry, first), *more, *map(entry, last)]
+        return [names[map_.vertex_of[group[0]]], str(len(group)), *texts]
+
+    rows = [*map(row, head), *map(row, tail)]
     name, degree = (max(len(row[i]) for row in rows) for i in (0, 1))
     cell = max(len(text) for row in rows for text in row[2:])
     lines = [
@@ -114,6 +134,9 @@ def rotation_table(
         ).rstrip()
         for row in rows
     ]
+    if between:
+        darts = sum(map(len, between))
+        lines.insert(len(head), f"... ({len(between):,} vertices more, with {darts:,} darts)")
     return "\n".join([*lines, "", _legend({"→"} | _signs(start, pointed, marked), width)])
 
 
@@ -154,6 +177,14 @@ def _groups(map_: CombinatorialMap, root: int) -> list[list[int]]:
                 found.add(map_.vertex_of[other])
                 groups.append(_turned(map_, other))
     return groups
+
+
+def _ends(items: list[T], most: int | None) -> tuple[list[T], list[T], list[T]]:
+    """The first items, those that are left out, and the last ones."""
+    if most is None or len(items) <= most:
+        return items, [], []
+    half = most // 2
+    return items[:half], items[half : len(items) - half], items[len(items) - half :]
 
 
 def _turned(map_: CombinatorialMap, first: int) -> list[int]:
@@ -223,10 +254,12 @@ def _arcs(spans: Iterable[tuple[int, int]]) -> Iterator[str]:
 
 def _row(texts: Mapping[int, str]) -> str:
     """A line with each text at its column, and no space at its end."""
-    line = ""
+    parts = []
+    length = 0
     for column, text in sorted(texts.items()):
-        line = line.ljust(column) + text
-    return line.rstrip()
+        parts += [" " * (column - length), text]
+        length = max(length, column) + len(text)
+    return "".join(parts).rstrip()
 
 
 def _signs(start: int | None, pointed: int | None, marked: Mapping[int, int]) -> set[str]:

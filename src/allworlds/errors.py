@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+import operator
+import os
+import signal
+from pathlib import Path
+from typing import Any, SupportsIndex
 
 SHOWN = 200
 """The number of characters of a value that are shown."""
@@ -13,22 +17,77 @@ class InputError(ValueError):
     """Bad input: one line that names the offending value and what would be legal."""
 
 
+def let_users_interrupt(error: BaseException) -> None:
+    """Raise an interrupt again; where interrupts are ignored only an explorer raises one."""
+    ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    if isinstance(error, KeyboardInterrupt) and not ignored:
+        raise error
+
+
 def show(value: object) -> str:
     """A short text for any object, also for one whose repr fails."""
     try:
         text = str.__str__(repr(value))
-    except BaseException:  # noqa: BLE001  # repr may be anybody's code
+    except BaseException as error:  # noqa: BLE001  # repr may be anybody's code
+        let_users_interrupt(error)
         return f"an object of type {type(value).__name__} whose repr fails"
     return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
+
+
+def an_integer(name: str, value: object) -> int:
+    """The value as an ``int``.
+
+    Raises:
+        InputError: naming it, for booleans and everything else that is no integer.
+    """
+    if isinstance(value, SupportsIndex) and not isinstance(value, bool):
+        # A plain int, also for a subclass with operators of its own.
+        return int.__index__(operator.index(value))
+    raise InputError(f"{name} = {show(value)} is not an integer")
+
+
+def a_text(name: str, value: object) -> str:
+    """The value, if it is a text.
+
+    Raises:
+        InputError: naming it.
+    """
+    if not isinstance(value, str):
+        raise InputError(f"{name} = {show(value)} is not a text")
+    return value
+
+
+def a_path(name: str, value: object) -> Path:
+    """The value as a path.
+
+    Raises:
+        InputError: naming it, for what is no path, and for an empty text, which Python would
+            take for the current directory.
+    """
+    if value == "" or not isinstance(value, str | os.PathLike):
+        raise InputError(f"{name} = {show(value)} is no path, not even of the current directory")
+    return Path(value)
 
 
 def parse_json(text: str, kind: type[InputError] = InputError) -> Any:
     """The value of a JSON text.
 
     Raises:
-        InputError: of the kind that was asked for, if it is none.
+        InputError: of the kind that was asked for, if it is none, or if an object has a key
+            twice: which value is meant cannot be told.
     """
+
+    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        found = dict(pairs)
+        if len(found) < len(pairs):
+            keys = [key for key, _ in pairs]
+            twice = next(key for key in keys if keys.count(key) > 1)
+            raise kind(f"the key {show(twice)} stands twice in one object")
+        return found
+
     try:
-        return json.loads(text)
+        return json.loads(text, object_pairs_hook=once)
+    except InputError:
+        raise
     except (ValueError, RecursionError) as error:
         raise kind(f"not JSON: {show(str(error))[1:-1]}") from None

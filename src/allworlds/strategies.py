@@ -24,7 +24,7 @@ from typing import TypeAlias
 from hypothesis import assume
 from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, integers, lists
 
-from allworlds.errors import InputError
+from allworlds.errors import InputError, an_integer
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
@@ -148,9 +148,9 @@ class Answers:
 
 
 def _of_class(map_class: MapClass, least: int, most: int) -> SearchStrategy[CombinatorialMap]:
-    if least < 1:
+    if an_integer("min_edges", least) < 1:
         raise InputError(f"min_edges = {least}, but a map has at least 1 edge")
-    if most < least:
+    if an_integer("max_edges", most) < least:
         raise InputError(f"max_edges = {most} is less than min_edges = {least}")
     return _grown(map_class, least, most)
 

@@ -3,6 +3,7 @@
 import importlib
 import json
 from contextlib import nullcontext
+from dataclasses import replace
 from functools import cache, partial
 from typing import ClassVar
 
@@ -10,15 +11,17 @@ import pytest
 
 from allworlds import checker
 from allworlds.checker import run, worlds
+from allworlds.checker.drive import Silent
 from allworlds.checker.pool import LocalPool
 from allworlds.checker.report import Verdict
 from allworlds.errors import InputError
 from allworlds.maps.bruteforce import rooted_maps as every_rooted_map
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import Source
 from allworlds.maps.enumeration import rooted_maps
-from allworlds.protocol import Move
+from allworlds.protocol import Estimate, Move
 from allworlds.world import Directional, World
 
 pytestmark = pytest.mark.usefixtures("no_orphans")
@@ -107,6 +110,19 @@ def test_a_missing_witness_is_no_success(monkeypatch, algorithm1):
     assert (report.verdict, report.exit_code) == (Verdict.VACUOUS, 4)
     assert report.missing == report.to_json()["missing_witnesses"] == ["case-4"]
     assert check(edges=2, map_class="simple").missing == []
+
+
+def test_an_interrupt_of_a_closure_interrupts_the_check_and_that_of_a_worker_is_a_crash(tmp_path):
+    file = tmp_path / "rude.py"
+    file.write_text("def explore(first):\n    raise KeyboardInterrupt\n    yield\n")
+    assert check(f"{file}:explore", edges=1).findings[0].law == "crash"
+
+    def explore(first):
+        raise KeyboardInterrupt
+        yield
+
+    report = check(explore, edges=1)
+    assert (report.verdict, report.exit_code) == (Verdict.INCONCLUSIVE, 130)
 
 
 def test_a_finished_shard_may_hold_no_world(explorers):
@@ -330,6 +346,54 @@ def test_the_bound_is_a_law():
     (finding,) = report.findings
     assert (finding.law, finding.expected, finding.seen) == ("bound", 0, 1)
     assert check(edges=2, bound="m*n").verdict is Verdict.HOLDS
+
+
+def test_a_negative_bound_is_reported_as_it_is():
+    report = check(edges=1, bound="n - m - 3")
+    assert [row["bound"] for row in report.rows()] == [-3, -2]
+    assert report.findings[0].expected == -3
+
+
+def test_an_explorer_that_tampers_with_percepts_deceives_nobody(explorers):
+    def kept(percept):
+        own = replace(percept)
+        object.__setattr__(percept, "degree", 99)
+        return own
+
+    def tampering(first):
+        reply = None
+        walk = explorers("right")(kept(first))
+        try:
+            while True:
+                reply = yield walk.send(reply)
+                reply = reply and kept(reply)
+        except StopIteration as stop:
+            return stop.value
+
+    report = check(tampering, edges=2)
+    assert (report.verdict, report.runs) == (Verdict.HOLDS, 30)
+    for world in worlds(edges=2):
+        told = run(tampering, world).outcome.episode.transcript
+        assert told == run("algorithm1", world).outcome.episode.transcript
+
+
+def test_that_nothing_was_walked_is_told():
+    class Listener(Silent):
+        told = ()
+
+        def notice(self, text):
+            self.told += (text,)
+
+    def motionless(first):
+        map_ = CombinatorialMap((0, 1), (1, 0))
+        return Estimate(map_ if first.degree == 1 else map_.dual(), 0)
+        yield
+
+    silent, telling = Listener(), Listener()
+    assert check(edges=1, laws=["map"], listener=silent).verdict is Verdict.HOLDS
+    assert check(motionless, edges=1, laws=["map"], listener=telling).verdict is Verdict.HOLDS
+    assert not silent.told
+    assert "walked an edge" in telling.told[0]
 
 
 @pytest.mark.parametrize(("budget", "law"), [(1, None), (4, None), (3, "budget")])

@@ -1,8 +1,9 @@
+import dataclasses
 import json
 
 import pytest
 
-from allworlds.checker import Finding, check, replay, run
+from allworlds.checker import Finding, check, replay, run, worlds
 from allworlds.checker.finding import canonical_world, place_of
 from allworlds.errors import InputError
 from allworlds.maps.build import named_map
@@ -74,13 +75,40 @@ def test_the_recorded_choices_are_honoured(wrong):
     assert replay(report.findings[0], algorithm).exit_code == 5
 
 
+@pytest.mark.parametrize(
+    ("choices", "notice"),
+    [
+        ((1, 0), ""),
+        ((1, 0, 0), "the recorded choice 2 is 0, but only 2 were asked for"),
+        ((1, 5), "the recorded choice 1 is 5, but there are fewer options"),
+    ],
+)
+def test_recorded_choices_that_do_not_fit_are_told(wrong, choices, notice):
+    finding = check(wrong("one_schedule"), schedules="all", edges=1).findings[0]
+    assert replay(dataclasses.replace(finding, choices=choices)).notice.startswith(notice)
+    assert not replay(dataclasses.replace(finding, choices=choices), wrong("right")).notice
+
+
+def test_choices_of_an_explorer_that_takes_none_are_refused_unless_it_is_named(wrong):
+    finding = check(wrong("everywhere"), edges=1).findings[0]
+    assert replay(finding).notice == ""
+    finding = dataclasses.replace(finding, choices=(0, 0))
+    with pytest.raises(InputError, match=r"\[0, 0\], but .*:everywhere takes no choices"):
+        replay(finding)
+    named = replay(finding, wrong("everywhere"))
+    assert named.outcome == "reproduced"
+    assert "none was asked for" in named.notice
+
+
 def test_a_report_of_one_run_is_a_finding_too(finding):
     report = run(lambda first: (yield from lazy(first)), finding.world).to_json()
     assert Finding.from_json(report).key == finding.key
 
 
 def test_all_zero_choices_are_told_where_another_policy_would_choose_otherwise(wrong):
-    finding = check(
-        wrong("hang_after_choices"), edges=1, schedules="all", policy="lifo", answer_timeout=0.3
-    ).findings[0]
-    assert "--choices 0,0" in finding.reproduce
+    world = next(worlds(edges=1))
+    told = run(
+        wrong("hang_after_choices"), world, policy="lifo", choices=[0, 0], answer_timeout=0.3
+    )
+    assert told.finding.choices == (0, 0)
+    assert "--choices 0,0" in told.finding.reproduce

@@ -40,3 +40,13 @@ def test_only_what_may_be_among_the_smallest_is_wanted():
     assert tally.wants(2, 2)
     assert tally.wants(1, 9)
     assert not tally.wants(2, 3)
+
+
+def test_the_largest_of_negative_bounds_is_negative():
+    row = Row(bound=-5)
+    row.add(Row(bound=-7))
+    row.add(Row())
+    assert row.bound == -5
+    row.bound_of(None)
+    row.bound_of(-3)
+    assert row.bound == -3

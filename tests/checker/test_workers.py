@@ -5,6 +5,7 @@ import time
 import pytest
 
 from allworlds.checker import Finding, check, replay, run
+from allworlds.checker.confirm import MOST_CHOICES
 from allworlds.errors import InputError
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.world import Directional, World
@@ -61,12 +62,22 @@ def test_memory_beyond_the_limit_is_a_crash(wrong):
     assert finding.confirmed
 
 
-@pytest.mark.parametrize("memory", [1, 10**30])
-def test_no_limit_of_memory_breaks_the_check(wrong, memory):
-    try:
-        assert check(wrong("right"), edges=1, memory=memory, bound="none").exit_code == 0
-    except InputError as error:
-        assert memory == 1, error  # noqa: PT017  # either is fine
+def test_a_limit_of_memory_beyond_all_memory_is_none(wrong):
+    assert check(wrong("right"), edges=1, memory=10**30, bound="none").exit_code == 0
+
+
+@pytest.mark.parametrize("name", ["foreign", "built-in"])
+def test_a_limit_of_memory_in_which_no_worker_can_live_is_refused(wrong, name):
+    explorer = wrong("right") if name == "foreign" else "algorithm1"
+    with pytest.raises(InputError, match="memory 1 MB is probably too small"):
+        check(explorer, edges=1, memory=1, engine="python")
+
+
+def test_an_explorer_that_finds_no_memory_to_be_imported_tells_the_limit(tmp_path):
+    module = tmp_path / "large.py"
+    module.write_text("KEPT = bytearray(1 << 29)\ndef explore(first): yield\n")
+    with pytest.raises(InputError, match=r"memory 300 MB is .* does not import: MemoryError$"):
+        check(f"{module}:explore", edges=1, memory=300)
 
 
 @pytest.mark.parametrize("name", ["prints", "reads_quietly", "child", "thread", "forks"])
@@ -87,6 +98,30 @@ def test_the_choices_of_a_killed_explorer_are_known(wrong):
     finding = only_finding(wrong("hang_after_choices"), schedules="all", laws=["map"])
     assert (finding.law, finding.choices) == ("timeout", (0, 0))
     assert len(finding.transcript.steps) == 1
+
+
+@pytest.mark.parametrize("name", ["chooses_for_ever", "chooses_for_ever_whatever_is_raised"])
+def test_an_explorer_that_chooses_for_ever_is_silent(wrong, name):
+    finding = only_finding(wrong(name))
+    assert (finding.law, finding.confirmed) == ("timeout", True)
+    assert len(finding.transcript.steps) == 1
+    # One before the step, and of those after it only so many.
+    assert finding.choices == (0,) * (1 + MOST_CHOICES)
+    told = run(wrong(name), EDGE, answer_timeout=0.5)
+    assert (told.finding.law, told.finding.choices) == ("timeout", finding.choices)
+
+
+def test_a_program_that_plays_one_episode_is_told_that_there_are_more(program):
+    finding = only_finding(program("dies-between"))
+    assert "one process plays many" in finding.seen
+
+
+@pytest.mark.parametrize("timeout", [1e-9, 0.05])
+def test_a_timeout_that_could_not_be_kept_is_refused(wrong, timeout):
+    with pytest.raises(InputError, match=r"least is 0\.1 s"):
+        check(wrong("right"), edges=1, answer_timeout=timeout)
+    with pytest.raises(InputError, match=r"least is 0\.1 s"):
+        run(wrong("right"), EDGE, answer_timeout=timeout)
 
 
 def test_an_explorer_that_takes_its_interpreter_with_it_when_it_is_closed(wrong):
@@ -133,7 +168,8 @@ def test_a_crash_in_the_second_run_is_a_crash(wrong):
         ("checkpoint-no-object", "illegal-action", "checkpoint"),
         ("no-map", "no-estimate", "no map"),
         ("no-object-estimate", "no-estimate", "null"),
-        ("here-is-none", "no-estimate", "None"),
+        ("here-is-none", "no-estimate", "an estimate without here"),
+        ("checkpoint-of-sigma", "illegal-action", "a checkpoint without alpha and here"),
         ("two-estimates", "illegal-action", "after its estimate"),
         ("dies-between", "crash", "in the second run"),
         ("lazy", "map", ""),

@@ -208,7 +208,6 @@ def test_a_finding_is_replayed_from_its_report_and_from_its_command(tmp_path):
     ("name", "options"),
     [
         ("one_schedule", ["--schedules", "all", "--edges", "1"]),
-        ("one_schedule", ["--schedules", "all", "--edges", "1", "--policy", "lifo"]),
         ("here_of_another", ["--edges", "3", "--class", "planar", "--policy", "random:5"]),
         ("everywhere", ["--edges", "2", "--laws", "folding"]),
         ("right", ["--edges", "2", "--bound", "m", "--laws", "bound,map", "--step-budget", "20"]),
@@ -274,6 +273,31 @@ def test_an_interrupt_leaves_a_report_and_no_worker(number, explorer):
     while any(map(runs, workers)) and time.monotonic() < deadline:
         time.sleep(0.05)
     assert not any(map(runs, workers))
+
+
+def test_an_interrupt_ends_the_kill_matrix():
+    process = start("mutants", "--json", start_new_session=True)
+    time.sleep(2)
+    os.killpg(process.pid, signal.SIGINT)
+    out, err = process.communicate(timeout=5)
+    assert (process.returncode, out) == (130, "")
+    assert "Traceback" not in err
+
+
+def test_recorded_choices_that_no_longer_fit_are_told_on_stderr(guarded, tmp_path):
+    _, out, _ = guarded(
+        "check", f"{WRONG}:one_schedule", "--edges", "1", "--schedules", "all", "--json"
+    )
+    finding = json.loads(out)["findings"][0]
+    file = tmp_path / "finding.json"
+    file.write_text(json.dumps({**finding, "choices": [1, 0, 0]}))
+    code, out, err = guarded("replay", str(file), "--json")
+    assert (code, json.loads(out)["outcome"]) == (0, "reproduced")
+    assert "recorded choice 2 is 0, but only 2 were asked for" in err
+    file.write_text(json.dumps({**finding, "explorer": f"{WRONG}:everywhere"}))
+    code, out, err = guarded("replay", str(file))
+    assert (code, out) == (2, "")
+    assert "takes no choices" in err
 
 
 def runs(pid):

@@ -344,6 +344,25 @@ def test_an_interrupt_is_the_users_where_they_are_not():
     assert beat[1] == 0
 
 
+def test_an_interrupt_while_something_is_shown_is_the_users_too():
+    with pytest.raises(KeyboardInterrupt):
+        run(yielding(Evil(KeyboardInterrupt())))
+
+
+def test_the_percepts_of_the_log_are_not_those_that_the_explorer_holds():
+    held = []
+
+    def explore(first):
+        held.append(first)
+        for _ in range(3):
+            held.append((yield Move(0)))
+
+    transcript = run(explore).transcript
+    logged = [transcript.first, *(percept for _, percept in transcript.steps)]
+    assert held == logged
+    assert not {*map(id, held)} & {*map(id, logged)}
+
+
 def test_a_real_interrupt_during_the_explorers_turn_goes_through():
     def explore(first):
         os.kill(os.getpid(), signal.SIGINT)

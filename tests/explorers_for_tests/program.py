@@ -136,6 +136,8 @@ def misbehave(kind, first):
             return say(estimate=None)
         case "here-is-none":
             return say(estimate={"sigma": [0, 1], "alpha": [1, 0]})
+        case "checkpoint-of-sigma":
+            return say(checkpoint={"sigma": [0, 1]})
         case "two-estimates":
             line = json.dumps({"estimate": explore(first)}) + "\n"
             raw(line.encode() * 2)

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import suppress
 from itertools import count
 
 from allworlds import Choices, CombinatorialMap, Estimate, Move
@@ -154,6 +155,25 @@ def hang_after_choices(first, *, choices):
         yield Move(0)
         choices.pick("abc", of="path")
         time.sleep(1000)
+    return (yield from algorithm1(first))
+
+
+def chooses_for_ever(first, *, choices):
+    if first.degree == 1:
+        choices.pick("ab", of="edge")
+        yield Move(0)
+        while True:
+            choices.pick("ab", of="edge")
+    return (yield from algorithm1(first))
+
+
+def chooses_for_ever_whatever_is_raised(first, *, choices):
+    if first.degree == 1:
+        choices.pick("ab", of="edge")
+        yield Move(0)
+        while True:
+            with suppress(BaseException):
+                choices.pick("ab", of="edge")
     return (yield from algorithm1(first))
 
 

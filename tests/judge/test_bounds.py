@@ -305,3 +305,28 @@ def test_an_exponent_of_thousands_of_digits_is_refused(text):
 )
 def test_letters_that_python_takes_for_n_and_m_are_refused(text):
     refused(text)
+
+
+def test_digits_are_not_parted():
+    with pytest.raises(BoundError, match="'1_0'"):
+        bound_named("1_0")
+
+
+# ---------------------------------------------------------------- two vertices
+
+
+def test_the_bound_of_two_vertices_adds_two_for_each_test_and_the_search():
+    bound = bound_named("two-vertices")
+    for n, m in SIZES:
+        tests = sum(2 * m - 2 * p - 1 for p in range(m))
+        assert tests == m**2
+        for degree in (1, m):
+            assert bound.value(n, m, degree, m) == paper_bound(n, m) + 2 * tests + 2 * degree
+
+
+def test_the_bound_of_two_vertices_has_a_name():
+    # n = m = 2, (1)+(2) = 7, two traversals for each of 3 + 1 tests, and v0 of degree 1 or 3.
+    assert [bound_named("two-vertices").of(LOLLIPOP, d) for d in (0, 1)] == [17, 21]
+    assert pickle.loads(pickle.dumps(bound_named("two-vertices"))).name == "two-vertices"
+    with pytest.raises(BoundError, match="none of paper, two-vertices, none or an expression"):
+        bound_named("two vertices")

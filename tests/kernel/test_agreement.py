@@ -106,11 +106,12 @@ def test_both_engines_give_the_same_report(policy):
     assert reports[0] == reports[1]
 
 
+@pytest.mark.parametrize("bound", ["m * n", "n - m - 3", "0 - 10**30"])
 @pytest.mark.parametrize("keep", [1, 4])
-def test_both_engines_report_the_same_least_findings(keep):
-    # A bound that Algorithm 1 does not keep: the least worlds where it walks more.
+def test_both_engines_report_the_same_least_findings(keep, bound):
+    # Bounds that Algorithm 1 does not keep: the least worlds where it walks more.
     reports = [
-        check(edges=4, bound="m * n", max_findings=keep, engine=name).to_json()
+        check(edges=4, bound=bound, max_findings=keep, engine=name).to_json()
         for name in ("python", "kernel")
     ]
     assert reports[0]["exit_code"] == reports[1]["exit_code"] == 1

@@ -174,3 +174,21 @@ def test_names_are_the_classes_in_words():
     names = {mutant.kind.__name__: mutant.name for mutant in WRONG_EXPLORERS}
     assert names["NoRetracing"] == "no-retracing"
     assert names["PartnerLeftInU"] == "partner-left-in-U"
+
+
+# ---------------------------------------------------------------- interruptions
+
+
+def test_an_interruption_ends_the_matrix_and_makes_no_entry_of_it(monkeypatch):
+    class Interrupted(WrongExplorer):
+        def explorer(self):
+            def explore(first):
+                # As a Ctrl-C in the middle of a run, which the check inside keeps to itself.
+                raise KeyboardInterrupt
+                yield
+
+            return explore
+
+    monkeypatch.setattr(matrix, "WRONG_EXPLORERS", (Interrupted(WRONG_EXPLORERS[0].kind),))
+    with pytest.raises(KeyboardInterrupt):
+        mutants(edges=1)

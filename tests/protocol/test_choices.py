@@ -245,3 +245,29 @@ def test_schedules_start_anew_each_time_they_are_iterated():
     schedules = Schedules()
     runs = [[walk([(), ()], choices) for choices in schedules] for _ in range(2)]
     assert runs[0] == runs[1] == [[0], [1]]
+
+
+# ---------------------------------------------------------------- what cannot be chosen from
+
+
+@pytest.mark.parametrize("policy", POLICIES)
+@pytest.mark.parametrize("script", [(), (1,)])
+def test_costs_are_one_for_each_option(policy, script):
+    choices = Choices(policy_named(policy), script)
+    with pytest.raises(ValueError, match="2 costs for 3 options"):
+        choices.pick([1, 2, 3], of="edge", cost=[1, 2])
+    assert choices.record == []
+
+
+def test_costs_of_a_type_of_its_own_are_counted_when_they_are_looked_at():
+    with pytest.raises(ValueError, match="2 costs for 3 options"):
+        Choices(policy_named("nearest")).pick([1, 2, 3], of="edge", cost=range(2))
+
+
+@pytest.mark.parametrize("given", [{1, 2}, frozenset({1}), {0: "a"}, iter("ab")])
+def test_what_is_no_sequence_is_refused_by_the_name_of_its_type(given):
+    kind = type(given).__name__
+    with pytest.raises(ValueError, match=f"options of the type {kind} is no sequence"):
+        Choices().pick(given, of="edge")
+    with pytest.raises(ValueError, match=f"cost of the type {kind} is no sequence"):
+        Choices().pick("ab", of="edge", cost=given)

@@ -1,7 +1,11 @@
+import sys
+from dataclasses import replace
+
 import pytest
 
 from allworlds.checker import check, replay, run
-from allworlds.counter import count
+from allworlds.counter import CountRow, count
+from allworlds.fuzzer import fuzz
 from allworlds.maps.build import named_map
 from allworlds.reports import check_text, count_text, finding_text, replay_text, run_text
 from allworlds.world import Directional, World
@@ -80,3 +84,92 @@ def test_the_text_of_a_shard_defers_the_gate():
     text = check_text(check("algorithm1", engine="python", edges=2, shard=(0, 2)), 100)
     assert "shard 0/2" in text
     assert "deferred to the merge" in text
+
+
+def test_a_shard_without_worlds_does_not_hold():
+    report = check("algorithm1", engine="python", edges=2, shard=(5, 1000))
+    assert report.exit_code == 0
+    text = check_text(report, 100)
+    assert "HOLDS" not in text
+    assert "EMPTY" in text
+    assert "says nothing" in text
+
+
+def test_a_finding_of_the_corpus_says_whether_it_lies_in_the_scope(tmp_path):
+    def explore(first):
+        return (yield from lazy(first))
+
+    alone = check_text(check(explore, edges=2, corpus=tmp_path), 100)
+    assert "from the corpus" not in alone
+    again = check_text(check(explore, edges=2, corpus=tmp_path), 100)
+    assert "from the corpus" in again
+    assert "beyond the scope" not in again
+    for other in ({"map_class": "simple"}, {"lighthouse": "position"}):
+        beyond = check_text(check(explore, edges=2, corpus=tmp_path, **other), 100)
+        assert "from the corpus, beyond the scope" in beyond
+
+
+def test_one_is_singular():
+    assert "a SAMPLE of 1 map (seed 0)" in check_text(fuzz(edges=1, runs=1), 200)
+    simple = count(edges=1, map_class="simple")
+    assert "1 rooted map of" in count_text(simple, 100)
+    wrong = replace(simple, rows=(CountRow(1, 2, counted={2: 1}),))
+    assert "with 1 edge {" in count_text(wrong, 100)
+
+
+def answering(darts):
+    """An explorer that takes every world for one vertex with so many darts."""
+    from allworlds import CombinatorialMap, Estimate
+
+    half = darts // 2
+
+    def explore(first):
+        sigma = [*range(1, darts), 0]
+        return Estimate(CombinatorialMap(sigma, [*range(half, darts), *range(half)]), 0)
+        yield
+
+    return explore
+
+
+def test_a_huge_answer_is_a_short_text_and_a_whole_document():
+    report = check(answering(20_000), edges=1)
+    text = check_text(report, 100)
+    assert len(text) < 5_000
+    assert "(19,960 darts more)" in text
+    assert len(report.to_json()["findings"][0]["seen"]["sigma"]) == 20_000
+
+
+def test_the_time_for_the_text_of_a_huge_answer_grows_no_faster_than_the_answer():
+    def calls(darts):
+        finding = check(answering(darts), edges=1).findings[0]
+        counted = 0
+
+        def count_call(*_):
+            nonlocal counted
+            counted += 1
+
+        sys.setprofile(count_call)
+        try:
+            finding_text(finding, 100)
+        finally:
+            sys.setprofile(None)
+        return counted
+
+    # The number of calls, not the seconds: those depend on the machine.
+    assert calls(8000) < 2.5 * calls(4000)
+
+
+def test_of_many_choices_both_ends_are_told():
+    def explore(first, *, choices):
+        for _ in range(1000):
+            choices.pick("ab", of="edge")
+        return None
+        yield
+
+    text = check_text(check(explore, edges=1, policy="lifo"), 100)
+    assert "1, ... (940 more) ..., 1" in " ".join(text.split())
+
+
+def test_what_was_seen_is_a_number_and_what_was_expected_a_bound():
+    words = " ".join(check_text(check(edges=1, bound=0), 100).split())
+    assert "expected at most 0 traversals seen 1 traversal" in words

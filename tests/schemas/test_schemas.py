@@ -23,7 +23,7 @@ from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.smt import search
 from allworlds.world import LIGHTHOUSES, Directional, World
-from allworlds.world.lighthouses import Compass, Nothing, Position
+from allworlds.world.lighthouses import Cluster, Compass, Nothing, Position
 from allworlds.worst_case import worst
 
 SCHEMAS = {
@@ -35,7 +35,7 @@ REGISTRY = Registry().with_resources(
 )
 WRONG = {mutant.name: mutant for mutant in WRONG_EXPLORERS if mutant.name != "confirmed-too-early"}
 THETA = named_map("theta")
-LIGHTS = [Nothing(), Position(1), Directional(2), Compass((0, 3))]
+LIGHTS = [Nothing(), Position(1), Directional(2), Compass((0, 3)), Cluster(1)]
 
 
 @functools.cache
@@ -284,10 +284,17 @@ def test_a_value_that_cannot_be_is_refused(name, change):
 # ---------------------------------------------------------------- what is read
 
 
-def test_a_world_and_a_finding_may_hold_more_than_is_known():
-    world = {**World(THETA, Directional(0)).to_json(), "drawn": "by hand"}
+def test_a_world_may_not_hold_more_than_is_known():
+    world = World(THETA, Directional(0)).to_json()
     assert complaints(whole("world"), world) == []
-    assert complaints(whole("world", "#/$defs/written"), world)
+    light = {**world["lighthouse"], "drat": 0}
+    for more in ({**world, "strat": 1}, {**world, "lighthouse": light}):
+        assert complaints(whole("world"), more)
+        with pytest.raises(ValueError, match="is no key of a"):
+            World.from_json(more)
+
+
+def test_a_finding_may_hold_more_than_is_known():
     finding = {**finding_of("pose-lost").to_json(), "remark": "found on a rainy day"}
     finding["transcript"][0]["time"] = 0.1
     assert complaints(whole("finding"), finding) == []

@@ -5,6 +5,7 @@ import sys
 
 import pytest
 
+from allworlds.errors import InputError
 from allworlds.protocol import Checkpoint, ExplorerFault, Move, Percept
 from allworlds.subjects import Program
 
@@ -75,3 +76,17 @@ def test_a_file_that_cannot_be_executed_is_a_crash(tmp_path):
     with pytest.raises(ExplorerFault) as fault:
         next(Program(str(file), 1.0).explore(Percept(1)))
     assert fault.value.law == "crash"
+
+
+def test_what_cannot_be_run_is_told_apart_from_what_is_not_there(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "plain.py").touch()
+    for command, reason in {
+        "./folder": "a directory",
+        "./plain.py --fast": "not executable",
+        "plain.py": "write './plain.py'",
+        "./nothing": "there is no program './nothing'",
+    }.items():
+        with pytest.raises(InputError, match=reason):
+            Program(command, 1.0)

@@ -4,7 +4,14 @@ import pytest
 
 from allworlds.explorers import algorithm1
 from allworlds.protocol import Choices, Percept
-from allworlds.subjects import Program, SubjectError, load, subject_of
+from allworlds.subjects import (
+    Program,
+    SubjectError,
+    default_lighthouse,
+    load,
+    own_bound,
+    subject_of,
+)
 
 
 def explore(first):
@@ -78,3 +85,15 @@ def test_an_entry_point_that_does_not_load_is_bad_input(monkeypatch):
 def test_a_command_that_is_none_is_bad_input(command):
     with pytest.raises(ValueError, match="--exec"):
         Program(command, 1.0)
+
+
+def test_built_in_explorers_take_what_they_need_and_bring_what_they_keep():
+    assert load("algorithm1").keywords == {"choices", "notice"}
+    assert load("algorithm1-natural").keywords == {"choices", "notice", "told"}
+    assert [default_lighthouse(name) for name in ("algorithm1", "algorithm1-natural", "a:b")] == [
+        *("directional", "natural", "directional")
+    ]
+    assert own_bound("algorithm1-cluster", "cluster") == "two-vertices"
+    assert own_bound("algorithm1-cluster", "cluster:single=true") == "two-vertices"
+    assert own_bound("algorithm1-cluster", "natural") is None
+    assert own_bound("algorithm1", "directional") is own_bound("a:b", "directional") is None

@@ -8,7 +8,7 @@ from typing import Any
 from allworlds.ambiguity.criterion import Disagreement, class_size, is_ambiguous, pose_count
 from allworlds.ambiguity.lifting import lifts
 from allworlds.ambiguity.marked import LeastRooting, least_rooting
-from allworlds.errors import InputError
+from allworlds.errors import InputError, an_integer, show
 from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
@@ -134,12 +134,14 @@ def class_of(
 
 
 def _checked(world: World, limit: int, map_class: str) -> MapClass:
+    if not isinstance(world, World):
+        raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
     if not isinstance(world.lighthouse, Position | Directional):
         raise InputError(
-            f"under the lighthouse {world.lighthouse.kind} no vertex is unique, and a class can "
-            "be infinite; a complete class is made for the lighthouses position and directional"
+            f"under the lighthouse {world.lighthouse.kind} no class is made, which without a mark "
+            "at one vertex can be infinite; legal are the lighthouses position and directional"
         )
-    if limit < 1:
+    if an_integer("limit", limit) < 1:
         raise InputError(f"limit {limit} is too small; at least the world itself is listed")
     if map_class not in list(MapClass):
         raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")

@@ -7,7 +7,7 @@ from typing import Any, Literal, TypeAlias
 
 from allworlds.ambiguity.certificate import flaw
 from allworlds.ambiguity.criterion import Disagreement
-from allworlds.errors import InputError
+from allworlds.errors import InputError, show
 from allworlds.maps.canonical import carries, numbering
 from allworlds.maps.combinatorial import Dart
 from allworlds.maps.quotient import Labelled, classes_of_union
@@ -81,15 +81,23 @@ def twins(a: World, b: World) -> Comparison:
 
     Raises:
         InputError: if the lighthouses are of different kinds: what is sensed is then no
-            matter of the worlds.
+            matter of the worlds; or if they tell different things before the start.
 
     Cost: O(m log m) where no motion can; else as many steps as pairs of darts are met.
     """
+    for world in (a, b):
+        if not isinstance(world, World):
+            raise InputError(f"{show(world)} is no World; World.from_json makes one")
     kinds = [world.lighthouse.kind for world in (a, b)]
     if kinds[0] != kinds[1]:
         raise InputError(
             f"the worlds have the lighthouses {kinds[0]} and {kinds[1]}; two worlds are compared "
             "under one lighthouse"
+        )
+    if a.told != b.told:
+        raise InputError(
+            f"the lighthouse {kinds[0]} tells {a.told} in one world and {b.told} in the other: an "
+            "explorer knows which it is in before it moves"
         )
     first, second = classes_of_union(*(Labelled(w.map, w.percepts, w.start) for w in (a, b)))
     proof: Separation | Bisimulation

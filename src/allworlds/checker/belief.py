@@ -9,7 +9,7 @@ from allworlds.checker.finding import place_of
 from allworlds.errors import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Move, Percept, Transcript
-from allworlds.world import Compass, IllegalAction, Lighthouse, World
+from allworlds.world import Cluster, Compass, IllegalAction, Lighthouse, Natural, World
 
 
 def true_trail(world: World, transcript: Transcript) -> list[Dart]:
@@ -63,18 +63,23 @@ def believed_percepts(
 
     The lighthouse is put where the walk must have begun, as in the true world; a compass's
     reference darts are those that were sensed when the robot first came to a vertex.  None
-    where the estimated start has no such place.
+    where the estimated start has no such place.  What marks v0 and v1 is put there even where a
+    wrong answer breaks what it needs, such as degrees that are unique.
     """
     trail = believed_trail(estimate, here, transcript)
     lighthouse: Lighthouse | None
-    if isinstance(world.lighthouse, Compass):
-        lighthouse = _believed_compass(estimate, trail, transcript)
-    else:
-        places = type(world.lighthouse).places(estimate, trail[0])
-        lighthouse = next(islice(places, place_of(world), None), None)
+    match world.lighthouse:
+        case Compass():
+            lighthouse = _believed_compass(estimate, trail, transcript)
+        case Cluster(dart) | Natural(dart) as true:
+            bearing = world.map.offset(world.start, dart)
+            lighthouse = type(true)(estimate.turn(trail[0], bearing))
+        case _:
+            places = type(world.lighthouse).places(estimate, trail[0])
+            lighthouse = next(islice(places, place_of(world), None), None)
     if lighthouse is None:
         return None
-    percepts = World(estimate, lighthouse, trail[0]).percepts
+    percepts = lighthouse.percepts(estimate)
     return [percepts[dart] for dart in trail]
 
 

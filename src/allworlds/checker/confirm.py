@@ -10,7 +10,7 @@ from itertools import islice
 
 from allworlds.checker.examine import Outcome
 from allworlds.checker.finding import Finding, canonical_world
-from allworlds.checker.pool import POLL, Poisoned, WorkerProcess
+from allworlds.checker.pool import GRACE, POLL, Poisoned, WorkerProcess
 from allworlds.checker.scope import Limits, Rules, Schedule, Scope
 from allworlds.checker.worker import Ended, ReplayJob, RunJob, Traced, TraceJob
 from allworlds.episode import Answered, Episode, Fault
@@ -21,6 +21,9 @@ from allworlds.subjects import Subject
 from allworlds.world import Lighthouse, World
 
 _ANSWER = "an action, or an estimate at the end"
+
+MOST_CHOICES = 1000
+"""So many choices are kept of the turn in which a run was lost; it may choose for ever."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,16 +65,15 @@ def examine_apart(
     subject: Subject,
     rules: Rules,
     world: World,
-    place: int,
     script: tuple[int, ...],
     limits: Limits,
 ) -> Outcome:
     """One judged episode, played in a process of its own, whatever becomes of that process."""
     with _fresh(subject, limits) as worker:
-        worker.send(RunJob(rules, world, place, script))
+        worker.send(RunJob(rules, world, script))
         outcome = _await(worker)
     if isinstance(outcome, Lost):
-        job = TraceJob(rules, world, place, "one", script)
+        job = TraceJob(rules, world, "one", script)
         return _lost_run(job, outcome, subject, limits)
     assert isinstance(outcome, Outcome)
     return outcome
@@ -129,7 +131,7 @@ def trace(finding: Finding, subject: Subject, limits: Limits, schedules: Schedul
 
     The run is played in a fresh process that tells every step before it can be lost.
     """
-    job = TraceJob(finding.rules, finding.world, finding.place, schedules)
+    job = TraceJob(finding.rules, finding.world, schedules)
     transcript, choices, end = _trace(job, subject, limits)
     confirmed = isinstance(end, Lost) and end.law == finding.law
     return replace(finding, choices=choices, transcript=transcript, confirmed=confirmed)
@@ -141,17 +143,20 @@ def _trace(
     """The walk and the choices, as far as they are known, and the last message."""
     steps: list[tuple[Action, Percept]] = []
     choices: list[int] = []
+    settled = 0
     with _fresh(subject, limits) as worker:
         worker.send(job)
         while isinstance(message := _await(worker), Traced):
             match message.what:
                 case None:
-                    steps, choices = [], []
+                    steps, choices, settled = [], [], 0
                 case int() as index:
                     choices.append(index)
                 case tuple() as step:
                     steps.append(step)
-    return Transcript(job.world.first, tuple(steps)), tuple(choices), message
+                    settled = len(choices)
+    kept = choices[: settled + MOST_CHOICES] if isinstance(message, Lost) else choices
+    return Transcript(job.world.first, tuple(steps)), tuple(kept), message
 
 
 @contextmanager
@@ -165,9 +170,13 @@ def _fresh(subject: Subject, limits: Limits) -> Iterator[WorkerProcess]:
 
 def _await(worker: WorkerProcess) -> object:
     """The worker's next message, or how it was lost."""
-    while not worker.connection.poll(POLL):
-        if worker.is_silent():
+    while True:
+        told = worker.connection.poll(POLL)
+        # What it has told before it fell silent is still heard; but it may tell choices for ever.
+        if worker.is_silent(GRACE if told else 0.0):
             return Lost("timeout", worker.silence)
+        if told:
+            break
         if worker.has_ended():
             return Lost("crash", worker.death())
     try:

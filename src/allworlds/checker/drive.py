@@ -14,9 +14,10 @@ from allworlds.checker.pool import Pool, TimeIsUp
 from allworlds.checker.report import Cell, Report, Verdict
 from allworlds.checker.scope import Limits, Scope, ScopeError, Shard, make_scope
 from allworlds.checker.tally import Tally
+from allworlds.errors import a_path
 from allworlds.maps.classes import Bounds
 from allworlds.maps.counting import source_for
-from allworlds.subjects import Subject, subject_of
+from allworlds.subjects import Subject, default_lighthouse, own_bound, subject_of
 
 
 class Listener(Protocol):
@@ -51,11 +52,11 @@ def check(
     edges: int | None = None,
     vertices: int | None = None,
     map_class: str = "maps",
-    lighthouse: str = "directional",
+    lighthouse: str | None = None,
     policy: str = "fifo",
     schedules: str = "one",
-    bound: str = "",
-    laws: Iterable[str] = (),
+    bound: str | int | None = None,
+    laws: Iterable[str] | None = None,
     step_budget: int | None = None,
     shard: Shard = (0, 1),
     workers: int = 1,
@@ -64,7 +65,7 @@ def check(
     memory: int | None = None,
     max_findings: int = 1,
     engine: str = "auto",
-    corpus: Path | None = None,
+    corpus: str | Path | None = None,
     listener: Listener | None = None,
 ) -> Report:
     """Run an explorer on every start and every marker orientation of every map in a class.
@@ -74,11 +75,13 @@ def check(
         edges: the largest number of edges (default: one that takes seconds).
         vertices: the largest number of vertices.
         map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
-        lighthouse: ``KIND[:key=value,...]``.
+        lighthouse: ``KIND[:key=value,...]``; None takes the explorer's own, which is
+            ``directional`` unless a built-in explorer is written for another.
         policy: ``fifo``, ``lifo``, ``nearest`` or ``random:SEED``.
         schedules: ``one`` or ``all``.
-        bound: ``paper``, ``none`` or an expression; empty takes the lighthouse's own.
-        laws: those to check; empty takes all that apply.
+        bound: ``paper``, ``two-vertices``, ``none``, an expression or an integer; None takes
+            the explorer's own, else the lighthouse's.
+        laws: those to check; None takes all that apply.
         step_budget: the largest legal number of traversals.
         shard: ``(K, N)``.
         workers: processes.
@@ -91,11 +94,16 @@ def check(
             to it.
         listener: is told of the progress.
 
+    An explorer that cannot be imported by its name runs in this process, where its
+    KeyboardInterrupt cannot be told from the user's: it interrupts the check.  In a worker it
+    is a crash.
+
     Raises:
         InputError: naming the offending option and what would be legal.
     """
     limits = Limits(workers, answer_timeout, time_limit, memory, max_findings)
     subject = subject_of(explore, answer_timeout)
+    lighthouse = default_lighthouse(subject.name) if lighthouse is None else lighthouse
     scope = make_scope(
         edges=edges,
         vertices=vertices,
@@ -104,14 +112,16 @@ def check(
         policy=policy,
         schedules=schedules,
         bound=bound,
-        laws=tuple(laws),
+        own_bound=own_bound(subject.name, lighthouse),
+        laws=laws,
         step_budget=step_budget,
         shard=shard,
     )
     if schedules == "all" and not subject.takes_choices:
         raise ScopeError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
     chosen = engine_for(engine, scope, subject)
-    return _Drive(scope, subject, limits, listener or Silent(), chosen, corpus).run()
+    directory = None if corpus is None else a_path("corpus", corpus)
+    return _Drive(scope, subject, limits, listener or Silent(), chosen, directory).run()
 
 
 class _Drive:
@@ -145,6 +155,8 @@ class _Drive:
                 report.stopped = "past findings stand"
         except KeyboardInterrupt:
             report.stopped, report.interrupted = "interrupted", True
+        if report.runs and not report.tally.traversals and report.verdict is Verdict.HOLDS:
+            self._listener.notice("every run holds, and none of them has walked an edge")
         return report
 
     def _confirm(self) -> None:

@@ -62,6 +62,6 @@ def _obstacle(scope: Scope, subject: Subject) -> str:
         return "checks all laws together, not a choice of them"
     if rules.step_budget is not None:
         return "knows only the default step budget"
-    if re.search(r"\b(d0|D)\b", rules.the_bound.name):
+    if re.search(r"\b(d0|D|two-vertices)\b", rules.the_bound.name):
         return f"knows only bounds over n and m, not {rules.the_bound.name!r}"
     return ""

@@ -6,10 +6,10 @@ import time
 from collections.abc import Callable, Collection, Iterator, MutableSequence
 from dataclasses import dataclass
 
-from allworlds.checker.finding import Finding, canonical_world
+from allworlds.checker.finding import Finding, canonical_world, place_of
 from allworlds.checker.scope import Rules, Scope, Work
 from allworlds.checker.tally import Tally
-from allworlds.episode import Answered, Episode, Fault, Player, play
+from allworlds.episode import Answered, Episode, Fault, Player, own_copy, play, the_same
 from allworlds.judge import LAWS, PRECEDENCE, Case, Violation, judge
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap
@@ -68,6 +68,7 @@ class Examiner:
         self._beat = beat if beat is not None else [0, 0]
         self._laws = [LAWS[law] for law in rules.applying]
         self._player: Player = subject.player(self.events.append)
+        self._hand = own_copy if subject.foreign else the_same
         self._intact = intact
 
     def examine(self, world: World, choices: Choices, run: str = "") -> Outcome:
@@ -90,7 +91,7 @@ class Examiner:
         return Outcome(episode, violation, detail, record, bound)
 
     def _play(self, world: World, choices: Choices, budget: int) -> Episode:
-        episode = play(world, self._player, choices, budget, self._beat)
+        episode = play(world, self._player, choices, budget, self._beat, self._hand)
         self._intact()
         return episode
 
@@ -109,11 +110,11 @@ class Examiner:
         )
         return judge(case, self._laws)
 
-    def name_run(self, map_: CombinatorialMap, place: int) -> str:
+    def name_run(self, world: World) -> str:
         """A name for a run that does not depend on the order of runs; empty if unused."""
         if not self.rules.policy.startswith("random"):
             return ""
-        return f"{rooted_code(map_.sigma, map_.alpha, 0)}/{place}"
+        return f"{rooted_code(world.map.sigma, world.map.alpha, 0)}/{place_of(world)}"
 
 
 def examine_unit(
@@ -174,7 +175,7 @@ def _count_world(tally: Tally, map_: CombinatorialMap) -> None:
 def _run(examiner: Examiner, scope: Scope, world: World, place: int, tally: Tally) -> None:
     """Every schedule of one run."""
     map_ = world.map
-    name = examiner.name_run(map_, place)
+    name = examiner.name_run(world)
     row = tally.row(map_.edge_count, map_.vertex_count)
     row.runs += 1
     for choices in scope.schedule(name):
@@ -185,8 +186,7 @@ def _run(examiner: Examiner, scope: Scope, world: World, place: int, tally: Tall
         if place == 0:
             row.traversals_rooted += cost
         row.max_cost = max(row.max_cost, cost)
-        if outcome.bound is not None:
-            row.bound = max(row.bound or 0, outcome.bound)
+        row.bound_of(outcome.bound)
         tally.checkpoints += len(outcome.episode.checkpoints)
         if outcome.violation and tally.wants(map_.edge_count, map_.vertex_count):
             tally.find(make_finding(examiner, world, place, outcome))

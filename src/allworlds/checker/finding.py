@@ -14,7 +14,7 @@ from allworlds.errors import parse_json, show
 from allworlds.judge import PRECEDENCE
 from allworlds.maps.canonical import Code, numbering, rooted_code
 from allworlds.protocol import Transcript
-from allworlds.subjects.subject import EXEC
+from allworlds.subjects.subject import EXEC, own_bound
 from allworlds.world import World
 
 VERSION = 1
@@ -71,11 +71,12 @@ class Finding:
             command += ["--policy", self.rules.policy]
         if any(self.choices) or (self.choices and self.rules.policy != "fifo"):
             command += ["--choices", ",".join(map(str, self.choices))]
-        if self.rules.bound and self.rules.bound != self.rules.kind.default_bound:
+        if self.rules.bound and self.rules.bound != self.rules.default_bound:
             command += ["--bound", self.rules.bound]
         if self.rules.step_budget is not None:
             command += ["--step-budget", str(self.rules.step_budget)]
-        if self.rules.applying != Rules(self.rules.lighthouse).applying:
+        given = Rules(self.rules.lighthouse, bound=self.rules.bound, own_bound=self.rules.own_bound)
+        if self.rules.applying != given.applying:
             command += ["--laws", ",".join(self.rules.applying)]
         return shlex.join(command)
 
@@ -111,6 +112,8 @@ class Finding:
         if isinstance(document, str):
             document = parse_json(document, ScopeError)
         document = _of_report(document)
+        if isinstance(document, Mapping) and "sigma" in document:
+            raise ScopeError("this is a world or a map, not a finding; see run")
         if not isinstance(document, Mapping):
             raise ScopeError(f"a finding is an object, not {show(document)}")
         if document.get("version") != VERSION:
@@ -137,7 +140,7 @@ class Finding:
             law,
             world,
             place_of(world),
-            Rules.from_json(options, world),
+            Rules.from_json(options, world, own_bound(explorer, world.lighthouse.kind)),
             tuple(choices),
             transcript,
             document.get("expected"),

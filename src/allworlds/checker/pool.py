@@ -18,7 +18,7 @@ from multiprocessing.connection import Connection, wait
 from typing import Any, Protocol, Self
 
 from allworlds.checker.examine import Examiner, examine_unit
-from allworlds.checker.scope import Limits, Scope, Work
+from allworlds.checker.scope import LEAST_TIMEOUT, Limits, Scope, Work
 from allworlds.checker.tally import Tally
 from allworlds.checker.worker import BEAT_WORDS, NO_RUN, HarnessError, Part, Setup, UnitJob
 from allworlds.errors import InputError
@@ -29,11 +29,12 @@ _START = (
     "from allworlds.checker.worker import main; main(sys.argv[2:])"
 )
 
-POLL = 0.1
+POLL = LEAST_TIMEOUT
 """Seconds between two looks at silent workers."""
 
 GRACE = 2.0
-"""Seconds more for a foreign program, whose silence its worker notices itself."""
+"""Seconds more where the parent is not the first to know: for a foreign program, whose silence
+its worker notices itself, and for a worker that has still something to be heard."""
 
 
 class TimeIsUp(Exception):
@@ -133,13 +134,16 @@ class WorkerProcess:
             raise message
         return message
 
-    def is_silent(self) -> bool:
-        """The explorer has been thinking about one and the same turn for too long."""
+    def is_silent(self, grace: float = 0.0) -> bool:
+        """The explorer has been thinking about one and the same turn for too long.
+
+        ``grace`` seconds more are allowed where there is reason to.
+        """
         now, seen = time.monotonic(), (self.beat[0], self.beat[1])
         if seen[1] == 0 or seen != self._seen:
             self._seen, self._since = seen, now
             return False
-        return now - self._since > self.patience
+        return now - self._since > self.patience + grace
 
     def has_ended(self) -> bool:
         """The process is no more, and all that it has said has been heard.
@@ -253,7 +257,11 @@ class WorkerPool:
         number = worker.beat[0]
         worker.kill()
         if number == NO_RUN:
-            raise SubjectError(f"a worker came to {seen} before its first run of the explorer")
+            memory = self.limits.memory
+            limit = "" if memory is None else f", with memory limited to {memory} MB"
+            raise SubjectError(
+                f"a worker came to {seen} before its first run of the explorer{limit}"
+            )
         # A death between two runs is put down to the next one, so that the task gets on.
         number = max(number, task.start)
         while number in task.skip:

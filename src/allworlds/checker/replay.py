@@ -9,7 +9,9 @@ from typing import Any
 from allworlds.checker.belief import recorded_trail
 from allworlds.checker.finding import Finding
 from allworlds.checker.report import SCHEMA
-from allworlds.checker.single import SingleRun, run
+from allworlds.checker.scope import ScopeError
+from allworlds.checker.single import SingleRun, run, unused_choice
+from allworlds.errors import show
 from allworlds.subjects import subject_of
 
 FIXED = 5
@@ -22,10 +24,13 @@ class Replay:
     Attributes:
         recorded: the finding.
         again: the run of today.
+        notice: the first recorded choice that this run has not taken; empty if it took all, or
+            if another explorer was to answer by itself.
     """
 
     recorded: Finding
     again: SingleRun
+    notice: str = ""
 
     @property
     def outcome(self) -> str:
@@ -58,17 +63,26 @@ def replay(
 ) -> Replay:
     """Run a finding's world again under its rules, with ``explore`` in place of its explorer.
 
-    The recorded choices are repeated for the recorded explorer; another one answers to the
-    recorded policy.
+    The recorded choices are repeated for the recorded explorer, as far as they fit: it may have
+    been changed since.  Another one answers to the recorded policy.
 
     Raises:
-        InputError: if the explorer is not to be found, or the finding's transcript is no walk
-            in its world.
+        InputError: if the explorer is not to be found, the finding's transcript is no walk in
+            its world, or it records choices of an explorer that takes none, unless that one is
+            named by ``explore``, too.
     """
+    if not isinstance(finding, Finding):
+        raise ScopeError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
     rules = finding.rules
     recorded_trail(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
     subject = subject_of(finding.explorer if explore is None else explore, answer_timeout)
+    if explore is None and finding.choices and not subject.takes_choices:
+        raise ScopeError(
+            f"the finding records the choices {show(list(finding.choices))}, but "
+            f"{finding.explorer} takes no choices; to run it without them, name it as the "
+            "explorer, too"
+        )
     again = run(
         subject.name if subject.importable else subject.explore,
         finding.world,
@@ -79,4 +93,7 @@ def replay(
         step_budget=rules.step_budget,
         answer_timeout=answer_timeout,
     )
-    return Replay(finding, again)
+    notice = unused_choice(finding.choices, again) if same else ""
+    if notice:
+        notice = f"the recorded {notice}; they count as far as they fit"
+    return Replay(finding, again, notice)

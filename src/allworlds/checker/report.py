@@ -129,6 +129,16 @@ class Report:
             return INTERRUPTED
         return EXIT_CODES[self.verdict]
 
+    def uninterrupted(self) -> Report:
+        """This report, for callers to whom half a check says nothing.
+
+        Raises:
+            KeyboardInterrupt: if it was interrupted; ``check`` has kept that to itself.
+        """
+        if self.interrupted:
+            raise KeyboardInterrupt
+        return self
+
     def to_json(self) -> dict[str, Any]:
         """The document of ``check --json``."""
         return {

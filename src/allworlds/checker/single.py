@@ -10,11 +10,11 @@ from allworlds.checker.confirm import examine_apart
 from allworlds.checker.examine import Examiner, Outcome, make_finding
 from allworlds.checker.finding import Finding, place_of
 from allworlds.checker.report import EXIT_CODES, SCHEMA, Verdict
-from allworlds.checker.scope import Limits, Rules, ScopeError, make_scope
+from allworlds.checker.scope import Limits, Rules, Scope, ScopeError, make_rules, make_scope
 from allworlds.episode import Answered
-from allworlds.errors import show
+from allworlds.errors import an_integer, show
 from allworlds.maps.enumeration import rooted_maps
-from allworlds.subjects import subject_of
+from allworlds.subjects import own_bound, subject_of
 from allworlds.world import World
 
 
@@ -40,6 +40,12 @@ def worlds(
         InputError: naming the offending option and what would be legal.
     """
     scope = make_scope(edges=edges, vertices=vertices, map_class=map_class, lighthouse=lighthouse)
+    if places not in ("all", "first"):
+        raise ScopeError(f"places {show(places)} is none of all, first")
+    return _worlds(scope, places)
+
+
+def _worlds(scope: Scope, places: str) -> Iterator[World]:
     bounds, kind = scope.bounds, scope.rules.kind
     for level in bounds.levels:
         for map_ in rooted_maps(level, bounds.map_class, bounds.vertices):
@@ -105,8 +111,8 @@ def run(
     *,
     policy: str = "fifo",
     choices: Sequence[int] = (),
-    bound: str = "",
-    laws: Iterable[str] = (),
+    bound: str | int | None = None,
+    laws: Iterable[str] | None = None,
     step_budget: int | None = None,
     answer_timeout: float = 10.0,
 ) -> SingleRun:
@@ -120,32 +126,44 @@ def run(
         world: map, lighthouse and start.
         policy: answers the choices after those of ``choices``.
         choices: answers to the first choices, by index.
-        bound: ``paper``, ``none`` or an expression; empty takes the lighthouse's own.
-        laws: those to check; empty takes all that apply.
+        bound: ``paper``, ``two-vertices``, ``none``, an expression or an integer; None takes
+            the explorer's own, else the lighthouse's.
+        laws: those to check; None takes all that apply.
         step_budget: the largest legal number of traversals.
         answer_timeout: seconds of silence after which the explorer is killed.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    rules = Rules(
+    if not isinstance(world, World):
+        raise ScopeError(f"world = {show(world)} is no World; World.from_json makes one")
+    script = _indices(choices)
+    limits = Limits(answer_timeout=answer_timeout)
+    subject = subject_of(explore, answer_timeout)
+    rules = make_rules(
         lighthouse=world.lighthouse.kind,
         policy=policy,
         bound=bound,
-        laws=tuple(laws),
+        own_bound=own_bound(subject.name, world.lighthouse.kind),
+        laws=laws,
         step_budget=step_budget,
     )
-    limits = Limits(answer_timeout=answer_timeout)
-    subject = subject_of(explore, answer_timeout)
     examiner = Examiner(subject, rules)
-    place = place_of(world)
     if subject.foreign and subject.importable:
-        outcome = examine_apart(subject, rules, world, place, tuple(choices), limits)
+        outcome = examine_apart(subject, rules, world, script, limits)
     else:
-        name = examiner.name_run(world.map, place)
-        outcome = examiner.examine(world, rules.choices(name, choices), name)
-    finding = make_finding(examiner, world, place, outcome) if outcome.violation else None
+        name = examiner.name_run(world)
+        outcome = examiner.examine(world, rules.choices(name, script), name)
+    finding = None
+    if outcome.violation:
+        finding = make_finding(examiner, world, place_of(world), outcome)
     return SingleRun(subject.name, world, rules, outcome, finding)
+
+
+def _indices(choices: object) -> tuple[int, ...]:
+    if isinstance(choices, str) or not isinstance(choices, Iterable):
+        raise ScopeError(f"choices = {show(choices)} is not a list of indices")
+    return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
 
 
 def refuse_unused(choices: Sequence[int], told: SingleRun) -> None:
@@ -154,8 +172,18 @@ def refuse_unused(choices: Sequence[int], told: SingleRun) -> None:
     Raises:
         InputError: naming the first that it has not taken.
     """
+    if unused := unused_choice(choices, told):
+        raise ScopeError(unused)
+
+
+def unused_choice(choices: Sequence[int], told: SingleRun) -> str:
+    """The first of these choices that a run has not taken, and why; empty if it has taken all."""
     for i, index in enumerate(choices):
         if told.outcome.choices[i : i + 1] != (index,):
             asked = len(told.outcome.choices)
-            reason = "there are fewer options" if i < asked else f"only {asked} were asked for"
-            raise ScopeError(f"choice {i} is {show(index)}, but {reason}")
+            only = "none was asked for"
+            if asked:
+                only = f"only {asked} {'was' if asked == 1 else 'were'} asked for"
+            reason = "there are fewer options" if i < asked else only
+            return f"choice {i} is {show(index)}, but {reason}"
+    return ""

@@ -39,8 +39,12 @@ class Row:
         self.traversals += other.traversals
         self.traversals_rooted += other.traversals_rooted
         self.max_cost = max(self.max_cost, other.max_cost)
-        if other.bound is not None:
-            self.bound = max(self.bound or 0, other.bound)
+        self.bound_of(other.bound)
+
+    def bound_of(self, run: int | None) -> None:
+        """Take in the bound of a run, which may be negative; None where it has none."""
+        if run is not None:
+            self.bound = run if self.bound is None else max(self.bound, run)
 
 
 @dataclass(slots=True)

@@ -24,6 +24,7 @@ from allworlds.episode import Answered, Episode, Fault, play
 from allworlds.errors import InputError
 from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, Transcript
 from allworlds.subjects import Subject, load
+from allworlds.subjects.stderr import patient_stderr
 from allworlds.world import IllegalAction, World
 
 T = TypeVar("T")
@@ -61,7 +62,6 @@ class RunJob:
 
     rules: Rules
     world: World
-    place: int
     script: tuple[int, ...]
 
 
@@ -74,7 +74,6 @@ class TraceJob:
 
     rules: Rules
     world: World
-    place: int
     schedules: Schedule
     script: tuple[int, ...] = ()
 
@@ -184,11 +183,14 @@ class Worker:
     def run(self) -> None:
         """Serve until the parent hangs up."""
         setup: Setup = self._connection.recv()
-        if setup.memory is not None:
-            _limit_memory(setup.memory)
         try:
+            if setup.memory is not None:
+                _limit_memory(setup.memory)
             subject = load(setup.explorer, setup.answer_timeout)
         except InputError as error:
+            if setup.memory is not None:
+                # The parent has loaded it, without a limit.
+                error = InputError(f"memory {setup.memory} MB is probably too small: {error}")
             self._connection.send(error)
             return
         signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
@@ -238,13 +240,13 @@ class Worker:
 
     def _run(self, subject: Subject, job: RunJob) -> None:
         examiner = Examiner(subject, job.rules, self._beat, self._intact)
-        name = examiner.name_run(job.world.map, job.place)
+        name = examiner.name_run(job.world)
         choices = job.rules.choices(name, job.script)
         self._connection.send(examiner.examine(job.world, choices, name))
 
     def _trace(self, subject: Subject, job: TraceJob) -> None:
         rules = job.rules
-        name = Examiner(subject, rules).name_run(job.world.map, job.place)
+        name = Examiner(subject, rules).name_run(job.world)
         every = job.schedules == "all"
         told_world = cast("World", _Told(job.world, self._connection))
         for choices in Schedules() if every else [rules.choices(name, job.script)]:
@@ -276,11 +278,20 @@ def _with_last(items: Iterable[T]) -> Iterable[tuple[T, bool]]:
 
 
 def _limit_memory(megabytes: int) -> None:
+    """Bound the address space of this process.
+
+    Raises:
+        InputError: if it is larger already; it would go on for as long as it needs no more.
+    """
     import resource
 
     _, most = resource.getrlimit(resource.RLIMIT_AS)
     size = min(megabytes << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
     resource.setrlimit(resource.RLIMIT_AS, (size, size))
+    try:
+        mmap.mmap(-1, mmap.PAGESIZE).close()
+    except OSError:
+        raise InputError("a worker is larger before it has loaded an explorer") from None
 
 
 def _leave(subject: Subject) -> None:
@@ -297,6 +308,7 @@ def main(arguments: Sequence[str]) -> None:
     # or get into, what the parent reads.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.dup2(2, 1)
+    sys.stdout = sys.stderr = patient_stderr()
     with mmap.mmap(memory, 8 * BEAT_WORDS) as shared, Connection(pipe) as connection:
         beat = memoryview(shared).cast("Q")
         try:

@@ -13,7 +13,8 @@ Info = Annotated[
     str,
     typer.Option(
         metavar="INFO",
-        help="The lighthouse of a WORLD that names none: none, position, compass or directional.",
+        help="The lighthouse of a WORLD that names none: none, position, compass, directional, "
+        "cluster or natural.",
         rich_help_panel=opt.SCOPE,
     ),
 ]
@@ -65,6 +66,7 @@ def class_(
     limit: Annotated[
         int | None,
         typer.Option(
+            parser=opt.integer,
             metavar="L",
             help="List at most L worlds; size and poses are exact all the same [default: 1000].",
             rich_help_panel=opt.EFFORT,

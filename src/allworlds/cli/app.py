@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import signal
 import sys
 import traceback
@@ -16,6 +15,7 @@ from allworlds.cli.bench import bench
 from allworlds.cli.explain import explain
 from allworlds.cli.fuzz import fuzz
 from allworlds.cli.mutants import mutants
+from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable
 from allworlds.cli.search import search
 from allworlds.cli.verbs import check, count, replay, run
 from allworlds.cli.worst import worst
@@ -75,9 +75,7 @@ def main() -> NoReturn:
     """Run a verb and end the process with its exit code."""
     # To be terminated is to be interrupted: a report is left, and no worker.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        # A terminal that cannot show a character shows its number.
-        sys.stdout.reconfigure(errors="backslashreplace")
+    prepare_streams()
     sys.exit(_guarded(sys.argv[1:]))
 
 
@@ -89,15 +87,16 @@ def _guarded(arguments: list[str]) -> int:
     except _ClickError as error:
         return _refuse(_complaint(error, arguments))
     except (KeyboardInterrupt, typer.Abort):
-        print("allworlds: interrupted", file=sys.stderr)
+        complain("interrupted")
         return INTERRUPTED
     except OSError as error:
-        # A full disk, or a stdout that has been closed.
-        print(f"allworlds: {error.strerror or error}", file=sys.stderr)
+        # A full disk, or a stdout that is closed or full.
+        abandon_stdout()
+        complain(error.strerror or str(error))
         return INTERNAL
     except Exception:  # noqa: BLE001  # the last resort: say so, and say where
-        traceback.print_exc()
-        print("allworlds: internal error; the lines above say where", file=sys.stderr)
+        print(printable(traceback.format_exc()), end="", file=sys.stderr)
+        complain("internal error; the lines above say where")
         return INTERNAL
     return int(code or 0)
 
@@ -113,6 +112,5 @@ def _complaint(error: Exception, arguments: list[str]) -> str:
 
 
 def _refuse(message: str) -> int:
-    line = " ".join(message.split())
-    print(f"allworlds: {line}", file=sys.stderr)
+    complain(message)
     return USAGE

@@ -13,10 +13,16 @@ from allworlds.cli.output import emit
 def bench(
     *,
     edges: Annotated[
-        int, typer.Option(metavar="M", help="The level that the compiled engines do.")
+        int,
+        typer.Option(
+            parser=opt.integer, metavar="M", help="The level that the compiled engines do."
+        ),
     ] = 7,
     rounds: Annotated[
-        int, typer.Option(metavar="R", help="How often each contender takes its turn.")
+        int,
+        typer.Option(
+            parser=opt.integer, metavar="R", help="How often each contender takes its turn."
+        ),
     ] = 3,
     peer: Annotated[
         list[str] | None,

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
-from allworlds.cli.junit import Junit, ensure_writable, write_junit
+from allworlds.cli.files import Html, Junit, ensure_writable, write_reports
 from allworlds.cli.output import Progress, emit
 
 
@@ -15,19 +15,29 @@ def fuzz(
     explorer: opt.Explorer = None,
     *,
     edges: Annotated[
-        int, typer.Option(metavar="M", help="At most M edges.", rich_help_panel=opt.SCOPE)
+        int,
+        typer.Option(
+            parser=opt.integer, metavar="M", help="At most M edges.", rich_help_panel=opt.SCOPE
+        ),
     ],
     runs: Annotated[
-        int, typer.Option(metavar="R", help="How many worlds.", rich_help_panel=opt.SCOPE)
+        int,
+        typer.Option(
+            parser=opt.integer, metavar="R", help="How many worlds.", rich_help_panel=opt.SCOPE
+        ),
     ],
     seed: Annotated[
-        int, typer.Option(metavar="S", help="Which sample.", rich_help_panel=opt.SCOPE)
+        int,
+        typer.Option(
+            parser=opt.integer, metavar="S", help="Which sample.", rich_help_panel=opt.SCOPE
+        ),
     ] = 0,
     command: opt.Exec = None,
     map_class: opt.MapClassName = "maps",
+    lighthouse: opt.LighthouseName = None,
     policy: opt.PolicyName = "fifo",
-    bound: opt.BoundName = "",
-    laws: opt.LawNames = "",
+    bound: opt.BoundName = None,
+    laws: opt.LawNames = None,
     step_budget: opt.StepBudget = None,
     workers: Annotated[
         str, typer.Option(metavar="N|auto", rich_help_panel=opt.EFFORT, help="Processes.")
@@ -36,6 +46,7 @@ def fuzz(
     time_limit: opt.TimeLimit = None,
     memory: opt.Memory = None,
     junit: Junit = None,
+    html: Html = None,
     as_json: opt.Json = False,
     quiet: opt.Quiet = False,
 ) -> int:
@@ -48,6 +59,7 @@ def fuzz(
     from allworlds.reports import check_text
 
     ensure_writable(junit)
+    ensure_writable(html)
     with Progress(quiet=quiet) as progress:
         report = run_fuzz(
             opt.explorer_name(explorer, command),
@@ -55,6 +67,7 @@ def fuzz(
             runs=runs,
             seed=seed,
             map_class=map_class,
+            lighthouse=lighthouse,
             policy=policy,
             bound=bound,
             laws=opt.law_names(laws),
@@ -65,6 +78,6 @@ def fuzz(
             memory=memory,
             listener=progress,
         )
-    write_junit(junit, report)
+    write_reports(report, junit=junit, html=html)
     emit(report, lambda width: check_text(report, width), as_json=as_json)
     return report.exit_code

@@ -13,7 +13,10 @@ from allworlds.cli.output import emit
 def mutants(
     *,
     edges: Annotated[
-        int, typer.Option(metavar="M", help="Try worlds with at most M edges (1 to 4).")
+        int,
+        typer.Option(
+            parser=opt.integer, metavar="M", help="Try worlds with at most M edges (1 to 4)."
+        ),
     ] = 4,
     as_json: opt.Json = False,
 ) -> int:

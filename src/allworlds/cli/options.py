@@ -5,19 +5,37 @@ from __future__ import annotations
 import os
 import re
 import tempfile
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from allworlds.corpora import own_corpus
-from allworlds.errors import InputError, show
-from allworlds.maps.build import named_map, named_maps
+from allworlds.errors import InputError, a_path, parse_json, show
+from allworlds.maps.build import NoSuchMap, named_map, named_maps
 from allworlds.maps.families import family
-from allworlds.subjects.subject import EXEC
-from allworlds.world import Directional, World, lighthouse_named
+from allworlds.subjects.subject import EXEC, names_explorer
+from allworlds.world import Directional, World, lighthouse_from_json, lighthouse_named
 
 SCOPE, RULES, EFFORT, OUTPUT = "What is checked", "How it is judged", "Effort", "Output"
+
+
+def integer(text: str | int) -> int:
+    """The integer of a text, or a default; unlike ``int`` without 1_0 and other scripts."""
+    if isinstance(text, int) or re.fullmatch(r"[+-]?[0-9]{1,4000}", text):
+        return int(text)
+    raise typer.BadParameter(f"{show(text)} is not an integer")
+
+
+def seconds(text: str | float) -> float:
+    """The number of a text, or a default."""
+    if isinstance(text, float) or re.fullmatch(
+        r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?|-?inf|nan", text
+    ):
+        return float(text)
+    raise typer.BadParameter(f"{show(text)} is not a number of seconds")
+
 
 Explorer = Annotated[
     str | None,
@@ -40,13 +58,19 @@ Exec = Annotated[
 Edges = Annotated[
     int | None,
     typer.Option(
-        "--edges", metavar="M", help="At most M edges.", rich_help_panel=SCOPE, show_default=False
+        "--edges",
+        parser=integer,
+        metavar="M",
+        help="At most M edges.",
+        rich_help_panel=SCOPE,
+        show_default=False,
     ),
 ]
 Vertices = Annotated[
     int | None,
     typer.Option(
         "--vertices",
+        parser=integer,
         metavar="N",
         help="At most N vertices (alone: simple classes only).",
         rich_help_panel=SCOPE,
@@ -61,6 +85,17 @@ MapClassName = Annotated[
         rich_help_panel=SCOPE,
     ),
 ]
+LighthouseName = Annotated[
+    str | None,
+    typer.Option(
+        "--lighthouse",
+        metavar="KIND",
+        help="KIND[:key=value,...] (default: directional, or the one that a built-in explorer is "
+        "written for).",
+        rich_help_panel=SCOPE,
+        show_default=False,
+    ),
+]
 PolicyName = Annotated[
     str,
     typer.Option(
@@ -71,18 +106,19 @@ PolicyName = Annotated[
     ),
 ]
 BoundName = Annotated[
-    str,
+    str | None,
     typer.Option(
         "--bound",
         metavar="BOUND",
-        help="Largest number of traversals: paper (1)+(2), none, or an expression over n, m, d0, "
-        "D with + - * // **, min, max (default: the lighthouse's own).",
+        help="Largest number of traversals: paper (1)+(2), two-vertices, none, or an expression "
+        "over n, m, d0, D with + - * // **, min, max (default: the explorer's own, else the "
+        "lighthouse's).",
         rich_help_panel=RULES,
         show_default=False,
     ),
 ]
 LawNames = Annotated[
-    str,
+    str | None,
     typer.Option(
         "--laws",
         metavar="LAWS",
@@ -96,6 +132,7 @@ StepBudget = Annotated[
     int | None,
     typer.Option(
         "--step-budget",
+        parser=integer,
         metavar="B",
         help="More traversals break the law 'budget' (default: 8 x ((1)+(2)) + 100).",
         rich_help_panel=RULES,
@@ -106,6 +143,7 @@ AnswerTimeout = Annotated[
     float,
     typer.Option(
         "--answer-timeout",
+        parser=seconds,
         metavar="S",
         help="Seconds of silence that break the law 'timeout'.",
         rich_help_panel=EFFORT,
@@ -113,14 +151,21 @@ AnswerTimeout = Annotated[
 ]
 TimeLimit = Annotated[
     float | None,
-    typer.Option(metavar="S", help="Seconds for everything.", rich_help_panel=EFFORT),
+    typer.Option(
+        parser=seconds, metavar="S", help="Seconds for everything.", rich_help_panel=EFFORT
+    ),
 ]
 Memory = Annotated[
     int | None,
-    typer.Option(metavar="MB", help="Address space of each worker.", rich_help_panel=EFFORT),
+    typer.Option(
+        parser=integer,
+        metavar="MB",
+        help="Address space of each worker process; the kernel engine has none.",
+        rich_help_panel=EFFORT,
+    ),
 ]
 CorpusDirectory = Annotated[
-    Path | None,
+    str | None,
     typer.Option(
         "--corpus",
         metavar="DIR",
@@ -148,13 +193,9 @@ def explorer_name(explorer: str | None, command: str | None) -> str:
     return EXEC + command
 
 
-def law_names(text: str) -> tuple[str, ...]:
-    """The laws of a list with commas; none for the empty text."""
-    names = tuple(part.strip() for part in text.split(",")) if text else ()
-    for name in names:
-        if names.count(name) > 1:
-            raise InputError(f"laws {show(text)} name {name!r} twice")
-    return names
+def law_names(text: str | None) -> tuple[str, ...] | None:
+    """The laws of a list with commas."""
+    return None if text is None else tuple(part.strip() for part in text.split(","))
 
 
 def worker_count(text: str) -> int:
@@ -166,11 +207,16 @@ def worker_count(text: str) -> int:
     raise InputError(f"workers {show(text)} is neither auto nor a positive number")
 
 
+SHARD_DIGITS = 9
+
+
 def shard_numbers(text: str) -> tuple[int, int]:
     """``K/N``."""
-    match = re.fullmatch(r"([0-9]{1,9})/([0-9]{1,9})", text)
+    match = re.fullmatch(r"([0-9]+)/([0-9]+)", text)
     if match is None:
         raise InputError(f"shard {show(text)} is not of the form K/N, counted from 0")
+    if max(map(len, match.groups())) > SHARD_DIGITS:
+        raise InputError(f"shard {show(text)} is too big; N is at most {10**SHARD_DIGITS - 1}")
     return int(match[1]), int(match[2])
 
 
@@ -183,11 +229,38 @@ def fraction(text: str) -> float:
     return value
 
 
-def index_list(text: str) -> tuple[int, ...]:
-    """Integers from 0 on with commas."""
-    if not re.fullmatch(r"([0-9]{1,9}(,[0-9]{1,9})*)?", text):
+def index_list(text: str | None) -> tuple[int, ...]:
+    """Integers from 0 on with commas; none where there is no text."""
+    if text is None:
+        return ()
+    if not re.fullmatch(r"[0-9]{1,9}(,[0-9]{1,9})*", text):
         raise InputError(f"choices {show(text)} are not indices from 0 on with commas")
-    return tuple(int(part) for part in text.split(",") if part)
+    return tuple(int(part) for part in text.split(","))
+
+
+def explorer_and_world(words: list[str], *, family: bool, program: bool) -> tuple[str | None, str]:
+    """The EXPLORER and the WORLD among the arguments of ``run``, where they are given.
+
+    With a family there is no WORLD: it is the empty text.
+    """
+    wanted = 0 if family else 1
+    if not wanted <= len(words) <= wanted + (not program):
+        given = " ".join(words) or "nothing"
+        raise InputError(f"run takes [EXPLORER] and a WORLD or --family, not {show(given)}")
+    explorer = words[0] if len(words) > wanted else None
+    world = "" if family else words[-1]
+    if names_explorer(world):
+        if explorer is None:
+            raise InputError(f"WORLD is missing: {show(world)} is an explorer; {_WORLDS}")
+        if not names_explorer(explorer):
+            raise InputError(
+                f"{show(world)} is an explorer and stands in the place of WORLD; EXPLORER comes "
+                "first, then WORLD"
+            )
+    return explorer, world
+
+
+_WORLDS = "a WORLD is inline JSON, @file, or a name such as k4, wheel-4, theta-torus"
 
 
 def world_named(text: str, kind: str = Directional.kind) -> World:
@@ -198,49 +271,85 @@ def world_named(text: str, kind: str = Directional.kind) -> World:
     """
     lighthouse_named(kind)
     if text.startswith("@"):
-        return World.from_json(read_text(text[1:]), missing=kind)
-    if text.lstrip().startswith("{"):
-        return World.from_json(text, missing=kind)
+        return _world_of_json(read_text(text[1:]), kind)
+    if _is_json(text):
+        return _world_of_json(text, kind)
     try:
         map_ = named_map(text)
-    except ValueError:
-        return _world_of_corpus(text, kind)
+    except NoSuchMap as error:
+        return _world_of_corpus(text, kind, error)
     return World.from_json(map_.to_json(), missing=kind)
 
 
-def _world_of_corpus(name: str, kind: str) -> World:
+def _world_of_corpus(name: str, kind: str, no_map: NoSuchMap) -> World:
     corpus = own_corpus()
     for entry in corpus.of_kind("world"):
         if entry.name == name:
             return World.from_json(corpus.document(entry), missing=kind)
+    if f"{name.rpartition('-')[0]}-N" in named_maps():
+        raise no_map
     raise InputError(
         f"world {show(name)} is neither JSON, nor @file, nor one of {', '.join(named_maps())}, "
-        "nor a world of the corpus"
+        f"nor a world of the corpus{_hint(name)}"
     )
 
 
-def world_of_family(text: str, holes: str, seed: int) -> World:
-    """The world of a family with its marker on dart 0."""
-    return World(family(text, holes=fraction(holes), seed=seed), Directional(0))
+def _is_json(text: str) -> bool:
+    if text.lstrip().startswith(("{", "[")):
+        return True
+    try:
+        parse_json(text)
+    except InputError:
+        return False
+    return True
 
 
-def ensure_directory(path: Path | None) -> None:
+def _world_of_json(text: str, kind: str) -> World:
+    document = parse_json(text)
+    keys = document.keys() if isinstance(document, dict) else set()
+    if keys & {"findings", "finding", "law"} and not keys & {"sigma", "alpha"}:
+        raise InputError("this is a report or a finding, not a world; see replay and explain")
+    return World.from_json(document, missing=kind)
+
+
+def _hint(name: str) -> str:
+    """What may have been meant by a name that is none."""
+    if Path(name).suffix == ".json":
+        return f"; to read a file write {show('@' + name)}"
+    if ":" in name:
+        return f"; a family is given by --family {name}"
+    known = [*named_maps(), *(entry.name for entry in own_corpus().of_kind("world"))]
+    meant = get_close_matches(name.lower(), known, 1)
+    return f"; did you mean {meant[0]!r}?" if meant else ""
+
+
+def world_of_family(text: str, holes: str | None, seed: int | None, kind: str) -> World:
+    """The world of a family, started at dart 0, with a lighthouse at its default place."""
+    share = 0.0 if holes is None else fraction(holes)
+    map_ = family(text, holes=share, seed=0 if seed is None else seed)
+    if seed is not None and not share and not text.startswith("random"):
+        raise InputError(f"seed {seed} has no effect on {text} without holes")
+    return World(map_, lighthouse_from_json(None, map_, 0, kind))
+
+
+def ensure_directory(name: str | None) -> None:
     """Make the directory if it is missing; bad input if no file can be written there."""
-    if path is None:
+    if name is None:
         return
+    path = a_path("corpus", name)
     try:
         path.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=path):
             pass
     except OSError as error:
-        reason = f"{show(str(path))} cannot be written: {error.strerror}"
+        reason = f"{show(name)} cannot be written: {error.strerror}"
         raise InputError(f"corpus {reason}") from None
 
 
 def read_text(path: str) -> str:
     """The text of a file the user has named."""
     try:
-        return Path(path).read_text(encoding="utf-8")
+        return a_path("file", path).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is no text"
         raise InputError(f"file {path!r} cannot be read: {reason}") from None

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
+import re
 import shutil
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, Protocol, Self
+
+from allworlds.subjects.stderr import patient_stderr
 
 NARROWEST = 40
 
@@ -24,14 +29,62 @@ def width() -> int:
     return max(NARROWEST, shutil.get_terminal_size((100, 24)).columns)
 
 
+def printable(text: str) -> str:
+    """The text with control characters as their numbers, lines and tabs excepted.
+
+    Explorers have their words in texts; a terminal must not take orders from them.
+    """
+    return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", lambda found: f"\\x{ord(found[0]):02x}", text)
+
+
 def emit(result: Document, text: Callable[[int], str], *, as_json: bool) -> None:
-    """Print a result in the form that was asked for."""
+    """Print a result in the form that was asked for.
+
+    Raises:
+        OSError: saying that it is stdout that cannot be written.
+    """
     try:
-        print(json.dumps(result.to_json(), indent=2) if as_json else text(width()))
+        print(json.dumps(result.to_json(), indent=2) if as_json else printable(text(width())))
         sys.stdout.flush()
     except BrokenPipeError:
         # The reader has gone (a pipe to head); the exit code is still to be told.
+        abandon_stdout()
+    except OSError as error:
+        raise OSError(error.errno, f"stdout cannot be written: {error.strerror}") from None
+
+
+def abandon_stdout() -> None:
+    """Nothing more goes there: what is left in its buffer must not be an error once more."""
+    with suppress(io.UnsupportedOperation):  # it may be a stand-in without a file
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def complain(text: str) -> None:
+    """One line on stderr."""
+    print(f"allworlds: {printable(' '.join(text.split()))}", file=sys.stderr)
+
+
+def prepare_streams() -> None:
+    """Give this process, and those that it starts, all three standard streams.
+
+    Of a stream that was closed at the start Python knows nothing, and the next file that is
+    opened takes its place: texts for stderr would turn up on stdout, and reports in files.
+    """
+    for number, stream in enumerate((sys.stdin, sys.stdout, sys.stderr)):
+        if stream is None:
+            # Nobody reads stderr then; but that nobody gets the report on stdout is an error.
+            mode = os.O_WRONLY if number == 2 else os.O_RDONLY
+            opened = os.open(os.devnull, mode)
+            if opened != number:
+                os.dup2(opened, number)
+                os.close(opened)
+            os.set_inheritable(number, True)  # noqa: FBT003  # it takes no keyword
+    if sys.stdout is None:
+        sys.stdout = open(1, "w", encoding="utf-8")  # noqa: SIM115  # it lives as long as we
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        # A terminal that cannot show a character shows its number.
+        sys.stdout.reconfigure(errors="backslashreplace")
+    sys.stderr = patient_stderr()
 
 
 class Progress:
@@ -65,7 +118,7 @@ class Progress:
     def notice(self, text: str) -> None:
         """One line on stderr."""
         if not self._quiet:
-            print(f"allworlds: {text}", file=sys.stderr)
+            complain(text)
 
 
 def _bar() -> Any:

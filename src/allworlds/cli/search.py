@@ -23,32 +23,48 @@ def search(
         ),
     ],
     max_vertices: Annotated[
-        int, typer.Option(metavar="N", help="At most N vertices.", rich_help_panel=opt.SCOPE)
+        int,
+        typer.Option(
+            parser=opt.integer, metavar="N", help="At most N vertices.", rich_help_panel=opt.SCOPE
+        ),
     ],
     max_edges: Annotated[
-        int, typer.Option(metavar="M", help="At most M edges.", rich_help_panel=opt.SCOPE)
+        int,
+        typer.Option(
+            parser=opt.integer, metavar="M", help="At most M edges.", rich_help_panel=opt.SCOPE
+        ),
     ],
     map_class: opt.MapClassName = "maps",
     degree_marked: Annotated[
         int | None,
-        typer.Option(metavar="D", help="Degree of the start's vertex.", rich_help_panel=opt.SCOPE),
+        typer.Option(
+            parser=opt.integer,
+            metavar="D",
+            help="Degree of the start's vertex.",
+            rich_help_panel=opt.SCOPE,
+        ),
     ] = None,
     degree_others: Annotated[
         int | None,
-        typer.Option(metavar="D", help="Degree of every other vertex.", rich_help_panel=opt.SCOPE),
+        typer.Option(
+            parser=opt.integer,
+            metavar="D",
+            help="Degree of every other vertex.",
+            rich_help_panel=opt.SCOPE,
+        ),
     ] = None,
     motions: Annotated[
-        str,
+        str | None,
         typer.Option(metavar="K,K,...", help="A walk from the start.", rich_help_panel=opt.SCOPE),
-    ] = "",
+    ] = None,
     percepts: Annotated[
-        str,
+        str | None,
         typer.Option(
             metavar="P,P,...",
             help="What it senses after each motion: 3A (degree 3, marker absent) or 4P (present).",
             rich_help_panel=opt.SCOPE,
         ),
-    ] = "",
+    ] = None,
     solver: Annotated[
         str | None,
         typer.Option(
@@ -86,7 +102,7 @@ def search(
         degree_marked=degree_marked,
         degree_others=degree_others,
         motions=_motions(motions),
-        percepts=tuple(part for part in percepts.split(",") if percepts),
+        percepts=() if percepts is None else tuple(percepts.split(",")),
         solver=solver,
         out=out,
         time_limit=time_limit,
@@ -98,7 +114,9 @@ def search(
     return result.exit_code
 
 
-def _motions(text: str) -> tuple[int, ...]:
-    if not re.fullmatch(r"(-?[0-9]{1,3}(,-?[0-9]{1,3})*)?", text):
+def _motions(text: str | None) -> tuple[int, ...]:
+    if text is None:
+        return ()
+    if not re.fullmatch(r"-?[0-9]{1,3}(,-?[0-9]{1,3})*", text):
         raise InputError(f"motions {show(text)} are not integers of up to 3 digits with commas")
-    return tuple(int(part) for part in text.split(",") if part)
+    return tuple(int(part) for part in text.split(","))

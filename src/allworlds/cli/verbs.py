@@ -7,8 +7,8 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
-from allworlds.cli.junit import Junit, ensure_writable, write_junit
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.files import Html, Junit, ensure_writable, write_reports
+from allworlds.cli.output import Progress, complain, emit
 from allworlds.errors import InputError
 
 
@@ -19,10 +19,7 @@ def check(
     edges: opt.Edges = None,
     vertices: opt.Vertices = None,
     map_class: opt.MapClassName = "maps",
-    lighthouse: Annotated[
-        str,
-        typer.Option(metavar="KIND", help="KIND[:key=value,...].", rich_help_panel=opt.SCOPE),
-    ] = "directional",
+    lighthouse: opt.LighthouseName = None,
     shard: Annotated[
         str,
         typer.Option(
@@ -38,8 +35,8 @@ def check(
             rich_help_panel=opt.RULES,
         ),
     ] = "one",
-    bound: opt.BoundName = "",
-    laws: opt.LawNames = "",
+    bound: opt.BoundName = None,
+    laws: opt.LawNames = None,
     step_budget: opt.StepBudget = None,
     engine: Annotated[
         str,
@@ -54,7 +51,10 @@ def check(
     max_findings: Annotated[
         int,
         typer.Option(
-            metavar="K", rich_help_panel=opt.EFFORT, help="Stop after K findings of whole levels."
+            parser=opt.integer,
+            metavar="K",
+            rich_help_panel=opt.EFFORT,
+            help="Stop after K findings of whole levels.",
         ),
     ] = 1,
     answer_timeout: opt.AnswerTimeout = 10.0,
@@ -62,6 +62,7 @@ def check(
     memory: opt.Memory = None,
     corpus: opt.CorpusDirectory = None,
     junit: Junit = None,
+    html: Html = None,
     as_json: opt.Json = False,
     quiet: opt.Quiet = False,
 ) -> int:
@@ -75,6 +76,7 @@ def check(
     from allworlds.reports import check_text
 
     ensure_writable(junit)
+    ensure_writable(html)
     opt.ensure_directory(corpus)
     with Progress(quiet=quiet) as progress:
         report = run_check(
@@ -98,7 +100,7 @@ def check(
             corpus=corpus,
             listener=progress,
         )
-    write_junit(junit, report)
+    write_reports(report, junit=junit, html=html)
     emit(report, lambda width: check_text(report, width), as_json=as_json)
     return report.exit_code
 
@@ -144,25 +146,35 @@ def run(
         ),
     ] = None,
     holes: Annotated[
-        str,
+        str | None,
         typer.Option(
-            metavar="P%", help="Share of a family's edges to remove.", rich_help_panel=opt.SCOPE
+            metavar="P%",
+            help="Share of a family's edges to remove [default: none].",
+            rich_help_panel=opt.SCOPE,
+            show_default=False,
         ),
-    ] = "0%",
+    ] = None,
     seed: Annotated[
-        int, typer.Option(metavar="S", help="For the family.", rich_help_panel=opt.SCOPE)
-    ] = 0,
+        int | None,
+        typer.Option(
+            parser=opt.integer,
+            metavar="S",
+            help="For a random family, or for the holes [default: 0].",
+            rich_help_panel=opt.SCOPE,
+            show_default=False,
+        ),
+    ] = None,
     policy: opt.PolicyName = "fifo",
     choices: Annotated[
-        str,
+        str | None,
         typer.Option(
             metavar="I,I,...",
             help="Answers to the first choices, by index; then the policy goes on.",
             rich_help_panel=opt.RULES,
         ),
-    ] = "",
-    bound: opt.BoundName = "",
-    laws: opt.LawNames = "",
+    ] = None,
+    bound: opt.BoundName = None,
+    laws: opt.LawNames = None,
     step_budget: opt.StepBudget = None,
     answer_timeout: opt.AnswerTimeout = 10.0,
     as_json: opt.Json = False,
@@ -174,15 +186,20 @@ def run(
     from allworlds.checker import run as run_single
     from allworlds.checker.single import refuse_unused
     from allworlds.reports import run_text
+    from allworlds.subjects import default_lighthouse
 
-    words = list(arguments or [])
-    wanted = 0 if family else 1
-    if not wanted <= len(words) <= wanted + (command is None):
-        raise InputError(
-            f"run takes [EXPLORER] and a WORLD or --family, not {' '.join(words) or 'nothing'!r}"
-        )
-    name = opt.explorer_name(words[0] if len(words) > wanted else None, command)
-    world = opt.world_of_family(family, holes, seed) if family else opt.world_named(words[-1])
+    explorer, place = opt.explorer_and_world(
+        list(arguments or []), family=family is not None, program=command is not None
+    )
+    name = opt.explorer_name(explorer, command)
+    kind = default_lighthouse(name)
+    if family is None:
+        for option, value in (("holes", holes), ("seed", seed)):
+            if value is not None:
+                raise InputError(f"{option} {value} has no effect without --family")
+        world = opt.world_named(place, kind)
+    else:
+        world = opt.world_of_family(family, holes, seed, kind)
     told = run_single(
         name,
         world,
@@ -210,7 +227,8 @@ def replay(
 ) -> int:
     """Example: allworlds replay finding.json --explorer mended.py:explore
 
-    Run a recorded finding again.  Exit code 0: reproduced, 5: fixed.
+    Run a recorded finding again.  Exit code 0: reproduced, 5: fixed.  The recorded explorer
+    repeats the recorded choices as far as they fit.
     """
     from allworlds.checker import Finding
     from allworlds.checker import replay as run_replay
@@ -218,5 +236,7 @@ def replay(
 
     finding = Finding.from_json(opt.read_text(file))
     replayed = run_replay(finding, explorer, answer_timeout=answer_timeout)
+    if replayed.notice:
+        complain(replayed.notice)
     emit(replayed, lambda width: replay_text(replayed, width), as_json=as_json)
     return replayed.exit_code

@@ -7,7 +7,19 @@ from allworlds.episode.episode import (
     Fault,
     Player,
     default_step_budget,
+    own_copy,
     play,
+    the_same,
 )
 
-__all__ = ["Answered", "Ending", "Episode", "Fault", "Player", "default_step_budget", "play"]
+__all__ = [
+    "Answered",
+    "Ending",
+    "Episode",
+    "Fault",
+    "Player",
+    "default_step_budget",
+    "own_copy",
+    "play",
+    "the_same",
+]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from allworlds.checker.finding import Finding
+from allworlds.errors import InputError, show
 from allworlds.explaining.laws import teller_of
 from allworlds.explaining.story import Story
 from allworlds.maps.combinatorial import Dart
@@ -64,6 +65,8 @@ def explain(finding: Finding) -> Explanation:
     Raises:
         InputError: if its transcript is no walk in its world, or its answer is none.
     """
+    if not isinstance(finding, Finding):
+        raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
     story = Story(finding)
     telling = teller_of(finding.law)(story)
     return Explanation(

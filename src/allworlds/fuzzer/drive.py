@@ -17,7 +17,7 @@ from allworlds.checker.tally import Tally
 from allworlds.fuzzer.sample import Sample
 from allworlds.fuzzer.shrink import shrink
 from allworlds.maps.classes import MapClass
-from allworlds.subjects import subject_of
+from allworlds.subjects import default_lighthouse, own_bound, subject_of
 
 
 def fuzz(
@@ -27,10 +27,10 @@ def fuzz(
     runs: int,
     seed: int = 0,
     map_class: str = "maps",
-    lighthouse: str = "directional",
+    lighthouse: str | None = None,
     policy: str = "fifo",
-    bound: str = "",
-    laws: Iterable[str] = (),
+    bound: str | int | None = None,
+    laws: Iterable[str] | None = None,
     step_budget: int | None = None,
     workers: int = 1,
     answer_timeout: float = 10.0,
@@ -50,10 +50,11 @@ def fuzz(
         runs: how many worlds, with one start and one place of the lighthouse each.
         seed: another seed, another sample.
         map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
-        lighthouse: ``KIND[:key=value,...]``.
+        lighthouse: ``KIND[:key=value,...]``; None takes the explorer's own.
         policy: ``fifo``, ``lifo``, ``nearest`` or ``random:SEED``.
-        bound: ``paper``, ``none`` or an expression; empty takes the lighthouse's own.
-        laws: those to check; empty takes all that apply.
+        bound: ``paper``, ``two-vertices``, ``none``, an expression or an integer; None takes
+            the explorer's own, else the lighthouse's.
+        laws: those to check; None takes all that apply.
         step_budget: the largest legal number of traversals.
         workers: processes.
         answer_timeout: seconds of silence after which the explorer is killed.
@@ -66,13 +67,15 @@ def fuzz(
     """
     limits = Limits(workers, answer_timeout, time_limit, memory)
     subject = subject_of(explore, answer_timeout)
+    lighthouse = default_lighthouse(subject.name) if lighthouse is None else lighthouse
     scope = make_scope(
         edges=edges,
         map_class=map_class,
         lighthouse=lighthouse,
         policy=policy,
         bound=bound,
-        laws=tuple(laws),
+        own_bound=own_bound(subject.name, lighthouse),
+        laws=laws,
         step_budget=step_budget,
     )
     sample = Sample(MapClass(map_class), edges, runs, seed)

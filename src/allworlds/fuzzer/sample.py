@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from random import Random
 
 from allworlds.checker.scope import Placed, Scope
-from allworlds.errors import InputError
+from allworlds.errors import InputError, an_integer
 from allworlds.maps.build import lattice
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
@@ -33,6 +33,8 @@ class Sample:
     seed: int = 0
 
     def __post_init__(self) -> None:
+        for name in ("edges", "runs", "seed"):
+            object.__setattr__(self, name, an_integer(name, getattr(self, name)))
         if self.seed < 0:
             raise InputError(f"seed = {self.seed}, but seeds are 0, 1, 2, ...")
         for name in ("edges", "runs"):

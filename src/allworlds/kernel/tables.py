@@ -13,6 +13,10 @@ MOST_EDGES = 12
 """The largest number of edges for which every packed number has its room."""
 
 _UNBOUNDED = 1 << 40
+"""As good as no bound: more than any walk costs."""
+
+_NOTHING = -1
+"""As good as any smaller bound: no walk costs so little."""
 
 
 class Tables(NamedTuple):
@@ -48,9 +52,14 @@ def tables(edges: int, fuel: int, bounds: Sequence[int | None] = ()) -> Tables:
     # The last open dart may not close while darts are owed.
     viable[1:, 0] = 0
     return Tables(
-        bound=array([0, *(_UNBOUNDED if b is None else min(b, _UNBOUNDED) for b in bounds)], int64),
+        bound=array([0, *map(_packed, bounds)], int64),
         viable=viable,
         sensed=array(range(darts + 1), int64),
         fuel=fuel,
         back_weight=1,
     )
+
+
+def _packed(bound: int | None) -> int:
+    """A bound that says the same of every walk, and has its room in a word."""
+    return _UNBOUNDED if bound is None else max(_NOTHING, min(bound, _UNBOUNDED))

@@ -12,11 +12,15 @@ import random
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from typing import Any
 
-from allworlds.errors import show
+from allworlds.errors import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 
 LARGEST = 10_000
 """The largest N of a named family."""
+
+
+class NoSuchMap(InputError):
+    """A name of no map."""
 
 
 def from_rotation(
@@ -224,18 +228,18 @@ def named_map(name: str) -> CombinatorialMap:
     paper's Fig. 1 says, its marked vertex first; that the paper drew this pair is a guess.
 
     Raises:
-        ValueError: for another name, or an N out of range, naming what is legal.
+        NoSuchMap: for another name, or an N out of range, naming what is legal.
     """
     if name in _SINGLE:
         return _SINGLE[name]()
     family, dash, number = name.rpartition("-")
     if not dash or family not in _FAMILIES:
-        raise ValueError(f"no map is called {name!r}; the names are {', '.join(named_maps())}")
+        raise NoSuchMap(f"no map is called {show(name)}; the names are {', '.join(named_maps())}")
     least, build = _FAMILIES[family]
     digits = number.isascii() and number.isdigit()
     if not digits or not least <= int(number[:7]) <= LARGEST:
         legal = f"{family}-N needs an integer N >= {least}, and at most {LARGEST}"
-        raise ValueError(f"{show(name)} is no map: {legal}")
+        raise NoSuchMap(f"{show(name)} is no map: {legal}")
     return build(int(number))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from allworlds.errors import InputError
+from allworlds.errors import InputError, an_integer
 from allworlds.maps.combinatorial import CombinatorialMap
 
 
@@ -50,6 +50,9 @@ class Bounds:
     vertices: int | None = None
 
     def __post_init__(self) -> None:
+        for name in ("edges", "vertices"):
+            if (value := getattr(self, name)) is not None:
+                object.__setattr__(self, name, an_integer(name, value))
         if self.edges is not None and self.edges < 1:
             raise InputError(f"edges = {self.edges}, but a map has at least 1 edge")
         if self.vertices is not None and self.vertices < 2:
@@ -73,3 +76,9 @@ class Bounds:
     def vertex_limit(self, edges: int) -> int:
         """The largest number of vertices that a map of the level can have within the bounds."""
         return edges + 1 if self.vertices is None else min(edges + 1, self.vertices)
+
+    def include(self, map_: CombinatorialMap) -> bool:
+        """Whether a map is one of the class within the bounds."""
+        edges, vertices = map_.edge_count, map_.vertex_count
+        within = edges in self.levels and vertices <= self.vertex_limit(edges)
+        return within and self.map_class.includes(map_)

@@ -12,6 +12,7 @@ from allworlds.checker.finding import canonical_world
 from allworlds.checker.scope import ScopeError
 from allworlds.checker.single import worlds
 from allworlds.episode import Answered, play
+from allworlds.errors import an_integer
 from allworlds.judge import LAWS, Case, judge, paper_bound
 from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
 from allworlds.maps.canonical import rooted_code
@@ -103,10 +104,11 @@ def mutants(*, edges: int = LARGEST_LEVEL) -> KillMatrix:
 
     Raises:
         InputError: for a bound that is not 1, 2, 3 or 4.
+        KeyboardInterrupt: if the user interrupts; half a matrix says nothing.
 
     Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
     """
-    if not 1 <= edges <= LARGEST_LEVEL:
+    if not 1 <= an_integer("edges", edges) <= LARGEST_LEVEL:
         raise ScopeError(f"edges = {edges}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
     kills = [_explorer(mutant, edges) for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)]
     kills += _judges(edges, [kill.mutant for kill in kills if kill.killed_by in LAWS])
@@ -116,7 +118,7 @@ def mutants(*, edges: int = LARGEST_LEVEL) -> KillMatrix:
 
 def _explorer(mutant: WrongExplorer, edges: int) -> Kill:
     """Killed by the law that an ordinary check finds broken first."""
-    report = check(mutant.explorer(), edges=edges)
+    report = check(mutant.explorer(), edges=edges).uninterrupted()
     row = Kill(mutant.name, "explorer", mutant.breaks, equivalent=mutant.equivalent)
     if not report.findings:
         return row

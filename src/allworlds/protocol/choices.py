@@ -54,7 +54,10 @@ class Nearest:
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
         """The first of the cheapest edges, else 0."""
-        return min(range(len(cost)), key=cost.__getitem__) if kind == "edge" and cost else 0
+        if kind != "edge" or not cost:
+            return 0
+        _check_costs(options, cost)
+        return min(range(len(cost)), key=cost.__getitem__)
 
 
 class Seeded:
@@ -117,14 +120,21 @@ class Choices:
         Args:
             options: in the canonical order of S; not empty.
             of: what is chosen.
-            cost: the walking distance of each option, where known.
+            cost: the walking distance of each option; None or empty where it is not known.
 
         Raises:
-            ValueError: for a kind that is none, or no option at all; inside an explorer that
-                is a ``crash``.
+            ValueError: for a kind that is none, no option at all, options or costs that are no
+                sequence, or costs that are not one for each option; inside an explorer that is
+                a ``crash``.
         """
         if of not in KINDS:
             raise ValueError(f"of={of!r} is none of {', '.join(KINDS)}")
+        _check_sequence("options", options)
+        if cost is not None:
+            _check_sequence("cost", cost)
+            # Others may compute their length; a policy that looks at them checks it.
+            if type(cost) in (list, tuple):
+                _check_costs(options, cost)
         turn = len(self.record)
         if turn < len(self._script) and 0 <= self._script[turn] < len(options):
             index = self._script[turn]
@@ -136,6 +146,20 @@ class Choices:
             raise ValueError(f"there is nothing to choose from: no option of {of}") from None
         self.record.append(index)
         return picked
+
+
+def _check_sequence(name: str, given: object) -> None:
+    """Nothing for what has an element at each index; else raises ValueError."""
+    if not hasattr(given, "__getitem__") or isinstance(given, dict):
+        raise ValueError(f"{name} of the type {type(given).__name__} is no sequence, as a list is")
+
+
+def _check_costs(options: Sized, cost: Sequence[int]) -> None:
+    """Nothing if there is one for each option, or none at all; else raises ValueError."""
+    if len(cost) not in (0, len(options)):
+        raise ValueError(
+            f"{len(cost)} costs for {len(options)} options; there must be one for each"
+        )
 
 
 class Schedules:

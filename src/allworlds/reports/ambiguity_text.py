@@ -14,7 +14,8 @@ from allworlds.ambiguity import (
 from allworlds.drawing import draw
 from allworlds.maps.quotient import Quotient
 from allworlds.reports.layout import entry, number, plural, table
-from allworlds.world import Compass, Directional, Position, World
+from allworlds.reports.picture import markers
+from allworlds.world import Compass, Directional, World
 
 DRAWN = 4
 """Of a larger class so many worlds are drawn."""
@@ -93,8 +94,9 @@ def census_text(census: AmbiguityCensus, width: int) -> str:
     for row in census.rows:
         if row.rooted != row.counted:
             text = (
-                f"with {row.edges} edges {row.rooted} rooted maps were met, but {census.source} "
-                f"counts {row.counted}"
+                f"with {plural(row.edges, 'edge')} {plural(row.rooted, 'rooted map')} "
+                f"{'was' if row.rooted == 1 else 'were'} met, but {census.source} counts "
+                f"{row.counted}"
             )
             lines += entry("MISMATCH", text, width)
     return "\n".join(lines)
@@ -136,7 +138,6 @@ def _drawing(world: World, classes: Sequence[int] | None, width: int) -> str:
     """The world; under each dart its class, and N where a compass points."""
     lighthouse, map_ = world.lighthouse, world.map
     norths = lighthouse.darts if isinstance(lighthouse, Compass) else ()
-    marked = {map_.vertex_of[world.start]: 1} if isinstance(lighthouse, Position) else {}
     labels = [
         ("" if classes is None else str(classes[d])) + "N" * (d in norths) for d in map_.darts
     ]
@@ -144,7 +145,7 @@ def _drawing(world: World, classes: Sequence[int] | None, width: int) -> str:
         map_,
         start=world.start,
         pointed=lighthouse.dart if isinstance(lighthouse, Directional) else None,
-        marked=marked,
+        marked=markers(world),
         labels=labels if any(labels) else None,
         width=width,
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from allworlds.counter import Census
-from allworlds.reports.layout import entry, number, table
+from allworlds.reports.layout import entry, number, plural, table
 
 
 def count_text(census: Census, width: int) -> str:
@@ -19,15 +19,15 @@ def count_text(census: Census, width: int) -> str:
     ]
     lines = table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "rrrl")
     total = sum(row.rooted for row in census.rows)
-    lines += ["", f"{number(total)} rooted maps of the class {census.bounds.map_class}", ""]
+    lines += ["", f"{plural(total, 'rooted map')} of the class {census.bounds.map_class}", ""]
     if all(row.agrees for row in census.rows):
         lines += entry("gate", f"every count agrees with: {census.source}", width)
     else:
         for row in census.rows:
             if not row.agrees:
                 text = (
-                    f"with {row.edges} edges {dict(sorted(row.by_vertices.items()))} were "
-                    f"enumerated, but {census.source} counts {row.counted}"
+                    f"with {plural(row.edges, 'edge')} {dict(sorted(row.by_vertices.items()))} "
+                    f"were enumerated, but {census.source} counts {row.counted}"
                 )
                 lines += entry("MISMATCH", text, width)
     return "\n".join(lines)

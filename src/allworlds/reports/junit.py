@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 
 from allworlds.checker.finding import Finding
 from allworlds.checker.report import Report, Verdict
-from allworlds.reports.layout import plural
+from allworlds.reports.layout import plural, size
 from allworlds.reports.run_text import finding_text
 
 WIDTH = 100
@@ -88,8 +88,8 @@ def _levels(report: Report) -> Iterator[_Case]:
         wrong = [cell for cell in report.gate if cell.edges == edges and not cell.agrees]
         if wrong:
             text = "\n".join(
-                f"{cell.enumerated} maps with {cell.edges} edges and {cell.vertices} vertices "
-                f"were enumerated, but {cell.source} counts {cell.counted}"
+                f"of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were "
+                f"enumerated, but {cell.source} counts {cell.counted}"
                 for cell in wrong
             )
             told = "\n\n".join([text, *(finding_text(finding, WIDTH) for finding in found)])

@@ -32,6 +32,11 @@ def number(value: int) -> str:
     return f"{value:,}"
 
 
+def size(edges: int, vertices: int) -> str:
+    """``1 edge and 2 vertices``."""
+    return f"{plural(edges, 'edge')} and {plural(vertices, 'vertex', 'vertices')}"
+
+
 def plural(count: int, one: str, many: str = "") -> str:
     """``1 world``, ``2 worlds``."""
     return f"{number(count)} {one if count == 1 else many or one + 's'}"

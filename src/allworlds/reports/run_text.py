@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from textwrap import wrap
-from typing import Any
 
 from allworlds.checker.belief import believed_percepts, true_trail
 from allworlds.checker.finding import Finding
@@ -12,7 +11,16 @@ from allworlds.checker.replay import Replay
 from allworlds.checker.single import SingleRun
 from allworlds.episode import Answered
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import Move, Percept, Transcript
+from allworlds.protocol import Percept, Transcript
+from allworlds.reports.finding_words import (
+    choices_words,
+    expected_words,
+    headline,
+    motion,
+    remarks,
+    seen_words,
+    wrong,
+)
 from allworlds.reports.layout import entry, plural, table
 from allworlds.reports.picture import answer_picture, world_picture
 from allworlds.world import World
@@ -21,24 +29,23 @@ LONGEST_WALK = 60
 """The steps of a longer walk are told from both ends."""
 
 
-def finding_text(finding: Finding, width: int) -> str:
-    """The smallest refuting world as one can read it."""
-    return _refutation(finding, width, entry("confirmed", _remarks(finding), width))
+def finding_text(finding: Finding, width: int, origin: str = "") -> str:
+    """The smallest refuting world as one can read it, with the origin that it has, if any."""
+    told = entry("confirmed", remarks(finding), width)
+    return _refutation(finding, width, told + (entry("origin", origin, width) if origin else []))
 
 
 def _refutation(finding: Finding, width: int, remarks: list[str]) -> str:
     world = finding.world
-    map_, robot = world.map, true_trail(world, finding.transcript)[-1]
-    seen = finding.seen if isinstance(finding.seen, Mapping) else None
-    answer = None if seen is None else (CombinatorialMap.from_json(seen), int(seen["here"]))
-    size = f"{plural(map_.edge_count, 'edge')}, {plural(map_.vertex_count, 'vertex', 'vertices')}"
-    what = f"{finding.explorer} breaks the law '{finding.law}' in a world with {size}"
-    lines = wrap(f"FINDING: {what}", width, break_long_words=False)
+    robot = true_trail(world, finding.transcript)[-1]
+    given = finding.seen if isinstance(finding.seen, Mapping) else None
+    answer = None if given is None else (CombinatorialMap.from_json(given), int(given["here"]))
+    lines = wrap(f"FINDING: {headline(finding)}", width, break_long_words=False)
     lines += ["", "the world", "", world_picture(world, robot, width)]
     lines += ["", *_walk(world, finding.transcript, answer)]
     lines += ["", *_broken(finding, answer, width)]
     if finding.choices:
-        lines += entry("choices", ", ".join(map(str, finding.choices)), width)
+        lines += entry("choices", choices_words(finding), width)
     lines += remarks
     lines += ["reproduce", f"  {finding.reproduce}"]
     if finding.detail:
@@ -83,12 +90,12 @@ def _walk(
 ) -> list[str]:
     """The steps: where the robot came to, what it sensed, and what the answer makes expect."""
     trail = true_trail(world, transcript)
-    seen = [transcript.first, *(percept for _, percept in transcript.steps)]
+    sensed = [transcript.first, *(percept for _, percept in transcript.steps)]
     believed = answer and believed_percepts(world, *answer, transcript)
-    motions = ["start", *(_motion(action) for action, _ in transcript.steps)]
+    motions = ["start", *(motion(action) for action, _ in transcript.steps)]
     header = ["step", "motion", "arrives at", "sensed", "", "expected by the answer"]
     rows = []
-    for i, (dart, percept) in enumerate(zip(trail, seen, strict=True)):
+    for i, (dart, percept) in enumerate(zip(trail, sensed, strict=True)):
         place = f"v{world.map.vertex_of[dart]} dart {dart}"
         rows.append([str(i), motions[i], place, str(percept), *_expected(i, percept, believed)])
     if len(rows) > LONGEST_WALK:
@@ -96,9 +103,10 @@ def _walk(
         between = f"({len(rows) - 2 * half} more)"
         rows = [*rows[:half], ["...", between, "", "", "", ""], *rows[-half:]]
     lines = table(header if believed else header[:4], [r if believed else r[:4] for r in rows], "r")
-    if believed == seen and answer is not None and len(answer[0].sigma) != len(world.map.sigma):
+    if believed == sensed and answer is not None and len(answer[0].sigma) != len(world.map.sigma):
         lines += ["", "The answer fits every percept: the walk ended before it could be known."]
-    return ["the walk", "", *lines]
+    before = [] if world.told is None else [f"told before the start: {world.told}", ""]
+    return ["the walk", "", *before, *lines]
 
 
 def _expected(i: int, percept: Percept, believed: list[Percept] | None) -> list[str]:
@@ -107,38 +115,14 @@ def _expected(i: int, percept: Percept, believed: list[Percept] | None) -> list[
     return ["=" if believed[i] == percept else "≠", str(believed[i])]
 
 
-def _motion(action: object) -> str:
-    return f"move {action.k}" if type(action) is Move else type(action).__name__.lower()
-
-
 def _broken(
     finding: Finding, answer: tuple[CombinatorialMap, Dart] | None, width: int
 ) -> list[str]:
     if answer is None:
         return [
             *entry("law", finding.law, width),
-            *entry("expected", _value(finding.expected), width),
-            *entry("seen", _value(finding.seen), width),
+            *entry("expected", expected_words(finding), width),
+            *entry("seen", seen_words(finding), width),
         ]
-    what = {
-        "map": "the answer is not the same map as the world",
-        "pose": "the answer is the same map, but 'here' is not the robot's dart",
-    }
-    lines = entry("law", f"{finding.law}: {what.get(finding.law, '')}", width)
+    lines = entry("law", f"{finding.law}: {wrong(finding)}", width)
     return [*lines, "", "the answer (S, R: the robot)", "", answer_picture(*answer, width), ""]
-
-
-def _value(value: Any) -> str:
-    return f"at most {plural(value, 'traversal')}" if isinstance(value, int) else str(value)
-
-
-def _remarks(finding: Finding) -> str:
-    confirmed = (
-        "yes: a fresh process did the same from the recorded percepts alone"
-        if finding.confirmed
-        else "no"
-    )
-    minimal = (
-        "no smaller world of the scope refutes" if finding.minimal else "a smaller one may refute"
-    )
-    return f"{confirmed}; {minimal}"

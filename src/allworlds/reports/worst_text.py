@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.reports.layout import entry, number, plural, table
+from allworlds.reports.layout import entry, number, plural, size, table
 from allworlds.worst_case import WorstReport
 
 
@@ -49,14 +49,14 @@ _WAYS = {"shortest": "a shortest path", "simple": "any simple path"}
 def _mismatch(report: WorstReport) -> str:
     if report.missing:
         edges, vertices = report.missing[0]
-        return f"no map with {edges} edges and {vertices} vertices was met"
+        return f"no map with {size(edges, vertices)} was met"
     row = next(row for row in report.rows if not row.agrees)
     if row.worlds != row.counted:
         return (
-            f"{row.worlds} maps with {row.edges} edges and {row.vertices} vertices were "
-            f"enumerated, but {report.source} counts {row.counted}"
+            f"of maps with {size(row.edges, row.vertices)} {row.worlds} were enumerated, but "
+            f"{report.source} counts {row.counted}"
         )
     return (
-        f"with {row.edges} edges and {row.vertices} vertices the worst cost is {row.worst}, but "
+        f"with {size(row.edges, row.vertices)} the worst cost is {row.worst}, but "
         f"the python engine walks {row.replayed}"
     )

@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from allworlds.errors import InputError
+from allworlds.errors import InputError, a_text, an_integer, show
 from allworlds.maps.classes import MapClass
 from allworlds.smt.one_world import Degrees, Size
 from allworlds.world import LIGHTHOUSES, Sensing
+
+INFORMATION = ("none", "position", "directional", "compass")
+"""The lighthouses of which there are formulas."""
 
 ANY = Degrees()
 """Nothing is required of degrees."""
@@ -52,7 +55,8 @@ def percept_named(text: str) -> Sensed:
     Raises:
         InputError: naming the text and what would be legal.
     """
-    match = re.fullmatch(r"([1-9][0-9]*)([AP]*)", text.strip().strip("[]").replace(",", ""))
+    bare = a_text("percept", text).strip().strip("[]").replace(",", "")
+    match = re.fullmatch(r"([1-9][0-9]*)([AP]*)", bare)
     if match is None or not match[2]:
         raise InputError(f"percept {text!r} is not of the form 3A (marker absent) or 4P (present)")
     if match[2].count("P") > 1:
@@ -104,10 +108,10 @@ class Question:
 
     def __post_init__(self) -> None:
         for name, value in (("vertices", self.max_vertices), ("edges", self.max_edges)):
-            if value < 1:
+            if an_integer(f"max-{name}", value) < 1:
                 raise InputError(f"max-{name} = {value}, but a map has at least 1")
         for name, degree in (("marked", self.degrees.root), ("others", self.degrees.others)):
-            if degree is not None and degree < 1:
+            if degree is not None and an_integer(f"degree-{name}", degree) < 1:
                 raise InputError(f"degree-{name} = {degree}, but every vertex has at least 1 dart")
         if not self.sensing.marks_v0:
             for percept in self.walk.percepts:
@@ -159,7 +163,10 @@ class Question:
     @property
     def describes(self) -> str:
         """The question as a sentence, for comments in files."""
-        extra = [f"at most {self.max_vertices} vertices", f"at most {self.max_edges} edges"]
+        extra = [
+            f"at most {self.max_vertices} {'vertex' if self.max_vertices == 1 else 'vertices'}",
+            f"at most {self.max_edges} {'edge' if self.max_edges == 1 else 'edges'}",
+        ]
         if self.degrees.root is not None:
             extra.append(f"degree {self.degrees.root} at the start's vertex")
         if self.degrees.others is not None:
@@ -171,6 +178,12 @@ class Question:
             f"Two different worlds that no motion tells apart: information {self.information}, "
             f"class {self.map_class}, {', '.join(extra)}"
         )
+
+
+def _listed(name: str, values: object) -> Sequence[Any]:
+    if not isinstance(values, Sequence) or isinstance(values, str):
+        raise InputError(f"{name} = {show(values)} is not a list")
+    return values
 
 
 def question(
@@ -189,8 +202,8 @@ def question(
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    if info not in LIGHTHOUSES:
-        raise InputError(f"info {info!r} is none of {', '.join(LIGHTHOUSES)}")
+    if info not in INFORMATION:
+        raise InputError(f"info {info!r} is none of {', '.join(INFORMATION)}")
     if map_class not in list(MapClass):
         raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")
     return Question(
@@ -199,5 +212,8 @@ def question(
         max_vertices,
         max_edges,
         Degrees(degree_marked, degree_others),
-        Walk(tuple(motions), tuple(percept_named(text) for text in percepts)),
+        Walk(
+            tuple(an_integer("motion", k) for k in _listed("motions", motions)),
+            tuple(percept_named(text) for text in _listed("percepts", percepts)),
+        ),
     )

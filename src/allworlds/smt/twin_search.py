@@ -10,7 +10,7 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from allworlds.errors import InputError
+from allworlds.errors import InputError, a_path, show
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.smt.formula import Block, Clause, Formula
 from allworlds.smt.lrat import check_lrat
@@ -169,9 +169,9 @@ def search(
         motions=motions,
         percepts=percepts,
     )
-    if time_limit is not None and not time_limit > 0:
-        raise InputError(f"time-limit = {time_limit}, but it must be more than 0 seconds")
-    external = None if solver is None else ExternalSolver(solver)
+    if time_limit is not None and (not isinstance(time_limit, int | float) or not time_limit > 0):
+        raise InputError(f"time-limit = {show(time_limit)}, but it must be more than 0 seconds")
+    external = None if solver is None else ExternalSolver(str(a_path("solver", solver)))
     hunt = _Search(asked, external, _directory(out), Clock(time_limit))
     return hunt.run()
 
@@ -179,7 +179,7 @@ def search(
 def _directory(out: str | Path | None) -> Path:
     if out is None:
         return Path(tempfile.mkdtemp(prefix="allworlds-search-"))
-    directory = Path(out)
+    directory = a_path("out", out)
     try:
         directory.mkdir(parents=True, exist_ok=True)
     except OSError as error:

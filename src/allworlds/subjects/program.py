@@ -19,6 +19,7 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Generator
+from pathlib import Path
 from typing import IO, Any, Literal
 
 from allworlds.errors import InputError
@@ -40,7 +41,7 @@ class Program:
         answer_timeout: seconds of silence after which it is killed.
 
     Raises:
-        InputError: if the command is empty or its program is not found.
+        InputError: if the command is empty, or its program is not found or cannot be run.
     """
 
     def __init__(self, command: str, answer_timeout: float) -> None:
@@ -51,10 +52,11 @@ class Program:
         if not self._arguments:
             raise InputError("--exec needs a command, not an empty string")
         if shutil.which(self._arguments[0]) is None:
-            raise InputError(f"--exec {command!r}: there is no program {self._arguments[0]!r}")
+            raise InputError(f"--exec {command!r}: {_obstacle(self._arguments[0])}")
         self._timeout = answer_timeout
         self._process: subprocess.Popen[bytes] | None = None
         self._episodes = 0
+        self._heard = False
         self._stderr: IO[bytes] | None = None
         self._out = bytearray()
 
@@ -115,6 +117,7 @@ class Program:
         if self._out:
             raise self._fault("illegal-action", f"a line before it was asked: {_text(self._out)}")
         self._episodes += 1
+        self._heard = False
         opening: dict[str, Any] = {"episode": self._episodes, "percept": first.to_json()}
         if told is not None:
             opening["told"] = told
@@ -160,6 +163,7 @@ class Program:
 
     def _message(self) -> dict[str, Any]:
         line = self._line()
+        self._heard = True
         try:
             message = json.loads(line)
         except (ValueError, RecursionError):
@@ -199,10 +203,11 @@ class Program:
     def _ended(self) -> ExplorerFault:
         assert self._process is not None
         try:
-            code = self._process.wait(1)
-            seen = f"the end of its output (exit code {code})"
+            seen = f"the end of its output (exit code {self._process.wait(1)})"
         except subprocess.TimeoutExpired:
             seen = "the end of its output"
+        if self._process.returncode == 0 and not self._heard:
+            seen += ", before a line of this episode: one process plays many, until its input ends"
         return self._fault("crash", seen)
 
     def _fault(
@@ -215,19 +220,40 @@ class Program:
         return ExplorerFault(law, seen, f"stderr:\n{detail}" if detail else "")
 
 
+def _obstacle(name: str) -> str:
+    """Why what is named cannot be run."""
+    path = Path(name)
+    if path.is_dir():
+        return f"{name!r} is a directory, not a program"
+    if path.is_file():
+        if os.sep in name:
+            return f"the file {name!r} is not executable; chmod +x, or name its interpreter first"
+        return f"there is no program {name!r}; for the file here write './{name}'"
+    return f"there is no program {name!r}"
+
+
 def _checkpoint(value: object) -> Checkpoint:
     if not isinstance(value, dict):
         raise ExplorerFault("illegal-action", f"a checkpoint that is no object: {_short(value)}")
-    return Checkpoint(value.get("sigma", ()), value.get("alpha", ()), value.get("here", -1))
+    if missing := _missing(value):
+        raise ExplorerFault("illegal-action", f"a checkpoint without {missing}: {_short(value)}")
+    return Checkpoint(value["sigma"], value["alpha"], value["here"])
 
 
 def _estimate(value: object) -> Estimate:
     if not isinstance(value, dict):
         raise ExplorerFault("no-estimate", f"an estimate that is no object: {_short(value)}")
+    if missing := _missing(value):
+        raise ExplorerFault("no-estimate", f"an estimate without {missing}: {_short(value)}")
     try:
-        return Estimate(CombinatorialMap.from_json(value), value.get("here"))  # type: ignore[arg-type]
+        return Estimate(CombinatorialMap.from_json(value), value["here"])
     except InvalidMap as error:
         raise ExplorerFault("no-estimate", f"no map: {error}") from None
+
+
+def _missing(value: dict[str, Any]) -> str:
+    """The keys that a checkpoint or an estimate lacks."""
+    return " and ".join(key for key in ("sigma", "alpha", "here") if key not in value)
 
 
 def _short(value: object) -> str:

@@ -6,6 +6,7 @@ import importlib
 import importlib.metadata
 import importlib.util
 import inspect
+import re
 import sys
 from collections.abc import Callable, Generator, Mapping
 from contextlib import AbstractContextManager, closing, nullcontext, redirect_stdout
@@ -22,6 +23,9 @@ from allworlds.subjects.program import Program
 
 ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
+
+LIGHTHOUSE = "directional"
+"""What foreign explorers are run under unless another lighthouse is named."""
 
 
 class SubjectError(InputError):
@@ -88,6 +92,11 @@ def load(name: str, answer_timeout: float = 10.0) -> Subject:
         return Subject(name, program.explore, frozenset({"told"}), program=program)
     if ":" in name:
         place, _, attribute = name.rpartition(":")
+        if not place or not attribute:
+            raise SubjectError(
+                f"explorer {name!r} is incomplete; legal are module:attribute and "
+                "path/to/file.py:attribute"
+            )
         module = _file(place) if place.endswith(".py") else _module(place)
         return _subject(name, _attribute(module, attribute, place))
     points = importlib.metadata.entry_points(group=ENTRY_POINTS)
@@ -97,6 +106,21 @@ def load(name: str, answer_timeout: float = 10.0) -> Subject:
     raise SubjectError(
         f"explorer {name!r} is none of {known}, module:attribute or path/to/file.py:attribute"
     )
+
+
+def default_lighthouse(name: str) -> str:
+    """The lighthouse under which the explorer of that name is run unless another is named."""
+    return BUILT_IN[name].lighthouse if name in BUILT_IN else LIGHTHOUSE
+
+
+def own_bound(name: str, lighthouse: str) -> str | None:
+    """The bound that the explorer of that name brings under this lighthouse, if it does.
+
+    Lighthouses are written ``KIND[:key=value,...]``; it does under all of the kind it is
+    written for.
+    """
+    kinds = {str(text).partition(":")[0] for text in (lighthouse, default_lighthouse(name))}
+    return BUILT_IN[name].bound if name in BUILT_IN and len(kinds) == 1 else None
 
 
 def subject_of(explore: str | Callable[..., Any], answer_timeout: float = 10.0) -> Subject:
@@ -115,12 +139,19 @@ def subject_of(explore: str | Callable[..., Any], answer_timeout: float = 10.0) 
     return _subject(name, explore, importable=_is_found_by_name(explore))
 
 
+def names_explorer(text: str) -> bool:
+    """Whether a text has the form of an explorer's name, be there one or not."""
+    if text in BUILT_IN or text in importlib.metadata.entry_points(group=ENTRY_POINTS).names:
+        return True
+    return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", text))
+
+
 def _built_in(name: str) -> Subject:
     built_in = BUILT_IN[name]
     return Subject(
         name,
         built_in.explore,
-        frozenset({"choices", "notice"}),
+        frozenset(inspect.signature(built_in.explore).parameters) - {"first"},
         foreign=False,
         witnesses=built_in.witnesses,
     )
@@ -188,7 +219,7 @@ def _imported(name: str, importing: Callable[[], Any]) -> Any:
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # noqa: BLE001  # a module may raise anything
-        what = f"{type(error).__name__}: {error}".splitlines()[0]
+        what = f"{type(error).__name__}: {error}".splitlines()[0].removesuffix(": ")
         raise SubjectError(f"{name!r} does not import: {what}") from None
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, get_args
 from allworlds.checker import run
 from allworlds.checker.drive import Listener, Silent
 from allworlds.episode import Answered, default_step_budget, play
-from allworlds.errors import InputError
+from allworlds.errors import InputError, an_integer
 from allworlds.judge import paper_bound
 from allworlds.maps.classes import Bounds, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
@@ -156,9 +156,9 @@ def worst(
         raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")
     if transit not in get_args(Transit):
         raise InputError(f"transit {transit!r} is none of {', '.join(get_args(Transit))}")
-    if workers < 1:
+    if an_integer("workers", workers) < 1:
         raise InputError(f"workers {workers} is not positive")
-    edges = DEFAULT_EDGES if edges is None else edges
+    edges = DEFAULT_EDGES if edges is None else an_integer("edges", edges)
     if edges > MOST_EDGES:
         raise InputError(f"edges = {edges}, but there is room for {MOST_EDGES} at most")
     bounds = Bounds(MapClass(map_class), edges)

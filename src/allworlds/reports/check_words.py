@@ -1,0 +1,147 @@
+"""What there is to say of a check, for every report that people read."""
+
+from __future__ import annotations
+
+from allworlds.checker.finding import Finding
+from allworlds.checker.past import Past
+from allworlds.checker.report import Report, Verdict
+from allworlds.reports.layout import number, plural, size
+
+
+def size_table(report: Report) -> tuple[list[str], list[list[str]]]:
+    """The header and the rows of what was counted for each number of edges and vertices."""
+    every = report.scope.schedules == "all"
+    header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
+    if every:
+        header.insert(4, "schedules")
+    rows = []
+    for row in report.rows():
+        cells = [row["edges"], row["vertices"], row["worlds"], row["runs"]]
+        cells += [row["episodes"]] if every else []
+        cells += [row["traversals"], row["max_cost"]]
+        checked = "bound" in report.scope.rules.applying and row["bound"] is not None
+        bound = number(row["bound"]) if checked else "-"
+        rows.append([*map(number, cells), bound])
+    return header, rows
+
+
+def verdict_words(report: Report) -> tuple[str, str]:
+    """The verdict, and what it says."""
+    done = (
+        f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
+        f"{plural(report.tally.traversals, 'traversal')}"
+    )
+    if report.verdict is Verdict.HOLDS and not report.runs:
+        return "EMPTY", f"{done} fall to this shard: it is finished, and says nothing"
+    match report.verdict:
+        case Verdict.HOLDS | Verdict.NOT_REFUTED:
+            text = f"{done}: no law is broken"
+        case Verdict.REFUTED:
+            first = report.findings[0]
+            text = f"law {first.law} is broken; {done} in finished levels"
+        case Verdict.INCONCLUSIVE:
+            text = f"{report.stopped}; {done} in finished levels, no law is broken"
+        case Verdict.VACUOUS:
+            text = "nothing was checked" if not report.runs else "a witness is missing"
+        case Verdict.ERROR:
+            text = report.stopped
+    return report.verdict.value.upper(), text
+
+
+def scope_words(report: Report) -> list[tuple[str, str]]:
+    """What the verdict is about, as names and texts; a text without a name goes on."""
+    scope, rules = report.scope, report.scope.rules
+    bounds = scope.bounds
+    limits = [f"at most {plural(bounds.edges, 'edge')}"] if bounds.edges else []
+    if bounds.vertices:
+        limits += [f"at most {plural(bounds.vertices, 'vertex', 'vertices')}"]
+    shard = "" if scope.shard == (0, 1) else f", shard {scope.shard[0]}/{scope.shard[1]}"
+    what = (
+        f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} of the class "
+        f"{bounds.map_class} with {' and '.join(limits)}{shard}; {_schedules(report)}"
+    )
+    words = [("explorer", f"{report.explorer}, {report.engine} engine"), ("scope", what)]
+    if not report.complete and not scope.sample:
+        finished = ", ".join(map(str, report.levels)) or "none"
+        words.append(("", f"NOT complete: finished levels (edges): {finished}"))
+    if report.symmetry:
+        words.append(("symmetry", report.symmetry))
+    witnesses = report.tally.witnesses
+    seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
+    words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", seen or "none")]
+    if report.missing:
+        words.append(("MISSING", ", ".join(report.missing)))
+    if report.corpus:
+        past = report.corpus
+        words.append(("corpus", f"{past.directory}: {_corpus(past)}"))
+    if report.tally.left_out:
+        left = plural(report.tally.left_out, "world")
+        words.append(("left out", f"{left} without a place for the lighthouse"))
+    return words
+
+
+def origin_words(report: Report, finding: Finding) -> str:
+    """Where a finding comes from; empty where this check has come upon it by itself."""
+    if not report.corpus or not report.corpus.holds(finding):
+        return ""
+    bounds, kind = report.scope.bounds, report.scope.rules.kind.kind
+    inside = bounds.include(finding.world.map) and finding.world.lighthouse.kind == kind
+    return "from the corpus" if inside else "from the corpus, beyond the scope"
+
+
+def _which(report: Report) -> str:
+    return "one start and marker" if report.scope.sample else "every start and marker"
+
+
+def _maps(report: Report) -> str:
+    sample = report.scope.sample
+    if sample is None:
+        return "every map"
+    return f"each of a SAMPLE of {plural(sample['runs'], 'map')} (seed {sample['seed']})"
+
+
+def _corpus(past: Past) -> str:
+    return "; ".join(
+        f"{len(names)} {what}" + (f" ({', '.join(names)})" if names else "")
+        for what, names in (
+            ("past findings reproduced", past.reproduced),
+            ("fixed and kept", past.fixed),
+            ("written", past.written),
+        )
+    )
+
+
+def _schedules(report: Report) -> str:
+    if report.scope.schedules == "all":
+        return "every sequence of choices"
+    return f"policy {report.scope.rules.policy}, one schedule a run"
+
+
+def _laws(report: Report) -> str:
+    rules = report.scope.rules
+    laws = [f"bound ({rules.the_bound.name})" if law == "bound" else law for law in rules.applying]
+    published = report.tally.checkpoints
+    note = (
+        f"; {plural(published, 'checkpoint')}"
+        if published
+        else "; no checkpoint was published, so nothing is said of the invariants"
+    )
+    return ", ".join(laws) + note
+
+
+def _gate(report: Report) -> str:
+    if report.scope.shard != (0, 1):
+        return "deferred to the merge of all shards"
+    if report.scope.sample:
+        return "absent: a sample is not to be counted"
+    if not report.gate:
+        return "no level was finished"
+    wrong = [cell for cell in report.gate if not cell.agrees]
+    if wrong:
+        cell = wrong[0]
+        return (
+            f"MISMATCH: of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were "
+            f"enumerated, but {cell.source} counts {cell.counted}"
+        )
+    cells = plural(len(report.gate), "cell")
+    return f"in {cells} (edges, vertices) the worlds number as in: {report.gate[0].source}"

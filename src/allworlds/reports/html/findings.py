@@ -1,0 +1,175 @@
+"""A finding on a page: its pictures, its walk, what it means, and how to run it again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from xml.etree import ElementTree as ET
+
+from allworlds.checker.finding import Finding
+from allworlds.explaining import explain
+from allworlds.explaining.belief import Belief
+from allworlds.explaining.story import Story
+from allworlds.reports.finding_words import (
+    choices_words,
+    expected_words,
+    headline,
+    motion,
+    remarks,
+    seen_words,
+    wrong,
+)
+from allworlds.reports.html.elements import Child, record, tag
+from allworlds.reports.html.svg import Scene, picture
+from allworlds.reports.html.walk import walk
+
+
+def finding_section(finding: Finding, number: int, origin: str = "") -> ET.Element:
+    """All that there is to see and to read of the finding, with the origin that it has, if any."""
+    name = f"finding-{number}"
+    story, explanation = Story(finding), explain(finding)
+    belief = Belief(story) if explanation.answer else None
+    return tag(
+        "section",
+        tag("h2", f"Finding {number}: ", tag("bdi", headline(finding)), id=f"{name}-title"),
+        tag("p", *_sentences(explanation.sentences), class_="story"),
+        _viewer(story, belief, explanation.step, name),
+        tag("dl", *_facts(finding, origin)),
+        *_again(finding, name),
+        record(finding.to_json(), class_="finding", id=f"{name}-json"),
+        class_="finding",
+        id=name,
+        aria_labelledby=f"{name}-title",
+    )
+
+
+def _sentences(sentences: tuple[str, ...]) -> Iterator[Child]:
+    for sentence in sentences:
+        yield tag("bdi", sentence)
+        yield " "
+
+
+def _viewer(story: Story, belief: Belief | None, parting: int | None, name: str) -> ET.Element:
+    """The pictures and the walk along which keys step in all of them."""
+    figures = [_figure("The world", _world(story), f"{name}-world", "robot")]
+    if belief:
+        figures.append(_figure("The answer", _answer(belief), f"{name}-answer", "believed"))
+    keys = "Left and right arrow, Home and End step along the walk."
+    return tag(
+        "div",
+        tag("div", *figures, class_="pictures"),
+        tag(
+            "div",
+            *(
+                tag("button", where.capitalize(), type="button", data_go=where)
+                for where in ("first", "back", "next", "last")
+            ),
+            tag("p", "", class_="now", role="status"),
+            class_="controls",
+            hidden="hidden",
+        ),
+        tag("p", keys, class_="keys", hidden="hidden"),
+        walk(story, belief, parting, name),
+        class_="viewer",
+        role="group",
+        tabindex="0",
+        aria_label=f"The walk of finding {name.rpartition('-')[2]}. {keys}",
+    )
+
+
+def _figure(title: str, scene: Scene, name: str, follows: str) -> ET.Element:
+    legend = [
+        tag("span", "robot", class_="key robot-key"),
+        tag("span", "walked", class_="key walked-key"),
+        tag("span", "walked just now", class_="key last-key", hidden="hidden"),
+    ]
+    if scene.marks:
+        legend.append(tag("span", "marked", class_="key marked-key"))
+    if scene.pointed:
+        legend.append(tag("span", "pointed along", class_="key pointed-key"))
+    legend.append(tag("span", "dart faced at the start", class_="key start-key"))
+    genus = scene.map.genus
+    about = f"genus {genus}" + ("; edges that cross do not meet" if genus else "")
+    return tag(
+        "figure",
+        tag("figcaption", tag("b", title), f", {about}"),
+        tag("div", picture(scene, name, title), class_="frame", data_follows=follows),
+        tag("p", *legend, class_="legend"),
+    )
+
+
+def _world(story: Story) -> Scene:
+    world = story.world
+    percepts = world.percepts
+    return Scene(
+        world.map,
+        world.start,
+        story.walked[-1],
+        _arrivals(story, story.walked),
+        [dart for dart in world.map.darts if percepts[dart].bearing == 0],
+        {world.map.vertex_of[d]: p.marks for d, p in enumerate(percepts) if p.marks},
+    )
+
+
+def _answer(belief: Belief) -> Scene:
+    """The answer with what it makes expect on the walk."""
+    map_, believed = belief.answer.map, belief.believed
+    expected = [*zip(believed, belief.expected, strict=True)]
+    return Scene(
+        map_,
+        believed[0],
+        believed[-1],
+        _arrivals(belief.story, believed),
+        {map_.turn(dart, p.bearing) for dart, p in expected if p.bearing is not None},
+        {map_.vertex_of[dart]: p.marks for dart, p in expected if p.marks},
+    )
+
+
+def _arrivals(story: Story, trail: list[int]) -> set[int]:
+    """The darts by which an edge was walked; before the first motion there is none."""
+    return {
+        dart
+        for dart, (action, _) in zip(trail[1:], story.transcript.steps, strict=True)
+        if motion(action).startswith("move")
+    }
+
+
+def _facts(finding: Finding, origin: str) -> Iterator[ET.Element]:
+    about = wrong(finding)
+    facts = [("law", f"{finding.law}: {about}" if about else finding.law)]
+    if not about:
+        facts += [("expected", expected_words(finding)), ("seen", seen_words(finding))]
+    if finding.choices:
+        facts.append(("choices", choices_words(finding)))
+    if finding.world.told is not None:
+        facts.append(("told", f"{finding.world.told}, before the start"))
+    facts.append(("confirmed", remarks(finding)))
+    if origin:
+        facts.append(("origin", origin))
+    for name, text in facts:
+        yield tag("dt", name)
+        yield tag("dd", tag("bdi", text))
+
+
+def _again(finding: Finding, name: str) -> Iterator[ET.Element]:
+    """How to run it again, and what was recorded."""
+    yield tag("h3", "Run it again")
+    yield _text(finding.reproduce, f"{name}-command")
+    yield tag("p", _copier("Copy the command", f"{name}-command"))
+    if finding.detail:
+        yield tag("h3", "Traceback, or what it wrote to stderr")
+        yield _text(finding.detail, f"{name}-detail")
+    transcript = finding.transcript
+    lines = [f"start: {transcript.first}"]
+    lines += [f"{motion(action)}: {percept}" for action, percept in transcript.steps]
+    summary = tag("summary", "The transcript, as it was recorded")
+    yield tag("details", summary, _text("\n".join(lines), f"{name}-transcript"))
+    copier = _copier("Copy the finding as JSON, for replay and explain", f"{name}-json")
+    yield tag("p", copier)
+
+
+def _text(text: str, name: str) -> ET.Element:
+    return tag("pre", tag("bdi", text, id=name), tabindex="0")
+
+
+def _copier(label: str, of: str) -> ET.Element:
+    return tag("button", label, type="button", data_copy=of, hidden="hidden")

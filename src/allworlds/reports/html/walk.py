@@ -1,0 +1,50 @@
+"""A walk as a list with one item a step: what happened, and what the answer makes of it."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree as ET
+
+from allworlds.explaining.belief import Belief
+from allworlds.explaining.story import Story
+from allworlds.protocol import Move
+from allworlds.reports.finding_words import motion
+from allworlds.reports.html.elements import tag
+
+
+def walk(story: Story, belief: Belief | None, parting: int | None, name: str) -> ET.Element:
+    """The list; ``parting`` is the step at which belief and truth part, if they do."""
+    steps = range(len(story.walked))
+    return tag(
+        "ol",
+        *(_step(story, belief, i, f"{name}-step-{i}", i == parting) for i in steps),
+        class_="walk compared" if belief else "walk",
+        start="0",
+        role="list",
+        aria_label="The walk, step by step",
+    )
+
+
+def _step(story: Story, belief: Belief | None, i: int, name: str, parts: bool) -> ET.Element:
+    action = story.transcript.steps[i - 1][0] if i else None
+    robot = story.walked[i]
+    item = tag(
+        "li",
+        tag("a", str(i), href=f"#{name}", class_="step", aria_label=f"step {i}"),
+        tag("span", motion(action) if action else "start", class_="motion"),
+        tag("span", f"at {story.place(robot)}", class_="place"),
+        tag("span", f"sensed: {story.sensed[i]}", class_="sensed"),
+        id=name,
+        class_="parting" if parts else None,
+        data_robot=robot,
+        data_moved="" if type(action) is Move else None,
+    )
+    if belief:
+        item.set("data-believed", str(belief.believed[i]))
+        expected = belief.expected[i]
+        as_sensed = expected == story.sensed[i]
+        sign = "=" if as_sensed else "≠"
+        words = f"{sign} the answer makes expect: {expected}"
+        item.append(tag("span", words, class_="fits" if as_sensed else "misfits"))
+    if parts:
+        item.append(tag("b", "here belief and truth part", class_="note"))
+    return item

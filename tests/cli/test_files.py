@@ -1,0 +1,98 @@
+"""The options that write a report into a file: --junit and --html."""
+
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from allworlds.checker import check
+from allworlds.cli.app import _guarded
+from allworlds.cli.files import ensure_writable, write_reports
+from allworlds.errors import InputError
+from allworlds.fuzzer import fuzz
+from allworlds.reports.html import page
+from allworlds.reports.junit import junit
+
+QUICK = ["check", "--edges", "1", "--workers", "1", "-q"]
+WRITERS = pytest.mark.parametrize(("option", "written"), [("--junit", junit), ("--html", page)])
+OPTIONS = pytest.mark.parametrize("option", ["--junit", "--html"])
+
+
+@WRITERS
+def test_the_file_holds_the_report(option, written, tmp_path, capsys):
+    file = tmp_path / "report"
+    assert _guarded([*QUICK, option, str(file)]) == 0
+    assert file.read_text(encoding="utf-8") == written(check(edges=1))
+    assert "HOLDS" in capsys.readouterr().out
+
+
+@WRITERS
+def test_an_older_file_is_replaced_whole(option, written, tmp_path):
+    file = tmp_path / "report"
+    file.write_text("x" * 100_000)
+    assert _guarded([*QUICK, option, str(file)]) == 0
+    assert file.read_text(encoding="utf-8") == written(check(edges=1))
+
+
+def test_both_are_written_of_one_check(tmp_path):
+    files = [tmp_path / "junit.xml", tmp_path / "page.html"]
+    assert _guarded([*QUICK, "--junit", str(files[0]), "--html", str(files[1])]) == 0
+    assert ET.parse(files[0]).getroot().tag == "testsuites"
+    assert files[1].read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
+@OPTIONS
+def test_a_refuted_check_is_written_too(option, tmp_path, capsys):
+    file = tmp_path / "report"
+    explorer = tmp_path / "wrong.py"
+    explorer.write_text("def explore(first):\n    return None\n    yield\n")
+    assert _guarded([*QUICK, f"{explorer}:explore", option, str(file)]) == 1
+    assert "no-estimate" in file.read_text(encoding="utf-8")
+    assert "no-estimate" in capsys.readouterr().out
+
+
+@WRITERS
+def test_fuzz_writes_them_too(option, written, tmp_path, capsys):
+    file = tmp_path / "report"
+    sample = ["--edges", "4", "--runs", "3", "--workers", "1", "-q"]
+    assert _guarded(["fuzz", *sample, option, str(file)]) == 0
+    assert file.read_text(encoding="utf-8") == written(fuzz(edges=4, runs=3))
+    assert "NOT-REFUTED" in capsys.readouterr().out
+
+
+@OPTIONS
+@pytest.mark.parametrize("name", ["no/such/directory", "", ".", "\0", "a\ud800"])
+def test_a_file_that_cannot_be_written_is_refused_before_the_run(
+    option, name, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("allworlds.checker.check", lambda *_args, **_options: 1 / 0)
+    assert _guarded([*QUICK, option, name]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.count("\n") == 1
+    assert "cannot be written" in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_asking_whether_a_file_can_be_written_leaves_it_as_it_is(tmp_path):
+    there, not_there = tmp_path / "there", tmp_path / "not-there"
+    there.write_text("kept")
+    ensure_writable(str(there))
+    ensure_writable(str(not_there))
+    ensure_writable(None)
+    assert there.read_text() == "kept"
+    assert not not_there.exists()
+
+
+def test_without_a_file_nothing_is_written(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    write_reports(check(edges=1), junit=None, html=None)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+@pytest.mark.parametrize("named", [("/dev/full", None), (None, "/dev/full")])
+def test_a_full_disk_is_bad_input(named):
+    with pytest.raises(InputError, match="/dev/full"):
+        write_reports(check(edges=1), junit=named[0], html=named[1])

@@ -1,0 +1,193 @@
+"""Words on the command line that mean nothing, or nothing together, or might mean two things."""
+
+import json
+
+import pytest
+import typer
+
+from allworlds import check
+from allworlds.cli.app import _guarded, app
+
+EDGE = '{"sigma": [0, 1], "alpha": [1, 0]}'
+ENOUGH = {
+    "check": ["--edges", "1"],
+    "run": ["theta"],
+    "fuzz": ["--edges", "1", "--runs", "1"],
+    "replay": ["no-such-file"],
+    "explain": ["no-such-file"],
+    "mutants": [],
+    "count": ["--edges", "1"],
+    "worst": ["--edges", "1"],
+    "twins": ["k4", "k4"],
+    "search": ["--info", "position", "--max-vertices", "1", "--max-edges", "1"],
+    "bench": [],
+    "ambiguity class": ["k4"],
+    "ambiguity census": ["--edges", "1"],
+}
+
+
+def verbs():
+    for name, command in typer.main.get_command(app).commands.items():
+        for sub, under in getattr(command, "commands", {}).items():
+            yield f"{name} {sub}", under
+        if not hasattr(command, "commands"):
+            yield name, command
+
+
+OPTIONS = [
+    (verb, param)
+    for verb, command in verbs()
+    for param in command.params
+    if param.param_type_name == "option" and not param.is_flag
+]
+
+
+@pytest.fixture
+def refused(capsys):
+    """The one line with which these arguments are refused."""
+
+    def call(*arguments):
+        code = _guarded([str(argument) for argument in arguments])
+        out, err = capsys.readouterr()
+        assert (code, out) == (2, ""), err
+        assert err.count("\n") == 1, err
+        return err
+
+    return call
+
+
+def test_every_verb_is_looked_at():
+    assert {verb for verb, _ in verbs()} == set(ENOUGH)
+
+
+@pytest.mark.parametrize(
+    ("verb", "option"), [(verb, param.opts[0]) for verb, param in OPTIONS], ids=" ".join
+)
+def test_an_empty_text_is_no_value_of_any_option(refused, verb, option, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    refused(*verb.split(), *ENOUGH[verb], option, "")
+    assert list(tmp_path.iterdir()) == []
+
+
+NUMBERS = [
+    (verb, param.opts[0]) for verb, param in OPTIONS if param.metavar in ("M", "N", "S", "MB", "R")
+]
+
+
+@pytest.mark.parametrize(("verb", "option"), NUMBERS, ids=" ".join)
+@pytest.mark.parametrize("value", ["1_0", " 1", "١"])  # noqa: RUF001  # an Arabic digit
+def test_a_number_is_written_with_ascii_digits_alone(refused, verb, option, value):
+    assert repr(value) in refused(*verb.split(), *ENOUGH[verb], option, value)
+
+
+@pytest.mark.parametrize("verb", ENOUGH)
+def test_an_empty_argument_is_refused(refused, verb):
+    arguments = [word for word in ENOUGH[verb] if not word.startswith("-")]
+    if verb in ("run", "replay", "explain", "twins", "ambiguity class"):
+        refused(*verb.split(), *["" for _ in arguments])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["check", "--edges", "1", "--bound", "2", "--laws", "map"], "bound '2' has no effect"),
+        (["check", "--edges", "1", "--bound", "none", "--laws", "bound"], "law 'bound' has no"),
+        (["fuzz", "--edges", "1", "--runs", "1", "--bound", "m", "--laws", "map"], "bound 'm' has"),
+        (["run", "theta", "--bound", "paper", "--laws", "map"], "bound 'paper' has no effect"),
+        (["check", "--edges", "1", "--laws", "map,pose,map"], "'map' is named twice"),
+        (["check", "--edges", "1", "--schedules", "all", "--policy", "lifo"], "policy 'lifo' has"),
+        (["run", "theta", "--holes", "10%"], "holes 10% has no effect without --family"),
+        (["run", "theta", "--seed", "3"], "seed 3 has no effect without --family"),
+        (["run", "--family", "cycle:5", "--seed", "3"], "seed 3 has no effect on cycle:5"),
+        (["run", "--family", "dense:5", "--seed", "3"], "seed 3 has no effect on dense:5"),
+    ],
+)
+def test_an_option_without_effect_is_refused(refused, arguments, said):
+    assert said in refused(*arguments)
+
+
+def test_a_seed_with_an_effect_is_legal(capsys):
+    for family in (["random:4"], ["lattice:2x3", "--holes", "20%"]):
+        assert _guarded(["run", "--family", *family, "--seed", "3"]) == 0
+    capsys.readouterr()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["run", "algorithm1"], "WORLD is missing: 'algorithm1' is an explorer"),
+        (["run", "mine.py:explore"], "WORLD is missing: 'mine.py:explore' is an explorer"),
+        (["run", "my.module:Class.explore"], "WORLD is missing"),
+        (["run", "theta", "algorithm1"], "EXPLORER comes first"),
+        (["run", EDGE, "mine.py:explore"], "EXPLORER comes first"),
+        (["run", "lattice:3x3"], "--family lattice:3x3"),
+        (["check", ":x"], "legal are module:attribute"),
+        (["check", "mine.py:"], "legal are module:attribute"),
+    ],
+)
+def test_a_word_in_the_place_of_another_is_told(refused, arguments, said):
+    assert said in refused(*arguments)
+
+
+@pytest.mark.parametrize(
+    ("world", "said"),
+    [
+        ("cycle-999999", "cycle-N needs an integer N >= 1, and at most 10000"),
+        ("path-1", "path-N needs an integer N >= 2"),
+        ("wheel-2", "wheel-N needs an integer N >= 3"),
+        ("bouquet-0", "bouquet-N needs an integer N >= 1"),
+        ("thetta", "did you mean 'theta'?"),
+        ("Theta", "did you mean 'theta'?"),
+        ("w.json", "write '@w.json'"),
+        ("[]", "a world is an object with 'sigma' and 'alpha', not []"),
+        ("7", "a world is an object with 'sigma' and 'alpha', not 7"),
+        (EDGE.replace("}", ', "strat": 1}'), "'strat' is no key of a world"),
+        (EDGE.replace("}", ', "alpha": [1, 0]}'), "'alpha' stands twice"),
+    ],
+)
+def test_a_world_that_is_none_is_refused_with_what_may_be_meant(refused, world, said):
+    assert said in refused("run", world)
+
+
+def test_a_report_is_no_world_and_a_world_no_finding(refused, tmp_path):
+    report = check(lambda _: (yield), edges=1).to_json()
+    for name, document in (("report", report), ("finding", report["findings"][0])):
+        file = tmp_path / name
+        file.write_text(json.dumps(document))
+        assert "a report or a finding, not a world" in refused("run", f"@{file}")
+    file.write_text(EDGE)
+    for verb in ("replay", "explain"):
+        assert "a world or a map, not a finding" in refused(verb, file)
+
+
+@pytest.mark.parametrize(
+    ("shard", "said"),
+    [
+        ("0/99999999999999999999999", "too big; N is at most 999999999"),
+        ("9" * 5000 + "/1", "too big"),
+        ("1_0/20", "K/N"),
+    ],
+)
+def test_a_shard_that_is_none_is_refused(refused, shard, said):
+    assert said in refused("check", "--edges", "1", "--shard", shard)
+
+
+def test_a_choice_that_was_not_asked_for_is_counted_rightly(refused, tmp_path):
+    file = tmp_path / "asks.py"
+    file.write_text(
+        "def explore(first, *, choices):\n    for _ in range(first.degree - 1):\n"
+        "        choices.pick('ab', of='edge')\n    return None\n    yield\n"
+    )
+    for family, said in (("path-2", "none was"), ("path-3", "none was"), ("loop", "only 1 was")):
+        assert f"{said} asked for" in refused("run", f"{file}:explore", family, "--choices", "0,0")
+    assert "only 2 were asked for" in refused("run", f"{file}:explore", "theta", "--choices=0,0,0")
+
+
+def test_the_scope_says_no_bound_where_none_was_checked(capsys):
+    for verb in (["check"], ["fuzz", "--runs", "3"]):
+        assert _guarded([*verb, "--edges", "2", "--laws", "map,pose", "--json"]) == 0
+        document = json.loads(capsys.readouterr().out)
+        assert document["scope"]["bound"] == "none"
+        assert {row["bound"] for row in document["rows"]} == {None}
+    assert _guarded(["check", "--edges", "2", "--bound", "none", "--json"]) == 0
+    assert "bound" not in json.loads(capsys.readouterr().out)["scope"]["laws"]

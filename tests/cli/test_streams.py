@@ -1,0 +1,90 @@
+"""Standard streams that are closed or full."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+
+def shell(words):
+    """What a command does whose streams the shell has redirected."""
+    done = subprocess.run(
+        ["/bin/sh", "-c", f"{sys.executable} -m allworlds {words}"],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    return done.returncode, done.stdout, done.stderr
+
+
+@pytest.mark.parametrize("stderr", ["2>/dev/full", "2>&-"])
+def test_bad_input_is_exit_code_2_and_no_output_whatever_becomes_of_stderr(stderr):
+    assert shell(f"check --edges x {stderr}") == (2, "", "")
+
+
+@pytest.mark.parametrize("stderr", ["2>/dev/full", "2>&-"])
+def test_without_stderr_the_report_is_the_same(stderr):
+    code, out, err = shell("check --edges 2 --workers 1 --json")
+    assert (code, err) == (0, "")
+    assert shell(f"check --edges 2 --workers 1 --json {stderr}") == (code, out, "")
+
+
+@pytest.mark.parametrize("stderr", ["2>&-", "2>/dev/full", "2>&1 >{0} | true; cat {0}"])
+def test_without_stderr_an_explorer_prints_into_the_void(stderr, tmp_path):
+    file = tmp_path / "loud.py"
+    file.write_text(
+        "import sys\nprint('imported')\nfrom allworlds.explorers import algorithm1\n"
+        "def explore(first):\n    print('explored')\n    print('!', file=sys.stderr)\n"
+        "    return (yield from algorithm1(first))\n"
+    )
+    stderr = stderr.format(tmp_path / "report")
+    code, out, err = shell(f"check {file}:explore --edges 2 --workers 1 --json {stderr}")
+    assert (code, err) == (0, "")
+    assert json.loads(out)["verdict"] == "holds"
+
+
+@pytest.mark.parametrize(
+    "verb", ["check --edges 2", "check --edges 2 --json", "count --edges 2", "run theta", "--help"]
+)
+@pytest.mark.parametrize("stdout", [">/dev/full", ">&-", ">&- <&-"])
+def test_a_stdout_that_is_full_or_closed_is_one_line_and_exit_code_70(verb, stdout):
+    code, out, err = shell(f"{verb} {stdout}")
+    assert (code, out) == (70, "")
+    assert err.count("\n") == 1, err
+    assert err.startswith("allworlds: ")
+
+
+@pytest.mark.parametrize("stdout", [">/dev/full", ">&-"])
+def test_bad_input_goes_before_a_bad_stdout(stdout):
+    code, out, err = shell(f"count --edges x {stdout}")
+    assert (code, out) == (2, "")
+    assert "'x'" in err
+
+
+def test_all_streams_may_be_closed():
+    assert shell("count --edges 2 <&- >&- 2>&-") == (70, "", "")
+    assert shell("count --edges x <&- >&- 2>&-") == (2, "", "")
+
+
+def test_a_reader_that_has_gone_is_no_error():
+    assert shell("count --edges 2 | true; echo $?")[1] == "0\n"
+
+
+def test_the_words_of_an_explorer_give_no_orders_to_a_terminal(tmp_path):
+    file = tmp_path / "rude.py"
+    file.write_text(
+        "def explore(first):\n    raise ValueError('\\x1b[2J\\x00\\x9b7m\\x7f\\r')\n    yield\n"
+    )
+    for verb in ("check --edges 1 --workers 1", "run"):
+        code, out, err = shell(f"{verb} {file}:explore {'theta' if verb == 'run' else ''}")
+        assert code == 1, err
+        assert r"\x1b[2J\x00\x9b7m\x7f" in out
+        assert all(c.isprintable() or c in "\n\t" for c in out)
+        assert not err
+    file.write_text("raise ValueError('\\x1b[2J')\n")
+    code, out, err = shell(f"check {file}:explore --edges 1")
+    assert (code, out) == (2, "")
+    assert r"\x1b[2J" in err
+    assert "\x1b" not in err

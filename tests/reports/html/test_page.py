@@ -1,0 +1,318 @@
+"""The page: complete, self-contained, and the same every time."""
+
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+from base64 import b64encode
+from collections import Counter
+from html.parser import HTMLParser
+
+import pytest
+
+from allworlds import Estimate, Move
+from allworlds.checker import Finding, check
+from allworlds.checker.report import Cell
+from allworlds.explaining import explain
+from allworlds.fuzzer import fuzz
+from allworlds.maps.build import named_map
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.reports.html import page
+from allworlds.reports.html.elements import document, legal, raw, record, tag
+
+VOID = {"meta", "br", "link", "img", "input", "hr"}
+HOSTILE = (
+    "</script><script>alert(1)</script><!-- <b title='x\"'> &amp; \0 \x1b \ud800 \ufffe \u202e"
+)
+
+
+class Node:
+    def __init__(self, name, attributes):
+        self.name, self.attributes, self.children = name, dict(attributes), []
+
+    def all(self, name=None, **wanted):
+        for child in self.children:
+            if isinstance(child, Node):
+                has = child.attributes
+                fits = all(has.get(k.replace("_", "-").rstrip("-")) == v for k, v in wanted.items())
+                if fits and name in (None, child.name):
+                    yield child
+                yield from child.all(name, **wanted)
+
+    def one(self, name=None, **wanted):
+        (found,) = self.all(name, **wanted)
+        return found
+
+    @property
+    def text(self):
+        return "".join(child.text if isinstance(child, Node) else child for child in self.children)
+
+
+class Reader(HTMLParser):
+    """A tree of a page in which every element is closed where it should be."""
+
+    def __init__(self, text):
+        super().__init__(convert_charrefs=True)
+        self.root = Node("", ())
+        self.open = [self.root]
+        self.feed(text)
+        self.close()
+        assert self.open == [self.root]
+
+    def handle_starttag(self, tag, attrs):
+        assert len(dict(attrs)) == len(attrs)
+        node = Node(tag, attrs)
+        self.open[-1].children.append(node)
+        if tag not in VOID:
+            self.open.append(node)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop().name == tag
+
+    def handle_data(self, data):
+        self.open[-1].children.append(data)
+
+
+def read(text):
+    assert text.startswith('<!DOCTYPE html>\n<html lang="en">')
+    return Reader(text).root
+
+
+def mutant(name):
+    return next(m for m in WRONG_EXPLORERS if m.name == name).explorer()
+
+
+@pytest.fixture(scope="module")
+def refuted():
+    return check(mutant("wrong-entry-label"), edges=3, laws=("map", "pose"), max_findings=3)
+
+
+@pytest.fixture(scope="module")
+def root(refuted):
+    return read(page(refuted))
+
+
+def test_the_page_shows_the_verdict_and_everything_that_check_prints(refuted, root):
+    (verdict,) = root.all(class_="verdict refuted")
+    assert "REFUTED" in verdict.text
+    assert "law map is broken" in verdict.text
+    cells = [[cell.text for cell in row.all("td")] for row in root.one("tbody").all("tr")]
+    assert [row[:3] for row in cells] == [
+        [str(row["edges"]), str(row["vertices"]), str(row["worlds"])] for row in refuted.rows()
+    ]
+    terms = [term.text for term in root.one(class_="scope").all("dt")]
+    assert terms == ["explorer", "scope", "laws", "gate", "witnesses"]
+
+
+def test_a_finding_reads_back_from_the_page_and_is_equal(refuted, root):
+    records = [json.loads(block.text) for block in root.all("script", class_="finding")]
+    assert len(records) > 1
+    assert records == [finding.to_json() for finding in refuted.findings]
+    assert Finding.from_json(records[0]).key == refuted.findings[0].key
+    summary = json.loads(root.one(id="report-json").text)
+    assert {**summary, "findings": records} == refuted.to_json()
+
+
+def test_the_list_of_the_walk_has_one_item_a_step(refuted, root):
+    for finding, walk in zip(refuted.findings, root.all("ol"), strict=True):
+        items = list(walk.all("li"))
+        assert len(items) == len(finding.transcript.steps) + 1
+        assert ["data-moved" in item.attributes for item in items] == [
+            i > 0 for i in range(len(items))
+        ]
+        sensed = [finding.transcript.first, *(p for _, p in finding.transcript.steps)]
+        for item, percept in zip(items, sensed, strict=True):
+            assert item.one(class_="sensed").text == f"sensed: {percept}"
+            signs = {c.attributes["class"] for c in item.all("span")} & {"fits", "misfits"}
+            assert len(signs) == (1 if finding.law in ("map", "pose") else 0)
+        marked = [i for i, item in enumerate(items) if item.attributes.get("class") == "parting"]
+        parting = explain(finding).step
+        assert marked == ([] if parting is None else [parting])
+
+
+def test_the_answer_stands_beside_the_world(refuted, root):
+    viewer = next(root.all(class_="viewer"))
+    world, answer = viewer.all("figure")
+    assert len([*world.all(class_="edge")]) + len([*world.all(class_="edge walked")]) == (
+        refuted.findings[0].world.map.edge_count
+    )
+    darts = [group for group in answer.all("g") if "data-dart" in group.attributes]
+    assert len(darts) == len(refuted.findings[0].seen["sigma"])
+    (here,) = answer.all("g", class_="dart here")
+    assert here.attributes["data-dart"] == str(refuted.findings[0].seen["here"])
+
+
+def test_every_step_is_at_a_dart_of_its_picture_and_every_motion_along_an_edge(root):
+    for viewer in root.all(class_="viewer"):
+        for frame in viewer.all(class_="frame"):
+            follows = frame.attributes["data-follows"]
+            darts = {
+                g.attributes["data-dart"] for g in frame.all("g") if "data-dart" in g.attributes
+            }
+            for item in viewer.all("li"):
+                assert item.attributes[f"data-{follows}"] in darts
+
+
+def test_the_explanation_and_the_command_are_there(refuted, root):
+    finding = refuted.findings[0]
+    story = root.one(id="finding-1").one(class_="story").text
+    assert all(sentence in story for sentence in explain(finding).sentences)
+    assert root.one(id="finding-1-command").text == finding.reproduce
+
+
+def test_names_are_unique_and_every_reference_to_one_is_kept(root):
+    nodes = list(root.all())
+    ids = Counter(node.attributes["id"] for node in nodes if "id" in node.attributes)
+    assert set(ids.values()) == {1}
+    for node in nodes:
+        refers = node.attributes.get("aria-labelledby", "").split()
+        refers += [node.attributes[k] for k in ("data-copy",) if k in node.attributes]
+        refers += [node.attributes["href"][1:]] if "href" in node.attributes else []
+        assert all(name in ids for name in refers)
+
+
+def test_the_page_refers_to_nothing_outside(refuted, root):
+    for node in root.all():
+        for name, value in node.attributes.items():
+            assert name not in ("src", "srcset", "action", "style", "xlink:href")
+            assert not name.startswith("on")
+            assert name != "href" or value.startswith("#")
+            assert name == "xmlns" or "//" not in value
+    assert not [*root.all("link"), *root.all("img"), *root.all("iframe"), *root.all("base")]
+    style = root.one("style").text
+    assert not re.search(r"url\(|@import|@font-face|//", style)
+    script = list(root.all("script"))[-1].text
+    assert not re.search(r"fetch|XMLHttp|import\(|innerHTML|https?:|eval", script)
+
+
+def test_only_the_pages_own_style_and_script_are_allowed(root):
+    meta = root.one("meta", http_equiv="Content-Security-Policy").attributes["content"]
+    rules = dict(rule.strip().split(" ", 1) for rule in meta.split(";"))
+    assert rules["default-src"] == rules["base-uri"] == rules["form-action"] == "'none'"
+    assert set(rules) == {"default-src", "style-src", "script-src", "base-uri", "form-action"}
+    for rule, text in (
+        ("style-src", root.one("style").text),
+        ("script-src", list(root.all("script"))[-1].text),
+    ):
+        digest = b64encode(hashlib.sha256(text.encode()).digest()).decode()
+        assert rules[rule] == f"'sha256-{digest}'"
+
+
+def test_whatever_an_explorer_says_is_text():
+    def explore(first):
+        raise ValueError(HOSTILE)
+        yield
+
+    report = check(explore, edges=1)
+    report.explorer = HOSTILE
+    text = page(report)
+    text.encode("utf-8")
+    assert not re.search("[\0\x1b\ud800\ufffe]", text)
+    root = read(text)
+    scripts = [block.attributes.get("type") for block in root.all("script")]
+    assert scripts == ["application/json"] * 2 + [None]
+    assert not list(root.all("b", title='x"')), "no element comes from the text"
+    assert legal(HOSTILE) in root.one("h1").text
+    assert legal(HOSTILE) in root.one(id="finding-1-detail").text
+    finding = json.loads(root.one(id="finding-1-json").text)
+    assert finding == report.findings[0].to_json()
+    assert HOSTILE in finding["detail"]
+
+
+def test_characters_that_html_does_not_allow_are_replaced_and_others_kept():
+    forbidden = "\0\x08\x0b\x1f\x7f\x85\ud800\udfff\ufdd0\ufdef\ufffe\uffff\U0001ffff\U0010fffe"
+    assert legal(forbidden) == "\N{REPLACEMENT CHARACTER}" * len(forbidden)
+    kept = "\t\n az~\xa0é\u202e漢\ufdcf\ufdf0\ufffd\U0001f600\U0010fffd"
+    assert legal(kept) == kept
+
+
+def test_a_script_that_would_end_itself_is_no_element():
+    with pytest.raises(ValueError, match="would end it"):
+        raw("script", "'</script>'")
+    block = record({"x": "</script><!--&"}, id="x")
+    assert json.loads(block.text) == {"x": "</script><!--&"}
+
+
+def test_text_and_attributes_are_escaped():
+    text = document(tag("p", "<i>", tag("b", "&"), "</p>", title="\"'<>"))
+    node = Reader(text).root.one("p")
+    assert node.text.rstrip() == "<i>&</p>"
+    assert node.attributes == {"title": "\"'<>"}
+
+
+@pytest.mark.parametrize("name", [m.name for m in WRONG_EXPLORERS])
+def test_there_is_a_page_of_every_wrong_explorer(name):
+    report = check(mutant(name), edges=2)
+    root = read(page(report))
+    assert len([*root.all("section", class_="finding")]) == len(report.findings)
+    for finding, walk in zip(report.findings, root.all("ol"), strict=True):
+        assert len([*walk.all("li")]) == len(finding.transcript.steps) + 1
+
+
+@pytest.mark.parametrize("kind", ["none", "position", "compass"])
+def test_under_every_lighthouse_there_is_a_page(kind):
+    report = check(edges=2, lighthouse=kind, laws=("map", "pose"))
+    assert report.findings
+    assert read(page(report)).one(id="finding-1-world")
+
+
+def test_an_answer_in_which_the_marker_has_no_place_is_drawn_without_it():
+    def explore(first):
+        yield Move(0)
+        return Estimate(named_map("edge"), 0)
+
+    report = check(explore, edges=2, max_findings=50, laws=("map",))
+    root = read(page(report))
+    assert len([*root.all("figure")]) == 2 * len(report.findings) > 2
+
+
+def test_a_check_that_holds_has_a_page_without_findings():
+    root = read(page(check(edges=2)))
+    assert root.one(class_="verdict holds")
+    assert not [*root.all(class_="finding")]
+    assert "every start and marker" in root.one(class_="scope").text
+
+
+def test_a_mismatch_of_the_count_gate_is_told():
+    report = check(edges=1)
+    report.gate.append(Cell(1, 1, 3, 99, "somebody"))
+    assert "counts 99" in read(page(report)).one(class_="scope").text
+
+
+def test_a_sample_has_a_page_too():
+    root = read(page(fuzz(edges=6, runs=5)))
+    assert root.one(class_="verdict not-refuted")
+    assert root.one("h1").text.startswith("allworlds fuzz")
+
+
+SAME = """
+import sys
+from allworlds.checker import check
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.reports.html import page
+wrong = next(m for m in WRONG_EXPLORERS if m.name == "wrong-entry-label")
+sys.stdout.buffer.write(page(check(wrong.explorer(), edges=3)).encode())
+"""
+
+
+def test_the_bytes_are_the_same_whatever_the_hash_seed():
+    paths = os.pathsep.join(filter(None, sys.path))
+    pages = {
+        subprocess.run(
+            [sys.executable, "-c", SAME],
+            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": paths},
+            capture_output=True,
+            check=True,
+        ).stdout
+        for seed in ("0", "1", "2")
+    }
+    assert len(pages) == 1
+    assert b"finding-1-answer" in pages.pop()
+
+
+def test_a_finding_of_the_corpus_says_so(tmp_path):
+    explorer = mutant("pose-lost")
+    assert "from the corpus" not in page(check(explorer, edges=2, corpus=tmp_path))
+    assert "from the corpus" in page(check(explorer, edges=2, corpus=tmp_path))
