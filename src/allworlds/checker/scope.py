@@ -75,7 +75,7 @@ class Rules:
 
     def _refuse_bounds_without_effect(self) -> None:
         laws = self.laws
-        if laws and "bound" not in laws and self.bound not in (None, "none"):
+        if laws and "bound" not in laws and self.bound not in (None, "none", self.default_bound):
             raise ScopeError(
                 f"bound {show(self.bound)} has no effect without the law 'bound'; the laws are "
                 f"{', '.join(laws)}"
@@ -220,11 +220,6 @@ class Scope:
             )
         if self.schedules not in ("one", "all"):
             raise ScopeError(f"schedules {show(self.schedules)} is none of one, all")
-        if self.schedules == "all" and self.rules.policy != "fifo":
-            raise ScopeError(
-                f"policy {show(self.rules.policy)} has no effect with schedules 'all', which are "
-                "all sequences of choices"
-            )
 
     def units(self, edges: int) -> Iterator[Unit]:
         """The pieces of a level that one worker does at a time; the same for any workers."""

@@ -327,8 +327,6 @@ def world_of_family(text: str, holes: str | None, seed: int | None, kind: str) -
     """The world of a family, started at dart 0, with a lighthouse at its default place."""
     share = 0.0 if holes is None else fraction(holes)
     map_ = family(text, holes=share, seed=0 if seed is None else seed)
-    if seed is not None and not share and not text.startswith("random"):
-        raise InputError(f"seed {seed} has no effect on {text} without holes")
     return World(map_, lighthouse_from_json(None, map_, 0, kind))
 
 

@@ -194,9 +194,8 @@ def run(
     name = opt.explorer_name(explorer, command)
     kind = default_lighthouse(name)
     if family is None:
-        for option, value in (("holes", holes), ("seed", seed)):
-            if value is not None:
-                raise InputError(f"{option} {value} has no effect without --family")
+        if holes is not None:
+            raise InputError(f"holes {holes} has no effect without --family")
         world = opt.world_named(place, kind)
     else:
         world = opt.world_of_family(family, holes, seed, kind)
