@@ -46,7 +46,7 @@ def test_the_document_says_where_and_what(report):
     assert document["version"]
     assert "commit" in document
     assert document["rounds"] == 2
-    assert 0 < document["peak_mb"] < 1000
+    assert 10 < document["peak_mb"] < 100_000  # of this process, whatever else it has run
 
 
 def test_the_text_names_every_contender(report):
