@@ -61,6 +61,7 @@ def proofs(session: nox.Session) -> None:
         ("python", "proofs/second-opinions/check.py"),
         ("make", "-C", "proofs/coq"),
         ("make", "-C", "proofs/coq", "explorer", "mutants"),
+        ("make", "-C", "proofs/coq", "enumeration", f"PYTHON={session.bin}/python"),
         ("python", "proofs/coq/certificates.py"),
         ("python", "proofs/certified.py"),
     )
