@@ -9,11 +9,13 @@ complete and free of repeats.  Its members are the canonical codes (sigma, alpha
 Python side is ``allworlds.maps.enumeration.rooted_maps``, each map as its ``rooted_code``.  Both
 must hold the same codes, each once.  With ``--list`` the file holds what Coq printed for M.
 
-Ends with status 1, and names a code that only one side has, if they differ.
+Ends with status 1, and names a code that only one side has, if they differ; with 2 if the package is
+not there.
 """
 
 from __future__ import annotations
 
+import importlib.util
 import re
 import subprocess
 import sys
@@ -101,6 +103,9 @@ def _numbers(text: str, separator: str | None) -> tuple[int, ...]:
 
 def main(arguments: list[str]) -> int:
     """Compares, and prints one line for each number of edges.  Returns the exit status."""
+    if importlib.util.find_spec("allworlds") is None:
+        print(f"{sys.executable} lacks the package allworlds: make enumeration PYTHON=...")
+        return 2
     listed = None
     if "--list" in arguments:
         at = arguments.index("--list")
