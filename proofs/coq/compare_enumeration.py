@@ -9,8 +9,8 @@ complete and free of repeats.  Its members are the canonical codes (sigma, alpha
 Python side is ``allworlds.maps.enumeration.rooted_maps``, each map as its ``rooted_code``.  Both
 must hold the same codes, each once.  With ``--list`` the file holds what Coq printed for M.
 
-Ends with status 1, and names a code that only one side has, if they differ; with 2 if the package is
-not there.
+Ends with status 1, and names a code that only one side has, if they differ; with 2 if the
+package is not there.
 """
 
 from __future__ import annotations
