@@ -44,7 +44,7 @@ def test_both_are_written_of_one_check(tmp_path):
 @OPTIONS
 def test_a_refuted_check_is_written_too(option, tmp_path, capsys):
     file = tmp_path / "report"
-    explorer = tmp_path / "wrong.py"
+    explorer = tmp_path / "answers_nothing.py"
     explorer.write_text("def explore(first):\n    return None\n    yield\n")
     assert _guarded([*QUICK, f"{explorer}:explore", option, str(file)]) == 1
     assert "no-estimate" in file.read_text(encoding="utf-8")
