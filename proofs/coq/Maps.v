@@ -19,8 +19,7 @@
                           k-th dart clockwise from d, and stands then in the dart at the other
                           end. One motion is one edge traversal; turning on the spot is free.
      walk w d             where the motions of the list w lead from d.
-     retrace w d          undoes motions: cross back, turn back, ...; the last turn is free.
-                          motions_undone: that is motions too, as many, and the last turn.
+     motions_undone       motions are undone by as many motions and a turn; a last turn is free.
 
    A robot's state is a dart, not a vertex, because the door by which it came in is all that its
    next turn can refer to.  One law does most of the work: walk_inj, a fixed list of motions leads
@@ -88,21 +87,6 @@ Proof. by move=> x y /alpha_inj /iter_sigma_inj. Qed.
 (* where a list of motions ends determines where it began *)
 Theorem walk_inj w : injective (walk w).
 Proof. by elim: w => [|k w IH] x y //= /IH /motion_inj. Qed.
-
-Fixpoint retrace w d := if w is k :: w' then retrace w' (iter k (finv sigma) (alpha d)) else d.
-
-Lemma retrace_rcons w k d :
-  retrace (rcons w k) d = iter k (finv sigma) (alpha (retrace w d)).
-Proof. by elim: w d => //= a w IH d. Qed.
-
-Lemma iter_sigmaK k : cancel (iter k (@sigma G)) (iter k (finv sigma)).
-Proof. by elim: k => [|k IH] x //; rewrite iterSr (finv_f sigma_inj) IH. Qed.
-
-(* line 15 of Algorithm 1: the robot retraces M, coming back to v_u *)
-Theorem retraceK w d : retrace (rev w) (walk w d) = d.
-Proof.
-elim: w d => //= k w IH d; rewrite rev_cons retrace_rcons IH /motion alphaK; exact: iter_sigmaK.
-Qed.
 
 (* ---- Connectedness ---- *)
 
@@ -179,6 +163,7 @@ Lemma walk_rcons w k d : walk (rcons w k) d = motion k (walk w d).
 Proof. by elim: w d => //= a w IH d. Qed.
 
 (* and the way back is made of motions, as many, and a last turn *)
+(* line 15 of Algorithm 1: the robot retraces M, coming back to v_u *)
 Theorem motions_undone w d :
   exists v j, size v = size w /\ iter j sigma (walk v (walk w d)) = d.
 Proof.
@@ -191,5 +176,4 @@ End Motions.
 
 Arguments motion {G} k d.
 Arguments walk {G} w d.
-Arguments retrace {G} w d.
 Arguments walk_inj {G} w [x1 x2] _.
