@@ -12,8 +12,6 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.cli.app import _guarded
-
 EXPLORERS = Path(__file__).parents[1] / "explorers_for_tests"
 WRONG = f"{EXPLORERS / 'wrong.py'}"
 EDGE = '{"sigma": [0, 1], "alpha": [1, 0]}'
@@ -29,15 +27,6 @@ def allworlds(*arguments, **options):
     process = start(*arguments, **options)
     out, err = process.communicate(timeout=60)
     return process.returncode, out, err
-
-
-@pytest.fixture
-def guarded(capsys):
-    def call(*arguments):
-        code = _guarded([str(argument) for argument in arguments])
-        return code, *capsys.readouterr()
-
-    return call
 
 
 BAD = [

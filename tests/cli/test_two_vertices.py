@@ -4,23 +4,12 @@ import json
 
 import pytest
 
-from allworlds.cli.app import _guarded
-
 # v0 with an edge to v1 and a loop: the edge is dart 0.
 LOLLIPOP = '{"sigma":[1,2,0,3],"alpha":[3,2,1,0]'
 PAIR = [
     {"sigma": [1, 0, 3, 4, 5, 6, 7, 2], "alpha": [2, 5, 0, 4, 3, 1, 7, 6]},
     {"sigma": [1, 0, 3, 4, 5, 6, 7, 2], "alpha": [2, 5, 0, 7, 6, 1, 4, 3]},
 ]
-
-
-@pytest.fixture
-def guarded(capsys):
-    def call(*arguments):
-        code = _guarded([str(argument) for argument in arguments])
-        return code, *capsys.readouterr()
-
-    return call
 
 
 def test_the_lighthouse_of_a_built_in_explorer_need_not_be_named(guarded):

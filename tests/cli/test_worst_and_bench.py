@@ -2,17 +2,6 @@ import json
 
 import pytest
 
-from allworlds.cli.app import _guarded
-
-
-@pytest.fixture
-def guarded(capsys):
-    def call(*arguments):
-        code = _guarded([str(argument) for argument in arguments])
-        return code, *capsys.readouterr()
-
-    return call
-
 
 def test_worst_prints_one_document(guarded):
     code, out, _ = guarded("worst", "--edges", 3, "--transit", "shortest", "--json", "-q")

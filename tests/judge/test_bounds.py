@@ -330,3 +330,26 @@ def test_the_bound_of_two_vertices_has_a_name():
     assert pickle.loads(pickle.dumps(bound_named("two-vertices"))).name == "two-vertices"
     with pytest.raises(BoundError, match="none of paper, two-vertices, none or an expression"):
         bound_named("two vertices")
+
+
+@pytest.mark.parametrize(
+    ("text", "variables"),
+    [
+        ("none", set()),
+        ("paper", {"n", "m"}),
+        ("two-vertices", {"n", "m", "d0"}),
+        ("7", set()),
+        ("2*m", {"m"}),
+        ("min(n, 3) + D**2 - -d0", {"n", "D", "d0"}),
+    ],
+)
+def test_a_bound_knows_what_it_depends_on(text, variables):
+    bound = bound_named(text)
+    assert bound.variables == variables
+    base = {"n": 5, "m": 9, "d0": 2, "D": 3}
+    moved = {
+        name
+        for name in base
+        if bound.value(*{**base, name: 1}.values()) != bound.value(*base.values())
+    }
+    assert moved == variables

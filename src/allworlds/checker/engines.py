@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Literal, TypeAlias
 
 from allworlds.checker.scope import Scope, ScopeError
@@ -62,6 +61,6 @@ def _obstacle(scope: Scope, subject: Subject) -> str:
         return "checks all laws together, not a choice of them"
     if rules.step_budget is not None:
         return "knows only the default step budget"
-    if re.search(r"\b(d0|D|two-vertices)\b", rules.the_bound.name):
+    if not rules.the_bound.variables <= {"n", "m"}:
         return f"knows only bounds over n and m, not {rules.the_bound.name!r}"
     return ""

@@ -323,10 +323,10 @@ def _hint(name: str) -> str:
     return f"; did you mean {meant[0]!r}?" if meant else ""
 
 
-def world_of_family(text: str, holes: str | None, seed: int | None, kind: str) -> World:
+def world_of_family(text: str, holes: str | None, seed: int, kind: str) -> World:
     """The world of a family, started at dart 0, with a lighthouse at its default place."""
     share = 0.0 if holes is None else fraction(holes)
-    map_ = family(text, holes=share, seed=0 if seed is None else seed)
+    map_ = family(text, holes=share, seed=seed)
     return World(map_, lighthouse_from_json(None, map_, 0, kind))
 
 

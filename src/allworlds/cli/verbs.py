@@ -155,15 +155,14 @@ def run(
         ),
     ] = None,
     seed: Annotated[
-        int | None,
+        int,
         typer.Option(
             parser=opt.integer,
             metavar="S",
-            help="For a random family, or for the holes [default: 0].",
+            help="For a random family, or for the holes.",
             rich_help_panel=opt.SCOPE,
-            show_default=False,
         ),
-    ] = None,
+    ] = 0,
     policy: opt.PolicyName = "fifo",
     choices: Annotated[
         str | None,

@@ -46,10 +46,17 @@ def two_vertices_bound(vertices: int, edges: int, degree: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """A bound as it was named, with its value for every world."""
+    """A bound as it was named, with its value for every world.
+
+    Attributes:
+        name: as it was named.
+        value: of n, m, d0 and D; None where there is no bound.
+        variables: those of these that the value depends on.
+    """
 
     name: str
     value: Callable[[int, int, int, int], int | None]
+    variables: frozenset[str]
 
     def __reduce__(self) -> tuple[Callable[[str], Bound], tuple[str]]:
         # Compiled expressions do not pickle; their texts do.
@@ -72,11 +79,12 @@ def bound_named(text: str) -> Bound:
         BoundError: naming the part that is none of these.
     """
     if text == "paper":
-        return Bound(text, lambda n, m, _d0, _largest: paper_bound(n, m))
+        return Bound(text, lambda n, m, _d0, _largest: paper_bound(n, m), frozenset("nm"))
     if text == "two-vertices":
-        return Bound(text, lambda n, m, d0, _largest: two_vertices_bound(n, m, d0))
+        variables = frozenset({"n", "m", "d0"})
+        return Bound(text, lambda n, m, d0, _largest: two_vertices_bound(n, m, d0), variables)
     if text == "none":
-        return Bound(text, lambda _n, _m, _d0, _largest: None)
+        return Bound(text, lambda _n, _m, _d0, _largest: None, frozenset())
     try:
         # Python would take other letters that look like n and m for n and m, and 1_0 for 10.
         plain = text.isascii() and not re.search("[0-9]_", text)
@@ -103,7 +111,8 @@ def bound_named(text: str) -> Bound:
             raise BoundError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
         return result
 
-    return Bound(text, value)
+    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    return Bound(text, value, frozenset(names & set(VARIABLES)))
 
 
 _Evaluate = Callable[[dict[str, int]], int]
