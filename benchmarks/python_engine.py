@@ -17,8 +17,8 @@ from collections import deque
 from collections.abc import Callable
 
 import allworlds
-from allworlds.checker.examine import Examiner
-from allworlds.checker.scope import make_scope
+from allworlds.runs import Examiner
+from allworlds.runs import make_scope
 from allworlds.maps.canonical import rooted_code, unrooted_code
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.maps.families import family

@@ -4,7 +4,7 @@ import pytest
 
 import allworlds
 from allworlds import strategies
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.world import Directional, World
 
 EDGE = World(allworlds.CombinatorialMap([0, 1], [1, 0]), Directional(0))

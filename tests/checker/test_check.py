@@ -2,7 +2,6 @@
 
 import importlib
 import json
-from contextlib import nullcontext
 from dataclasses import replace
 from functools import cache, partial
 from typing import ClassVar
@@ -11,16 +10,16 @@ import pytest
 
 from allworlds import checker
 from allworlds.checker import run, worlds
-from allworlds.checker.drive import Silent
-from allworlds.checker.pool import LocalPool
-from allworlds.checker.report import Verdict
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
+from allworlds.isolation.workers import ThisProcess
 from allworlds.maps.bruteforce import rooted_maps as every_rooted_map
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import Source
 from allworlds.maps.enumeration import rooted_maps
+from allworlds.outcome import Verdict
+from allworlds.progress import Silent
 from allworlds.protocol import Estimate, Move
 from allworlds.world import Directional, World
 
@@ -75,18 +74,16 @@ def test_no_witness_is_asked_for_that_cannot_occur(algorithm1, policy, map_class
             if not report.runs:
                 assert report.verdict is Verdict.VACUOUS, options
                 continue
-            assert report.missing == [], options
+            assert report.missing == (), options
             assert report.verdict is Verdict.HOLDS, options
 
 
 @pytest.fixture
 def algorithm1(monkeypatch):
     """Algorithm 1 with its witnesses, in this process, because it is asked for so often."""
-    laboratory = importlib.import_module("allworlds.checker.laboratory")
     monkeypatch.setattr(
-        laboratory,
-        "WorkerPool",
-        lambda subject, _limits, deadline: nullcontext(LocalPool(subject, deadline)),
+        "allworlds.isolation.workers.Workers",
+        lambda subject, _limits, deadline: ThisProcess(subject, deadline),
     )
     return "algorithm1"
 
@@ -108,7 +105,7 @@ def test_a_missing_witness_is_no_success(monkeypatch, algorithm1):
     assert check(edges=1).missing == []
     report = check(edges=2)
     assert (report.verdict, report.exit_code) == (Verdict.VACUOUS, 4)
-    assert report.missing == report.to_json()["missing_witnesses"] == ["case-4"]
+    assert [*report.missing] == report.to_json()["missing_witnesses"] == ["case-4"]
     assert check(edges=2, map_class="simple").missing == []
 
 
@@ -250,7 +247,7 @@ def test_the_shards_make_the_whole(algorithm1, shards):
     assert sum((part.tally.witnesses for part in parts), whole.tally.witnesses.__class__()) == (
         whole.tally.witnesses
     )
-    assert all(part.missing == [] for part in parts)
+    assert all(part.missing == () for part in parts)
 
 
 def test_every_schedule_of_algorithm_1():
@@ -291,29 +288,27 @@ def test_the_gate_notices_a_broken_enumerator(explorers, monkeypatch, broken, vi
                 yield map_
 
     target = list(rooted_maps(3))[victim]
-    scope = importlib.import_module("allworlds.checker.scope")
-    monkeypatch.setattr(scope, "rooted_maps", tampered)
+    monkeypatch.setattr("allworlds.work.levels.rooted_maps", tampered)
     report = check(explorers("right"), edges=4)
-    assert (report.verdict, report.exit_code, report.levels) == (Verdict.ERROR, 70, [1, 2, 3])
-    assert "count gate" in report.stopped
+    assert (report.verdict, report.exit_code, report.levels) == (Verdict.ERROR, 70, (1, 2, 3))
+    assert "count gate" in report.ending.reason
     wrong_cells = [cell for cell in report.gate if not cell.agrees]
     assert [(cell.edges, cell.vertices) for cell in wrong_cells] == [(3, target.vertex_count)]
 
 
 def test_the_gate_notices_a_class_that_is_mixed_up(explorers, monkeypatch):
-    scope = importlib.import_module("allworlds.checker.scope")
     monkeypatch.setattr(
-        scope, "rooted_maps", lambda edges, _class, *rest: rooted_maps(edges, MapClass.MAPS, *rest)
+        "allworlds.work.levels.rooted_maps",
+        lambda edges, _class, *rest: rooted_maps(edges, MapClass.MAPS, *rest),
     )
     assert check(explorers("right"), edges=4, map_class="planar").exit_code == 70
 
 
 def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch, algorithm1):
-    drive = importlib.import_module("allworlds.checker.drive")
     source = Source("abacus", lambda edges: {1: 1, 2: 2})
-    monkeypatch.setattr(drive, "source_for", lambda _class: source)
+    monkeypatch.setattr("allworlds.checker.gate.source_for", lambda _class: source)
     report = check(edges=2)
-    assert (report.verdict, report.levels) == (Verdict.ERROR, [1])
+    assert (report.verdict, report.levels) == (Verdict.ERROR, (1,))
     assert {cell.source for cell in report.gate} == {"abacus"}
 
 
@@ -321,8 +316,8 @@ def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch, algorithm1
 def test_the_time_limit_leaves_unfinished_levels_out(workers):
     report = check(edges=9, time_limit=2, workers=workers)
     assert (report.verdict, report.exit_code) == (Verdict.INCONCLUSIVE, 3)
-    assert "2 s" in report.stopped
-    assert report.levels == list(range(1, len(report.levels) + 1))
+    assert "2 s" in report.ending.reason
+    assert [*report.levels] == list(range(1, len(report.levels) + 1))
     assert {row["edges"] for row in report.rows()} == set(report.levels)
     assert report.worlds == sum((2, 10, 74, 706, 8162)[: len(report.levels)])
     assert report.to_json()["scope"]["complete"] is False

@@ -4,9 +4,10 @@ import time
 
 import pytest
 
-from allworlds.checker import Finding, check, replay, run
-from allworlds.checker.confirm import MOST_CHOICES
-from allworlds.errors import InputError
+from allworlds.checker import check, replay, run
+from allworlds.findings import Finding
+from allworlds.inputs import InputError
+from allworlds.isolation.confirm import MOST_CHOICES
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.world import Directional, World
 

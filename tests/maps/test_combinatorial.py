@@ -8,8 +8,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from allworlds.errors import InputError
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles, integer
+from allworlds.inputs import InputError, integer
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles
 
 settings.register_profile("laws", deadline=None, database=None)
 settings.load_profile("laws")

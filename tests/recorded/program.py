@@ -5,7 +5,9 @@ import sys
 
 for line in sys.stdin:
     if "episode" in json.loads(line):
-        print(json.dumps({"move": 0}), flush=True)
+        sys.stdout.write(json.dumps({"move": 0}) + "\n")
+        sys.stdout.flush()
     else:
         estimate = {"sigma": [0, 1], "alpha": [1, 0], "here": 1}
-        print(json.dumps({"estimate": estimate}), flush=True)
+        sys.stdout.write(json.dumps({"estimate": estimate}) + "\n")
+        sys.stdout.flush()

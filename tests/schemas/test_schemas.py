@@ -3,6 +3,7 @@
 import copy
 import functools
 import json
+from dataclasses import replace
 from importlib.resources import files
 
 import pytest
@@ -11,7 +12,7 @@ from referencing import Registry, Resource
 
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
-from allworlds.checker import check, replay, run
+from allworlds.checker import Interrupted, check, replay, run
 from allworlds.cli.app import _guarded
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
@@ -60,8 +61,7 @@ def finding_of(name):
 
 def interrupted():
     report = check(edges=3)
-    report.complete, report.stopped, report.interrupted = False, "interrupted", True
-    return report.to_json()
+    return replace(report, ending=Interrupted()).to_json()
 
 
 def marked(name):

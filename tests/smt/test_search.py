@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 
 import allworlds
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.smt import solvers, twin_search

@@ -50,11 +50,10 @@ def census(
     are looked for inside the class only.
     """
     from allworlds.ambiguity import census as run_census
-    from allworlds.reports.ambiguity_text import census_text
 
     with Progress(quiet=quiet) as progress:
         result = run_census(edges=edges, vertices=vertices, map_class=map_class, listener=progress)
-    emit(result, lambda width: census_text(result, width), as_json=as_json)
+    emit(result, "ambiguity census", as_json=as_json)
     return result.exit_code
 
 
@@ -82,17 +81,17 @@ def class_(
     Build every world that no motion tells from WORLD, and say why.
     """
     from allworlds.ambiguity import DEFAULT_LIMIT, class_of
-    from allworlds.reports.ambiguity_text import class_text
+    from allworlds.world import world_named
 
     result = class_of(
-        opt.world_named(world, info),
+        world_named(world, info),
         limit=DEFAULT_LIMIT if limit is None else limit,
         map_class=map_class,
     )
     with Progress(quiet=quiet) as progress:
         if result.notice:
             progress.notice(result.notice)
-    emit(result, lambda width: class_text(result, width), as_json=as_json)
+    emit(result, "ambiguity class", as_json=as_json)
     return 0
 
 
@@ -109,8 +108,8 @@ def twins(
     or with classes of darts that prove that none does.
     """
     from allworlds.ambiguity import twins as compare
-    from allworlds.reports.ambiguity_text import twins_text
+    from allworlds.world import world_named
 
-    result = compare(opt.world_named(a, info), opt.world_named(b, info))
-    emit(result, lambda width: twins_text(result, width), as_json=as_json)
+    result = compare(world_named(a, info), world_named(b, info))
+    emit(result, "twins", as_json=as_json)
     return 0

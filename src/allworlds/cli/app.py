@@ -19,7 +19,7 @@ from allworlds.cli.output import abandon_stdout, complain, prepare_streams, prin
 from allworlds.cli.search import search
 from allworlds.cli.verbs import check, count, replay, run
 from allworlds.cli.worst import worst
-from allworlds.errors import InputError, show
+from allworlds.inputs import InputError, show
 
 USAGE = 2
 INTERNAL = 70

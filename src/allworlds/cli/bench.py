@@ -41,8 +41,7 @@ def bench(
     spread.
     """
     from allworlds.benching import bench as run_bench
-    from allworlds.reports.bench_text import bench_text
 
     report = run_bench(edges=edges, rounds=rounds, peers=peer or ())
-    emit(report, lambda width: bench_text(report, width), as_json=as_json)
+    emit(report, "bench", as_json=as_json)
     return report.exit_code

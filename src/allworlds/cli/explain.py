@@ -8,6 +8,7 @@ import typer
 
 from allworlds.cli import options as opt
 from allworlds.cli.output import emit
+from allworlds.inputs import read_text
 
 
 def explain(
@@ -19,10 +20,9 @@ def explain(
 
     Tell in words what the robot believed, what was true, and the first step where they part.
     """
-    from allworlds.checker import Finding
     from allworlds.explaining import explain as run_explain
-    from allworlds.reports.explain_text import explain_text
+    from allworlds.findings import Finding
 
-    explanation = run_explain(Finding.from_json(opt.read_text(file)))
-    emit(explanation, lambda width: explain_text(explanation, width), as_json=as_json)
+    explanation = run_explain(Finding.from_json(read_text(file)))
+    emit(explanation, "explain", as_json=as_json)
     return explanation.exit_code

@@ -1,24 +1,23 @@
-"""The options that write a report into a file: ``--junit`` and ``--html``."""
+"""The options that write a report into a file, one for each of the reports' formats."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from allworlds.cli import options as opt
-from allworlds.errors import InputError, a_path, show
-
-if TYPE_CHECKING:
-    from allworlds.checker import Report
+from allworlds.inputs import InputError, a_path, show
+from allworlds.outcome import Result
+from allworlds.reports import FORMATS, written
 
 Junit = Annotated[
     str | None,
     typer.Option(
         "--junit",
         metavar="FILE",
-        help="Write the report as JUnit XML too.",
+        help=FORMATS["junit"].help,
         rich_help_panel=opt.OUTPUT,
         show_default=False,
     ),
@@ -29,7 +28,7 @@ Html = Annotated[
     typer.Option(
         "--html",
         metavar="FILE",
-        help="Write the report as a web page too: one file, which needs no network.",
+        help=FORMATS["html"].help,
         rich_help_panel=opt.OUTPUT,
         show_default=False,
     ),
@@ -54,20 +53,15 @@ def ensure_writable(path: str | None) -> None:
         raise _refusal(path, error) from None
 
 
-def write_reports(report: Report, *, junit: str | None, html: str | None) -> None:
-    """The report in each file that was named.
+def write_reports(report: Result, files: dict[str, str | None]) -> None:
+    """The report in each file that was named, by its format.
 
     Raises:
         InputError: naming the file and the reason why it cannot be written.
     """
-    if junit is not None:
-        from allworlds.reports.junit import junit as as_junit
-
-        _write(junit, as_junit(report))
-    if html is not None:
-        from allworlds.reports.html import page
-
-        _write(html, page(report))
+    for form, path in files.items():
+        if path is not None:
+            _write(path, written(form, report))
 
 
 def _write(path: str, text: str) -> None:

@@ -56,7 +56,6 @@ def fuzz(
     Exit code 0: not refuted by the sample, 1: refuted.
     """
     from allworlds.fuzzer import fuzz as run_fuzz
-    from allworlds.reports import check_text
 
     ensure_writable(junit)
     ensure_writable(html)
@@ -78,6 +77,6 @@ def fuzz(
             memory=memory,
             listener=progress,
         )
-    write_reports(report, junit=junit, html=html)
-    emit(report, lambda width: check_text(report, width), as_json=as_json)
+    write_reports(report, {"junit": junit, "html": html})
+    emit(report, "fuzz", as_json=as_json)
     return report.exit_code

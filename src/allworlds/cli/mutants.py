@@ -26,8 +26,7 @@ def mutants(
     which at which smallest world.  Exit code 1: one survived.
     """
     from allworlds.mutation import mutants as try_mutants
-    from allworlds.reports import mutants_text
 
     matrix = try_mutants(edges=edges)
-    emit(matrix, lambda width: mutants_text(matrix, width), as_json=as_json)
+    emit(matrix, "mutants", as_json=as_json)
     return matrix.exit_code

@@ -9,7 +9,7 @@ import typer
 
 from allworlds.cli import options as opt
 from allworlds.cli.output import Progress, emit
-from allworlds.errors import InputError, show
+from allworlds.inputs import InputError, show
 
 
 def search(
@@ -91,7 +91,6 @@ def search(
     Find two different worlds that no motion tells apart, or show that there are none.  Exit
     code 0: answered, 3: the time was over, 4: no world exists within the bounds.
     """
-    from allworlds.reports.search_text import search_text
     from allworlds.smt import search as run_search
 
     result = run_search(
@@ -110,7 +109,7 @@ def search(
     with Progress(quiet=quiet) as progress:
         for notice in result.notices:
             progress.notice(notice)
-    emit(result, lambda width: search_text(result, width), as_json=as_json)
+    emit(result, "search", as_json=as_json)
     return result.exit_code
 
 

@@ -9,7 +9,7 @@ import typer
 from allworlds.cli import options as opt
 from allworlds.cli.files import Html, Junit, ensure_writable, write_reports
 from allworlds.cli.output import Progress, complain, emit
-from allworlds.errors import InputError
+from allworlds.inputs import InputError, read_text
 
 
 def check(
@@ -73,7 +73,6 @@ def check(
     4: vacuous.
     """
     from allworlds.checker import check as run_check
-    from allworlds.reports import check_text
 
     ensure_writable(junit)
     ensure_writable(html)
@@ -100,8 +99,8 @@ def check(
             corpus=corpus,
             listener=progress,
         )
-    write_reports(report, junit=junit, html=html)
-    emit(report, lambda width: check_text(report, width), as_json=as_json)
+    write_reports(report, {"junit": junit, "html": html})
+    emit(report, "check", as_json=as_json)
     return report.exit_code
 
 
@@ -118,10 +117,9 @@ def count(
     source.
     """
     from allworlds.counter import count as run_count
-    from allworlds.reports import count_text
 
     census = run_count(edges=edges, vertices=vertices, map_class=map_class)
-    emit(census, lambda width: count_text(census, width), as_json=as_json)
+    emit(census, "count", as_json=as_json)
     return census.exit_code
 
 
@@ -182,22 +180,20 @@ def run(
 
     Run an explorer once in one world, tell it step by step, and judge it.
     """
+    from allworlds.checker import refuse_unused
     from allworlds.checker import run as run_single
-    from allworlds.checker.single import refuse_unused
-    from allworlds.reports import run_text
-    from allworlds.subjects import default_lighthouse
+    from allworlds.subjects import own_lighthouse
+    from allworlds.world import World, world_of_family
 
     explorer, place = opt.explorer_and_world(
         list(arguments or []), family=family is not None, program=command is not None
     )
     name = opt.explorer_name(explorer, command)
-    kind = default_lighthouse(name)
-    if family is None:
-        if holes is not None:
-            raise InputError(f"holes {holes} has no effect without --family")
-        world = opt.world_named(place, kind)
-    else:
-        world = opt.world_of_family(family, holes, seed, kind)
+    world: World | str = place
+    if family is not None:
+        world = world_of_family(family, holes, seed, own_lighthouse(name))
+    elif holes is not None:
+        raise InputError(f"holes {holes} has no effect without --family")
     told = run_single(
         name,
         world,
@@ -209,7 +205,7 @@ def run(
         answer_timeout=answer_timeout,
     )
     refuse_unused(opt.index_list(choices), told)
-    emit(told, lambda width: run_text(told, width), as_json=as_json)
+    emit(told, "run", as_json=as_json)
     return told.exit_code
 
 
@@ -228,13 +224,12 @@ def replay(
     Run a recorded finding again.  Exit code 0: reproduced, 5: fixed.  The recorded explorer
     repeats the recorded choices as far as they fit.
     """
-    from allworlds.checker import Finding
     from allworlds.checker import replay as run_replay
-    from allworlds.reports import replay_text
+    from allworlds.findings import Finding
 
-    finding = Finding.from_json(opt.read_text(file))
+    finding = Finding.from_json(read_text(file))
     replayed = run_replay(finding, explorer, answer_timeout=answer_timeout)
     if replayed.notice:
         complain(replayed.notice)
-    emit(replayed, lambda width: replay_text(replayed, width), as_json=as_json)
+    emit(replayed, "replay", as_json=as_json)
     return replayed.exit_code

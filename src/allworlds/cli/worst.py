@@ -34,7 +34,6 @@ def worst(
     every choice of edge, order of hypotheses and path.  Exit code 0: answered, 1: a schedule
     breaks a law, 70: the replay of a row disagrees.
     """
-    from allworlds.reports.worst_text import worst_text
     from allworlds.worst_case import worst as run_worst
 
     with Progress(quiet=quiet) as progress:
@@ -45,5 +44,5 @@ def worst(
             workers=opt.worker_count(workers),
             listener=progress,
         )
-    emit(report, lambda width: worst_text(report, width), as_json=as_json)
+    emit(report, "worst", as_json=as_json)
     return report.exit_code

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from allworlds.errors import InputError, a_text, an_integer, show
+from allworlds.inputs import InputError, a_text, an_integer, show
 from allworlds.maps.classes import MapClass
 from allworlds.smt.one_world import Degrees, Size
 from allworlds.world import LIGHTHOUSES, Sensing
@@ -204,11 +204,9 @@ def question(
     """
     if info not in INFORMATION:
         raise InputError(f"info {info!r} is none of {', '.join(INFORMATION)}")
-    if map_class not in list(MapClass):
-        raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")
     return Question(
         info,
-        MapClass(map_class),
+        MapClass.named(map_class),
         max_vertices,
         max_edges,
         Degrees(degree_marked, degree_others),

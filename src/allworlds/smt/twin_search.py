@@ -10,8 +10,9 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from allworlds.errors import InputError, a_path, show
+from allworlds.inputs import InputError, a_path, show
 from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.outcome import SCHEMA, Exit
 from allworlds.smt.formula import Block, Clause, Formula
 from allworlds.smt.lrat import check_lrat
 from allworlds.smt.one_world import OneWorld, Size
@@ -97,16 +98,18 @@ class SearchResult:
     notices: tuple[str, ...]
 
     @property
-    def exit_code(self) -> int:
+    def exit_code(self) -> Exit:
         """0 answered, 3 unknown, 4 no world within the bounds."""
-        return 3 if self.status == "unknown" else 4 if self.vacuous else 0
+        if self.status == "unknown":
+            return Exit.INCONCLUSIVE
+        return Exit.VACUOUS if self.vacuous else Exit.ANSWERED
 
     def to_json(self) -> dict[str, Any]:
         """The document of ``search --json``."""
         same = [twins for searched in self.levels for twins in searched.same_map]
         asked = self.question
         return {
-            "schema": 1,
+            "schema": SCHEMA,
             "status": self.status,
             "exit_code": self.exit_code,
             "pair": None if self.pair is None else [world.to_json() for world in self.pair],

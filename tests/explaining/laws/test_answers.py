@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 
 from allworlds import CombinatorialMap
-from allworlds.errors import InputError
 from allworlds.explaining import explain
+from allworlds.inputs import InputError
 
 EDGE = CombinatorialMap([0, 1], [1, 0])
 

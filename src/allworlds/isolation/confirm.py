@@ -8,17 +8,16 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from itertools import islice
 
-from allworlds.checker.examine import Outcome
-from allworlds.checker.finding import Finding, canonical_world
-from allworlds.checker.pool import GRACE, POLL, Poisoned, WorkerProcess
-from allworlds.checker.scope import Limits, Rules, Schedule, Scope
-from allworlds.checker.worker import Ended, ReplayJob, RunJob, Traced, TraceJob
 from allworlds.episode import Answered, Episode, Fault
+from allworlds.findings import Finding, Rules, canonical_world
+from allworlds.isolation.jobs import Ended, ReplayJob, RunJob, Traced, TraceJob
+from allworlds.isolation.process import GRACE, WorkerProcess
 from allworlds.judge import Violation
-from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol import Action, Percept, Transcript
+from allworlds.runs import Outcome, Schedule, Scope, Worlds, numbered_runs
 from allworlds.subjects import Subject
-from allworlds.world import Lighthouse, World
+from allworlds.work import POLL, Limits
+from allworlds.world import World
 
 _ANSWER = "an action, or an estimate at the end"
 
@@ -27,37 +26,36 @@ MOST_CHOICES = 1000
 
 
 @dataclass(frozen=True, slots=True)
-class Lost:
+class WorkerLost:
     """In place of a worker's message: it was silent for too long, or has died."""
 
     law: str
     seen: str
 
 
-def unearth(poisoned: Poisoned, scope: Scope, subject: Subject) -> Finding:
-    """The finding of a run that killed its worker: its world, found again by its number.
+def finding_of_lost_run(
+    unit: Worlds, number: int, scope: Scope, subject: Subject, law: str, seen: str
+) -> Finding:
+    """The finding of a run that cost its worker its life: its world, found again by its number.
 
-    The walk is not known yet; :func:`trace` finds it if the finding is to be reported.
+    The walk is not known yet; :func:`confirmed` finds it if the finding is to be reported.
     """
-    runs: Iterator[tuple[CombinatorialMap, int, Lighthouse | None]] = (
-        (map_, place, lighthouse)
-        for map_, places in poisoned.unit.placed(scope)
-        for place, lighthouse in (*places,) or ((0, None),)
-    )
+    runs = numbered_runs(unit, scope.extent, scope.rules.kind)
     # A worker that dies behind its last run has been put down to a run that does not exist.
-    map_, place, lighthouse = deque(islice(runs, poisoned.number + 1), maxlen=1).pop()
-    assert lighthouse is not None
-    world = canonical_world(World(map_, lighthouse, 0))
+    lost = deque(islice(runs, number + 1), maxlen=1).pop()
+    assert lost.lighthouse is not None
+    world = canonical_world(World(lost.map, lost.lighthouse, 0))
     return Finding(
         subject.name,
-        poisoned.law,
+        law,
         world,
-        place,
+        lost.place,
         scope.rules,
         (),
         Transcript(world.first),
         _ANSWER,
-        poisoned.seen,
+        seen,
+        traced=False,
     )
 
 
@@ -72,14 +70,14 @@ def examine_apart(
     with _fresh(subject, limits) as worker:
         worker.send(RunJob(rules, world, script))
         outcome = _await(worker)
-    if isinstance(outcome, Lost):
+    if isinstance(outcome, WorkerLost):
         job = TraceJob(rules, world, "one", script)
         return _lost_run(job, outcome, subject, limits)
     assert isinstance(outcome, Outcome)
     return outcome
 
 
-def _lost_run(job: TraceJob, lost: Lost, subject: Subject, limits: Limits) -> Outcome:
+def _lost_run(job: TraceJob, lost: WorkerLost, subject: Subject, limits: Limits) -> Outcome:
     fault = Fault(lost.law, _ANSWER, lost.seen)
     transcript, choices, _ = _trace(job, subject, limits)
     return Outcome(
@@ -89,6 +87,19 @@ def _lost_run(job: TraceJob, lost: Lost, subject: Subject, limits: Limits) -> Ou
         choices,
         job.rules.the_bound.of(job.world.map, job.world.start),
     )
+
+
+def confirmed(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
+    """The finding with the remark whether a fresh process did the same again.
+
+    One whose run was lost is traced, and so gets its walk.  What no other process can import is
+    not confirmed.
+    """
+    if not subject.importable:
+        return finding
+    if finding.traced:
+        return replace(finding, confirmed=repeat(finding, subject, limits))
+    return trace(finding, subject, limits, schedules)
 
 
 def repeat(finding: Finding, subject: Subject, limits: Limits) -> bool:
@@ -106,10 +117,10 @@ def repeat(finding: Finding, subject: Subject, limits: Limits) -> bool:
     with _fresh(subject, limits) as worker:
         worker.send(job)
         ended = _await(worker)
-    if isinstance(ended, Lost):
+    if isinstance(ended, WorkerLost):
         return False
     assert isinstance(ended, Ended)
-    same = ended.actions == tuple(action for action, _ in finding.transcript.steps)
+    same = ended.actions == finding.transcript.actions
     if finding.law == "nondeterministic":
         return not same
     return same and _ends_alike(finding, ended)
@@ -122,8 +133,7 @@ def _ends_alike(finding: Finding, ended: Ended) -> bool:
         case Answered(estimate):
             if not isinstance(finding.seen, dict):
                 return finding.law not in ("crash", "timeout", "illegal-action", "no-estimate")
-            answer = {**estimate.map.to_json(), "here": estimate.here}
-            return answer == finding.seen
+            return estimate.to_json() == finding.seen
 
 
 def trace(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
@@ -133,8 +143,8 @@ def trace(finding: Finding, subject: Subject, limits: Limits, schedules: Schedul
     """
     job = TraceJob(finding.rules, finding.world, schedules)
     transcript, choices, end = _trace(job, subject, limits)
-    confirmed = isinstance(end, Lost) and end.law == finding.law
-    return replace(finding, choices=choices, transcript=transcript, confirmed=confirmed)
+    again = isinstance(end, WorkerLost) and end.law == finding.law
+    return replace(finding, choices=choices, transcript=transcript, confirmed=again, traced=True)
 
 
 def _trace(
@@ -155,7 +165,7 @@ def _trace(
                 case tuple() as step:
                     steps.append(step)
                     settled = len(choices)
-    kept = choices[: settled + MOST_CHOICES] if isinstance(message, Lost) else choices
+    kept = choices[: settled + MOST_CHOICES] if isinstance(message, WorkerLost) else choices
     return Transcript(job.world.first, tuple(steps)), tuple(kept), message
 
 
@@ -174,12 +184,12 @@ def _await(worker: WorkerProcess) -> object:
         told = worker.connection.poll(POLL)
         # What it has told before it fell silent is still heard; but it may tell choices for ever.
         if worker.is_silent(GRACE if told else 0.0):
-            return Lost("timeout", worker.silence)
+            return WorkerLost("timeout", worker.silence)
         if told:
             break
         if worker.has_ended():
-            return Lost("crash", worker.death())
+            return WorkerLost("crash", worker.death())
     try:
         return worker.receive()
     except (EOFError, ConnectionResetError):
-        return Lost("crash", worker.death())
+        return WorkerLost("crash", worker.death())

@@ -1,4 +1,4 @@
-"""The one kind of error that is the user's to mend, and how a bad value is shown in it."""
+"""What comes from outside: the checks of a value, and the one error that is the user's to mend."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import operator
 import os
 import signal
 from pathlib import Path
-from typing import Any, SupportsIndex
+from typing import Any
 
 SHOWN = 200
 """The number of characters of a value that are shown."""
@@ -34,16 +34,28 @@ def show(value: object) -> str:
     return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
 
 
+def integer(value: object) -> int:
+    """``value`` as a plain ``int`` if it is an integer and no boolean.
+
+    Raises:
+        TypeError: for booleans, floats, strings and everything else.
+    """
+    if isinstance(value, bool):
+        raise TypeError(f"{value!r} is a boolean, not an integer")
+    index = operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer
+    return int.__index__(index)  # also for a subclass with operators of its own
+
+
 def an_integer(name: str, value: object) -> int:
     """The value as an ``int``.
 
     Raises:
         InputError: naming it, for booleans and everything else that is no integer.
     """
-    if isinstance(value, SupportsIndex) and not isinstance(value, bool):
-        # A plain int, also for a subclass with operators of its own.
-        return int.__index__(operator.index(value))
-    raise InputError(f"{name} = {show(value)} is not an integer")
+    try:
+        return integer(value)
+    except TypeError:
+        raise InputError(f"{name} = {show(value)} is not an integer") from None
 
 
 def a_text(name: str, value: object) -> str:
@@ -91,3 +103,12 @@ def parse_json(text: str, kind: type[InputError] = InputError) -> Any:
         raise
     except (ValueError, RecursionError) as error:
         raise kind(f"not JSON: {show(str(error))[1:-1]}") from None
+
+
+def read_text(path: str) -> str:
+    """The text of a file the user has named."""
+    try:
+        return a_path("file", path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is no text"
+        raise InputError(f"file {show(path)} cannot be read: {reason}") from None

@@ -6,7 +6,7 @@ from bisect import insort
 from collections import Counter
 from dataclasses import dataclass, field
 
-from allworlds.checker.finding import Finding
+from allworlds.findings import Finding
 
 
 @dataclass(slots=True)

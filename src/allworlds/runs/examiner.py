@@ -1,24 +1,17 @@
-"""Playing and judging runs: the loop that everything else stands round."""
+"""One run: played, judged, and made a finding if it breaks a law."""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Collection, Iterator, MutableSequence
+from collections.abc import Callable, MutableSequence
 from dataclasses import dataclass
 
-from allworlds.checker.finding import Finding, canonical_world, place_of
-from allworlds.checker.scope import Rules, Scope, Work
-from allworlds.checker.tally import Tally
 from allworlds.episode import Answered, Episode, Fault, Player, own_copy, play, the_same
+from allworlds.findings import Finding, Rules, canonical_world, place_of
 from allworlds.judge import LAWS, PRECEDENCE, Case, Violation, judge
 from allworlds.maps.canonical import rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol import Choices
 from allworlds.subjects import Subject
 from allworlds.world import World
-
-REPORT_EVERY = 0.25
-"""Seconds after which a part of a unit is handed over."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,13 +58,13 @@ class Examiner:
         self.subject = subject
         self.rules = rules
         self.events: list[str] = []
-        self._beat = beat if beat is not None else [0, 0]
-        self._laws = [LAWS[law] for law in rules.applying]
+        self.beat = beat if beat is not None else [0, 0]
+        self._checks = [LAWS[law].check for law in rules.applying]
         self._player: Player = subject.player(self.events.append)
         self._hand = own_copy if subject.foreign else the_same
         self._intact = intact
 
-    def examine(self, world: World, choices: Choices, run: str = "") -> Outcome:
+    def examine(self, world: World, choices: Choices, name: str = "") -> Outcome:
         """Play one episode, and judge it; a foreign explorer plays a second one."""
         map_ = world.map
         bound = self.rules.the_bound.of(map_, world.start)
@@ -81,7 +74,7 @@ class Examiner:
         violation = self.verdict(world, episode, bound)
         ending = episode.ending
         if self.subject.foreign and _may_be_overruled(violation):
-            again = self.rules.choices(run, record)
+            again = self.rules.choices(name, record)
             second = self._play(_renamed(world), again, budget)
             difference = _difference(episode, second)
             violation = difference or violation
@@ -91,7 +84,7 @@ class Examiner:
         return Outcome(episode, violation, detail, record, bound)
 
     def _play(self, world: World, choices: Choices, budget: int) -> Episode:
-        episode = play(world, self._player, choices, budget, self._beat, self._hand)
+        episode = play(world, self._player, choices, budget, self.beat, self._hand)
         self._intact()
         return episode
 
@@ -108,90 +101,13 @@ class Examiner:
             ending.estimate,
             bound,
         )
-        return judge(case, self._laws)
+        return judge(case, self._checks)
 
     def name_run(self, world: World) -> str:
         """A name for a run that does not depend on the order of runs; empty if unused."""
         if not self.rules.policy.startswith("random"):
             return ""
         return f"{rooted_code(world.map.sigma, world.map.alpha, 0)}/{place_of(world)}"
-
-
-def examine_unit(
-    examiner: Examiner,
-    scope: Scope,
-    unit: Work,
-    keep: int,
-    beat: MutableSequence[int],
-    start: int = 0,
-    skip: Collection[int] = (),
-) -> Iterator[tuple[int, Tally]]:
-    """All runs of a unit, tallied in parts.
-
-    Args:
-        examiner: explorer and rules.
-        scope: for its schedules and bounds.
-        unit: the maps to visit.
-        keep: how many findings are kept.
-        beat: ``beat[0]`` is set to the number of the run within the unit.
-        start: the number of the first run that has not been tallied yet; a world without a
-            place counts as one.
-        skip: runs that must not be tried (they have killed a worker); they are counted.
-
-    Yields:
-        After some time, and at the end, the number of the next run and the tally since.
-    """
-    tally = Tally(keep)
-    due = time.monotonic() + REPORT_EVERY
-    number = 0
-    for map_, places in unit.placed(scope):
-        for i, (place, lighthouse) in enumerate(places or [(0, None)]):
-            if number >= start:
-                if i == 0:
-                    _count_world(tally, map_)
-                if lighthouse is None:
-                    tally.left_out += 1
-                elif number in skip:
-                    tally.row(map_.edge_count, map_.vertex_count).runs += 1
-                else:
-                    beat[0] = number
-                    _run(examiner, scope, World(map_, lighthouse, 0), place, tally)
-            number += 1
-            if number > start and time.monotonic() > due:
-                yield number, tally
-                tally = Tally(keep)
-                due = time.monotonic() + REPORT_EVERY
-    yield number, tally
-
-
-def _count_world(tally: Tally, map_: CombinatorialMap) -> None:
-    tally.row(map_.edge_count, map_.vertex_count).worlds += 1
-    if map_.loop_count:
-        tally.witnesses["loop-edge"] += 1
-    if map_.parallel_count:
-        tally.witnesses["parallel-edge"] += 1
-
-
-def _run(examiner: Examiner, scope: Scope, world: World, place: int, tally: Tally) -> None:
-    """Every schedule of one run."""
-    map_ = world.map
-    name = examiner.name_run(world)
-    row = tally.row(map_.edge_count, map_.vertex_count)
-    row.runs += 1
-    for choices in scope.schedule(name):
-        outcome = examiner.examine(world, choices, name)
-        cost = outcome.cost
-        row.episodes += 1
-        row.traversals += cost
-        if place == 0:
-            row.traversals_rooted += cost
-        row.max_cost = max(row.max_cost, cost)
-        row.bound_of(outcome.bound)
-        tally.checkpoints += len(outcome.episode.checkpoints)
-        if outcome.violation and tally.wants(map_.edge_count, map_.vertex_count):
-            tally.find(make_finding(examiner, world, place, outcome))
-    tally.witnesses.update(examiner.events)
-    examiner.events.clear()
 
 
 def make_finding(examiner: Examiner, world: World, place: int, outcome: Outcome) -> Finding:
@@ -215,6 +131,7 @@ def make_finding(examiner: Examiner, world: World, place: int, outcome: Outcome)
         violation.expected,
         violation.seen,
         outcome.detail,
+        violation.step,
     )
 
 

@@ -12,162 +12,36 @@ import os
 import signal
 import sys
 import traceback
-from collections.abc import Iterable, MutableSequence, Sequence
-from dataclasses import dataclass
+from collections.abc import MutableSequence, Sequence
 from multiprocessing.connection import Connection
-from typing import TypeVar, cast
+from typing import cast
 
-from allworlds.checker.examine import Examiner, examine_unit
-from allworlds.checker.scope import Rules, Schedule, Scope, Work
-from allworlds.checker.tally import Tally
-from allworlds.episode import Answered, Episode, Fault, play
-from allworlds.errors import InputError
-from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, Transcript
+from allworlds.episode import Episode, play
+from allworlds.inputs import InputError
+from allworlds.isolation.jobs import (
+    BEAT_WORDS,
+    Ended,
+    HarnessError,
+    Job,
+    ReplayJob,
+    RunJob,
+    Setup,
+    Tallied,
+    Traced,
+    TraceJob,
+    UnitJob,
+)
+from allworlds.isolation.standins import Recorded, TellingChoices, TellingWorld
+from allworlds.protocol import Schedules
+from allworlds.runs import Examiner
+from allworlds.streams import patient_stderr
 from allworlds.subjects import Subject, load
-from allworlds.subjects.stderr import patient_stderr
-from allworlds.world import IllegalAction, World
-
-T = TypeVar("T")
-
-BEAT_WORDS = 2
-"""The shared memory: the number of the current run, and the turns of the explorer in it."""
-
-NO_RUN = (1 << 64) - 1
-"""The number of the current run before the first."""
-
-
-@dataclass(frozen=True, slots=True)
-class Setup:
-    """What a worker must know before its first job."""
-
-    explorer: str
-    answer_timeout: float
-    memory: int | None
-
-
-@dataclass(frozen=True, slots=True)
-class UnitJob:
-    """Examine a unit from run ``start`` on, without the runs of ``skip``."""
-
-    scope: Scope
-    unit: Work
-    keep: int
-    start: int
-    skip: frozenset[int]
-
-
-@dataclass(frozen=True, slots=True)
-class RunJob:
-    """Play and judge one run."""
-
-    rules: Rules
-    world: World
-    script: tuple[int, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class TraceJob:
-    """Play one world and tell every step at once, because the process may not survive it.
-
-    The schedules are all, or the policy's after the choices of ``script``.
-    """
-
-    rules: Rules
-    world: World
-    schedules: Schedule
-    script: tuple[int, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class ReplayJob:
-    """Play against recorded percepts alone, without a world."""
-
-    rules: Rules
-    budget: int
-    told: int | None
-    transcript: Transcript
-    choices: tuple[int, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """Answer to a :class:`UnitJob`: the tally of the runs before ``next_run``."""
-
-    next_run: int
-    tally: Tally
-    last: bool
-
-
-@dataclass(frozen=True, slots=True)
-class Traced:
-    """Answer to a :class:`TraceJob`: a new schedule (None), a choice, or a step."""
-
-    what: int | tuple[Action, Percept] | None
-
-
-@dataclass(frozen=True, slots=True)
-class Ended:
-    """The end of a trace or a replay: the actions taken, and how the run ended."""
-
-    actions: tuple[Action, ...]
-    ending: Answered | Fault
-
-
-class HarnessError(RuntimeError):
-    """A worker has failed, and no explorer is to blame."""
-
-
-class Recorded:
-    """In place of a world: answers every action with the next recorded percept."""
-
-    def __init__(self, transcript: Transcript, told: int | None) -> None:
-        self.start = 0
-        self.first = transcript.first
-        self.told = told
-        self.percepts = [transcript.first, *(percept for _, percept in transcript.steps)]
-
-    def step(self, state: int, _action: Action) -> tuple[int, Percept]:
-        """The next percept; the 'dart' of a step is its number.
-
-        Raises:
-            IllegalAction: past the end of the record.
-        """
-        if state + 1 == len(self.percepts):
-            raise IllegalAction("nothing: the record ends here")
-        return state + 1, self.percepts[state + 1]
-
-
-class _Told:
-    """A world that tells each step before the explorer sees its outcome."""
-
-    def __init__(self, world: World, connection: Connection) -> None:
-        self._world, self._connection = world, connection
-        self.start, self.first, self.told = world.start, world.first, world.told
-        self.percepts = world.percepts
-
-    def step(self, state: int, action: Action) -> tuple[int, Percept]:
-        after, percept = self._world.step(state, action)
-        self._connection.send(Traced((action, percept)))
-        return after, percept
-
-
-class _ToldChoices(Choices):
-    """Choices that tell each pick."""
-
-    def __init__(self, choices: Choices, connection: Connection) -> None:
-        super().__init__()
-        self._choices, self._connection = choices, connection
-        self.record = choices.record
-
-    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
-        picked = self._choices.pick(options, of, cost)
-        self._connection.send(Traced(self.record[-1]))
-        return picked
+from allworlds.work import with_last
 
 
 def replay_recorded(subject: Subject, job: ReplayJob, beat: MutableSequence[int]) -> Episode:
     """What the explorer does when it gets the recorded percepts again."""
-    recorded = cast("World", Recorded(job.transcript, job.told))
+    recorded = Recorded(job.transcript, job.told)
     choices = job.rules.choices("", job.choices)
     return play(recorded, subject.player(), choices, job.budget, beat)
 
@@ -212,7 +86,7 @@ class Worker:
             except Exception:  # noqa: BLE001  # explorers' errors never get here: it is ours
                 self._connection.send(HarnessError(traceback.format_exc()))
 
-    def _do(self, subject: Subject, job: UnitJob | RunJob | TraceJob | ReplayJob) -> None:
+    def _do(self, subject: Subject, job: Job) -> None:
         match job:
             case UnitJob():
                 self._examine(subject, job)
@@ -224,12 +98,10 @@ class Worker:
                 self._end(replay_recorded(subject, job, self._beat))
 
     def _examine(self, subject: Subject, job: UnitJob) -> None:
-        examiner = Examiner(subject, job.scope.rules, self._beat, self._intact)
-        parts = examine_unit(
-            examiner, job.scope, job.unit, job.keep, self._beat, job.start, job.skip
-        )
-        for part, last in _with_last(parts):
-            self._connection.send(Part(*part, last))
+        examiner = Examiner(subject, job.examination.scope.rules, self._beat, self._intact)
+        parts = job.examination.parts(examiner, job.unit, job.start, job.skip)
+        for part, last in with_last(parts):
+            self._connection.send(Tallied(*part, last))
 
     def _intact(self) -> None:
         """Leave, if the explorer has forked this process or closed its pipe."""
@@ -248,10 +120,10 @@ class Worker:
         rules = job.rules
         name = Examiner(subject, rules).name_run(job.world)
         every = job.schedules == "all"
-        told_world = cast("World", _Told(job.world, self._connection))
+        told_world = TellingWorld(job.world, self._connection)
         for choices in Schedules() if every else [rules.choices(name, job.script)]:
             self._connection.send(Traced(None))
-            told = _ToldChoices(choices, self._connection)
+            told = TellingChoices(choices, self._connection)
             episode = play(
                 told_world,
                 subject.player(),
@@ -263,18 +135,7 @@ class Worker:
         self._end(episode)
 
     def _end(self, episode: Episode) -> None:
-        actions = tuple(action for action, _ in episode.transcript.steps)
-        self._connection.send(Ended(actions, episode.ending))
-
-
-def _with_last(items: Iterable[T]) -> Iterable[tuple[T, bool]]:
-    """Each item with whether it is the last one."""
-    iterator = iter(items)
-    item = next(iterator)
-    for following in iterator:
-        yield item, False
-        item = following
-    yield item, True
+        self._connection.send(Ended(episode.transcript.actions, episode.ending))
 
 
 def _limit_memory(megabytes: int) -> None:

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from allworlds.checker.scope import Rules, ScopeError
-from allworlds.errors import parse_json, show
+from allworlds.findings.rules import Rules
+from allworlds.inputs import InputError, parse_json, show
 from allworlds.judge import PRECEDENCE
 from allworlds.maps.canonical import Code, numbering, rooted_code
 from allworlds.protocol import Transcript
-from allworlds.subjects.subject import EXEC, own_bound
+from allworlds.subjects import EXEC, own_bound
 from allworlds.world import World
 
 VERSION = 1
@@ -34,8 +34,10 @@ class Finding:
         transcript: the log, up to the end of the run.
         expected, seen: rooted maps for map and pose, integers for bound, else a sentence.
         detail: a traceback or the tail of a program's stderr; may be empty.
+        step: the number of steps before the checkpoint that breaks the law; None where none does.
         confirmed: a fresh process has repeated it from the recorded percepts alone.
         minimal: no smaller world of the scope is refuting.
+        traced: its walk is known; a run that has killed its worker is traced when it is reported.
     """
 
     explorer: str
@@ -48,8 +50,10 @@ class Finding:
     expected: Any
     seen: Any
     detail: str = ""
+    step: int | None = None
     confirmed: bool = False
     minimal: bool = False
+    traced: bool = True
 
     @cached_property
     def key(self) -> tuple[int, int, Code, int, tuple[int, ...]]:
@@ -96,6 +100,8 @@ class Finding:
             "minimal": self.minimal,
             "reproduce": self.reproduce,
         }
+        if self.step is not None:
+            document["step"] = self.step
         if self.detail:
             document["detail"] = self.detail
         return document
@@ -110,31 +116,34 @@ class Finding:
             InputError: naming the offending value and what would be legal.
         """
         if isinstance(document, str):
-            document = parse_json(document, ScopeError)
+            document = parse_json(document)
         document = _of_report(document)
         if isinstance(document, Mapping) and "sigma" in document:
-            raise ScopeError("this is a world or a map, not a finding; see run")
+            raise InputError("this is a world or a map, not a finding; see run")
         if not isinstance(document, Mapping):
-            raise ScopeError(f"a finding is an object, not {show(document)}")
+            raise InputError(f"a finding is an object, not {show(document)}")
         if document.get("version") != VERSION:
-            raise ScopeError(
-                f"finding of version {document.get('version')!r}; this program reads {VERSION}"
+            raise InputError(
+                f"finding of version {show(document.get('version'))}; this program reads {VERSION}"
             )
         explorer, law = document.get("explorer"), document.get("law")
         if not isinstance(explorer, str):
-            raise ScopeError(f"a finding names its explorer, not {explorer!r}")
+            raise InputError(f"a finding names its explorer, not {show(explorer)}")
         if law not in PRECEDENCE:
-            raise ScopeError(f"law {law!r} is none of {', '.join(PRECEDENCE)}")
+            raise InputError(f"law {show(law)} is none of {', '.join(PRECEDENCE)}")
         world = World.from_json(document.get("world", {}))
         options, choices = document.get("options", {}), document.get("choices", [])
         if not isinstance(options, Mapping):
-            raise ScopeError(f"options must be an object, not {options!r}")
+            raise InputError(f"options must be an object, not {show(options)}")
         if not isinstance(choices, list) or not all(type(i) is int and i >= 0 for i in choices):
-            raise ScopeError(f"choices must be a list of integers from 0 on, not {choices!r}")
+            raise InputError(f"choices must be a list of integers from 0 on, not {show(choices)}")
+        step = document.get("step")
+        if step is not None and (type(step) is not int or step < 0):
+            raise InputError(f"step must be an integer from 0 on, not {show(step)}")
         try:
             transcript = Transcript.from_json(document.get("transcript"))
         except ValueError as error:
-            raise ScopeError(str(error)) from None
+            raise InputError(str(error)) from None
         return cls(
             explorer,
             law,
@@ -146,8 +155,9 @@ class Finding:
             document.get("expected"),
             document.get("seen"),
             document.get("detail", ""),
-            document.get("confirmed") is True,
-            document.get("minimal") is True,
+            step,
+            confirmed=document.get("confirmed") is True,
+            minimal=document.get("minimal") is True,
         )
 
 
@@ -159,7 +169,7 @@ def _of_report(document: Any) -> Any:
         case {"schema": 1, "finding": {} as finding}:
             return finding
         case {"schema": 1, "verdict": verdict}:
-            raise ScopeError(f"the report, with the verdict {verdict!r}, holds no finding")
+            raise InputError(f"the report, with the verdict {show(verdict)}, holds no finding")
         case _:
             return document
 

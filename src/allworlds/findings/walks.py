@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import islice
 
-from allworlds.checker.finding import place_of
-from allworlds.errors import InputError
+from allworlds.findings.finding import place_of
+from allworlds.inputs import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Move, Percept, Transcript
 from allworlds.world import Cluster, Compass, IllegalAction, Lighthouse, Natural, World
@@ -15,7 +15,7 @@ from allworlds.world import Cluster, Compass, IllegalAction, Lighthouse, Natural
 def true_trail(world: World, transcript: Transcript) -> list[Dart]:
     """The robot's dart in the world at the start and after each step."""
     trail = [world.start]
-    for action, _ in transcript.steps:
+    for action in transcript.actions:
         trail.append(world.step(trail[-1], action)[0])
     return trail
 
@@ -30,7 +30,7 @@ def recorded_trail(world: World, transcript: Transcript) -> list[Dart]:
         trail = true_trail(world, transcript)
     except IllegalAction as error:
         raise InputError(f"the finding's transcript is no walk in its world: {error}") from None
-    sensed = [transcript.first, *(percept for _, percept in transcript.steps)]
+    sensed = transcript.percepts
     for step, (dart, percept) in enumerate(zip(trail, sensed, strict=True)):
         if percept != world.percepts[dart]:
             raise InputError(
@@ -47,7 +47,7 @@ def believed_trail(estimate: CombinatorialMap, here: Dart, transcript: Transcrip
     begun.
     """
     trail = [here]
-    for action, _ in reversed(transcript.steps):
+    for action in reversed(transcript.actions):
         dart = trail[-1]
         if type(action) is Move:
             dart = estimate.turn(estimate.alpha[dart], -action.k)
@@ -87,7 +87,7 @@ def _believed_compass(
     estimate: CombinatorialMap, trail: Sequence[Dart], transcript: Transcript
 ) -> Compass:
     north = {vertex: darts[0] for vertex, darts in enumerate(estimate.vertices)}
-    sensed = [transcript.first, *(percept for _, percept in transcript.steps)]
+    sensed = transcript.percepts
     for dart, percept in reversed([*zip(trail, sensed, strict=True)]):
         assert percept.bearing is not None
         north[estimate.vertex_of[dart]] = estimate.turn(dart, percept.bearing)

@@ -6,15 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from allworlds.checker.belief import recorded_trail
-from allworlds.checker.finding import Finding
-from allworlds.checker.report import SCHEMA
-from allworlds.checker.scope import ScopeError
 from allworlds.checker.single import SingleRun, run, unused_choice
-from allworlds.errors import show
+from allworlds.findings import Finding, recorded_trail
+from allworlds.inputs import InputError, show
+from allworlds.outcome import SCHEMA, Exit
 from allworlds.subjects import subject_of
-
-FIXED = 5
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,9 +34,9 @@ class Replay:
         return "reproduced" if self.again.finding else "fixed"
 
     @property
-    def exit_code(self) -> int:
+    def exit_code(self) -> Exit:
         """The exit code of the command."""
-        return FIXED if self.outcome == "fixed" else 0
+        return Exit.FIXED if self.outcome == "fixed" else Exit.ANSWERED
 
     def to_json(self) -> dict[str, Any]:
         """The document of ``replay --json``."""
@@ -72,13 +68,13 @@ def replay(
             named by ``explore``, too.
     """
     if not isinstance(finding, Finding):
-        raise ScopeError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
+        raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
     rules = finding.rules
     recorded_trail(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
     subject = subject_of(finding.explorer if explore is None else explore, answer_timeout)
     if explore is None and finding.choices and not subject.takes_choices:
-        raise ScopeError(
+        raise InputError(
             f"the finding records the choices {show(list(finding.choices))}, but "
             f"{finding.explorer} takes no choices; to run it without them, name it as the "
             "explorer, too"
