@@ -6,6 +6,7 @@ import json
 import operator
 import os
 import signal
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -106,8 +107,14 @@ def parse_json(text: str, kind: type[InputError] = InputError) -> Any:
 
 
 def read_text(path: str) -> str:
-    """The text of a file the user has named."""
+    """The text of a file that the user has named; of stdin for ``-``.
+
+    Raises:
+        InputError: naming the file and the reason why it cannot be read.
+    """
     try:
+        if path == "-":
+            return sys.stdin.read()
         return a_path("file", path).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is no text"

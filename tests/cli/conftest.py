@@ -2,15 +2,15 @@
 
 import pytest
 
-from allworlds.cli.app import _guarded
+from allworlds.cli.app import call
 
 
 @pytest.fixture
 def guarded(capsys):
     """Exit code, stdout and stderr of a call."""
 
-    def call(*arguments):
-        code = _guarded([str(argument) for argument in arguments])
+    def told(*arguments):
+        code = call([str(argument) for argument in arguments])
         return code, *capsys.readouterr()
 
-    return call
+    return told

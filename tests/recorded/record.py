@@ -83,9 +83,9 @@ COMMANDS = {
     "ambiguity-class-text": "ambiguity class k4 --class simple --limit 2",
     "twins-apart": "twins k4 wheel-4",
     "twins-alike": "twins fig1-left fig1-right --json",
-    "search-sat": "search {search} position --{v} 1 --{e} 2 --out {tmp}/sat --json",
-    "search-unsat": "search {search} directional --{v} 3 --{e} 2 --out {tmp}/unsat --json",
-    "search-none": "search {search} none --class simple --{v} 4 --{e} 4 --out {tmp}/none --json",
+    "search-sat": "search --lighthouse position --vertices 1 --edges 2 --out {tmp}/sat --json",
+    "search-unsat": "search --lighthouse directional --vertices 3 --edges 2 --out {tmp}/unsat --json",
+    "search-none": "search --lighthouse none --class simple --vertices 4 --edges 4 --out {tmp}/none --json",
     "mutants": "mutants --edges 3 --json",
     "mutants-text": "mutants --edges 2",
     "refused-verb": "chekc",
@@ -113,13 +113,7 @@ VOLATILE = ("made_by", "seconds")
 
 
 def words(command: str | list[str], tmp: str) -> list[str]:
-    names = {
-        "tmp": tmp,
-        "python": sys.executable,
-        "search": "--info",
-        "v": "max-vertices",
-        "e": "max-edges",
-    }
+    names = {"tmp": tmp, "python": sys.executable}
     given = command if isinstance(command, list) else command.split()
     return [
         re.sub(r"\{(\w+)\}", lambda found: names.get(found[1], found[0]), word) for word in given

@@ -13,7 +13,7 @@ from referencing import Registry, Resource
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
 from allworlds.checker import Interrupted, check, replay, run
-from allworlds.cli.app import _guarded
+from allworlds.cli.app import call
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
@@ -71,7 +71,7 @@ def marked(name):
 def searched(**bounds):
     """A search for two worlds alike; a test that is asked for it needs z3."""
     pytest.importorskip("z3")
-    return search(info="position", **bounds).to_json()
+    return search(lighthouse="position", **bounds).to_json()
 
 
 @functools.cache
@@ -144,11 +144,11 @@ DOCUMENTS = {
         lambda: class_of(marked("cycle-3")).to_json(),
     ),
     "ambiguity census": (whole("ambiguity-census"), lambda: census(edges=3).to_json()),
-    "search sat": (whole("search"), lambda: searched(max_vertices=2, max_edges=2)),
-    "search unsat": (whole("search"), lambda: searched(max_vertices=2, max_edges=1)),
+    "search sat": (whole("search"), lambda: searched(vertices=2, edges=2)),
+    "search unsat": (whole("search"), lambda: searched(vertices=2, edges=1)),
     "search vacuous": (
         whole("search"),
-        lambda: searched(max_vertices=1, max_edges=1, map_class="simple"),
+        lambda: searched(vertices=1, edges=1, map_class="simple"),
     ),
     **{
         f"finding {name}": (
@@ -350,7 +350,7 @@ def test_every_law_and_every_lighthouse_is_in_the_schemas():
     ],
 )
 def test_what_the_command_line_prints_keeps_its_schema(name, arguments, capsys):
-    assert _guarded([*arguments, "--json"]) == 0
+    assert call([*arguments, "--json"]) == 0
     assert complaints(whole(name), json.loads(capsys.readouterr().out)) == []
 
 
@@ -364,5 +364,5 @@ def test_what_is_said_of_a_file_keeps_its_schema(name, capsys, tmp_path):
     document = {**finding.to_json(), "explorer": "algorithm1"}
     file = tmp_path / "finding.json"
     file.write_text(json.dumps(document), encoding="utf-8")
-    assert _guarded([name, str(file), "--json"]) == {"replay": 5, "explain": 0}[name]
+    assert call([name, str(file), "--json"]) == {"replay": 5, "explain": 0}[name]
     assert complaints(whole(name), json.loads(capsys.readouterr().out)) == []

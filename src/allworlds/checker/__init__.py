@@ -29,7 +29,7 @@ from allworlds.checker.report import (
     Report,
     Stopped,
 )
-from allworlds.checker.single import SingleRun, refuse_unused, run, worlds
+from allworlds.checker.single import SingleRun, run, worlds
 
 __all__ = [
     "ENGINES",
@@ -47,7 +47,6 @@ __all__ = [
     "UserCorpus",
     "check",
     "refuse_others",
-    "refuse_unused",
     "replay",
     "rules_for",
     "run",

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from allworlds.checker.single import SingleRun, run, unused_choice
+from allworlds.checker.single import SingleRun, single_run, unused_choice
 from allworlds.findings import Finding, recorded_trail
 from allworlds.inputs import InputError, show
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.subjects import subject_of
+from allworlds.work import Limits
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +70,7 @@ def replay(
     """
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
-    rules = finding.rules
+    limits = Limits(answer_timeout=answer_timeout)
     recorded_trail(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
     subject = subject_of(finding.explorer if explore is None else explore, answer_timeout)
@@ -79,15 +80,13 @@ def replay(
             f"{finding.explorer} takes no choices; to run it without them, name it as the "
             "explorer, too"
         )
-    again = run(
-        subject.name if subject.importable else subject.explore,
+    kind = finding.world.lighthouse.kind
+    again = single_run(
+        subject,
         finding.world,
-        policy=rules.policy,
-        choices=finding.choices if same else (),
-        bound=rules.bound,
-        laws=rules.laws,
-        step_budget=rules.step_budget,
-        answer_timeout=answer_timeout,
+        replace(finding.rules, own_bound=subject.bound_under(kind)),
+        finding.choices if same else (),
+        limits,
     )
     notice = unused_choice(finding.choices, again) if same else ""
     if notice:

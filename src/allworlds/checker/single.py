@@ -15,7 +15,7 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.outcome import SCHEMA, Exit, Verdict
 from allworlds.runs import DEFAULT_EDGES, Examiner, Outcome, make_finding
-from allworlds.subjects import subject_of
+from allworlds.subjects import Subject, subject_of
 from allworlds.work import Limits
 from allworlds.world import Lighthouse, World, lighthouse_named, world_named
 
@@ -127,7 +127,8 @@ def run(
             :class:`~allworlds.findings.RulesOptions`.
 
     Raises:
-        InputError: naming the offending option and what would be legal.
+        InputError: naming the offending option and what would be legal, or the first choice
+            that was not taken.
     """
     refuse_others("run", options, RunOptions)
     script = _indices(choices)
@@ -139,6 +140,16 @@ def run(
         raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
     kind = world.lighthouse.kind
     rules = make_rules(options, kind, subject.bound_under(kind))
+    told = single_run(subject, world, rules, script, limits)
+    if unused := unused_choice(script, told):
+        raise InputError(unused)
+    return told
+
+
+def single_run(
+    subject: Subject, world: World, rules: Rules, script: tuple[int, ...], limits: Limits
+) -> SingleRun:
+    """One episode in which the script answers the first choices, as far as it fits."""
     examiner = Examiner(subject, rules)
     if subject.foreign and subject.importable:
         outcome = examine_apart(subject, rules, world, script, limits)
@@ -155,16 +166,6 @@ def _indices(choices: object) -> tuple[int, ...]:
     if isinstance(choices, str) or not isinstance(choices, Iterable):
         raise InputError(f"choices = {show(choices)} is not a list of indices")
     return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
-
-
-def refuse_unused(choices: Sequence[int], told: SingleRun) -> None:
-    """Nothing, if a run has taken all these choices.
-
-    Raises:
-        InputError: naming the first that it has not taken.
-    """
-    if unused := unused_choice(choices, told):
-        raise InputError(unused)
 
 
 def unused_choice(choices: Sequence[int], told: SingleRun) -> str:

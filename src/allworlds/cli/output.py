@@ -11,6 +11,7 @@ import sys
 from contextlib import suppress
 from typing import Any, Self
 
+from allworlds.cli.options import Output
 from allworlds.outcome import Result
 from allworlds.reports import text
 from allworlds.streams import patient_stderr
@@ -31,14 +32,14 @@ def printable(text: str) -> str:
     return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", lambda found: f"\\x{ord(found[0]):02x}", text)
 
 
-def emit(result: Result, verb: str, *, as_json: bool) -> None:
-    """Print a verb's result in the form that was asked for.
+def emit(result: Result, verb: str, output: Output) -> int:
+    """Print a verb's result in the form that was asked for; its exit code.
 
     Raises:
         OSError: saying that it is stdout that cannot be written.
     """
     try:
-        if as_json:
+        if output.as_json:
             print(json.dumps(result.to_json(), indent=2))
         else:
             print(printable(text(verb, result, width())))
@@ -48,6 +49,7 @@ def emit(result: Result, verb: str, *, as_json: bool) -> None:
         abandon_stdout()
     except OSError as error:
         raise OSError(error.errno, f"stdout cannot be written: {error.strerror}") from None
+    return result.exit_code
 
 
 def abandon_stdout() -> None:
