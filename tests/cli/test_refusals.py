@@ -46,14 +46,14 @@ OPTIONS = [
 def refused(capsys):
     """The one line with which these arguments are refused."""
 
-    def call(*arguments):
+    def line(*arguments):
         code = call([str(argument) for argument in arguments])
         out, err = capsys.readouterr()
         assert (code, out) == (2, ""), err
         assert err.count("\n") == 1, err
         return err
 
-    return call
+    return line
 
 
 def test_every_verb_is_looked_at():
