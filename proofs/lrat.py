@@ -18,9 +18,13 @@ formula, steps with a negative hint (RAT), and anything that is no number.
 from __future__ import annotations
 
 import lzma
+import re
 import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+
+FOREIGN = re.compile(r"[^-\dd \t]", re.ASCII)
+"""``int`` would take 1_0 and +1 for numbers."""
 
 
 class Refused(Exception):
@@ -40,20 +44,20 @@ def read_formula(text: str) -> tuple[int, list[list[int]]]:
     """The number of variables and the clauses of a DIMACS text, one clause a line."""
     variables, announced, clauses = 0, -1, []
     for i, line in enumerate(text.splitlines(), 1):
-        words = line.split()
-        if not words or words[0] == "c":
+        if line.split()[:1] in ([], ["c"]):
             continue
         try:
             if announced < 0:
-                p, cnf, *numbers = words
+                p, cnf, *numbers = line.split()
                 variables, announced = map(int, numbers)
                 if (p, cnf) != ("p", "cnf") or variables < 0 or announced < 0:
                     raise ValueError
                 continue
-            *clause, end = map(int, words)
+            words = _words(line)
+            *clause, _ = map(int, words)
         except ValueError:
             raise Refused(f"line {i} of the formula is neither header nor clause") from None
-        if end != 0 or any(not 0 < abs(literal) <= variables for literal in clause):
+        if words[-1] != "0" or any(not 0 < abs(literal) <= variables for literal in clause):
             raise Refused(f"line {i} of the formula has a literal that is none, or no end")
         clauses.append(clause)
     if len(clauses) != announced:
@@ -70,8 +74,8 @@ def check(variables: int, clauses: Sequence[Sequence[int]], proof: Iterable[str]
     known: dict[int, Sequence[int]] = dict(enumerate(clauses, 1))
     newest, derived, refuted = len(clauses), 0, False
     for i, line in enumerate(proof, 1):
-        words = line.split()
         try:
+            words = _words(line)
             if len(words) > 1 and words[1] == "d":
                 forgotten = _numbers(words[:1] + words[2:])[1:]
                 for number in forgotten:
@@ -101,10 +105,17 @@ def check(variables: int, clauses: Sequence[Sequence[int]], proof: Iterable[str]
     return derived
 
 
+def _words(line: str) -> list[str]:
+    """The words of a line; ValueError, if a character is in it that stands in no number."""
+    if FOREIGN.search(line):
+        raise ValueError(line)
+    return line.split()
+
+
 def _numbers(words: list[str]) -> list[int]:
     """The numbers before the 0 that ends a line."""
-    *numbers, end = map(int, words)
-    if end != 0 or 0 in numbers:
+    *numbers, _ = map(int, words)
+    if words[-1] != "0" or 0 in numbers:
         raise Refused("a 0 does not stand at the end alone")
     if any(number < 0 for number in numbers):
         raise Refused("a negative hint: RAT is not admitted")

@@ -1,62 +1,45 @@
-"""What several claims have in common: refute a formula, and tie it to what it says."""
+"""What several claims have in common: a file's formula is the one meant, and it is refuted."""
 
 from __future__ import annotations
 
-import random
-from collections.abc import Sequence
+import re
 from pathlib import Path
 
 import lrat
-from meaning import answers, read_comments, require_meaning
-
-from maps import Code, Map, code, marked_code, orbit, positioned
-
-PAIRS = 60
-"""Pairs of worlds on which the meaning of a formula is tested."""
+from clauses import require_same
+from lrat import Refused
+from twin_clauses import twin_clauses
+from world_clauses import Asked, Size
 
 
-def refuted(folder: Path, name: str, worlds: Sequence[Map], kind: str) -> int:
-    """The length of the proof that formula ``name`` of the folder has no model.
+def refuted(formula: Path, proof: Path, asked: Asked, sizes: tuple[Size, Size]) -> int:
+    """The length of the proof that there are no two different worlds as asked for.
 
-    Its meaning is tested on pairs of the rooted maps ``worlds``, a fixed random choice.
+    The formula is written anew, from its statement; the file must have the same clauses.  From
+    the file come only their order, to which the proof refers, and which other starts it
+    excludes: its comments name them, and any may be named.
 
     Raises:
-        Refused: if the proof is wrong, or the formula does not mean what it should.
+        Refused: if the file has another formula, or the proof is wrong; naming the file.
     """
-    text = lrat.read(folder / f"{name}.cnf.xz")
-    variables, clauses = lrat.read_formula(text)
+    text = lrat.read(formula)
     try:
-        proof = lrat.read(folder / f"{name}.lrat.xz").splitlines()
-        derived = lrat.check(variables, clauses, proof)
-    except lrat.Refused as error:
-        raise lrat.Refused(f"{name}.lrat.xz: {error}") from None
-    annotated = read_comments(text)
-    for one, two in _pairs(worlds, kind):
-        require_meaning(annotated, clauses, one, two, kind)
-    return derived
+        variables, clauses = lrat.read_formula(text)
+        require_same(twin_clauses(asked, sizes, _other_starts(text, sizes)), variables, clauses)
+    except Refused as error:
+        raise Refused(f"{formula.name}: {error}") from None
+    try:
+        return lrat.check(variables, clauses, lrat.read(proof).splitlines())
+    except Refused as error:
+        raise Refused(f"{proof.name}: {error}") from None
 
 
-def _pairs(worlds: Sequence[Map], kind: str) -> list[tuple[Map, Map]]:
-    """Pairs of different worlds in canonical numbers, the one with the smaller code first."""
-    chance = random.Random(0)
-    pairs: list[tuple[Map, Map]] = []
-    for _ in range(PAIRS if len(worlds) > 1 else 0):
-        chosen = [code(*_best_rooted(map_, kind), 0) for map_ in chance.sample(worlds, 2)]
-        if len({_marked(map_, kind) for map_ in chosen}) == 2:
-            one, two = sorted(chosen, key=answers)
-            pairs.append((one, two))
-    return pairs
-
-
-def _marked(map_: Map, kind: str) -> Code:
-    return marked_code(positioned(map_)) if kind == "position" else code(*map_, 0)
-
-
-def _best_rooted(map_: Map, kind: str) -> Map:
-    """With position the start may be any dart of v0; the formula takes a best one."""
-    sigma, alpha = map_
-    if kind != "position":
-        return map_
-    around = orbit(sigma, 0)
-    best = max(around, key=lambda d: len(orbit(sigma, alpha[d])))
-    return code(sigma, alpha, best)
+def _other_starts(text: str, sizes: tuple[Size, Size]) -> list[int]:
+    named = re.findall(r"^c variables \d+\.\.\d+ carried(\d{1,6})\[", text, re.MULTILINE)
+    starts = [int(dart) for dart in named]
+    one, two = sizes
+    if starts and (one.edges != two.edges or len(set(starts)) < len(starts)):
+        raise Refused(f"other starts {starts} are excluded twice, or between worlds of two sizes")
+    if any(start >= two.darts for start in starts):
+        raise Refused(f"other starts {starts}, but the darts are 0 to {two.darts - 1}")
+    return starts

@@ -1,21 +1,42 @@
 """Maps, worlds and what a robot senses, for the checkers: the definitions, read off as code.
 
 A map is a pair of lists ``(sigma, alpha)`` over the darts ``0..2m-1``: sigma the next dart
-clockwise round the vertex, alpha the other end of the edge.  A world is a dictionary with
-``sigma``, ``alpha``, ``start`` and ``lighthouse``.  Motion k takes a robot from dart d to
-``alpha(sigma^k(d))``; so whatever sigma and alpha keep, every motion keeps.
+clockwise round the vertex, alpha the other end of the edge.  Motion k takes a robot from dart d
+to ``alpha(sigma^k(d))``; so whatever sigma and alpha keep, every motion keeps.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from lrat import Refused
 
 Map = tuple[Sequence[int], Sequence[int]]
 Code = tuple[tuple[int, ...], tuple[int, ...]]
-World = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class World:
+    """A map, the dart that the robot faces at the start, and what it can sense.
+
+    Attributes:
+        lighthouse: ``none``, ``position``, ``directional``, ``compass`` or ``natural``.
+        darts: the reference darts: any dart of v0 (position), the pointed dart of v0
+            (directional), one at every vertex (compass), a dart from v0 to v1 (natural).
+    """
+
+    sigma: Sequence[int]
+    alpha: Sequence[int]
+    start: int
+    lighthouse: str
+    darts: tuple[int, ...]
+
+    @property
+    def map(self) -> Map:
+        """The map alone."""
+        return self.sigma, self.alpha
 
 
 def orbit(permutation: Sequence[int], dart: int) -> list[int]:
@@ -146,33 +167,42 @@ def percepts(world: World) -> list[tuple[Any, ...]]:
     none: nothing.  position: whether the vertex is that of the start.  natural: nothing (the
     degrees themselves are the lighthouse).  compass: the bearing of the vertex's reference
     dart.  directional: at the marked vertex the bearing of the pointed dart.
+
+    Raises:
+        Refused: if there is no such lighthouse.
     """
-    sigma, kind = world["sigma"], world["lighthouse"]["kind"]
-    home = set(orbit(sigma, world["start"]))
-    shown = set(world["lighthouse"].get("darts", ()))
-    if kind == "directional":
-        shown = {world["lighthouse"]["dart"]}
-    if kind == "position" and world["lighthouse"]["dart"] not in home:
-        raise Refused("the marker is not at the start's vertex")
+    home = orbit(world.sigma, world.start)
     sensed: list[tuple[Any, ...]] = []
-    for d in range(len(sigma)):
-        around = orbit(sigma, d)
-        here = [place for place, e in enumerate(around) if e in shown]
-        if kind == "compass" and len(here) != 1:
-            raise Refused("a vertex has not exactly one reference dart")
-        extra: dict[str, list[Any]] = {
-            "position": [d in home],
-            "directional": here,
-            "compass": here,
-        }
-        sensed.append((len(around), *extra.get(kind, [])))
+    for d in range(len(world.sigma)):
+        around = orbit(world.sigma, d)
+        bearings = [place for place, e in enumerate(around) if e in world.darts]
+        match world.lighthouse:
+            case "none" | "natural":
+                shown: list[Any] = []
+            case "position":
+                shown = [d in home]
+            case "directional" | "compass":
+                shown = bearings
+            case other:
+                raise Refused(f"there is no lighthouse {other!r}")
+        sensed.append((len(around), *shown))
     return sensed
 
 
-def marked_code(world: World) -> Code:
-    """Equal exactly for worlds that are the same but for the start (position, natural)."""
-    sigma, alpha = world["sigma"], world["alpha"]
-    return min(code(sigma, alpha, d) for d in orbit(sigma, world["start"]))
+def world_code(world: World) -> tuple[Code, tuple[int, ...]]:
+    """Equal exactly for worlds that are the same but for the start.
+
+    Where v0 is marked, or known by its degree, v0 must go to v0; where a direction is sensed,
+    reference darts must go to reference darts.
+    """
+    somewhere = world.lighthouse in {"none", "compass"}
+    pointed = world.darts if world.lighthouse in {"directional", "compass"} else ()
+    entries = []
+    for start in range(len(world.sigma)) if somewhere else orbit(world.sigma, world.start):
+        order = numbering(*world.map, start)
+        marks = tuple(sorted(order.index(dart) for dart in pointed))
+        entries.append((code(*world.map, start), marks))
+    return min(entries)
 
 
 def quotient_code(world: World) -> tuple[Any, ...]:
@@ -181,7 +211,7 @@ def quotient_code(world: World) -> tuple[Any, ...]:
     Darts that sense the same are split until sigma and alpha keep the classes; then the
     classes are numbered by a walk from the start's.
     """
-    sigma, alpha = world["sigma"], world["alpha"]
+    sigma, alpha = world.map
     sensed = percepts(world)
     names = {percept: i for i, percept in enumerate(sorted(set(sensed)))}
     label = [names[percept] for percept in sensed]
@@ -193,7 +223,7 @@ def quotient_code(world: World) -> tuple[Any, ...]:
         label = [order[key] for key in keys]
     some = {c: d for d, c in enumerate(label)}
     step, cross = ([label[p[some[c]]] for c in range(count)] for p in (sigma, alpha))
-    walk = numbering(step, cross, label[world["start"]])
+    walk = numbering(step, cross, label[world.start])
     number = {c: i for i, c in enumerate(walk)}
     return tuple((sensed[some[c]], number[step[c]], number[cross[c]]) for c in walk)
 
@@ -208,43 +238,46 @@ def require_bisimulation(pair: Sequence[World], classes: Sequence[Sequence[int]]
         raise Refused("not two worlds with their classes")
     facts: dict[int, tuple[Any, ...]] = {}
     for world, label in zip(pair, classes, strict=True):
-        sigma, alpha = world["sigma"], world["alpha"]
-        require_map(sigma, alpha)
+        sigma, alpha = world.map
         if len(label) != len(sigma):
             raise Refused("not one class for each dart")
         for d, percept in enumerate(percepts(world)):
             fact = (percept, label[sigma[d]], label[alpha[d]])
             if facts.setdefault(label[d], fact) != fact:
                 raise Refused(f"dart {d} does not behave as its class {label[d]}")
-    if classes[0][pair[0]["start"]] != classes[1][pair[1]["start"]]:
+    if classes[0][pair[0].start] != classes[1][pair[1].start]:
         raise Refused("the starts are in different classes")
 
 
 def twins_among(worlds: Iterator[World]) -> tuple[int, list[World] | None]:
     """How many worlds there were, and two different ones that no motion tells apart, if any."""
-    first: dict[tuple[Any, ...], tuple[Code, World]] = {}
+    first: dict[tuple[Any, ...], tuple[Any, World]] = {}
     count = 0
     for world in worlds:
         count += 1
-        mine = marked_code(world)
+        mine = world_code(world)
         other, twin = first.setdefault(quotient_code(world), (mine, world))
         if other != mine:
             return count, [twin, world]
     return count, None
 
 
-def positioned(map_: Map, kind: str = "position") -> World:
-    """The map with its marker at the root's vertex, started at the root."""
+def rooted_world(map_: Map, lighthouse: str) -> World:
+    """The map started at its root, which is the reference dart."""
+    return World(*map_, 0, lighthouse, (0,))
+
+
+def moved(map_: Map, dart: int, motion: int) -> int:
+    """Where a motion leads from a dart."""
     sigma, alpha = map_
-    lighthouse = {"kind": kind, "dart": 0}
-    return {"sigma": sigma, "alpha": alpha, "start": 0, "lighthouse": lighthouse}
+    around = orbit(sigma, dart)
+    return alpha[around[motion % len(around)]]
 
 
 def replay(world: World, start: int, motions: Sequence[int]) -> list[tuple[Any, ...]]:
     """What is sensed after each motion of a walk from a dart."""
     sensed, dart, seen = percepts(world), start, []
     for motion in motions:
-        around = orbit(world["sigma"], dart)
-        dart = world["alpha"][around[motion % len(around)]]
+        dart = moved(world.map, dart, motion)
         seen.append(sensed[dart])
     return seen

@@ -23,6 +23,7 @@ from typing import Any
 from allworlds import search
 from allworlds.maps import from_cycles, from_rotation
 from allworlds.smt.witness import MarkedMap, bisimulation, same_world_from
+from check import CERTIFICATES
 
 HERE = Path(__file__).resolve().parent
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
@@ -92,7 +93,7 @@ def fig1(solver: str | None) -> None:
 
 def wheels() -> list[MarkedMap]:
     """The wheel with four spokes in the plane, and the first drawing of it that looks alike."""
-    rims = [[0, i % 4 + 1, (i - 2) % 4 + 1] for i in range(1, 5)]
+    rims = [[0, (i - 2) % 4 + 1, i % 4 + 1] for i in range(1, 5)]
     plane = MarkedMap("position", from_rotation([[1, 2, 3, 4], *rims]), 0, (0,))
     for hub in permutations([2, 3, 4]):
         for turned in product((1, -1), repeat=4):
@@ -116,9 +117,8 @@ def natural_lighthouse(_solver: str | None) -> None:
 
 def write_manifest() -> None:
     """The SHA-256 digest of every file that a checker reads."""
-    kinds = (".xz", ".json", ".smt2")
     claims = [path.parent for path in HERE.glob("*/checker.py")]
-    files = sorted(p for claim in claims for p in claim.iterdir() if p.suffix in kinds)
+    files = sorted(p for claim in claims for p in claim.iterdir() if p.suffix in CERTIFICATES)
     digests = {str(p.relative_to(HERE)): hashlib.sha256(p.read_bytes()).hexdigest() for p in files}
     write(HERE / "manifest.json", digests)
 

@@ -2,44 +2,32 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
-from lrat import Refused, read
-
+from documents import pair_of, read_json
+from lrat import Refused
 from maps import (
     World,
     is_planar,
-    marked_code,
     orbit,
-    positioned,
     require_bisimulation,
     rooted_maps,
+    rooted_world,
     twins_among,
     vertex_count,
+    world_code,
 )
 
 EDGES, VERTICES = 4, 2
+DEGREES = (2, 6)
+"""Of v0 and of v1."""
 
 
 def check(folder: Path) -> list[str]:
     """What has been checked, sentence by sentence."""
-    entry = json.loads(read(folder / "pair.json"))
-    pair = entry["pair"]
-    require_bisimulation(pair, entry["bisimulation"])
-    for world in pair:
-        if not _has_natural_lighthouse(world):
-            raise Refused("v0 or its neighbour v1 has no degree of its own")
-        size = len(world["sigma"]) // 2, vertex_count((world["sigma"], world["alpha"]))
-        if size != (EDGES, VERTICES):
-            raise Refused(f"a world has {size} edges and vertices")
-    if _told(pair[0]) != _told(pair[1]):
-        raise Refused("the two robots are told different degrees of v1")
-    if marked_code(pair[0]) == marked_code(pair[1]):
-        raise Refused("the two worlds are the same")
-    if [is_planar((w["sigma"], w["alpha"])) for w in pair] != [True, False]:
-        raise Refused("they are not one in the plane and one on the torus")
+    require_pairs(read_json(folder / "pair.json"))
     count, twins = twins_among(_worlds(EDGES - 1))
     if twins:
         raise Refused(f"a smaller pair: {twins}")
@@ -49,27 +37,41 @@ def check(folder: Path) -> list[str]:
     ]
 
 
+def require_pairs(document: Any) -> None:
+    """Nothing, if the pair is as README.md says.
+
+    Raises:
+        Refused: saying what is amiss.
+    """
+    pair, classes = pair_of(document, "natural")
+    require_bisimulation(pair, classes)
+    for world in pair:
+        size = len(world.sigma) // 2, vertex_count(world.map)
+        if size != (EDGES, VERTICES):
+            raise Refused(f"a world has {size} edges and vertices")
+        v0, v1 = world.start, world.alpha[world.darts[0]]
+        degrees = len(orbit(world.sigma, v0)), len(orbit(world.sigma, v1))
+        # The robot is told v1's degree: in both worlds the same.
+        if degrees != DEGREES or DEGREES[1] not in _unique_neighbours(world):
+            raise Refused(f"v0 and the v1 that is named have degrees {degrees}, not {DEGREES}")
+    if world_code(pair[0]) == world_code(pair[1]):
+        raise Refused("the two worlds are the same")
+    if [is_planar(world.map) for world in pair] != [True, False]:
+        raise Refused("they are not one in the plane and one on the torus")
+
+
 def _worlds(most: int) -> Iterator[World]:
     for edges in range(1, most + 1):
         for map_ in rooted_maps(edges):
-            world = positioned(map_, "natural")
-            if _has_natural_lighthouse(world):
+            world = rooted_world(map_, "natural")
+            if _unique_neighbours(world):
                 yield world
-
-
-def _told(world: World) -> int:
-    """The degree of v1, where there is exactly one candidate; the largest where there are more."""
-    return max(_unique_neighbours(world))
-
-
-def _has_natural_lighthouse(world: World) -> bool:
-    return bool(_unique_neighbours(world))
 
 
 def _unique_neighbours(world: World) -> set[int]:
     """Degrees of neighbours of v0 that no other vertex has; empty unless v0's is so too."""
-    sigma, alpha = world["sigma"], world["alpha"]
-    home = orbit(sigma, world["start"])
+    sigma, alpha = world.map
+    home = orbit(sigma, world.start)
     vertices = {min(orbit(sigma, d)): len(orbit(sigma, d)) for d in range(len(sigma))}
     degrees = list(vertices.values())
     if degrees.count(len(home)) > 1:

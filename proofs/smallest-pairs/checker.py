@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from lrat import Refused, read
+from documents import members, pair_of, read_json
+from lrat import Refused
 from lrat_claims import refuted
-
 from maps import (
     Map,
     is_planar,
     is_simple,
-    marked_code,
-    positioned,
     require_bisimulation,
     rooted_maps,
+    rooted_world,
     twins_among,
     vertex_count,
+    world_code,
 )
+from world_clauses import Asked, size_of
 
 SIMPLE = {"maps": False, "simple": True, "planar-simple": True}
 BELOW: dict[str, list[tuple[int, int | None]]] = {
@@ -37,27 +37,32 @@ PAIR = {"maps": (2, 1), "simple": (6, 4), "planar-simple": (8, 7)}
 def check(folder: Path) -> list[str]:
     """What has been checked, sentence by sentence."""
     said = []
-    pairs = json.loads(read(folder / "pairs.json"))
+    require_pairs(read_json(folder / "pairs.json"))
     for name, levels in BELOW.items():
-        _require_pair(pairs[name], name)
         said.append(f"{name}: a pair with m = {PAIR[name][0]}, n = {PAIR[name][1]}")
-        proofs, worlds = [], 0
+        worlds = 0
         for edges, most in levels:
-            maps = list(_members(name, edges, most))
-            count, twins = twins_among(positioned(map_) for map_ in maps)
+            if most is None:
+                _refute(folder, name, edges)
+            maps = _members(name, edges, most)
+            count, twins = twins_among(rooted_world(map_, "position") for map_ in maps)
             worlds += count
             if twins:
                 raise Refused(f"{name}: a smaller pair: {twins}")
-            if (folder / f"{name}-m{edges}.cnf.xz").exists() and most is None:
-                refuted(folder, f"{name}-m{edges}", maps, "position")
-                proofs.append(edges)
-        if proofs != [edges for edges, most in levels if most is None]:
-            raise Refused(f"{name}: LRAT proofs for m in {proofs} only")
+        proofs = [edges for edges, most in levels if most is None]
         said.append(f"{name}: no smaller one: LRAT for m = {proofs[0]}..{proofs[-1]}")
-        last = levels[-1]
-        beyond = f" and for m = {last[0]}, n <= {last[1]}" if last[1] else ""
+        edges, most = levels[-1]
+        beyond = f" and for m = {edges}, n <= {most}" if most else ""
         said.append(f"{name}: {worlds:,} rooted maps enumerated up to there{beyond}")
     return said
+
+
+def _refute(folder: Path, name: str, edges: int) -> None:
+    asked = Asked("position", name)
+    size = size_of(asked, edges)
+    assert size is not None
+    files = (folder / f"{name}-m{edges}.{kind}.xz" for kind in ("cnf", "lrat"))
+    refuted(*files, asked, (size, size))
 
 
 def _members(name: str, edges: int, most: int | None) -> Iterator[Map]:
@@ -66,18 +71,21 @@ def _members(name: str, edges: int, most: int | None) -> Iterator[Map]:
             yield map_
 
 
-def _require_pair(entry: dict[str, Any], name: str) -> None:
-    pair = entry["pair"]
-    require_bisimulation(pair, entry["bisimulation"])
-    for world in pair:
-        map_ = (world["sigma"], world["alpha"])
-        if world["lighthouse"]["kind"] != "position":
-            raise Refused(f"{name}: the lighthouse is not 'position'")
-        if (len(map_[0]) // 2, vertex_count(map_)) != PAIR[name]:
-            raise Refused(f"{name}: the pair has not the size that is claimed")
-        if SIMPLE[name] and not is_simple(map_):
-            raise Refused(f"{name}: a world is not simple")
-        if name == "planar-simple" and not is_planar(map_):
-            raise Refused(f"{name}: a world is not planar")
-    if marked_code(pair[0]) == marked_code(pair[1]):
-        raise Refused(f"{name}: the two worlds are the same")
+def require_pairs(document: Any) -> None:
+    """Nothing, if the pairs are as README.md says.
+
+    Raises:
+        Refused: saying what is amiss.
+    """
+    for name, entry in members(document, set(BELOW), "pairs.json").items():
+        pair, classes = pair_of(entry, "position")
+        require_bisimulation(pair, classes)
+        for world in pair:
+            if (len(world.sigma) // 2, vertex_count(world.map)) != PAIR[name]:
+                raise Refused(f"{name}: the pair has not the size that is claimed")
+            if SIMPLE[name] and not is_simple(world.map):
+                raise Refused(f"{name}: a world is not simple")
+            if name == "planar-simple" and not is_planar(world.map):
+                raise Refused(f"{name}: a world is not planar")
+        if world_code(pair[0]) == world_code(pair[1]):
+            raise Refused(f"{name}: the two worlds are the same")

@@ -1,0 +1,659 @@
+"""Of all changes of meaning in a certificate none is accepted, whatever the manifest says.
+
+The claims' own checkers are called, which know nothing of digests: so what is asked is whether a
+producer that is wrong would be noticed, not whether a file is the one that was committed.
+"""
+
+import json
+import lzma
+import random
+import re
+import shutil
+
+import pytest
+
+SEED = 18
+FORMULAS = [
+    *(f"no-twins-directional/m{m}" for m in range(1, 6)),
+    "smallest-pairs/maps-m1",
+    *(f"smallest-pairs/simple-m{m}" for m in range(1, 6)),
+    *(f"smallest-pairs/planar-simple-m{m}" for m in range(1, 8)),
+    "fig1/search-m8",
+]
+QUICK = [name for name in FORMULAS if name[-1] in "123" and "fig1" not in name]
+LARGE = [name for name in FORMULAS if name not in QUICK]
+
+
+def text_of(path):
+    return lzma.decompress(path.read_bytes()).decode()
+
+
+def write(path, text):
+    path.write_bytes(lzma.compress(text.encode(), preset=0))
+
+
+@pytest.fixture
+def refuted(checkers, checker_of, proofs):
+    """A function that checks formula and proof of a claim, in whatever folder they are."""
+    refute = checkers("lrat_claims").refuted
+    world = checkers("world_clauses")
+
+    def check(name, folder=proofs):
+        claim, _, file = name.partition("/")
+        if claim == "fig1":
+            asked, edges, most = checker_of("fig1").CAPTION, 8, 5
+        elif claim == "no-twins-directional":
+            asked, edges, most = checker_of(claim).ASKED, int(file[1:]), None
+        else:
+            map_class, _, edges = file.rpartition("-m")
+            asked, edges, most = world.Asked("position", map_class), int(edges), None
+        size = world.size_of(asked, edges, most)
+        files = (folder / f"{name}.{kind}.xz" for kind in ("cnf", "lrat"))
+        return refute(*files, asked, (size, size))
+
+    return check
+
+
+@pytest.fixture
+def copied(proofs, tmp_path):
+    """A function that copies formula and proof, to be damaged, and names the new folder."""
+
+    def copy(name, instead_of=None):
+        for kind in ("cnf", "lrat"):
+            path = tmp_path / f"{instead_of or name}.{kind}.xz"
+            path.parent.mkdir(exist_ok=True)
+            shutil.copyfile(proofs / f"{name}.{kind}.xz", path)
+        return tmp_path
+
+    return copy
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_every_formula_on_file_is_the_one_that_the_checkers_write(refuted, name):
+    assert refuted(name) > 0
+
+
+# ---------------------------------------------------------------- formulas, by name
+
+
+def parts(text):
+    lines = text.splitlines()
+    comments = [line for line in lines if line[0] == "c"]
+    (header,) = [line for line in lines if line[0] == "p"]
+    return comments, header.split()[2], [line for line in lines if line[0] not in "cp"]
+
+
+def joined(comments, variables, clauses):
+    return "\n".join([*comments, f"p cnf {variables} {len(clauses)}", *clauses]) + "\n"
+
+
+def sensing(comments):
+    """The numbers of the first two clauses that say what related darts sense."""
+    (line,) = [c for c in comments if c.endswith("related darts sense the same")]
+    first = int(re.match(r"c clauses (\d+)", line)[1])
+    return first - 1, first
+
+
+def contradiction(comments, clauses):
+    first, second = sensing(comments)
+    clauses[first : second + 1] = ["1 0", "-1 0"]
+    return comments, clauses, f"{first + 1} {second + 1}"
+
+
+def empty_clause(comments, clauses):
+    first, _ = sensing(comments)
+    clauses[first] = "0"
+    return comments, clauses, str(first + 1)
+
+
+def widened(comments, clauses):
+    comments = [
+        c if "sense the same" not in c else f"c clauses 1..{len(clauses)}: {c.partition(': ')[2]}"
+        for c in comments
+    ]
+    clauses[:2] = ["1 0", "-1 0"]
+    return comments, clauses, "1 2"
+
+
+def nothing_else(comments, _):
+    return comments, ["1 0", "-1 0"], "1 2"
+
+
+def appended(comments, clauses):
+    return comments, [*clauses, "1 0", "-1 0"], f"{len(clauses) + 1} {len(clauses) + 2}"
+
+
+EASY = [contradiction, empty_clause, widened, nothing_else, appended]
+"""A formula that has no model, but not because of what it should say; and its short proof."""
+
+
+@pytest.mark.parametrize(
+    ("name", "damage"),
+    [*((name, damage) for name in QUICK for damage in EASY), *((n, contradiction) for n in LARGE)],
+)
+def test_a_formula_that_contradicts_itself_is_refused(copied, refuted, checkers, name, damage):
+    folder = copied(name)
+    path = folder / f"{name}.cnf.xz"
+    comments, variables, clauses = parts(text_of(path))
+    comments, clauses, hints = damage(comments, clauses)
+    text = joined(comments, variables, clauses)
+    write(path, text)
+    proof = f"{len(clauses) + 1} 0 {hints} 0\n"
+    write(folder / f"{name}.lrat.xz", proof)
+    # the proof itself is right
+    lrat = checkers("lrat")
+    assert lrat.check(*lrat.read_formula(text), proof.splitlines()) == 1
+    with pytest.raises(lrat.Refused, match="of the formula says what it should not"):
+        refuted(name, folder)
+
+
+def shifted(proof, old, by):
+    """The proof for a formula with more clauses at its end."""
+
+    def moved(word):
+        return str(int(word) + by) if int(word) > old else word
+
+    for line in proof.splitlines():
+        number, *words = line.split()
+        if words[0] == "d":
+            yield " ".join([moved(number), "d", *map(moved, words[1:-1]), "0"])
+        else:
+            end = words.index("0")
+            yield " ".join(
+                [moved(number), *words[: end + 1], *map(moved, words[end + 1 : -1]), "0"]
+            )
+
+
+def test_a_formula_that_excludes_one_rooted_map_of_8162_is_refused(copied, refuted, checkers):
+    name = "no-twins-directional/m5"
+    maps, lrat, folder = checkers("maps"), checkers("lrat"), copied(name)
+    sigma, alpha = list(maps.rooted_maps(5))[4321]
+    sigma, alpha = maps.code(sigma, alpha, 0)
+    comments, variables, clauses = parts(text_of(folder / f"{name}.cnf.xz"))
+    # sigma1 and alpha1 are the first variables
+    steps = [-(1 + 10 * x + y) for x, y in enumerate(sigma)]
+    steps += [-(101 + 10 * x + y) for x, y in enumerate(alpha)]
+    clauses.append(" ".join(map(str, [*steps, 0])))
+    text = joined(comments, variables, clauses)
+    write(folder / f"{name}.cnf.xz", text)
+    proof = list(shifted(text_of(folder / f"{name}.lrat.xz"), len(clauses) - 1, 1))
+    write(folder / f"{name}.lrat.xz", "\n".join(proof) + "\n")
+    assert lrat.check(*lrat.read_formula(text), proof) > 1000
+    with pytest.raises(lrat.Refused, match=r"clause \d+ of the formula says what it should not"):
+        refuted(name, folder)
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [
+        ("no-twins-directional/m5", "no-twins-directional/m4"),
+        ("no-twins-directional/m2", "smallest-pairs/simple-m2"),
+        ("smallest-pairs/simple-m5", "smallest-pairs/planar-simple-m5"),
+        ("smallest-pairs/simple-m5", "no-twins-directional/m5"),
+        ("smallest-pairs/maps-m1", "smallest-pairs/simple-m1"),
+        ("smallest-pairs/simple-m2", "smallest-pairs/planar-simple-m2"),
+        ("smallest-pairs/planar-simple-m7", "smallest-pairs/planar-simple-m6"),
+        ("fig1/search-m8", "no-twins-directional/m5"),
+    ],
+)
+def test_the_formula_of_another_question_is_refused(copied, refuted, checkers, name, other):
+    with pytest.raises(checkers("lrat").Refused, match=r"variables, not|says what it should not"):
+        refuted(name, copied(other, instead_of=name))
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("c variables 1..4 carried8[2][2]: F", "the darts are 0 to 3"),
+        ("c variables 1..4 carried1[2][2]: F", "variables, not"),
+        ("c variables 1..4 carried1[2][2]: F\nc variables 1..4 carried1[2][2]: F", "twice"),
+    ],
+)
+def test_other_starts_that_a_file_names_wrongly_are_refused(
+    copied, refuted, checkers, line, message
+):
+    name = "no-twins-directional/m2"
+    folder = copied(name)
+    path = folder / f"{name}.cnf.xz"
+    write(path, f"{line}\n{text_of(path)}")
+    with pytest.raises(checkers("lrat").Refused, match=message):
+        refuted(name, folder)
+
+
+# ---------------------------------------------------------------- formulas, at random
+
+
+def changed_formula(chance, variables, clauses):
+    """The clauses with one change."""
+    clauses = [list(clause) for clause in clauses]
+    clause = chance.choice([c for c in clauses if c])
+    literal = chance.randrange(len(clause))
+    match chance.randrange(7):
+        case 0:
+            clauses.remove(clause)
+        case 1:
+            del clause[literal]
+        case 2:
+            clause[literal] = -clause[literal]
+        case 3:
+            clause[literal] = chance.choice([1, -1]) * chance.randint(1, variables)
+        case 4:
+            clause.append(chance.choice([1, -1]) * chance.randint(1, variables))
+        case 5:
+            size = chance.randint(0, 3)
+            clauses.append(
+                [chance.choice([1, -1]) * v for v in chance.sample(range(1, variables + 1), size)]
+            )
+        case 6:  # two variables are exchanged
+            one, two = chance.sample(range(1, variables + 1), 2)
+            other = {one: two, two: one, -one: -two, -two: -one}
+            clauses = [[other.get(x, x) for x in c] for c in clauses]
+    return clauses
+
+
+def refused_formulas(checkers, proofs, refuted, name, tries):
+    """How many of so many changed formulas differ, and how many of those are refused."""
+    lrat, lrat_claims = checkers("lrat"), checkers("lrat_claims")
+    variables, clauses = lrat.read_formula(text_of(proofs / f"{name}.cnf.xz"))
+    wanted = {}
+    require_same = lrat_claims.require_same
+
+    def remembered(clauses_, *formula):
+        wanted["clauses"] = clauses_
+        require_same(clauses_, *formula)
+
+    lrat_claims.require_same = remembered
+    try:
+        refuted(name)
+    finally:
+        lrat_claims.require_same = require_same
+    chance = random.Random(f"{SEED} {name}")
+    right = set(map(frozenset, clauses))
+    differ = refused = 0
+    for _ in range(tries):
+        changed = changed_formula(chance, variables, clauses)
+        if set(map(frozenset, changed)) != right:
+            differ += 1
+            with pytest.raises(lrat.Refused):
+                require_same(wanted["clauses"], variables, changed)
+            refused += 1
+    return differ, refused
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_no_changed_formula_is_accepted(checkers, proofs, refuted, name):
+    differ, refused = refused_formulas(checkers, proofs, refuted, name, 60)
+    assert differ == refused > 30
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", FORMULAS)
+def test_no_changed_formula_is_accepted_in_the_long_run(checkers, proofs, refuted, name):
+    differ, refused = refused_formulas(checkers, proofs, refuted, name, 150)
+    assert differ == refused > 75
+
+
+# ---------------------------------------------------------------- LRAT proofs
+
+
+def changed_proof(chance, lines):
+    """The lines of a proof with one change."""
+    lines = list(lines)
+    i = chance.randrange(len(lines))
+    words = lines[i].split()
+    j = chance.randrange(len(words))
+    match chance.randrange(8):
+        case 0:
+            del lines[i]
+        case 1:
+            lines.insert(i, chance.choice(lines))
+        case 2:
+            del words[j]
+        case 3:
+            words.insert(j, chance.choice(chance.choice(lines).split()))
+        case 4:
+            words[j] = str(chance.randint(-50, 500))
+        case 5:
+            words[j] = words[j][1:] if words[j][0] == "-" else f"-{words[j]}"
+        case 6:
+            k = chance.randrange(len(words))
+            words[j], words[k] = words[k], words[j]
+        case 7:
+            words = chance.choice(lines).split()
+    if i < len(lines):
+        lines[i] = " ".join(words)
+    return lines
+
+
+def accepted_proofs(checkers, formula, proof, tries, seed):
+    """The changed proofs that are accepted for the formula."""
+    lrat = checkers("lrat")
+    chance = random.Random(seed)
+    for _ in range(tries):
+        changed = proof
+        for _ in range(chance.randint(1, 3)):
+            changed = changed_proof(chance, changed)
+        try:
+            lrat.check(*formula, changed)
+        except lrat.Refused:
+            continue
+        yield changed
+
+
+@pytest.mark.parametrize("name", ["no-twins-directional/m1", "smallest-pairs/maps-m1"])
+def test_each_line_of_a_changed_proof_that_is_accepted_follows_from_the_formula(
+    checkers, proofs, name
+):
+    solver = pytest.importorskip("pysat.solvers", reason="python-sat is not installed").Solver
+    formula = checkers("lrat").read_formula(text_of(proofs / f"{name}.cnf.xz"))
+    proof = text_of(proofs / f"{name}.lrat.xz").splitlines()
+    accepted = list(accepted_proofs(checkers, formula, proof, 400, SEED))
+    assert 0 < len(accepted) < 200
+    with solver("g4", bootstrap_with=formula[1]) as solving:
+        for lines in accepted:
+            for line in lines:
+                number, *words = line.split()
+                if words[0] != "d":
+                    clause = [int(word) for word in words[: words.index("0")]]
+                    assert not solving.solve(assumptions=[-literal for literal in clause]), number
+
+
+@pytest.mark.parametrize("tries", [150, pytest.param(3000, marks=pytest.mark.slow)])
+def test_no_proof_however_changed_refutes_a_formula_that_has_a_model(checkers, proofs, tries):
+    world = checkers("world_clauses")
+    asked = world.Asked("position", "maps")
+    size = world.size_of(asked, 2)  # there the two loops in the plane and on the torus look alike
+    clauses = checkers("twin_clauses").twin_clauses(asked, (size, size))
+    satisfiable = clauses.variables, [sorted(clause) for clause in clauses.sentences]
+    lrat = checkers("lrat")
+    borrowed = []
+    for name in ("no-twins-directional/m2", "smallest-pairs/simple-m2", "smallest-pairs/maps-m1"):
+        formula = lrat.read_formula(text_of(proofs / f"{name}.cnf.xz"))
+        by = len(satisfiable[1]) - len(formula[1])
+        proof = text_of(proofs / f"{name}.lrat.xz")
+        borrowed += [proof.splitlines(), list(shifted(proof, len(formula[1]), by))]
+    for number, proof in enumerate(borrowed):
+        assert list(accepted_proofs(checkers, satisfiable, proof, tries, number)) == []
+
+
+@pytest.mark.parametrize("word", ["-0", "00", "+0", "0_0", "\u0660", "0."])
+def test_a_proof_or_formula_with_a_number_that_is_none_is_refused(checkers, word):
+    lrat = checkers("lrat")
+    with pytest.raises(lrat.Refused, match="line 1"):
+        lrat.check(1, [[1], [-1]], [f"3 0 1 2 {word}"])
+    with pytest.raises(lrat.Refused, match="line 2"):
+        lrat.read_formula(f"p cnf 1 1\n1 {word}\n")
+    assert lrat.check(1, [[1], [-1]], ["3 0 1 2 0"]) == 1
+
+
+# ---------------------------------------------------------------- pairs
+
+
+PAIRS = ["fig1/pairs.json", "smallest-pairs/pairs.json", "natural-lighthouse/pair.json"]
+OTHERS = [-1, -8, 1, 2, 3, 8, 10**30, True, None, 0.0, "0", "xyz", [], {}, [0], [[0]]]
+
+
+def places(value, path=()):
+    """The path to every part of a document."""
+    yield path
+    items = value.items() if isinstance(value, dict) else enumerate(value)
+    for key, part in items if not isinstance(value, str) else ():
+        if isinstance(part, dict | list):
+            yield from places(part, (*path, key))
+        else:
+            yield (*path, key)
+
+
+def part_at(document, path):
+    for key in path:
+        document = document[key]
+    return document
+
+
+def changed_at(document, path, value):
+    document = json.loads(json.dumps(document))
+    if not path:
+        return value
+    part_at(document, path[:-1])[path[-1]] = value
+    return document
+
+
+def is_harmless(document, path, value):
+    """Another start that looks the same, or another dart for the same mark of v0."""
+    if path[-1:] not in {("start",), ("dart",)} or type(value) is not int or value < 0:
+        return False
+    at = path.index("pair")
+    world, classes = (
+        part_at(document, (*path[:at], name, path[at + 1])) for name in ("pair", "bisimulation")
+    )
+    around = [world["start"]]
+    while world["sigma"][around[-1]] != around[0]:
+        around.append(world["sigma"][around[-1]])
+    return value in around and (path[-1] == "dart" or classes[value] == classes[world["start"]])
+
+
+def accepted_changes(checkers, checker_of, proofs, name, tries):
+    """Changes of one part that are accepted; all, or so many, chosen by the seed."""
+    require_pairs = checker_of(name.split("/")[0]).require_pairs
+    document = json.loads((proofs / name).read_text())
+    changes = [(path, value) for path in places(document) for value in OTHERS]
+    if tries is not None and tries < len(changes):
+        changes = random.Random(f"{SEED} {name}").sample(changes, tries)
+    require_pairs(document)
+    for path, value in changes:
+        old = part_at(document, path)
+        if type(old) is type(value) and old == value:
+            continue
+        try:
+            require_pairs(changed_at(document, path, value))
+        except checkers("lrat").Refused:
+            continue
+        yield document, path, value
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_no_change_of_one_part_of_a_pair_is_accepted_but_a_harmless_one(
+    checkers, checker_of, proofs, name
+):
+    tries = None if name.startswith("natural") else 400
+    for document, path, value in accepted_changes(checkers, checker_of, proofs, name, tries):
+        assert is_harmless(document, path, value), (path, value)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PAIRS)
+def test_no_change_of_one_part_of_a_pair_is_accepted_in_the_long_run(
+    checkers, checker_of, proofs, name
+):
+    for document, path, value in accepted_changes(checkers, checker_of, proofs, name, None):
+        assert is_harmless(document, path, value), (path, value)
+
+
+def natural(proofs_):
+    return json.loads((proofs_ / "natural-lighthouse" / "pair.json").read_text())
+
+
+def relabelled(document):
+    """World 2 is world 1 with other names of the darts."""
+    world = document["pair"][0]
+    size = len(world["sigma"])
+    names = [(d + 3) % size for d in range(size)]
+    back = [names.index(d) for d in range(size)]
+    document["pair"][1] = {
+        **{p: [names[world[p][back[d]]] for d in range(size)] for p in ("sigma", "alpha")},
+        "start": names[world["start"]],
+        "lighthouse": {"kind": "natural", "dart": names[world["lighthouse"]["dart"]]},
+    }
+    document["bisimulation"][1] = [document["bisimulation"][0][back[d]] for d in range(size)]
+
+
+def set_in(index, key, value):
+    return lambda document: document["pair"][index].update({key: value})
+
+
+@pytest.mark.parametrize(
+    ("damage", "message"),
+    [
+        (relabelled, "the two worlds are the same"),
+        (lambda d: d.update(bisimulation=[[0] * 8] * 2), "does not behave as its class"),
+        (lambda d: d["pair"][0]["alpha"].__setitem__(0, 0), "permutation"),
+        (lambda d: d["pair"][0]["sigma"].__setitem__(0, 0), "permutation"),
+        (lambda d: d["bisimulation"][1].pop(), "not one class for each dart"),
+        (set_in(1, "start", 3), "is not at the start's vertex"),
+        (set_in(0, "start", -8), "start is -8, but the darts are 0 to 7"),
+        (set_in(0, "start", 8), "start is 8, but the darts are 0 to 7"),
+        (set_in(0, "start", "0"), "start is '0', but the darts"),
+        (set_in(0, "start", value=True), "start is True, but the darts"),
+        (set_in(0, "more", 1), "with the names alpha, lighthouse, sigma, start alone"),
+        (set_in(0, "sigma", "10345672"), "sigma: not a list of integers"),
+        (set_in(0, "lighthouse", {"kind": "xyz", "dart": 0}), "is 'xyz', not 'natural'"),
+        (set_in(0, "lighthouse", {"kind": "none", "dart": 0}), "is 'none', not 'natural'"),
+        (set_in(0, "lighthouse", {"kind": "natural"}), "with the names dart, kind alone"),
+        (lambda d: d["pair"].append(d["pair"][0]), "not two worlds"),
+        (lambda d: d["pair"].reverse(), "does not behave|plane and one on the torus"),
+        (lambda d: d.clear(), "with the names bisimulation, pair alone"),
+    ],
+)
+def test_a_damaged_pair_is_refused_by_what_is_amiss(checkers, checker_of, proofs, damage, message):
+    document = natural(proofs)
+    damage(document)
+    with pytest.raises(checkers("lrat").Refused, match=message):
+        checker_of("natural-lighthouse").require_pairs(document)
+
+
+def test_the_pair_of_another_claim_is_refused(checkers, checker_of, proofs):
+    refused = checkers("lrat").Refused
+    pairs = {name: json.loads((proofs / name).read_text()) for name in PAIRS[:2]}
+    figure, smallest = pairs.values()
+    for wrong in (
+        {**smallest, "simple": smallest["maps"]},
+        {**smallest, "planar-simple": smallest["simple"]},
+        {**smallest, "maps": figure["wheel"]},
+    ):
+        with pytest.raises(refused):
+            checker_of("smallest-pairs").require_pairs(wrong)
+    for wrong in (
+        {**figure, "wheel": figure["planar-simple"]},
+        {**figure, "planar-simple": figure["wheel"]},
+        {**figure, "wheel": {part: figure["wheel"][part][::-1] for part in figure["wheel"]}},
+    ):
+        with pytest.raises(refused):
+            checker_of("fig1").require_pairs(wrong)
+
+
+# ---------------------------------------------------------------- conditions on cycles
+
+
+FILES = ["1-start.smt2", "2-sigma.smt2", "3-alpha.smt2", "4-percepts.smt2"]
+SIZES = "(assert (and (<= 3 n1) (<= 3 n2)))"
+ALPHA = "(ite (= a 0) (ite (= x (- n 1)) 0 (+ x 1)) (ite (= x 0) (- n 1) (- x 1)))"
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("2-sigma.smt2", "(and (in-cycle n1 i (sigma-side s))", "(or (in-cycle n1 i s)"),
+        ("3-alpha.smt2", SIZES, f"{SIZES} (assert (< n1 0))"),
+        ("2-sigma.smt2", SIZES, "(assert (and (<= 3 n1) (= n1 n2)))"),
+        ("4-percepts.smt2", SIZES, "(assert (and (<= 3 n1) (<= 3 n2) (<= n1 5) (<= n2 5)))"),
+        ("2-sigma.smt2", "Bool (= a b)", "Bool (and (= a b) (not (= a b)))"),
+        ("3-alpha.smt2", "(and (<= 0 x) (< x n) (or", "(and (<= 0 x) (< x 0) (or"),
+        ("4-percepts.smt2", "(check-sat)", ""),
+        ("4-percepts.smt2", "(check-sat)", "(assert false) (check-sat)"),
+        ("1-start.smt2", "(check-sat)", "(check-sat) (exit)"),
+        ("3-alpha.smt2", ALPHA, f"(ite (< 5 n) x {ALPHA})"),
+        ("4-percepts.smt2", "(ite (= a 0) 0 1)", "0"),
+        ("4-percepts.smt2", "(= degree degree)", "(= 2 degree)"),
+        ("1-start.smt2", "(check-sat)", "(check-sat"),
+        ("1-start.smt2", "(check-sat)", "(check-sat))"),
+        ("1-start.smt2", "(check-sat)", "(check-sat) sat"),
+    ],
+)
+def test_a_file_that_says_anything_else_of_cycles_is_refused(
+    checkers, checker_of, proofs, file, old, new
+):
+    text = (proofs / "cycles" / file).read_text()
+    assert old in text
+    with pytest.raises(checkers("lrat").Refused):
+        checker_of("cycles")._require_condition(file, text.replace(old, new, 1))
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_no_word_of_a_file_on_cycles_can_be_left_out_doubled_or_replaced(
+    checkers, checker_of, proofs, file
+):
+    require = checker_of("cycles")._require_condition
+    text = re.sub(r";.*", "", (proofs / "cycles" / file).read_text())
+    words = re.findall(r"[()]|[^\s()]+", text)
+    changes = 0
+    for i, word in enumerate(words):
+        for new in ([], [word, word], ["0" if word != "0" else "1"]):
+            with pytest.raises(checkers("lrat").Refused):
+                require(file, " ".join([*words[:i], *new, *words[i + 1 :]]))
+            changes += 1
+    assert changes > 600
+
+
+def test_a_file_on_cycles_is_none_in_the_place_of_another(checkers, checker_of, proofs):
+    module = checker_of("cycles")
+    for file in FILES:
+        text = (proofs / "cycles" / file).read_text()
+        for other in set(FILES) - {file}:
+            with pytest.raises(checkers("lrat").Refused, match=f"^{other}: command "):
+                module._require_condition(other, text)
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "message"),
+    [
+        ("2-sigma.smt2", "Int (- 1 a)", "Int a", "is not the cycle"),
+        ("3-alpha.smt2", "(+ x 1)", "(+ x 2)", "is not the cycle"),
+        ("4-percepts.smt2", "(ite (= a 0) 0 1)", "(ite (= a 0) 1 0)", "is not the cycle"),
+        ("4-percepts.smt2", "degree () Int 2", "degree () Int 3", "is not the cycle"),
+        ("1-start.smt2", "(= t 0)", "(= t 1)", "the condition fails at"),
+        ("2-sigma.smt2", "(= a b)", "(<= a b)", "the condition fails at"),
+        (
+            "3-alpha.smt2",
+            "(= i (alpha-vertex n1",
+            "(= j (alpha-vertex n1",
+            "the condition fails at",
+        ),
+    ],
+)
+def test_were_a_condition_wrong_in_the_checker_too_it_would_be_noticed(
+    checkers, checker_of, monkeypatch, file, old, new, message
+):
+    module = checker_of("cycles")
+    damaged = {
+        name: tuple(part.replace(old, new) for part in parts)
+        for name, parts in module.CONDITIONS.items()
+    }
+    monkeypatch.setattr(module, "CONDITIONS", damaged)
+    monkeypatch.setattr(module, "DEFINED", module.DEFINED.replace(old, new))
+    text = " ".join(map(module._text, module.script(file)))
+    with pytest.raises(checkers("lrat").Refused, match=message):
+        module._require_condition(file, text)
+
+
+def test_the_points_of_small_cycles_decide_the_conditions_for_all(checkers, checker_of):
+    """README.md's argument, tried: any point behaves as the small one that it is moved to."""
+    module, smtlib = checker_of("cycles"), checkers("smtlib")
+    chance = random.Random(SEED)
+    for file in FILES:
+        script = module.script(file)
+        defined, asserted = smtlib.definitions(script), smtlib.assertions(script)
+        for _ in range(150):
+            point, small = {}, {}
+            for n, i in (("n1", "i"), ("n2", "j")):
+                point[n] = chance.choice([chance.randint(3, 9), chance.randint(3, 10**9)])
+                near = chance.choice([0, 1, 2, 3, point[n] - 1, point[n] - 2, point[n] - 3])
+                point[i] = chance.choice([near, chance.randrange(point[n])]) % point[n]
+                small[i] = min(point[i], 4)
+                small[n] = small[i] + min(point[n] - point[i], 4)
+                assert 3 <= small[n] <= module.DECIDING
+            sides = {"s": chance.randint(0, 1), "t": chance.randint(0, 1)}
+            told = [
+                [defined.value(term, {**where, **sides}) for term in asserted]
+                for where in (point, small)
+            ]
+            assert told[0] == told[1]

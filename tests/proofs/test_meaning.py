@@ -1,0 +1,305 @@
+"""No clause of the checkers' encoder excludes two worlds that it should not exclude.
+
+Every variable gets the value that its meaning has in two given worlds, from the definitions, and
+every clause is evaluated.  For two different worlds of the class, of which the first has the
+smaller code, all clauses must then be true except some of 'related darts sense the same'; and
+these are all true exactly if the worlds look alike.  So if two worlds look alike, the formula
+has a model: what the proofs rest on.
+"""
+
+import random
+from itertools import product
+
+import pytest
+
+LIGHTHOUSES = ["none", "position", "directional", "compass"]
+CLASSES = ["maps", "simple", "planar", "planar-simple"]
+ALIKE = "related darts sense the same"
+
+
+def ordered(permutation, orbit):
+    """For each dart the number of its cycle, cycles numbered by their least darts."""
+    least = [min(orbit(permutation, d)) for d in range(len(permutation))]
+    return [sorted(set(least)).index(d) for d in least]
+
+
+def code_of(world):
+    """sigma(0), alpha(0), sigma(1), ..., and then whether a dart is a reference dart."""
+    steps = [y for both in zip(world.sigma, world.alpha, strict=True) for y in both]
+    points = world.lighthouse in {"directional", "compass"}
+    return steps, [d in world.darts for d in range(len(world.sigma))] if points else []
+
+
+def one_world(world, orbit):
+    """Where each variable about one world is true, by its name."""
+    sigma, alpha, darts = world.sigma, world.alpha, range(len(world.sigma))
+    vertex, face = ordered(sigma, orbit), ordered([sigma[e] for e in alpha], orbit)
+    first = [vertex.index(vertex[d]) for d in darts]
+    asked, pointed = code_of(world)
+    given = [max([1, *(y + 1 for y in asked[:t])]) for t in range(len(asked) + 1)]
+    return {
+        "sigma": list(enumerate(sigma)),
+        "alpha": list(enumerate(alpha)),
+        "given": [(t, j) for t, most in enumerate(given) for j in range(most + 1)],
+        "vertex": list(enumerate(vertex)),
+        "used": [(x, v) for x in darts for v in range(max(vertex[: x + 1]) + 1)],
+        "first": [(d,) for d in darts if first[d] == d],
+        "degree": [(d, len(orbit(sigma, d))) for d in darts],
+        "place": [(d, orbit(sigma, first[d]).index(d)) for d in darts],
+        "target": [(d, vertex[alpha[d]]) for d in darts],
+        "face": list(enumerate(face)),
+        "ahead": [(d, face[alpha[d]]) for d in darts],
+        "met": [(x, f) for x in darts for f in range(max(face[: x + 1]) + 1)],
+        "pointed": [(d,) for d in darts if any(pointed[d : d + 1])],
+        "pointed_at": [(vertex[d], d) for d in world.darts],
+    }
+
+
+def two_worlds(one, two, orbit, walk):
+    related = [(0, 0)]
+    for x, y in related:
+        steps = ((one.sigma[x], two.sigma[y]), (one.alpha[x], two.alpha[y]))
+        related += [pair for pair in dict.fromkeys(steps) if pair not in related]
+    (mine, my_marks), (theirs, their_marks) = code_of(one), code_of(two)
+    mine, theirs = [*mine, *my_marks], [*theirs, *their_marks]
+    degree = [len(orbit(one.sigma, d)) for d in range(len(one.sigma))]
+    at = [0]
+    back = [one.sigma.index(d) for d in range(len(one.sigma))]
+    for motion, _, _ in walk:
+        turns = [one.sigma if motion > 0 else back] * abs(motion)
+        for step in [*turns, one.alpha]:
+            at.append(step[at[-1]])
+    return {
+        "related": related,
+        "sigma_related": [(x, two.sigma[y]) for x, y in related],
+        "alpha_related": [(x, two.alpha[y]) for x, y in related],
+        "equal": [(t,) for t in range(len(mine) + 1) if mine[:t] == theirs[:t]],
+        "beyond": [(d, degree[e]) for d, e in enumerate(one.alpha)],
+        "at": list(enumerate(at)),
+    }
+
+
+def other_start(one, two, start):
+    """F takes 0 to the start, and a dart that the first world meets to what is met there."""
+    carried = {0: start}
+    steps = ((one.sigma, two.sigma), (one.alpha, two.alpha))
+    for x in range(len(one.sigma)):
+        for mine, theirs in steps:
+            carried.setdefault(mine[x], theirs[carried[x]])
+    my_marks, their_marks = code_of(one)[1], code_of(two)[1]
+    breaks = [(2, x) for x, y in carried.items() if my_marks and my_marks[x] != their_marks[y]]
+    facts = {f"carried{start}": list(carried.items()), f"breaks{start}": breaks}
+    for place, (mine, theirs) in enumerate(steps):
+        facts[f"image{place}_{start}"] = [(x, theirs[y]) for x, y in carried.items()]
+        breaks += [(place, x) for x, y in carried.items() if carried[mine[x]] != theirs[y]]
+    return facts
+
+
+def false_clauses(clauses, facts):
+    """The clauses that are false where the variables have these values."""
+    true = [False] * (2 * clauses.variables + 1)
+    for name, table in clauses.tables.items():
+        flat = [v for entry in table for v in (entry if isinstance(entry, list) else [entry])]
+        for variable in flat:
+            true[-variable] = True
+        for index in facts[name]:
+            cells = table
+            for i in index:
+                cells = cells[i] if i < len(cells) else None
+                if cells is None:
+                    break
+            else:
+                true[cells], true[-cells] = True, False
+    return [c for c in clauses.sentences if not any(map(true.__getitem__, c))]
+
+
+@pytest.fixture
+def meant(checkers):
+    """A function that names what is wrong with a formula for two worlds; '' if nothing is."""
+    maps = checkers("maps")
+
+    def wrong(clauses, one, two, walk=(), starts=()):
+        facts = two_worlds(one, two, maps.orbit, walk)
+        for name, world in (("1", one), ("2", two)):
+            facts |= {f"{k}{name}": v for k, v in one_world(world, maps.orbit).items()}
+        for start in starts:
+            facts |= other_start(one, two, start)
+        false = false_clauses(clauses, facts)
+        for clause in false:
+            if clauses.sentences[clause] != ALIKE:
+                return clauses.in_words(clause)
+        alike = maps.quotient_code(one) == maps.quotient_code(two)
+        return "" if alike == (not false) else f"alike: {alike}"
+
+    return wrong
+
+
+def all_worlds(checkers, lighthouse, map_class, edges):
+    """Every world of the class in canonical numbers, started where a formula lets it start."""
+    maps = checkers("maps")
+    for map_ in maps.rooted_maps(edges, simple="simple" in map_class):
+        if "planar" in map_class and not maps.is_planar(map_):
+            continue
+        sigma, alpha = maps.code(*map_, 0)
+        vertices = {min(maps.orbit(sigma, d)): maps.orbit(sigma, d) for d in range(2 * edges)}
+        if lighthouse == "compass":
+            places = product([0], *(around for v, around in vertices.items() if v != 0))
+        else:
+            places = [(0,)]
+        for darts in places:
+            yield maps.World(sigma, alpha, 0, lighthouse, darts)
+
+
+def starts_best(world, orbit):
+    beyond = [len(orbit(world.sigma, world.alpha[d])) for d in orbit(world.sigma, 0)]
+    return beyond[0] == max(beyond)
+
+
+def pairs_of(checkers, lighthouse, map_class, edges, *, sample=None):
+    """Different worlds, the one with the smaller code first; the first starts as it should.
+
+    All of them, or so many, a fixed random choice.
+    """
+    maps = checkers("maps")
+    ones, twos = (list(all_worlds(checkers, lighthouse, map_class, m)) for m in edges)
+    if sample is None:
+        candidates = product(ones, twos)
+    else:
+        chance = random.Random(0)
+        candidates = ((chance.choice(ones), chance.choice(twos)) for _ in range(40 * sample))
+    found = 0
+    for one, two in candidates:
+        best = lighthouse != "position" or starts_best(one, maps.orbit)
+        first = edges[0] < edges[1] or code_of(one) < code_of(two)
+        if found != sample and best and first and maps.world_code(one) != maps.world_code(two):
+            found += 1
+            yield one, two
+
+
+def formula(checkers, lighthouse, map_class, edges, starts=(), walk=()):
+    module = checkers("world_clauses")
+    asked = module.Asked(lighthouse, map_class, walk=walk)
+    sizes = tuple(module.size_of(asked, m) for m in edges)
+    return None if None in sizes else checkers("twin_clauses").twin_clauses(asked, sizes, starts)
+
+
+def require_meaning(checkers, meant, lighthouse, map_class, edges, *, sample=None):
+    """The number of pairs that were tried: all, or so many."""
+    starts = range(1, 2 * edges[1]) if edges[0] == edges[1] else []
+    clauses = formula(checkers, lighthouse, map_class, edges, starts)
+    tried = 0
+    if clauses is not None:
+        for one, two in pairs_of(checkers, lighthouse, map_class, edges, sample=sample):
+            assert meant(clauses, one, two, starts=starts) == "", (one, two)
+            tried += 1
+    return tried
+
+
+@pytest.mark.parametrize("lighthouse", LIGHTHOUSES)
+@pytest.mark.parametrize("map_class", CLASSES)
+def test_no_two_worlds_with_one_or_two_edges_are_excluded_unless_a_motion_tells_them_apart(
+    checkers, meant, lighthouse, map_class
+):
+    sizes = [(1, 1), (2, 2)] + ([(1, 2)] if lighthouse in {"none", "compass"} else [])
+    tried = [require_meaning(checkers, meant, lighthouse, map_class, s) for s in sizes]
+    assert sum(tried) >= 33 or "simple" in map_class
+
+
+SAMPLED = [
+    *(("directional", "maps", m) for m in (3, 4)),
+    *(("position", "simple", m) for m in (3, 4, 5)),
+    *(("position", "planar-simple", m) for m in (4, 5, 6)),
+    ("compass", "planar", 3),
+    ("none", "maps", 3),
+]
+
+
+@pytest.mark.parametrize(("lighthouse", "map_class", "edges"), SAMPLED)
+def test_nor_any_of_a_sample_of_larger_ones(checkers, meant, lighthouse, map_class, edges):
+    assert require_meaning(checkers, meant, lighthouse, map_class, (edges, edges), sample=8) == 8
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("lighthouse", LIGHTHOUSES)
+@pytest.mark.parametrize("map_class", CLASSES)
+def test_nor_any_two_with_three_edges(checkers, meant, lighthouse, map_class):
+    sample = 1000 if lighthouse == "compass" else None
+    assert require_meaning(checkers, meant, lighthouse, map_class, (3, 3), sample=sample) >= 3
+
+
+def test_the_pairs_that_look_alike_are_models(checkers, meant, proofs):
+    documents, maps = checkers("documents"), checkers("maps")
+    pairs = documents.read_json(proofs / "smallest-pairs" / "pairs.json")
+    for map_class, entry in pairs.items():
+        worlds, _ = documents.pair_of(entry, "position")
+        turned = [
+            maps.World(*maps.code(*w.map, d), 0, "position", (0,))
+            for w in worlds
+            for d in maps.orbit(w.sigma, w.start)
+        ]
+        edges = len(worlds[0].sigma) // 2
+        clauses = formula(checkers, "position", map_class, (edges, edges))
+        models = [
+            (one, two)
+            for one, two in product(turned, repeat=2)
+            if starts_best(one, maps.orbit)
+            and code_of(one) < code_of(two)
+            and maps.world_code(one) != maps.world_code(two)
+            and maps.quotient_code(one) == maps.quotient_code(two)
+        ]
+        assert models
+        for one, two in models:
+            assert meant(clauses, one, two) == ""
+
+
+def test_a_walk_is_met_by_the_worlds_that_sense_what_it_says(checkers, meant):
+    maps = checkers("maps")
+    motions = (1, -2, 0)
+    tried = 0
+    for one, two in pairs_of(checkers, "position", "maps", (2, 2)):
+        sensed = maps.replay(one, 0, motions)
+        walk = tuple((k, *percept) for k, percept in zip(motions, sensed, strict=True))
+        clauses = formula(checkers, "position", "maps", (2, 2), walk=walk)
+        assert meant(clauses, one, two, walk) == ""
+        wrong = (*walk[:-1], (walk[-1][0], walk[-1][1] % 4 + 1, walk[-1][2]))
+        clauses = formula(checkers, "position", "maps", (2, 2), walk=wrong)
+        assert "the walk begins at the start" in meant(clauses, one, two, wrong)
+        tried += 1
+    assert tried > 10
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ([("alpha1", 0, 1)], []),  # the root is no loop with its neighbour
+        ([], [("vertex2", 3, 0)]),  # the last dart is at v0
+        ([("related", 1, 2)], []),  # darts of other numbers are not related
+        ([("related", 1, 1)], [("sigma1", 0, 1)]),
+        ([("vertex1", 2, 1), ("vertex2", 2, 1)], []),
+        # one rooted map of ten is not world 1
+        ([("sigma1", 0, 1), ("alpha1", 0, 2), ("sigma1", 2, 3), ("sigma1", 3, 2)], []),
+    ],
+)
+def test_a_clause_that_says_too_much_is_noticed(checkers, meant, left, right):
+    clauses = formula(checkers, "position", "maps", (2, 2))
+
+    def variables(names):
+        return [clauses.tables[name][x][y] for name, x, y in names]
+
+    clauses.say("too much")
+    clauses.implies(variables(left), variables(right))
+    found = [meant(clauses, *p) for p in pairs_of(checkers, "position", "maps", (2, 2))]
+    assert any("too much" in wrong for wrong in found)
+
+
+def test_a_sensing_clause_that_says_too_little_or_too_much_is_noticed(checkers, meant):
+    pairs = list(pairs_of(checkers, "position", "maps", (2, 2)))
+    for damage in ("lost", "too much"):
+        clauses = formula(checkers, "position", "maps", (2, 2))
+        if damage == "lost":
+            for clause in [c for c, said in clauses.sentences.items() if said == ALIKE]:
+                del clauses.sentences[clause]
+        else:
+            clauses.say(ALIKE)
+            clauses.never(clauses.tables["related"][1][1])
+        assert any(meant(clauses, one, two) for one, two in pairs)
