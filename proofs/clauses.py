@@ -7,6 +7,7 @@ the right those on the left do not all hold.  In a DIMACS file the left ones sta
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from itertools import combinations
 
@@ -22,22 +23,27 @@ class Clauses:
     Attributes:
         variables: how many there are; they are numbered from 1.
         tables: the variables by name: rows, or tables of two dimensions.
+        headings: as a file's comments name them: ``1..4 sigma1[2][2]``.
         sentences: each clause, as the set of its literals, with its sentence.
     """
 
     def __init__(self) -> None:
         self.variables = 0
         self.tables: dict[str, Row | Table] = {}
+        self.headings: set[str] = set()
         self.sentences: dict[frozenset[int], str] = {}
         self._sentence = ""
 
     def row(self, name: str, size: int) -> Row:
         """New variables ``name[0], name[1], ...``."""
+        self.headings.add(f"{self.variables + 1}..{self.variables + size} {name}[{size}]")
         self.tables[name] = row = self._new(size)
         return row
 
     def table(self, name: str, rows: int, columns: int) -> Table:
         """New variables ``name[i][j]``, row by row."""
+        last = self.variables + rows * columns
+        self.headings.add(f"{self.variables + 1}..{last} {name}[{rows}][{columns}]")
         self.tables[name] = table = [self._new(columns) for _ in range(rows)]
         return table
 
@@ -92,6 +98,19 @@ class Clauses:
                 if isinstance(entry, list) and variable in entry:
                     return f"{name}[{i}][{entry.index(variable)}]"
         raise KeyError(variable)
+
+
+def require_comments(wanted: Clauses, text: str) -> None:
+    """Nothing, if the comments of a DIMACS text that name variables name the right ones.
+
+    They are for readers; a formula without them says the same.
+
+    Raises:
+        Refused: naming the comment.
+    """
+    for line in re.findall(r"^c variables .*", text, re.MULTILINE):
+        if line.removeprefix("c variables ").partition(": ")[0] not in wanted.headings:
+            raise Refused(f"there are no such variables: {line}")
 
 
 def require_same(wanted: Clauses, variables: int, clauses: Sequence[Sequence[int]]) -> None:

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import lrat
-from clauses import require_same
+from clauses import require_comments, require_same
 from lrat import Refused
 from twin_clauses import twin_clauses
 from world_clauses import Asked, Size
@@ -25,7 +25,9 @@ def refuted(formula: Path, proof: Path, asked: Asked, sizes: tuple[Size, Size]) 
     text = lrat.read(formula)
     try:
         variables, clauses = lrat.read_formula(text)
-        require_same(twin_clauses(asked, sizes, _other_starts(text, sizes)), variables, clauses)
+        wanted = twin_clauses(asked, sizes, _other_starts(text, sizes))
+        require_same(wanted, variables, clauses)
+        require_comments(wanted, text)
     except Refused as error:
         raise Refused(f"{formula.name}: {error}") from None
     try:

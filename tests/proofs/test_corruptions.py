@@ -202,6 +202,37 @@ def test_the_formula_of_another_question_is_refused(copied, refuted, checkers, n
 
 
 @pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (" 1..16 sigma1[4][4]: ", " 17..32 sigma1[4][4]: ", "no such variables: c variables"),
+        (" 1..16 sigma1[4][4]: ", " 1..16 sigma1[16]: ", "no such variables: c variables"),
+        (" sigma1[4][4]: ", " alpha1[4][4]: ", "no such variables: c variables"),
+        (" sigma1[4][4]: ", " beta1[4][4]: ", "there are no such variables: c variables 1..16 be"),
+        (" sigma1[4][4]: ", " sigma1: ", "there are no such variables: c variables 1..16 sigma1:"),
+    ],
+)
+def test_comments_that_name_variables_wrongly_are_refused(
+    copied, refuted, checkers, old, new, message
+):
+    name = "no-twins-directional/m2"
+    folder = copied(name)
+    path = folder / f"{name}.cnf.xz"
+    text = text_of(path)
+    assert old in text
+    write(path, text.replace(old, new))
+    with pytest.raises(checkers("lrat").Refused, match=re.escape(message)):
+        refuted(name, folder)
+
+
+def test_a_formula_without_comments_says_the_same(copied, refuted):
+    name = "no-twins-directional/m2"
+    folder = copied(name)
+    path = folder / f"{name}.cnf.xz"
+    write(path, joined([], *parts(text_of(path))[1:]))
+    assert refuted(name, folder) == refuted(name)
+
+
+@pytest.mark.parametrize(
     ("line", "message"),
     [
         ("c variables 1..4 carried8[2][2]: F", "the darts are 0 to 3"),
@@ -289,8 +320,9 @@ def test_no_changed_formula_is_accepted(checkers, proofs, refuted, name):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORMULAS)
 def test_no_changed_formula_is_accepted_in_the_long_run(checkers, proofs, refuted, name):
-    differ, refused = refused_formulas(checkers, proofs, refuted, name, 150)
-    assert differ == refused > 75
+    tries = 200 if name in QUICK else 20
+    differ, refused = refused_formulas(checkers, proofs, refuted, name, tries)
+    assert differ == refused > tries // 2
 
 
 # ---------------------------------------------------------------- LRAT proofs
