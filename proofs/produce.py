@@ -1,10 +1,9 @@
 """Writes the formulas, proofs and pairs of the claims.  The producer: the checkers use none of it.
 
-    python proofs/produce.py CLAIM... [--solver PATH]
-    python proofs/produce.py no-twins-directional --edges 7 --to DIR [--solver PATH]
+    python proofs/produce.py [CLAIM...] [--solver PATH]
 
-Needs the package with its extra ``proofs``, or a CaDiCaL 2 or later.  The second form goes
-further than what is committed: it writes to DIR, and ``lrat.py`` checks each level there.
+and the manifest of all claims.  Needs the package with its extra ``proofs``, or a CaDiCaL 2 or
+later.
 """
 
 from __future__ import annotations
@@ -13,8 +12,6 @@ import argparse
 import hashlib
 import json
 import lzma
-import subprocess
-import sys
 import tempfile
 from itertools import permutations, product
 from pathlib import Path
@@ -63,10 +60,10 @@ def write(path: Path, document: Any) -> None:
     path.write_text(text + "\n", encoding="ascii")
 
 
-def no_twins_directional(solver: str | None, edges: int, folder: Path) -> None:
-    """None up to so many edges."""
-    bounds = {"vertices": edges + 1, "edges": edges}
-    if searched(folder, "", solver, lighthouse="directional", **bounds):
+def no_twins_directional(solver: str | None) -> None:
+    """None up to five edges."""
+    folder = HERE / "no-twins-directional"
+    if searched(folder, "", solver, lighthouse="directional", vertices=6, edges=5):
         raise SystemExit("a pair with a directional lighthouse")
 
 
@@ -123,31 +120,25 @@ def write_manifest() -> None:
     write(HERE / "manifest.json", digests)
 
 
+PRODUCERS = {
+    "fig1": fig1,
+    "natural-lighthouse": natural_lighthouse,
+    "no-twins-directional": no_twins_directional,
+    "smallest-pairs": smallest_pairs,
+}
+
+
 def main() -> None:
     """The claims that are named."""
     parser = argparse.ArgumentParser(description="Write formulas, proofs and pairs.")
-    parser.add_argument("claims", nargs="*", metavar="CLAIM")
-    parser.add_argument("--edges", type=int, default=5)
-    parser.add_argument("--to", type=Path)
+    parser.add_argument("claims", nargs="*", metavar="CLAIM", help=", ".join(PRODUCERS))
     parser.add_argument("--solver")
     options = parser.parse_args()
-    if options.to:
-        options.to.mkdir(parents=True, exist_ok=True)
-        no_twins_directional(options.solver, options.edges, options.to)
-        for edges in range(1, options.edges + 1):
-            files = [str(options.to / f"m{edges}.{kind}.xz") for kind in ("cnf", "lrat")]
-            subprocess.run([sys.executable, str(HERE / "lrat.py"), *files], check=True)
-        return
-    producers = {
-        "fig1": fig1,
-        "smallest-pairs": smallest_pairs,
-        "natural-lighthouse": natural_lighthouse,
-    }
     for claim in options.claims:
-        if claim == "no-twins-directional":
-            no_twins_directional(options.solver, 5, HERE / claim)
-        else:
-            producers[claim](options.solver)
+        if claim not in PRODUCERS:
+            parser.error(f"no claim {claim}; legal is {', '.join(PRODUCERS)}")
+    for claim in options.claims:
+        PRODUCERS[claim](options.solver)
     write_manifest()
 
 

@@ -64,7 +64,8 @@ def check(folder: Path, asked: Asked, vertices: int, edges: int) -> str:
         return _pair(folder / "pair.json", asked, vertices, edges)
     clauses = formulas = 0
     for sizes in levels(asked, vertices, edges):
-        files = (folder / f"{file_name(sizes)}.{kind}" for kind in ("cnf", "lrat"))
+        name = file_name(sizes)
+        files = folder / f"{name}.cnf", folder / f"{name}.lrat"
         clauses += refuted(*files, asked, sizes)
         formulas += 1
     if formulas == 0:

@@ -35,7 +35,7 @@ FUNCTIONS: dict[str, Callable[[list[Any]], Any]] = {
 }
 
 
-def commands(text: str) -> list[Term]:
+def commands(text: str) -> list[list[Any]]:
     """The commands of a script, without comments.
 
     Raises:
@@ -59,7 +59,7 @@ def commands(text: str) -> list[Term]:
     return stack[0]
 
 
-def assertions(script: Sequence[Term]) -> list[Term]:
+def assertions(script: Sequence[list[Any]]) -> list[Term]:
     """What the script asserts, in its order."""
     return [command[1] for command in script if command[0] == "assert"]
 
@@ -123,7 +123,7 @@ class Definitions:
         return self.sorts[name]
 
 
-def definitions(script: Sequence[Term]) -> Definitions:
+def definitions(script: Sequence[list[Any]]) -> Definitions:
     """What a script defines; what it only declares has no value."""
     found = Definitions()
     for command in script:

@@ -201,8 +201,8 @@ def _canonical_numbers(clauses: Clauses, world: WorldTables) -> None:
         clauses.implies([given[t][y + 1]], [given[t][y]])
         clauses.implies([given[t][y + 1]], [given[t + 1][y + 1]])
         clauses.implies([given[t + 1][y + 1]], [given[t][y + 1], answered])
-    for so_many in given[1:]:
-        clauses.always(so_many[0])
+    for row in given[1:]:
+        clauses.always(row[0])
     clauses.say("x has a number before sigma(x) is asked for: every dart is reached from the root")
     for x in range(darts):
         clauses.always(given[2 * x][x + 1])

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from itertools import product, zip_longest
 from pathlib import Path
+from typing import Any
 
 from lrat import Refused, read
 from maps import World, percepts, replay, require_bisimulation, require_map
@@ -114,7 +115,7 @@ def _shortest(a: World, b: World) -> int:
     return length
 
 
-def script(name: str) -> list[Term]:
+def script(name: str) -> list[list[Any]]:
     """The commands of a file: the hypothesis holds and what should follow does not."""
     hypothesis, conclusion = CONDITIONS[name]
     declared = "".join(f"(declare-const {number} Int)" for number in NUMBERS)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 from lrat import Refused, read
 from smtlib import Definitions, Term, assertions, commands, definitions
@@ -68,7 +69,7 @@ def _require_model(text: str, model_text: str) -> bool:
     return exists
 
 
-def _require_form(script: Sequence[Term], before: tuple[str, ...]) -> None:
+def _require_form(script: Sequence[list[Any]], before: tuple[str, ...]) -> None:
     """A logic, then symbols, then assertions, then one question, and nothing else."""
     heads = [command[0] for command in script]
     asserted = heads.count("assert")
@@ -86,7 +87,7 @@ def _words(term: Term) -> Iterator[str]:
             yield from _words(part)
 
 
-def _require_defined(command: Term, model: Sequence[Term], defined: Definitions) -> None:
+def _require_defined(command: list[Any], model: Sequence[list[Any]], defined: Definitions) -> None:
     """Nothing, if what the statement declares or defines is defined in the model, as it should."""
     match command:
         case ["declare-sort", sort, "0"]:

@@ -61,7 +61,7 @@ def _refute(folder: Path, name: str, edges: int) -> None:
     asked = Asked("position", name)
     size = size_of(asked, edges)
     assert size is not None
-    files = (folder / f"{name}-m{edges}.{kind}.xz" for kind in ("cnf", "lrat"))
+    files = folder / f"{name}-m{edges}.cnf.xz", folder / f"{name}-m{edges}.lrat.xz"
     refuted(*files, asked, (size, size))
 
 
