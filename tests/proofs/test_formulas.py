@@ -193,7 +193,7 @@ def test_two_encoders_that_share_no_code_write_the_same_formulas(
             ),
         )
         for level in asked.levels():
-            sizes = tuple(world.size_of(mine, s.edges, asked.max_vertices) for s in level)
+            sizes = tuple(world.size_of(mine, s.edges, asked.vertices) for s in level)
             assert [(s.edges, s.fewest, s.most) for s in sizes] == [
                 (s.edges, s.fewest, s.most) for s in level
             ]

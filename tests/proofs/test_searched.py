@@ -33,7 +33,7 @@ def refusal(checkers, *arguments):
 
 @needs_python_sat
 @pytest.mark.parametrize(
-    ("info", "map_class", "edges", "formulas"),
+    ("lighthouse", "map_class", "edges", "formulas"),
     [
         ("position", "maps", 1, 1),
         ("position", "simple", 4, 4),
@@ -46,25 +46,25 @@ def refusal(checkers, *arguments):
     ],
 )
 def test_formulas_and_proofs_of_a_search_are_those_of_its_question(
-    checkers, tmp_path, info, map_class, edges, formulas
+    checkers, tmp_path, lighthouse, map_class, edges, formulas
 ):
-    bounds = {"max_vertices": edges + 1, "max_edges": edges, "map_class": map_class}
-    result = allworlds.search(info=info, out=tmp_path, **bounds)
+    bounds = {"vertices": edges + 1, "edges": edges, "map_class": map_class}
+    result = allworlds.search(lighthouse=lighthouse, out=tmp_path, **bounds)
     assert result.certificate == tmp_path
-    question = asked(checkers, info, map_class)
+    question = asked(checkers, lighthouse, map_class)
     said = checkers("searched").check(tmp_path, question, edges + 1, edges)
     assert said.startswith(f"no pair: {formulas} formulas are those meant; LRAT, ")
     # Another question has other formulas, or none of that name.
-    other = asked(checkers, {"position": "directional"}.get(info, "position"), map_class)
+    other = asked(checkers, {"position": "directional"}.get(lighthouse, "position"), map_class)
     with pytest.raises((checkers("lrat").Refused, OSError)):
         checkers("searched").check(tmp_path, other, edges + 1, edges)
 
 
 @needs_python_sat
 def test_a_search_with_degrees_and_a_walk_is_read_back(checkers, tmp_path):
-    bounds = {"max_vertices": 5, "max_edges": 8, "map_class": "planar-simple"}
+    bounds = {"vertices": 5, "edges": 8, "map_class": "planar-simple"}
     degrees = {"degree_marked": 4, "degree_others": 3}
-    result = allworlds.search(info="position", out=tmp_path, **bounds, **degrees, **CAPTION)
+    result = allworlds.search(lighthouse="position", out=tmp_path, **bounds, **degrees, **CAPTION)
     assert (result.status, result.certificate) == ("unsat", tmp_path)
     caption = asked(checkers, "position", "planar-simple", marked=4, others=3, walk=WALK)
     assert "no pair: 1 formulas" in checkers("searched").check(tmp_path, caption, 5, 8)
@@ -85,7 +85,7 @@ READ_DIMACS = twin_search.read_dimacs
 def test_a_producer_that_reads_every_clause_as_empty_is_found_out(checkers, tmp_path, monkeypatch):
     """Its own checker would not notice: it is handed the same clauses."""
     monkeypatch.setattr(twin_search, "read_dimacs", wrong_dimacs)
-    result = allworlds.search(info="directional", max_vertices=3, max_edges=2, out=tmp_path)
+    result = allworlds.search(lighthouse="directional", vertices=3, edges=2, out=tmp_path)
     assert result.certificate == tmp_path
     said = refusal(checkers, tmp_path, asked(checkers, "directional"), 3, 2)
     assert said.startswith("m1n1to2.lrat: line 1: ")
@@ -102,7 +102,7 @@ def test_a_producer_that_reads_every_clause_as_empty_is_found_out(checkers, tmp_
     ],
 )
 def test_a_producer_that_writes_another_formula_is_found_out(checkers, tmp_path, damage, message):
-    allworlds.search(info="directional", max_vertices=3, max_edges=1, out=tmp_path)
+    allworlds.search(lighthouse="directional", vertices=3, edges=1, out=tmp_path)
     path = tmp_path / "m1n1to2.cnf"
     path.write_text("\n".join(damage(path.read_text().splitlines())) + "\n")
     said = refusal(checkers, tmp_path, asked(checkers, "directional"), 3, 1)
@@ -111,7 +111,7 @@ def test_a_producer_that_writes_another_formula_is_found_out(checkers, tmp_path,
 
 
 @pytest.mark.parametrize(
-    ("info", "map_class", "vertices", "edges", "size"),
+    ("lighthouse", "map_class", "vertices", "edges", "size"),
     [
         ("position", "maps", 3, 2, "m = 2, n = 1"),
         ("position", "simple", 4, 6, "m = 6, n = 4"),
@@ -119,11 +119,13 @@ def test_a_producer_that_writes_another_formula_is_found_out(checkers, tmp_path,
         ("compass", "simple", 4, 4, "m = 3, n = 3 and m = 4, n = 4"),
     ],
 )
-def test_a_pair_of_a_search_is_verified(checkers, tmp_path, info, map_class, vertices, edges, size):
-    bounds = {"max_vertices": vertices, "max_edges": edges, "map_class": map_class}
-    result = allworlds.search(info=info, out=tmp_path, **bounds)
+def test_a_pair_of_a_search_is_verified(
+    checkers, tmp_path, lighthouse, map_class, vertices, edges, size
+):
+    bounds = {"vertices": vertices, "edges": edges, "map_class": map_class}
+    result = allworlds.search(lighthouse=lighthouse, out=tmp_path, **bounds)
     assert result.status == "sat"
-    question = asked(checkers, info, map_class)
+    question = asked(checkers, lighthouse, map_class)
     said = checkers("searched").check(tmp_path, question, vertices, edges)
     assert said == f"two different worlds look alike: {size}"
     assert "larger than the bounds" in refusal(checkers, tmp_path, question, vertices, edges - 1)
@@ -160,7 +162,7 @@ def run(proofs, folder, *options):
 
 
 def test_the_program_needs_no_package_and_says_one_line(proofs, tmp_path):
-    allworlds.search(info="position", max_vertices=3, max_edges=2, out=tmp_path)
+    allworlds.search(lighthouse="position", vertices=3, edges=2, out=tmp_path)
     bounds = ("--lighthouse", "position", "--vertices", "3", "--edges", "2")
     code, out, err = run(proofs, tmp_path, *bounds)
     assert (code, out, err) == (0, "VERIFIED: two different worlds look alike: m = 2, n = 1\n", "")
