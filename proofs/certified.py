@@ -1,13 +1,14 @@
 """The explorers and the judge extracted from the Coq proofs, held against the Python ones.
 
-    python proofs/certified.py [--edges 5] [--judged-edges 4]
+    python proofs/certified.py [--edges 5] [--walked-edges 4] [--judged-edges 4]
 
 needs the programs that ``make -C proofs/coq explorer`` builds, and the package.  The certified
 explorers, one a lighthouse, are checked like anybody's, and the traversals of each must equal, row
-by row, those of the built-in Algorithm 1 under the same policy, in the Python engine and, where it
-has one, in the kernel.  The certified judge gets the answer of every mutant and of Algorithm 1 on
-every world, and must give the Python judge's verdict.  Exit code 1: they disagree; 2: a program
-is missing.
+by row, those of the built-in Algorithm 1, in the Python engine and, where it has one, in the
+kernel.  Under each policy, in every run, their transcripts and answers must be the built-in one's:
+motion by motion, percept by percept, dart by dart.  The certified judge gets the answer of every
+mutant and of Algorithm 1 on every world, and must give the Python judge's verdict.  Exit code 1:
+they disagree; 2: a program is missing.
 """
 
 from __future__ import annotations
@@ -29,10 +30,13 @@ from allworlds.explorers.algorithm1 import Algorithm1
 from allworlds.judge import Case, paper_bound
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
 from allworlds.protocol import Choices
-from allworlds.subjects import subject_of
+from allworlds.protocol.choices import policy_named
+from allworlds.subjects import load, subject_of
 
 HERE = Path(__file__).resolve().parent
 EXPLORER, JUDGE = HERE / "coq" / "explorer", HERE / "coq" / "judge"
+POLICIES = ("fifo", "lifo", "nearest")
+"""Those that the certified explorers know."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +90,36 @@ def explorers_agree(pair: Pair, edges: int, workers: int) -> bool:
         agree = agree and same
         print(f"  traversals equal the {engine} engine's in every row: {'yes' if same else 'NO'}")
     return agree
+
+
+def transcripts_agree(pair: Pair, policy: str, edges: int) -> bool:
+    """Whether the certified explorer walks as the built-in one in every run, and says the same."""
+    certified = load(f"exec:{EXPLORER} {policy} {pair.name}")
+    players = load(pair.built_in).player(), certified.player()
+    runs, apart = 0, []
+    with certified.running():
+        for world in worlds(
+            edges=edges + pair.more,
+            map_class=pair.map_class,
+            lighthouse=pair.lighthouse,
+            places="all",
+        ):
+            budget = 8 * paper_bound(world.map.vertex_count, world.map.edge_count) + 100
+            built_in, extracted = (
+                play(world, player, Choices(policy_named(policy)), budget) for player in players
+            )
+            runs += 1
+            # Two that run into the budget alike do not agree: neither has said anything.
+            if (
+                not isinstance(built_in.ending, Answered)
+                or built_in.ending != extracted.ending
+                or built_in.transcript != extracted.transcript
+            ):
+                apart.append(world)
+    print(f"  {policy}: {runs:,} transcripts and answers, {len(apart)} of them different")
+    for world in apart[:3]:
+        print(f"    {json.dumps(world.to_json())}")
+    return runs > 0 and not apart
 
 
 def _rows(rows: list[dict[str, int]]) -> list[tuple[int, ...]]:
@@ -152,7 +186,8 @@ def _cases(edges: int) -> Iterator[tuple[str, Case]]:
 def main() -> int:
     """Compare both, and say so."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--edges", type=int, default=5, help="for the explorers")
+    parser.add_argument("--edges", type=int, default=5, help="for the explorers' costs")
+    parser.add_argument("--walked-edges", type=int, default=4, help="for their transcripts")
     parser.add_argument("--judged-edges", type=int, default=4, help="for the judge")
     parser.add_argument("--workers", type=int, default=2)
     options = parser.parse_args()
@@ -160,7 +195,10 @@ def main() -> int:
         if not program.exists():
             print(f"{program} is missing: make -C proofs/coq explorer", file=sys.stderr)
             return 2
-    answers = [explorers_agree(pair, options.edges, options.workers) for pair in PAIRS]
+    answers = []
+    for pair in PAIRS:
+        answers.append(explorers_agree(pair, options.edges, options.workers))
+        answers += [transcripts_agree(pair, policy, options.walked_edges) for policy in POLICIES]
     agree = all([*answers, judges_agree(options.judged_edges)])
     print("AGREE" if agree else "DISAGREE")
     return 0 if agree else 1
