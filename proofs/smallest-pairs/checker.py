@@ -40,15 +40,13 @@ def check(folder: Path) -> list[str]:
     require_pairs(read_json(folder / "pairs.json"))
     for name, levels in BELOW.items():
         said.append(f"{name}: a pair with m = {PAIR[name][0]}, n = {PAIR[name][1]}")
-        worlds = 0
         for edges, most in levels:
             if most is None:
                 _refute(folder, name, edges)
-            maps = _members(name, edges, most)
-            count, twins = twins_among(rooted_world(map_, "position") for map_ in maps)
-            worlds += count
-            if twins:
-                raise Refused(f"{name}: a smaller pair: {twins}")
+        maps = (map_ for edges, most in levels for map_ in _members(name, edges, most))
+        worlds, twins = twins_among(rooted_world(map_, "position") for map_ in maps)
+        if twins:
+            raise Refused(f"{name}: a smaller pair: {twins}")
         proofs = [edges for edges, most in levels if most is None]
         said.append(f"{name}: no smaller one: LRAT for m = {proofs[0]}..{proofs[-1]}")
         edges, most = levels[-1]
