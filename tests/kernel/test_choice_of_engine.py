@@ -67,7 +67,7 @@ def test_ctrl_c_leaves_the_finished_levels():
     report = check(edges=8, engine="kernel", workers=2, listener=listener)
     assert report.interrupted
     assert report.exit_code == 130
-    assert report.levels == [1, 2, 3, 4, 5]
+    assert report.levels == (1, 2, 3, 4, 5)
     assert listener.worlds < 1_000_000
 
 
