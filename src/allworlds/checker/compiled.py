@@ -22,7 +22,7 @@ from allworlds.kernel import Tables, tables
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes
-from allworlds.runs import Examiner, Row, Scope, Tally, Unit, make_finding
+from allworlds.runs import Examiner, Row, Scope, Tally, Unit
 from allworlds.subjects import Subject, load
 from allworlds.world import Directional, World
 
@@ -125,7 +125,7 @@ class CompiledExamination:
                     f"the kernel says that a law is broken, the python engine that all hold, in "
                     f"the world sigma={list(map_.sigma)} alpha={list(map_.alpha)} bearing={place}"
                 )
-            tally.find(make_finding(examiner, world, place, outcome))
+            tally.find(examiner.finding(world, place, outcome))
 
 
 @cache

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from allworlds.findings import Finding, kept_findings, write_finding
 from allworlds.isolation import confirmed, workers_for
+from allworlds.judge import LAWS
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.runs import Examination, GivenWorlds, Scope
 from allworlds.subjects import Subject
@@ -20,29 +21,33 @@ class UserCorpus:
 
     Attributes:
         directory: need not exist yet.
-        reproduced: the files whose findings still stand.
+        reproduced: the files whose findings still stand, within the scope of the check.
+        beyond: those that stand beyond it; they say nothing about the scope.
         fixed: the files whose worlds are no longer refuting; they are kept.
         written: the files that this check has added.
     """
 
     directory: Path
     reproduced: list[str] = field(default_factory=list)
+    beyond: list[str] = field(default_factory=list)
     fixed: list[str] = field(default_factory=list)
     written: list[str] = field(default_factory=list)
     _standing: list[Finding] = field(default_factory=list)
 
-    def retry(self, subject: Subject, limits: Limits) -> list[Finding]:
-        """Run the explorer in every recorded world under its rules: what still refutes it.
+    def retry(self, subject: Subject, limits: Limits, scope: Scope) -> list[Finding]:
+        """Run the explorer in every recorded world under its rules: what refutes it in the scope.
 
-        Each finding is tried by itself, so that one that kills its worker does no harm.
+        Each finding is tried by itself, so that one that is lost does no harm to others.
         """
         for kept in kept_findings(self.directory):
             found = _retry(kept.finding, subject, limits)
             if found is None:
                 self.fixed.append(kept.name)
-            else:
+            elif is_inside(found, scope):
                 self.reproduced.append(kept.name)
                 self._standing.append(found)
+            else:
+                self.beyond.append(kept.name)
         return self._standing
 
     def holds(self, finding: Finding) -> bool:
@@ -60,9 +65,23 @@ class UserCorpus:
         return {
             "directory": str(self.directory),
             "reproduced": self.reproduced,
+            "beyond_scope": self.beyond,
             "fixed": self.fixed,
             "written": self.written,
         }
+
+
+def is_inside(finding: Finding, scope: Scope) -> bool:
+    """Whether a check of that scope could have come upon the finding itself."""
+    rules, own, world = scope.rules, finding.rules, finding.world
+    return (
+        scope.extent.include(world.map)
+        and world.lighthouse in rules.kind.places(world.map, world.start)
+        and (finding.law not in LAWS or finding.law in rules.applying)
+        and (finding.law != "bound" or own.the_bound.name == rules.the_bound.name)
+        and (finding.law != "budget" or own.step_budget == rules.step_budget)
+        and (scope.schedules == "all" or own.policy == rules.policy)
+    )
 
 
 def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None:

@@ -22,12 +22,11 @@ from allworlds.checker.report import (
 )
 from allworlds.findings import Finding
 from allworlds.inputs import InputError, a_path, an_integer
-from allworlds.isolation import confirmed
+from allworlds.isolation import Unsettled, confirmed, subject_of
 from allworlds.maps.classes import Extent
 from allworlds.outcome import Verdict
 from allworlds.progress import Listener, Silent
-from allworlds.runs import DEFAULT_EDGES, Scope, Shard, Tally, a_schedule, a_shard
-from allworlds.subjects import subject_of
+from allworlds.runs import DEFAULT_EDGES, LOST, Scope, Shard, Tally, a_schedule, a_shard
 from allworlds.work import Limits, TimeIsUp, gather, level_size
 
 
@@ -72,7 +71,7 @@ def check(
     refuse_others("check", options, ManyRunsOptions)
     limits = Limits.of(options)
     keep = _positive("max-findings", max_findings)
-    subject = subject_of(explore, limits.answer_timeout)
+    subject = subject_of(explore, limits)
     map_class, rules = rules_for(subject, options)
     if edges is None and vertices is None:
         edges = DEFAULT_EDGES
@@ -134,24 +133,42 @@ class _Check:
         """Past findings first; then the scope, and what it shows is confirmed and kept."""
         job, corpus = self._job, self._corpus
         if corpus is not None:
-            self._tally.findings = corpus.retry(job.subject, job.limits)[: job.keep]
+            self._tally.findings = corpus.retry(job.subject, job.limits, self._scope)[: job.keep]
             if len(self._tally.findings) >= job.keep:
                 return Stopped("past findings stand")
         ending = self._examined()
-        self._tally.findings = [
-            found if corpus and corpus.holds(found) else self._confirmed(found)
-            for found in self._tally.findings
-        ]
+        self._tally.findings, unrepeated = self._confirmed(self._tally.findings)
+        if unrepeated and not self._tally.findings and isinstance(ending, Completed):
+            ending = Stopped("what happened to the explorer was not repeated by a fresh process")
         if corpus is not None:
             corpus.write(self._tally.findings)
         return ending
 
-    def _confirmed(self, finding: Finding) -> Finding:
-        """The finding, confirmed; past the time limit as it is."""
-        job = self._job
-        if job.deadline is not None and time.monotonic() > job.deadline:
-            return finding
-        return confirmed(finding, job.subject, job.limits, self._scope.schedules)
+    def _confirmed(self, findings: list[Finding]) -> tuple[list[Finding], bool]:
+        """The findings, confirmed; past the time limit as they are.
+
+        A crash or a time-out that a fresh process does not repeat refutes nothing: it becomes a
+        remark; then there is more to be said than the findings tell.
+        """
+        job, corpus = self._job, self._corpus
+        kept: list[Finding] = []
+        unrepeated = False
+        for found in findings:
+            late = job.deadline is not None and time.monotonic() > job.deadline
+            if late or (corpus and corpus.holds(found)):
+                kept.append(found)
+                continue
+            again = confirmed(found, job.subject, job.limits, self._scope.schedules)
+            if again.law in LOST and job.subject.elsewhere and not again.confirmed:
+                unrepeated = True
+                size = f"{found.key[0]} edges and {found.key[1]} vertices"
+                self._tally.remark(
+                    f"a {found.law} in a world with {size} ({found.seen}) that a fresh process did "
+                    "not repeat"
+                )
+            else:
+                kept.append(again)
+        return kept, unrepeated
 
     def _examined(self) -> Ending:
         try:
@@ -162,6 +179,8 @@ class _Check:
             return Stopped(f"the time limit of {self._job.limits.time_limit:g} s was reached")
         except EnginesDisagree as error:
             return Disagreed(str(error))
+        except Unsettled as error:
+            return Stopped(str(error))
 
     def _all_levels(self, way: Way) -> Ending:
         extent, keep = self._scope.extent, self._job.keep

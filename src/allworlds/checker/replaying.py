@@ -9,8 +9,8 @@ from typing import Any
 from allworlds.checker.single import SingleRun, single_run, unused_choice
 from allworlds.findings import Finding, recorded_trail
 from allworlds.inputs import InputError, show
+from allworlds.isolation import subject_of
 from allworlds.outcome import SCHEMA, Exit
-from allworlds.subjects import subject_of
 from allworlds.work import Limits
 
 
@@ -73,7 +73,7 @@ def replay(
     limits = Limits(answer_timeout=answer_timeout)
     recorded_trail(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
-    subject = subject_of(finding.explorer if explore is None else explore, answer_timeout)
+    subject = subject_of(finding.explorer if explore is None else explore, limits)
     if explore is None and finding.choices and not subject.takes_choices:
         raise InputError(
             f"the finding records the choices {show(list(finding.choices))}, but "

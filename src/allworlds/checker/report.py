@@ -106,6 +106,14 @@ class Report:
         return self.ending.missing if isinstance(self.ending, Completed) else ()
 
     @property
+    def remarks(self) -> list[str]:
+        """What happened and refutes nothing, and how often if more than once."""
+        return [
+            text if times == 1 else f"{text} ({times} times)"
+            for text, times in sorted(self.tally.remarks.items())
+        ]
+
+    @property
     def verdict(self) -> Verdict:
         """The verdict, about the scope and nothing else."""
         if isinstance(self.ending, Disagreed) or not all(cell.agrees for cell in self.gate):
@@ -160,6 +168,7 @@ class Report:
             "rows": self.rows(),
             "witnesses": dict(sorted(self.tally.witnesses.items())),
             "missing_witnesses": list(self.missing),
+            "remarks": self.remarks,
             "corpus": self.corpus and self.corpus.to_json(),
             "findings": [finding.to_json() for finding in self.findings],
         }

@@ -10,12 +10,12 @@ from allworlds.checker.options import RunOptions, refuse_others
 from allworlds.episode import Answered
 from allworlds.findings import Finding, Rules, make_rules, place_of
 from allworlds.inputs import InputError, an_integer, show
-from allworlds.isolation import examine_apart
+from allworlds.isolation import examine_apart, subject_of
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.outcome import SCHEMA, Exit, Verdict
-from allworlds.runs import DEFAULT_EDGES, Examiner, Outcome, make_finding
-from allworlds.subjects import Subject, subject_of
+from allworlds.runs import DEFAULT_EDGES, Examiner, Outcome, Referee, name_run
+from allworlds.subjects import Subject
 from allworlds.work import Limits
 from allworlds.world import Lighthouse, World, lighthouse_named, world_named
 
@@ -133,7 +133,7 @@ def run(
     refuse_others("run", options, RunOptions)
     script = _indices(choices)
     limits = Limits(answer_timeout=options.get("answer_timeout", Limits().answer_timeout))
-    subject = subject_of(explore, limits.answer_timeout)
+    subject = subject_of(explore, limits)
     if isinstance(world, str):
         world = world_named(world, subject.lighthouse)
     if not isinstance(world, World):
@@ -150,15 +150,14 @@ def single_run(
     subject: Subject, world: World, rules: Rules, script: tuple[int, ...], limits: Limits
 ) -> SingleRun:
     """One episode in which the script answers the first choices, as far as it fits."""
-    examiner = Examiner(subject, rules)
-    if subject.foreign and subject.importable:
+    if subject.foreign:
         outcome = examine_apart(subject, rules, world, script, limits)
     else:
-        name = examiner.name_run(world)
-        outcome = examiner.examine(world, rules.choices(name, script), name)
+        choices = rules.choices(name_run(rules, world), script)
+        outcome = Examiner(subject, rules).examine(world, choices)
     finding = None
     if outcome.violation:
-        finding = make_finding(examiner, world, place_of(world), outcome)
+        finding = Referee(subject.name, rules).finding(world, place_of(world), outcome)
     return SingleRun(subject.name, world, rules, outcome, finding)
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Callable, Generator, MutableSequence, Sequence
+from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol, TypeAlias
+from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from allworlds.inputs import SHOWN, integer, let_users_interrupt, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap
@@ -20,6 +20,8 @@ from allworlds.protocol import (
     Percept,
     Pick,
     Transcript,
+    action_numbered,
+    number_of,
 )
 from allworlds.world import IllegalAction
 
@@ -79,7 +81,44 @@ class Fault:
     detail: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class LostRun(Fault):
+    """The run cost its process its life, so its walk is not known."""
+
+
 Ending: TypeAlias = Answered | Fault
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """An answer as it was given: integers that nobody has looked at yet.
+
+    Attributes:
+        sigma, alpha: of the map that is claimed.
+        here: the dart that is claimed.
+    """
+
+    sigma: tuple[int, ...]
+    alpha: tuple[int, ...]
+    here: int
+
+
+class Log(NamedTuple):
+    """What an explorer did in one run, without a word about the world.
+
+    Attributes:
+        actions: as numbers (see :func:`allworlds.protocol.number_of`).
+        checkpoints: each with the number of actions before it.
+        ending: the answer, or what went wrong.
+        choices: the index taken at each choice.
+        widths: how many options there were, where every schedule is tried; else empty.
+    """
+
+    actions: tuple[int, ...]
+    checkpoints: tuple[tuple[int, Checkpoint], ...]
+    ending: Said | Fault
+    choices: tuple[int, ...] = ()
+    widths: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +141,6 @@ LONGEST = 20_000
 """The number of characters that are kept of a traceback."""
 
 _ANSWER = "an action, or an estimate at the end"
-_MOVES = tuple(Move(k) for k in range(64))
 
 
 def default_step_budget(bound: int) -> int:
@@ -142,8 +180,38 @@ def play(
     Cost: linear in the steps, besides the explorer's own.
     """
     run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
-    ending = run.play(player, choices)
+    ending = answered(run.play(player, choices))
     return Episode(Transcript(world.first, tuple(run.steps)), tuple(run.checkpoints), ending)
+
+
+def perform(
+    world: Stage,
+    player: Player,
+    choices: Choices,
+    budget: int,
+    beat: MutableSequence[int] | None = None,
+    hand: Callable[[Percept], Percept] = own_copy,
+) -> Log:
+    """The same run as a log that says nothing of the world; see :func:`play`."""
+    run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
+    ending = run.play(player, choices)
+    actions = tuple([number_of(action) for action, _ in run.steps])
+    return Log(actions, tuple(run.checkpoints), ending, tuple(choices.record))
+
+
+def retold(log: Log, world: Stage) -> Episode:
+    """The log of a run in this world as an episode: walked anew, and its answer looked at.
+
+    Raises:
+        IllegalAction: if it is no log of this world.
+    """
+    state, steps = world.start, []
+    for number in log.actions:
+        action = action_numbered(number)
+        state, percept = world.step(state, action)
+        steps.append((action, percept))
+    ending = answered(log.ending)
+    return Episode(Transcript(world.first, tuple(steps)), log.checkpoints, ending)
 
 
 @dataclass(slots=True)
@@ -156,7 +224,7 @@ class _Run:
     checkpoints: list[tuple[int, Checkpoint]] = field(default_factory=list)
     cost: int = 0
 
-    def play(self, player: Player, choices: Choices) -> Ending:
+    def play(self, player: Player, choices: Choices) -> Said | Fault:
         world, beat = self.world, self.beat
         state: Dart = world.start
         reply: Percept | None = None
@@ -176,7 +244,7 @@ class _Run:
                 if fault:
                     return fault
         except StopIteration as stop:
-            return _answer(stop.value)
+            return _said(stop.value)
         except BaseException as error:  # noqa: BLE001  # an explorer may raise anything
             return _raised(error)
         finally:
@@ -235,31 +303,45 @@ def _action(message: object, degree: int) -> Action | Fault:
             let_users_interrupt(error)
             return Fault("illegal-action", "Move(k) with an integer k", show(message))
         k %= degree
-        return _MOVES[k] if k < len(_MOVES) else Move(k)
+        return action_numbered(k)
     if type(message) is Drop or type(message) is Pick:
         return message
     return Fault("illegal-action", "a Move, Drop, Pick or Checkpoint", show(message))
 
 
-def _answer(answer: object) -> Ending:
-    """The estimate, made anew: what is handed over may be a subclass, or tampered with."""
-    expected = "Estimate(map, here) with a dart of the map"
+_ESTIMATE = "Estimate(map, here) with a dart of the map"
+
+
+def _said(answer: object) -> Said | Fault:
+    """The integers of an answer: what is handed over may be a subclass, or tampered with."""
     if type(answer) is not Estimate:
-        return Fault("no-estimate", expected, show(answer))
+        return Fault("no-estimate", _ESTIMATE, show(answer))
     try:
         claimed: object = answer.map
         if not isinstance(claimed, CombinatorialMap):
-            return Fault("no-estimate", expected, f"a map that is {show(claimed)}")
-        map_ = CombinatorialMap(claimed.sigma, claimed.alpha)
-        here = integer(answer.here)
-    except InvalidMap as error:
-        return Fault("no-estimate", expected, f"no map: {error}")
+            return Fault("no-estimate", _ESTIMATE, f"a map that is {show(claimed)}")
+        return Said(_integers(claimed.sigma), _integers(claimed.alpha), integer(answer.here))
     except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
         let_users_interrupt(error)
-        return Fault("no-estimate", expected, show(answer))
+        return Fault("no-estimate", _ESTIMATE, show(answer))
+
+
+def _integers(values: Iterable[object]) -> tuple[int, ...]:
+    return tuple([integer(value) for value in values])
+
+
+def answered(ending: Said | Fault) -> Ending:
+    """The answer, if it is a map with a dart of it."""
+    if isinstance(ending, Fault):
+        return ending
+    try:
+        map_ = CombinatorialMap(ending.sigma, ending.alpha)
+    except InvalidMap as error:
+        return Fault("no-estimate", _ESTIMATE, f"no map: {error}")
+    here = ending.here
     if here not in map_.darts:
         last = len(map_.sigma) - 1
-        return Fault("no-estimate", expected, f"here = {show(here)}, but the darts are 0..{last}")
+        return Fault("no-estimate", _ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}")
     return Answered(Estimate(map_, here))
 
 

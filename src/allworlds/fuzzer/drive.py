@@ -20,11 +20,10 @@ from allworlds.findings import Finding
 from allworlds.fuzzer.sample import batches
 from allworlds.fuzzer.shrink import shrink
 from allworlds.inputs import InputError, an_integer
-from allworlds.isolation import confirmed, workers_for
+from allworlds.isolation import Unsettled, confirmed, subject_of, workers_for
 from allworlds.maps.classes import Extent
 from allworlds.progress import Listener, Silent
 from allworlds.runs import Examination, GivenWorlds, Sample, Scope, Tally
-from allworlds.subjects import subject_of
 from allworlds.work import Limits, TimeIsUp, Transport, gather
 
 
@@ -56,7 +55,7 @@ def fuzz(
     """
     refuse_others("fuzz", options, ManyRunsOptions)
     limits = Limits.of(options)
-    subject = subject_of(explore, limits.answer_timeout)
+    subject = subject_of(explore, limits)
     map_class, rules = rules_for(subject, options)
     sample = Sample(runs, seed)
     scope = Scope(Extent(map_class, _positive(edges)), rules, coverage=sample)
@@ -69,6 +68,8 @@ def fuzz(
         tally.findings = [
             confirmed(found, subject, limits, scope.schedules) for found in tally.findings
         ]
+    except Unsettled as error:
+        ending = Stopped(str(error))
     except TimeIsUp:
         ending = Stopped(f"the time limit of {limits.time_limit:g} s was reached")
     except KeyboardInterrupt:

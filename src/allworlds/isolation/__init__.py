@@ -1,19 +1,34 @@
 """Isolation: foreign code runs in processes that it may kill, and the check goes on.
 
+The owner (a check) hands units to **referees**, which judge; each has two **players** with the
+explorer in them, of which the one plays in worlds and the other against what was sensed there.
+The **guardian** forks them all, and ends them, and all that they have started.
+
 ``jobs``
-    what parent and worker say to each other;
-``worker``, ``standins``
-    the process that examines units, and what explorers play against in it;
-``process``
-    the parent's side of one worker;
-``workers``
-    the transport: units handed out, workers outlived;
+    what they say to each other;
+``guardian``, ``roles``, ``process``
+    starting, hearing and ending processes;
+``player``, ``players``
+    the process with the foreign code in it, and its referee's side;
+``referee``, ``workers``
+    the process that judges units, and its owner's side: the transport;
 ``confirm``
-    a finding once more in a fresh process, and the walk of a run that was lost.
+    single runs, and findings once more in fresh processes;
+``looking``
+    what an explorer takes, looked at once.
 """
 
 from allworlds.isolation.confirm import confirmed, examine_apart
 from allworlds.isolation.jobs import HarnessError
+from allworlds.isolation.looking import subject_of
+from allworlds.isolation.players import Unsettled
 from allworlds.isolation.workers import workers_for
 
-__all__ = ["HarnessError", "confirmed", "examine_apart", "workers_for"]
+__all__ = [
+    "HarnessError",
+    "Unsettled",
+    "confirmed",
+    "examine_apart",
+    "subject_of",
+    "workers_for",
+]

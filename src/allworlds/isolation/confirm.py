@@ -1,62 +1,45 @@
-"""Findings, repeated in a fresh process before they are reported."""
+"""Single runs in processes of their own, and findings once more in fresh ones."""
 
 from __future__ import annotations
 
-from collections import deque
+import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
-from itertools import islice
+from dataclasses import replace
+from random import Random
 
-from allworlds.episode import Answered, Episode, Fault
-from allworlds.findings import Finding, Rules, canonical_world
-from allworlds.isolation.jobs import Ended, ReplayJob, RunJob, Traced, TraceJob
-from allworlds.isolation.process import GRACE, WorkerProcess
+from allworlds.episode import Episode, Fault, Log, Said
+from allworlds.findings import Finding, Rules, canonical_world, place_of
+from allworlds.isolation.jobs import Casting, PlayRecords, Told, Trace
+from allworlds.isolation.players import Cast, Lost, hear, started
+from allworlds.isolation.process import Process, guardian
 from allworlds.judge import Violation
-from allworlds.protocol import Action, Percept, Transcript
-from allworlds.runs import Outcome, Schedule, Scope, Worlds, numbered_runs
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.protocol import Percept, Transcript, action_numbered
+from allworlds.runs import (
+    Examination,
+    GivenWorlds,
+    OneRun,
+    Outcome,
+    PlayedTwice,
+    Players,
+    PlayersHere,
+    Record,
+    Schedule,
+    Scope,
+    name_run,
+)
 from allworlds.subjects import Subject
-from allworlds.work import POLL, Limits
+from allworlds.work import Limits
 from allworlds.world import World
-
-_ANSWER = "an action, or an estimate at the end"
 
 MOST_CHOICES = 1000
 """So many choices are kept of the turn in which a run was lost; it may choose for ever."""
 
 
-@dataclass(frozen=True, slots=True)
-class WorkerLost:
-    """In place of a worker's message: it was silent for too long, or has died."""
-
-    law: str
-    seen: str
-
-
-def finding_of_lost_run(
-    unit: Worlds, number: int, scope: Scope, subject: Subject, law: str, seen: str
-) -> Finding:
-    """The finding of a run that cost its worker its life: its world, found again by its number.
-
-    The walk is not known yet; :func:`confirmed` finds it if the finding is to be reported.
-    """
-    runs = numbered_runs(unit, scope.extent, scope.rules.kind)
-    # A worker that dies behind its last run has been put down to a run that does not exist.
-    lost = deque(islice(runs, number + 1), maxlen=1).pop()
-    assert lost.lighthouse is not None
-    world = canonical_world(World(lost.map, lost.lighthouse, 0))
-    return Finding(
-        subject.name,
-        law,
-        world,
-        lost.place,
-        scope.rules,
-        (),
-        Transcript(world.first),
-        _ANSWER,
-        seen,
-        traced=False,
-    )
+def casting_of(subject: Subject, limits: Limits) -> Casting:
+    """What a player must know of the explorer."""
+    return Casting(subject.name, subject.source, limits.answer_timeout, limits.memory)
 
 
 def examine_apart(
@@ -66,27 +49,37 @@ def examine_apart(
     script: tuple[int, ...],
     limits: Limits,
 ) -> Outcome:
-    """One judged episode, played in a process of its own, whatever becomes of that process."""
-    with _fresh(subject, limits) as worker:
-        worker.send(RunJob(rules, world, script))
-        outcome = _await(worker)
-    if isinstance(outcome, WorkerLost):
-        job = TraceJob(rules, world, "one", script)
-        return _lost_run(job, outcome, subject, limits)
-    assert isinstance(outcome, Outcome)
-    return outcome
-
-
-def _lost_run(job: TraceJob, lost: WorkerLost, subject: Subject, limits: Limits) -> Outcome:
-    fault = Fault(lost.law, _ANSWER, lost.seen)
-    transcript, choices, _ = _trace(job, subject, limits)
+    """One judged run of a foreign explorer, played twice, as in a check."""
+    examination = Examination(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
+    canonical, place = canonical_world(world), place_of(world)
+    unit = GivenWorlds(((canonical, place),))
+    with _players(subject, limits) as players:
+        twice = PlayedTwice(examination, subject.name, players)
+        lit = {0: OneRun(0, place, canonical)}
+        ((_, outcome),) = twice.outcomes(unit, lit, script=script)
+    if isinstance(outcome, Outcome):
+        return outcome
+    log, _ = _traced(Trace(rules, canonical, "one", script), subject, limits)
     return Outcome(
-        Episode(transcript, (), fault),
-        Violation(fault.law, fault.expected, fault.seen),
+        Episode(log[0], (), outcome),
+        Violation(outcome.law, outcome.expected, outcome.seen),
         "",
-        choices,
-        job.rules.the_bound.of(job.world.map, job.world.start),
+        log[1],
+        rules.the_bound.of(world.map, world.start),
     )
+
+
+@contextmanager
+def _players(subject: Subject, limits: Limits) -> Iterator[Players]:
+    if not subject.elsewhere:
+        yield PlayersHere(subject)
+        return
+    order = Random(secrets.randbits(64))  # noqa: S311  # drawn from the system
+    cast = Cast(guardian(), casting_of(subject, limits), order)
+    try:
+        yield cast
+    finally:
+        cast.close()
 
 
 def confirmed(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
@@ -95,7 +88,7 @@ def confirmed(finding: Finding, subject: Subject, limits: Limits, schedules: Sch
     One whose run was lost is traced, and so gets its walk.  What no other process can import is
     not confirmed.
     """
-    if not subject.importable:
+    if not subject.elsewhere and subject.foreign:
         return finding
     if finding.traced:
         return replace(finding, confirmed=repeat(finding, subject, limits))
@@ -107,89 +100,85 @@ def repeat(finding: Finding, subject: Subject, limits: Limits) -> bool:
 
     A nondeterministic explorer is confirmed by doing something else.
     """
-    job = ReplayJob(
-        finding.rules,
-        finding.rules.budget(finding.world.map),
-        finding.world.told,
-        finding.transcript,
+    rules, world = finding.rules, finding.world
+    record = Record(
+        tuple(finding.transcript.percepts),
+        world.told,
         finding.choices,
+        rules.budget(world.map),
+        name_run(rules, world),
     )
-    with _fresh(subject, limits) as worker:
-        worker.send(job)
-        ended = _await(worker)
-    if isinstance(ended, WorkerLost):
+    casting = casting_of(subject, limits)
+    try:
+        with _fresh(casting) as player:
+            player.send(PlayRecords((record,), rules.policy, 0))
+            logs = hear(player, casting)
+    except Lost:
         return False
-    assert isinstance(ended, Ended)
-    same = ended.actions == finding.transcript.actions
+    assert isinstance(logs, list)
+    log: Log = logs[0]
+    same = tuple(map(action_numbered, log.actions)) == finding.transcript.actions
     if finding.law == "nondeterministic":
         return not same
-    return same and _ends_alike(finding, ended)
+    return same and _ends_alike(finding, log)
 
 
-def _ends_alike(finding: Finding, ended: Ended) -> bool:
-    match ended.ending:
+def _ends_alike(finding: Finding, log: Log) -> bool:
+    match log.ending:
         case Fault(law=law):
             return law == finding.law
-        case Answered(estimate):
+        case Said(sigma, alpha, here):
+            if finding.law == "no-estimate":
+                return True
             if not isinstance(finding.seen, dict):
-                return finding.law not in ("crash", "timeout", "illegal-action", "no-estimate")
-            return estimate.to_json() == finding.seen
+                return finding.law not in ("crash", "timeout", "illegal-action")
+            answer = {"sigma": list(sigma), "alpha": list(alpha), "here": here}
+            return answer == finding.seen
 
 
 def trace(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
-    """The finding of a run that killed its worker, with its walk, and whether it did so again.
+    """The finding of a run that cost a player its life, with its walk, and whether it did again.
 
     The run is played in a fresh process that tells every step before it can be lost.
     """
-    job = TraceJob(finding.rules, finding.world, schedules)
-    transcript, choices, end = _trace(job, subject, limits)
-    again = isinstance(end, WorkerLost) and end.law == finding.law
+    job = Trace(finding.rules, finding.world, schedules)
+    (transcript, choices), end = _traced(job, subject, limits)
+    again = isinstance(end, Lost) and end.law == finding.law
     return replace(finding, choices=choices, transcript=transcript, confirmed=again, traced=True)
 
 
-def _trace(
-    job: TraceJob, subject: Subject, limits: Limits
-) -> tuple[Transcript, tuple[int, ...], object]:
-    """The walk and the choices, as far as they are known, and the last message."""
-    steps: list[tuple[Action, Percept]] = []
+def _traced(
+    job: Trace, subject: Subject, limits: Limits
+) -> tuple[tuple[Transcript, tuple[int, ...]], Lost | None]:
+    """The walk and the choices, as far as they are known, and how the player was lost."""
+    steps: list[tuple[int, Percept]] = []
     choices: list[int] = []
     settled = 0
-    with _fresh(subject, limits) as worker:
-        worker.send(job)
-        while isinstance(message := _await(worker), Traced):
-            match message.what:
-                case None:
-                    steps, choices, settled = [], [], 0
-                case int() as index:
-                    choices.append(index)
-                case tuple() as step:
-                    steps.append(step)
-                    settled = len(choices)
-    kept = choices[: settled + MOST_CHOICES] if isinstance(message, WorkerLost) else choices
-    return Transcript(job.world.first, tuple(steps)), tuple(kept), message
+    lost: Lost | None = None
+    casting = casting_of(subject, limits)
+    try:
+        with _fresh(casting) as player:
+            player.send(job)
+            while isinstance(message := hear(player, casting), Told):
+                match message.what:
+                    case None:
+                        steps, choices, settled = [], [], 0
+                    case int() as index:
+                        choices.append(index)
+                    case tuple() as step:
+                        steps.append(step)
+                        settled = len(choices)
+    except Lost as error:
+        lost = error
+    kept = choices if lost is None else choices[: settled + MOST_CHOICES]
+    walk = tuple((action_numbered(number), percept) for number, percept in steps)
+    return (Transcript(job.world.first, walk), tuple(kept)), lost
 
 
 @contextmanager
-def _fresh(subject: Subject, limits: Limits) -> Iterator[WorkerProcess]:
-    worker = WorkerProcess(subject, limits, hash_seed=1)
+def _fresh(casting: Casting) -> Iterator[Process]:
+    player, _ = started(guardian(hash_seed=1), casting)
     try:
-        yield worker
+        yield player
     finally:
-        worker.kill()
-
-
-def _await(worker: WorkerProcess) -> object:
-    """The worker's next message, or how it was lost."""
-    while True:
-        told = worker.connection.poll(POLL)
-        # What it has told before it fell silent is still heard; but it may tell choices for ever.
-        if worker.is_silent(GRACE if told else 0.0):
-            return WorkerLost("timeout", worker.silence)
-        if told:
-            break
-        if worker.has_ended():
-            return WorkerLost("crash", worker.death())
-    try:
-        return worker.receive()
-    except (EOFError, ConnectionResetError):
-        return WorkerLost("crash", worker.death())
+        player.close()

@@ -1,52 +1,90 @@
-"""What parent and worker say to each other: small frozen values."""
+"""What the processes say to each other: small frozen values."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal, NamedTuple
 
-from allworlds.episode import Answered, Fault
+from allworlds.episode import Log
 from allworlds.findings import Rules
-from allworlds.protocol import Action, Percept, Transcript
-from allworlds.runs import Examination, Schedule, Tally, Worlds
+from allworlds.protocol import Percept
+from allworlds.runs import Examination, Record, Schedule, Tally, Worlds
+from allworlds.subjects import Source, Subject
 from allworlds.world import World
 
-BEAT_WORDS = 2
-"""The shared memory: the number of the current run, and the turns of the explorer in it."""
 
-NO_RUN = (1 << 64) - 1
-"""The number of the current run before the first."""
+class HarnessError(RuntimeError):
+    """A process of ours has failed, and no explorer is to blame."""
+
+
+# ---------------------------------------------------------------- to and from a player
 
 
 @dataclass(frozen=True, slots=True)
-class Setup:
-    """What a worker must know before its first job."""
+class Casting:
+    """A player's first message: which explorer it is to be.
 
-    explorer: str
+    Answered by :class:`Described`, or an error.
+
+    Attributes:
+        name: of the explorer.
+        source: the text of its file, if it has been read.
+        answer_timeout: seconds after which a silent foreign program is given up.
+        memory: MB of address space, or None.
+    """
+
+    name: str
+    source: Source | None
     answer_timeout: float
     memory: int | None
 
 
 @dataclass(frozen=True, slots=True)
-class UnitJob:
-    """Examine a unit from run ``start`` on, without the runs of ``skip``."""
+class Described:
+    """What the explorer takes, and the digest of the code that it is, where it is known."""
+
+    keywords: frozenset[str]
+    digest: str
+
+
+@dataclass(frozen=True, slots=True)
+class PlayRuns:
+    """Play runs of a unit, in an order that tells nothing; answered by :class:`Played`.
+
+    Attributes:
+        examination: the scope, with its rules.
+        unit: the unit.
+        numbers: of the runs within the unit, ascending.
+        order: seed of the order in which they are played.
+        script: answers to the first choices of each run; None plays every schedule that the
+            scope asks for.
+    """
 
     examination: Examination
     unit: Worlds
-    start: int
-    skip: frozenset[int]
+    numbers: tuple[int, ...]
+    order: int
+    script: tuple[int, ...] | None = None
+
+
+class Played(NamedTuple):
+    """Some of the logs, each with the number of its run; ``done``: the runs that have no more."""
+
+    logs: list[tuple[int, Log]]
+    done: list[int]
 
 
 @dataclass(frozen=True, slots=True)
-class RunJob:
-    """Play and judge one run."""
+class PlayRecords:
+    """Play against recorded percepts alone, without a world; answered by one list of logs."""
 
-    rules: Rules
-    world: World
-    script: tuple[int, ...]
+    records: tuple[Record, ...]
+    policy: str
+    order: int
 
 
 @dataclass(frozen=True, slots=True)
-class TraceJob:
+class Trace:
     """Play one world and tell every step at once, because the process may not survive it.
 
     The schedules are all, or the policy's after the choices of ``script``.
@@ -59,43 +97,47 @@ class TraceJob:
 
 
 @dataclass(frozen=True, slots=True)
-class ReplayJob:
-    """Play against recorded percepts alone, without a world."""
+class Told:
+    """Answer to a :class:`Trace`: a new schedule (None), a choice, or an action with its percept."""
 
-    rules: Rules
-    budget: int
-    told: int | None
-    transcript: Transcript
-    choices: tuple[int, ...]
+    what: int | tuple[int, Percept] | None
 
 
-Job = UnitJob | RunJob | TraceJob | ReplayJob
-"""Everything that a worker can be asked to do after its setup."""
+# ---------------------------------------------------------------- to and from a referee
+
+
+@dataclass(frozen=True, slots=True)
+class Appointment:
+    """A referee's first message: whose runs it is to judge.
+
+    Attributes:
+        subject: the explorer; the referee itself never loads foreign code.
+        answer_timeout, memory: of its players.
+        order: from which every order of runs is drawn.
+    """
+
+    subject: Subject
+    answer_timeout: float
+    memory: int | None
+    order: int
+
+
+@dataclass(frozen=True, slots=True)
+class UnitJob:
+    """Examine a unit from run ``start`` on; answered by :class:`Tallied`, some time and again."""
+
+    examination: Examination
+    unit: Worlds
+    start: int
 
 
 @dataclass(frozen=True, slots=True)
 class Tallied:
-    """Answer to a :class:`UnitJob`: the tally of the runs before ``next_run``."""
+    """The tally of the runs before ``next_run``, since the last."""
 
     next_run: int
     tally: Tally
     last: bool
 
 
-@dataclass(frozen=True, slots=True)
-class Traced:
-    """Answer to a :class:`TraceJob`: a new schedule (None), a choice, or a step."""
-
-    what: int | tuple[Action, Percept] | None
-
-
-@dataclass(frozen=True, slots=True)
-class Ended:
-    """The end of a trace or a replay: the actions taken, and how the run ended."""
-
-    actions: tuple[Action, ...]
-    ending: Answered | Fault
-
-
-class HarnessError(RuntimeError):
-    """A worker has failed, and no explorer is to blame."""
+Kind = Literal["timeout", "crash"]

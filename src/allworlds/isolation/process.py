@@ -1,128 +1,215 @@
-"""The parent's side of one worker: starting it, hearing it, noticing its silence, ending it."""
+"""The owner's side: starting processes through the guardian, hearing them, ending them."""
 
 from __future__ import annotations
 
 import json
 import mmap
 import os
-import signal
+import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from contextlib import suppress
 from multiprocessing import Pipe
+from pathlib import Path
 from typing import Any
 
 from allworlds.inputs import InputError
-from allworlds.isolation.jobs import BEAT_WORDS, NO_RUN, HarnessError, Setup
-from allworlds.subjects import Subject
-from allworlds.work import Limits
+from allworlds.isolation.guardian import Ask, End, Request, Spawn, receive, send
+from allworlds.isolation.jobs import HarnessError
 
 _START = (
     "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
-    "from allworlds.isolation.worker import main; main(sys.argv[2:])"
+    "from allworlds.isolation.roles import guard; guard(int(sys.argv[2]))"
 )
 
+BEAT_WORDS = 2
+"""The shared memory: the number of the current run, and the turns of the explorer in it."""
+
+NO_RUN = (1 << 64) - 1
+"""The number of the current run before the first."""
+
 GRACE = 2.0
-"""Seconds more where the parent is not the first to know: for a foreign program, whose silence
-its worker notices itself, and for a worker that has still something to be heard."""
+"""Seconds more where the owner is not the first to know: for a foreign program, whose silence
+its player notices itself, and for a process that has still something to be heard."""
 
 
-class WorkerProcess:
-    """A worker with its pipe and the memory in which its heart beats.
+class Guardian:
+    """The owner's side of a guardian.
 
-    Args:
-        subject: the explorer, which the worker finds by its name.
-        limits: patience and memory.
-        hash_seed: of the interpreter.  All workers have the same, so that an explorer that
-            depends on the order of a set does the same in each; another one tells.
+    Raises:
+        HarnessError: where there is none: it has been killed, or could not be started.
     """
 
-    def __init__(self, subject: Subject, limits: Limits, hash_seed: int = 0) -> None:
-        self.silence = f"silent for {limits.answer_timeout:g} s"
-        self.patience = limits.answer_timeout + (GRACE if subject.program else 0.0)
+    def __init__(self, sock: socket.socket) -> None:
+        self._sock = sock
+        self._turn = threading.Lock()
+
+    def spawn(self, role: str, descriptors: list[int]) -> int:
+        """The number of a new process that has copies of these descriptors."""
+        with suppress(OSError):
+            sys.stderr.flush()
+        request = Spawn(role, os.getcwd(), child_path(), dict(os.environ))
+        pid = self._ask(request, [2, *descriptors])
+        assert pid is not None
+        return pid
+
+    def end(self, *pids: int) -> None:
+        """Kill these processes and everything that they have started."""
+        self._ask(End(pids), [])
+
+    def exit_code(self, pid: int) -> int | None:
+        """How a process has ended; None while it goes on."""
+        return self._ask(Ask(pid), [])
+
+    def close(self) -> None:
+        """Let it go, and end everything."""
+        self._sock.close()
+
+    def _ask(self, request: Request, descriptors: list[int]) -> int | None:
+        with self._turn:
+            try:
+                send(self._sock, request, descriptors)
+                answer: int | None = receive(self._sock)[0]
+            except (EOFError, OSError) as error:
+                raise HarnessError(f"the guardian of the processes has gone: {error}") from None
+        return answer
+
+
+def started(hash_seed: int) -> Guardian:
+    """A guardian of its own interpreter.
+
+    Args:
+        hash_seed: of the interpreter.  All that it forks have the same, so that an explorer
+            that depends on the order of a set does the same in each; another one tells.
+    """
+    ours, theirs = socket.socketpair()
+    environment = {**os.environ, "PYTHONHASHSEED": str(hash_seed)}
+    subprocess.Popen(  # noqa: S603  # our own module
+        [sys.executable, "-P", "-c", _START, json.dumps(child_path()), str(theirs.fileno())],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        pass_fds=(theirs.fileno(),),
+        # A Ctrl-C is for the owner.
+        start_new_session=True,
+        env=environment,
+    )
+    theirs.close()
+    return Guardian(ours)
+
+
+_guardians: dict[tuple[int, int], Guardian] = {}
+
+
+def guardian(hash_seed: int = 0) -> Guardian:
+    """The guardian of this process with that seed; it is started once."""
+    key = (os.getpid(), hash_seed)
+    if key not in _guardians:
+        _guardians[key] = started(hash_seed)
+    return _guardians[key]
+
+
+def forget(lost: Guardian) -> None:
+    """Start another guardian next time."""
+    for key in [key for key, kept in _guardians.items() if kept is lost]:
+        del _guardians[key]
+    lost.close()
+
+
+def child_path() -> list[str]:
+    """Where a child looks for modules: what is the user's comes last, and hides nothing of ours."""
+    users = {"", str(Path.cwd())}
+    main = getattr(sys.modules.get("__main__"), "__file__", None)
+    if main:
+        users.add(str(Path(main).resolve().parent))
+    ours = [entry for entry in sys.path if entry not in users]
+    return [*ours, *(entry for entry in sys.path if entry in users and entry)]
+
+
+class Process:
+    """A child with its pipe and the memory in which its heart beats.
+
+    Args:
+        guardian: starts it.
+        role: what it does.
+        setup: its first message.
+    """
+
+    def __init__(self, guardian: Guardian, role: str, setup: object) -> None:
+        self._guardian = guardian
         self.connection, theirs = Pipe()
         with tempfile.TemporaryFile() as memory:
             memory.truncate(8 * BEAT_WORDS)
             self._memory = mmap.mmap(memory.fileno(), 8 * BEAT_WORDS)
             self.beat = memoryview(self._memory).cast("Q")
-            self.process = subprocess.Popen(  # noqa: S603  # our own module
-                [
-                    sys.executable,
-                    "-c",
-                    _START,
-                    json.dumps(sys.path),
-                    str(theirs.fileno()),
-                    str(memory.fileno()),
-                ],
-                stdin=subprocess.DEVNULL,
-                pass_fds=(theirs.fileno(), memory.fileno()),
-                # A Ctrl-C is for the parent; and what an explorer leaves behind dies with it.
-                start_new_session=True,
-                env={**os.environ, "PYTHONHASHSEED": str(hash_seed)},
-            )
-        theirs.close()
-        self._program = subject.program is not None
+            self.beat[0] = NO_RUN
+            try:
+                self.pid = guardian.spawn(role, [theirs.fileno(), memory.fileno()])
+            finally:
+                theirs.close()
         self._seen: tuple[int, int] = (0, 0)
         self._since = time.monotonic()
-        self.beat[0] = NO_RUN
-        self.send(Setup(subject.name, limits.answer_timeout, limits.memory))
+        self.send(setup)
 
-    def send(self, job: object) -> None:
-        """Hand over a job."""
-        self.connection.send(job)
+    def send(self, message: object) -> None:
+        """Hand over a message; what has ended does not hear it, and will be noticed."""
+        with suppress(OSError):
+            self.connection.send(message)
 
     def receive(self) -> Any:
         """The next message; waits for it.
 
         Raises:
             EOFError: if the process has ended.
-            InputError: if the explorer could not be loaded there, or a bound has no value.
-            HarnessError: if the worker itself has failed.
+            InputError: if it was given something that cannot be done.
+            HarnessError: if the process itself has failed.
         """
-        message = self.connection.recv()
+        try:
+            message = self.connection.recv()
+        except OSError:
+            raise EOFError from None
         if isinstance(message, InputError | HarnessError):
             raise message
         return message
 
-    def is_silent(self, grace: float = 0.0) -> bool:
-        """The explorer has been thinking about one and the same turn for too long.
-
-        ``grace`` seconds more are allowed where there is reason to.
-        """
+    def silent_for(self) -> float:
+        """Seconds since its heart has beaten, or since it has nothing to beat for."""
         now, seen = time.monotonic(), (self.beat[0], self.beat[1])
         if seen[1] == 0 or seen != self._seen:
             self._seen, self._since = seen, now
-            return False
-        return now - self._since > self.patience + grace
+        return now - self._since
 
     def has_ended(self) -> bool:
         """The process is no more, and all that it has said has been heard.
 
-        The pipe alone does not tell: a process forked by the explorer may hold it open.
+        The pipe alone does not tell: a process forked by an explorer may hold it open.
         """
-        return self.process.poll() is not None and not self.connection.poll()
+        return not self.connection.poll() and self._guardian.exit_code(self.pid) is not None
 
     def death(self) -> str:
         """How the process ended, as a sentence."""
-        try:
-            code = self.process.wait(GRACE)
-        except subprocess.TimeoutExpired:
-            return "the end of the interpreter's pipe"
+        deadline = time.monotonic() + GRACE
+        while (code := self._guardian.exit_code(self.pid)) is None:
+            if time.monotonic() > deadline:
+                return "the end of the interpreter's pipe"
+            time.sleep(0.01)
         how = f"exit code {code}" if code >= 0 else f"signal {-code}"
         return f"the end of the interpreter ({how})"
 
-    def kill(self) -> None:
+    def close(self) -> None:
         """End the process now, and all that it has started."""
-        if self._program:
-            # The worker alone knows the program, which stands in a session of its own.
-            self.process.terminate()
-            with suppress(subprocess.TimeoutExpired):
-                self.process.wait(GRACE)
-        with suppress(ProcessLookupError, PermissionError):
-            os.killpg(self.process.pid, signal.SIGKILL)
-        self.process.wait()
-        self.connection.close()
-        self.beat.release()
-        self._memory.close()
+        close_all(self)
+
+
+def close_all(*processes: Process) -> None:
+    """End processes of one guardian, and all that they have started."""
+    if not processes:
+        return
+    with suppress(HarnessError):  # without a guardian there are no processes either
+        processes[0]._guardian.end(*(process.pid for process in processes))  # noqa: SLF001
+    for process in processes:
+        process.connection.close()
+        process.beat.release()
+        process._memory.close()  # noqa: SLF001

@@ -1,38 +1,52 @@
-"""Units in worker processes, and outliving the workers that do them."""
+"""Units handed out to referees, and outliving them."""
 
 from __future__ import annotations
 
+import secrets
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
 from typing import Self
 
-from allworlds.inputs import InputError
-from allworlds.isolation.confirm import finding_of_lost_run
-from allworlds.isolation.jobs import NO_RUN, Tallied, UnitJob
-from allworlds.isolation.process import WorkerProcess
-from allworlds.runs import Examination, LocalExamination, Tally, Worlds
+from allworlds.isolation.jobs import Appointment, Tallied, UnitJob
+from allworlds.isolation.players import Unsettled
+from allworlds.isolation.process import Guardian, Process, close_all, guardian
+from allworlds.runs import (
+    Examination,
+    OwnExamination,
+    PlayedTwice,
+    PlayersHere,
+    Tally,
+    Worlds,
+)
 from allworlds.subjects import Subject
-from allworlds.work import POLL, Here, Limits, Part, Transport, check_deadline
+from allworlds.work import POLL, Limits, Part, Transport, check_deadline, with_last
+
+PATIENCE = 60.0
+"""Seconds after which a referee whose heart does not beat is put down to be stopped."""
+
+MOST_ATTEMPTS = 3
+"""So many referees may be lost over one unit."""
 
 
 @dataclass(slots=True)
 class _Task:
-    """A unit with how far it has been tallied, and the runs that are not to be tried again."""
+    """A unit with how far it has been tallied."""
 
     unit: Worlds
     start: int = 0
-    skip: frozenset[int] = frozenset()
 
 
 @dataclass(slots=True)
 class Workers:
-    """The transport into processes of their own, which foreign code may kill.
+    """The transport into processes of their own.
 
-    A run that costs a worker its life is a finding; a new worker goes on behind it.
+    A worker is a referee with its players.  Foreign code can cost the players their lives, which
+    their referee outlives; if a referee is lost, it is by the machine, and its unit is done again.
 
     Attributes:
-        subject: the explorer, known to the workers by its name.
+        subject: the explorer, which the players find by its name.
         limits: how many workers, and for how long.
         deadline: on the monotonic clock, or None.
     """
@@ -40,15 +54,16 @@ class Workers:
     subject: Subject
     limits: Limits
     deadline: float | None = None
-    _idle: list[WorkerProcess] = field(default_factory=list)
-    _busy: dict[Connection, tuple[WorkerProcess, _Task]] = field(default_factory=dict)
+    _guardian: Guardian = field(default_factory=guardian)
+    _idle: list[Process] = field(default_factory=list)
+    _busy: dict[Connection, tuple[Process, _Task]] = field(default_factory=dict)
+    _lost: Counter[str] = field(default_factory=Counter)
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
-        for worker in (*self._idle, *(worker for worker, _ in self._busy.values())):
-            worker.kill()
+        close_all(*self._idle, *(referee for referee, _ in self._busy.values()))
         self._idle.clear()
         self._busy.clear()
 
@@ -57,7 +72,8 @@ class Workers:
 
         Raises:
             TimeIsUp: when the time limit has been reached.
-            InputError: if the explorer cannot be loaded in a worker.
+            InputError: if the explorer cannot be loaded in a player.
+            Unsettled: if processes are lost again and again.
         """
         waiting = (_Task(unit) for unit in units)
         task = next(waiting, None)
@@ -68,57 +84,59 @@ class Workers:
             for connection in wait(list(self._busy), POLL):
                 assert isinstance(connection, Connection)
                 yield self._hear(connection, engine)
-            for worker, _ in list(self._busy.values()):
-                if worker.is_silent():
-                    yield self._replace(worker, engine, "timeout", worker.silence)
-                elif worker.has_ended():
-                    yield self._replace(worker, engine, "crash", worker.death())
+            for referee, _ in list(self._busy.values()):
+                if referee.silent_for() > PATIENCE:
+                    yield self._replace(referee, engine, f"silent for {PATIENCE:g} s")
+                elif referee.has_ended():
+                    yield self._replace(referee, engine, referee.death())
             check_deadline(self.deadline)
 
     def _hand_out(self, engine: Examination, task: _Task) -> None:
-        worker = self._idle.pop() if self._idle else WorkerProcess(self.subject, self.limits)
-        # The number of a run within another unit would name a wrong world.
-        worker.beat[0] = task.start if worker.beat[0] != NO_RUN else NO_RUN
-        self._busy[worker.connection] = (worker, task)
-        worker.send(UnitJob(engine, task.unit, task.start, task.skip))
+        referee = self._idle.pop() if self._idle else self._appointed()
+        referee.beat[0] = 0
+        self._busy[referee.connection] = (referee, task)
+        referee.send(UnitJob(engine, task.unit, task.start))
+
+    def _appointed(self) -> Process:
+        appointment = Appointment(
+            self.subject,
+            self.limits.answer_timeout,
+            self.limits.memory,
+            secrets.randbits(64),
+        )
+        return Process(self._guardian, "referee", appointment)
 
     def _hear(self, connection: Connection, engine: Examination) -> Part[Worlds, Tally]:
-        worker, task = self._busy[connection]
+        referee, task = self._busy[connection]
         try:
-            told = worker.receive()
-        except (EOFError, ConnectionResetError):
-            return self._replace(worker, engine, "crash", worker.death())
+            told = referee.receive()
+        except EOFError:
+            return self._replace(referee, engine, referee.death())
+        if isinstance(told, Unsettled):
+            raise told
         assert isinstance(told, Tallied)
         task.start = told.next_run
         if told.last:
             del self._busy[connection]
-            self._idle.append(worker)
+            self._idle.append(referee)
         return Part(task.unit, told.tally, told.last)
 
-    def _replace(
-        self, worker: WorkerProcess, engine: Examination, law: str, seen: str
-    ) -> Part[Worlds, Tally]:
-        """The finding of a lost run; its unit goes on, from where it was tallied, without it."""
-        _, task = self._busy.pop(worker.connection)
-        number = worker.beat[0]
-        worker.kill()
-        if number == NO_RUN:
-            memory = self.limits.memory
-            limit = "" if memory is None else f", with memory limited to {memory} MB"
-            raise InputError(f"a worker came to {seen} before its first run of the explorer{limit}")
-        # A death between two runs is put down to the next one, so that the task gets on.
-        number = max(number, task.start)
-        while number in task.skip:
-            number += 1
-        self._hand_out(engine, _Task(task.unit, task.start, task.skip | {number}))
+    def _replace(self, referee: Process, engine: Examination, how: str) -> Part[Worlds, Tally]:
+        """Go on with another referee, from where the unit was tallied."""
+        _, task = self._busy.pop(referee.connection)
+        referee.close()
+        self._lost[task.unit.key] += 1
+        if self._lost[task.unit.key] >= MOST_ATTEMPTS:
+            raise Unsettled(f"{MOST_ATTEMPTS} processes were lost over one unit, the last by {how}")
+        self._hand_out(engine, task)
         tally = Tally(engine.keep)
-        tally.find(finding_of_lost_run(task.unit, number, engine.scope, self.subject, law, seen))
+        tally.remark(f"a referee was lost ({how}); its unit went on in another")
         return Part(task.unit, tally, last=False)
 
 
 @dataclass(frozen=True, slots=True)
 class ThisProcess:
-    """The same for an explorer that no other process can import; it cannot be stopped here."""
+    """The same for an explorer that no other process can find; it cannot be stopped here."""
 
     subject: Subject
     deadline: float | None = None
@@ -131,13 +149,19 @@ class ThisProcess:
 
     def map(self, engine: Examination, units: Iterable[Worlds]) -> Iterator[Part[Worlds, Tally]]:
         """The units one after the other."""
-        return Here(self.deadline).map(LocalExamination(engine, self.subject), units)
+        own = OwnExamination(engine, self.subject)
+        twice = PlayedTwice(engine, self.subject.name, PlayersHere(self.subject))
+        for unit in units:
+            parts = (twice if self.subject.foreign else own).parts(unit)
+            for (_, tally), last in with_last(parts):
+                yield Part(unit, tally, last)
+                check_deadline(self.deadline)
 
 
 def workers_for(
     subject: Subject, limits: Limits, deadline: float | None = None
 ) -> Transport[Examination]:
     """Where an explorer's runs take place: as far away as it can be found."""
-    if subject.importable:
+    if subject.elsewhere or not subject.foreign:
         return Workers(subject, limits, deadline)
     return ThisProcess(subject, deadline)

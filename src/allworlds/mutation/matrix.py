@@ -21,7 +21,7 @@ from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, 
 from allworlds.mutation.judges import WEAK_JUDGES
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Choices
-from allworlds.subjects import subject_of
+from allworlds.subjects import subject_here
 from allworlds.world import Directional, World
 
 LARGEST_LEVEL = 4
@@ -153,7 +153,7 @@ def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:
 def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, World, str]]:
     """Every run of those explorers, one a rooted map, whose answer breaks a law."""
     players = [
-        (mutant.name, subject_of(mutant.explorer()).player())
+        (mutant.name, subject_here(mutant.explorer()).player())
         for mutant in WRONG_EXPLORERS
         if mutant.name in explorers
     ]

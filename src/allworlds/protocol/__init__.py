@@ -5,7 +5,7 @@ and returns an answer; it never holds a world.  Turning is free and has no actio
 it is folded into the next :class:`Move`, or into ``here`` of the answer.
 """
 
-from allworlds.protocol.actions import Action, Drop, Move, Pick
+from allworlds.protocol.actions import Action, Drop, Move, Pick, action_numbered, number_of
 from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
 from allworlds.protocol.choices import (
     KINDS,
@@ -39,5 +39,7 @@ __all__ = [
     "Schedules",
     "Transcript",
     "action_from_json",
+    "action_numbered",
+    "number_of",
     "policy_named",
 ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TypeAlias, assert_never
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,3 +29,29 @@ class Pick:
 
 Action: TypeAlias = Move | Drop | Pick
 """Everything that an explorer may yield, besides a checkpoint."""
+
+DROP, PICK = -1, -2
+
+_MOVES = tuple(Move(k) for k in range(64))
+
+
+def number_of(action: Action) -> int:
+    """``k`` of a motion modulo the degree, which is not negative; DROP or PICK."""
+    match action:
+        case Move(k):
+            return k
+        case Drop():
+            return DROP
+        case Pick():
+            return PICK
+        case _:
+            assert_never(action)
+
+
+def action_numbered(number: int) -> Action:
+    """The action of a number; equal small motions are one object."""
+    if 0 <= number < len(_MOVES):
+        return _MOVES[number]
+    if number >= 0:
+        return Move(number)
+    return Drop() if number == DROP else Pick()

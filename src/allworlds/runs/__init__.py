@@ -1,19 +1,23 @@
-"""Runs: which there are, played, judged and added up; nothing here survives an explorer.
+"""Runs: which there are, played, judged and added up.
 
 ``scope``
     what is to be checked: a class of worlds, all of it or a part, and the rules;
 ``units``
     the pieces of work into which it is cut;
 ``examiner``
-    one run, played and judged;
+    one run, judged, and what differs between two plays of it;
 ``examination``
     all runs of a unit; **the** loop of the exhaustive check;
+``play``, ``twice``, ``here``
+    a foreign explorer, which plays everything twice;
 ``tally``
     counts that can be added up in any order, and the smallest findings.
 """
 
-from allworlds.runs.examination import Examination, LocalExamination
-from allworlds.runs.examiner import Examiner, Outcome, make_finding
+from allworlds.runs.examination import Examination, OwnExamination
+from allworlds.runs.examiner import Examiner, Outcome, Referee, difference_of, name_run, overruled
+from allworlds.runs.here import PlayersHere
+from allworlds.runs.play import Record, Recorded, Stagehand
 from allworlds.runs.scope import (
     DEFAULT_EDGES,
     Coverage,
@@ -26,29 +30,41 @@ from allworlds.runs.scope import (
     a_shard,
 )
 from allworlds.runs.tally import Row, Tally
+from allworlds.runs.twice import LOST, OneRun, PlayedTwice, Players
 from allworlds.runs.units import GivenWorlds, NumberedRun, Placed, Unit, Worlds, numbered_runs
 
 __all__ = [
     "DEFAULT_EDGES",
+    "LOST",
     "Coverage",
     "Examination",
     "Examiner",
     "GivenWorlds",
-    "LocalExamination",
     "NumberedRun",
+    "OneRun",
     "Outcome",
+    "OwnExamination",
     "Placed",
+    "PlayedTwice",
+    "Players",
+    "PlayersHere",
+    "Record",
+    "Recorded",
+    "Referee",
     "Row",
     "Sample",
     "Schedule",
     "Scope",
     "Shard",
+    "Stagehand",
     "Tally",
     "Unit",
     "Whole",
     "Worlds",
     "a_schedule",
     "a_shard",
-    "make_finding",
+    "difference_of",
+    "name_run",
     "numbered_runs",
+    "overruled",
 ]

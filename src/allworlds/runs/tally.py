@@ -58,6 +58,7 @@ class Tally:
         left_out: worlds without a place for the lighthouse.
         checkpoints: how many were published.
         findings: the smallest, ascending.
+        remarks: what happened that refutes nothing, each with how often.
     """
 
     keep: int
@@ -66,6 +67,7 @@ class Tally:
     left_out: int = 0
     checkpoints: int = 0
     findings: list[Finding] = field(default_factory=list)
+    remarks: Counter[str] = field(default_factory=Counter)
 
     def row(self, edges: int, vertices: int) -> Row:
         """The row of that size."""
@@ -82,6 +84,10 @@ class Tally:
         insort(self.findings, finding, key=lambda kept: kept.key)
         del self.findings[self.keep :]
 
+    def remark(self, text: str) -> None:
+        """Note what happened, and refutes nothing."""
+        self.remarks[text] += 1
+
     def add(self, other: Tally) -> None:
         """Take in another part's tally."""
         for (edges, vertices), row in other.rows.items():
@@ -89,6 +95,7 @@ class Tally:
         self.witnesses.update(other.witnesses)
         self.left_out += other.left_out
         self.checkpoints += other.checkpoints
+        self.remarks.update(other.remarks)
         for finding in other.findings:
             self.find(finding)
 

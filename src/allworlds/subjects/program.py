@@ -9,18 +9,18 @@ or ``{"estimate": {"sigma", "alpha", "here"}}``.  Unknown keys are ignored by bo
 from __future__ import annotations
 
 import contextlib
-import fcntl
 import json
 import os
+import secrets
 import select
 import shlex
 import shutil
 import subprocess
-import tempfile
 import time
 from collections.abc import Generator
 from pathlib import Path
-from typing import IO, Any, Literal
+from random import Random
+from typing import Any, Literal
 
 from allworlds.inputs import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
@@ -57,13 +57,15 @@ class Program:
             raise InputError(f"--exec {command!r} cannot be split into words: {error}") from None
         if not self._arguments:
             raise InputError("--exec needs a command, not an empty string")
-        if shutil.which(self._arguments[0]) is None:
+        found = shutil.which(self._arguments[0])
+        if found is None:
             raise InputError(f"--exec {command!r}: {_obstacle(self._arguments[0])}")
+        self.path = found
         self._timeout = answer_timeout
         self._process: subprocess.Popen[bytes] | None = None
-        self._episodes = 0
+        self._numbers = Random(secrets.randbits(64))  # noqa: S311  # they are to tell nothing
         self._heard = False
-        self._stderr: IO[bytes] | None = None
+        self._err = bytearray()
         self._out = bytearray()
 
     def explore(
@@ -117,35 +119,31 @@ class Program:
     def _begin(self, first: Percept, told: int | None) -> None:
         if self._process is None:
             self._start()
-        assert self._stderr is not None
-        self._stderr.truncate(0)
         self._read(0)
+        self._err.clear()
         if self._out:
             raise self._fault("illegal-action", f"a line before it was asked: {_text(self._out)}")
-        self._episodes += 1
         self._heard = False
-        opening: dict[str, Any] = {"episode": self._episodes, "percept": first.to_json()}
+        number = self._numbers.getrandbits(53)
+        opening: dict[str, Any] = {"episode": number, "percept": first.to_json()}
         if told is not None:
             opening["told"] = told
         self._send(opening)
 
     def _start(self) -> None:
-        self._stderr = tempfile.TemporaryFile()  # noqa: SIM115  # closed with the process
-        # The program appends, so that each episode can begin with an empty file.
-        fcntl.fcntl(self._stderr, fcntl.F_SETFL, os.O_APPEND)
         try:
             self._process = subprocess.Popen(  # noqa: S603  # running it is what was asked for
                 self._arguments,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
-                stderr=self._stderr,
+                stderr=subprocess.PIPE,
                 bufsize=0,
                 start_new_session=True,
             )
         except OSError as error:
-            self._stderr.close()
             raise ExplorerFault("crash", f"the program cannot be started: {error}") from None
         self._out.clear()
+        self._err.clear()
 
     def _kill(self) -> None:
         process, self._process = self._process, None
@@ -154,7 +152,7 @@ class Program:
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(process.pid, 9)
         process.wait()
-        for stream in (process.stdin, process.stdout, self._stderr):
+        for stream in (process.stdin, process.stdout, process.stderr):
             if stream is not None:
                 with contextlib.suppress(OSError):
                     stream.close()
@@ -195,14 +193,29 @@ class Program:
         return line
 
     def _read(self, wait: float) -> bool:
-        """Take in what the program says within ``wait`` seconds; False at its end of output."""
-        assert self._process is not None
-        assert self._process.stdout is not None
+        """Take in what the program says within ``wait`` seconds; False at its end of output.
+
+        Of what it writes to stderr only the end is kept, however much it is.
+        """
+        process = self._process
+        assert process is not None
+        assert process.stdout is not None
+        assert process.stderr is not None
         poll = select.poll()
-        poll.register(self._process.stdout, select.POLLIN)
-        if not poll.poll(wait * 1000):
+        poll.register(process.stdout, select.POLLIN)
+        if not process.stderr.closed:
+            poll.register(process.stderr, select.POLLIN)
+        ready = {descriptor for descriptor, _ in poll.poll(wait * 1000)}
+        if not process.stderr.closed and process.stderr.fileno() in ready:
+            written = process.stderr.read(1 << 16)
+            if written:
+                self._err += written
+                del self._err[:-STDERR_KEPT]
+            else:
+                process.stderr.close()
+        if process.stdout.fileno() not in ready:
             return True
-        chunk = self._process.stdout.read(1 << 16) or b""
+        chunk = process.stdout.read(1 << 16) or b""
         self._out += chunk
         return bool(chunk)
 
@@ -216,13 +229,24 @@ class Program:
             seen += ", before a line of this episode: one process plays many, until its input ends"
         return self._fault("crash", seen)
 
+    def _drain(self) -> None:
+        """Take in what it has written to stderr by now."""
+        process = self._process
+        while process and process.stderr and not process.stderr.closed:
+            poll = select.poll()
+            poll.register(process.stderr, select.POLLIN)
+            before = len(self._err)
+            if not poll.poll(0):
+                return
+            self._read(0)
+            if len(self._err) in (before, STDERR_KEPT):
+                return
+
     def _fault(
         self, law: Literal["crash", "timeout", "illegal-action", "no-estimate"], seen: str
     ) -> ExplorerFault:
-        assert self._stderr is not None
-        end = self._stderr.seek(0, os.SEEK_END)
-        self._stderr.seek(max(0, end - STDERR_KEPT))
-        detail = self._stderr.read().decode(errors="replace")
+        self._drain()
+        detail = self._err.decode(errors="replace")
         return ExplorerFault(law, seen, f"stderr:\n{detail}" if detail else "")
 
 

@@ -1,0 +1,204 @@
+"""The process with the foreign code in it: it plays, and judges nothing."""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+import mmap
+import os
+import signal
+import sys
+import time
+import traceback
+from collections.abc import MutableSequence, Sequence
+from contextlib import suppress
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import TypeVar
+
+from allworlds.episode import Fault, Log, perform
+from allworlds.inputs import InputError
+from allworlds.isolation.jobs import (
+    Casting,
+    Described,
+    HarnessError,
+    Played,
+    PlayRecords,
+    PlayRuns,
+    Told,
+    Trace,
+)
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
+from allworlds.runs import Stagehand, name_run
+from allworlds.subjects import Subject, load
+from allworlds.world import World
+
+T = TypeVar("T")
+
+CHUNK, CHUNK_SECONDS = 64, 0.1
+"""So many logs, or seconds, after which some are handed over."""
+
+Job = PlayRuns | PlayRecords | Trace
+"""Everything that a player can be asked to do after its casting."""
+
+
+class Player:
+    """A player's life: its casting, then jobs until the pipe is closed."""
+
+    def __init__(self, connection: Connection, beat: MutableSequence[int]) -> None:
+        self._connection = connection
+        self._beat = beat
+        self._pid = os.getpid()
+
+    def run(self) -> None:
+        """Serve until the owner hangs up."""
+        casting: Casting = self._connection.recv()
+        try:
+            if casting.memory is not None:
+                _limit_memory(casting.memory)
+            subject = load(casting.name, casting.answer_timeout, casting.source)
+        except InputError as error:
+            if casting.memory is not None:
+                error = InputError(f"memory {casting.memory} MB is perhaps too small: {error}")
+            self._connection.send(error)
+            return
+        except MemoryError:
+            text = f"memory {casting.memory} MB is too small to load {casting.name}"
+            self._connection.send(InputError(text))
+            return
+        signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
+        self._connection.send(Described(subject.keywords, _digest(subject)))
+        with subject.running():
+            self._serve(subject, Stagehand(subject.player(), self._beat, self._intact))
+
+    def _serve(self, subject: Subject, stagehand: Stagehand) -> None:
+        while True:
+            job = self._connection.recv()
+            try:
+                self._do(subject, stagehand, job)
+            except OSError:
+                raise
+            except InputError as error:  # a bound without a value for some world
+                self._connection.send(error)
+            except Exception:  # noqa: BLE001  # explorers' errors never get here: it is ours
+                self._connection.send(HarnessError(traceback.format_exc()))
+
+    def _do(self, subject: Subject, stagehand: Stagehand, job: Job) -> None:
+        match job:
+            case PlayRuns():
+                self._play(stagehand, job)
+            case PlayRecords(records, policy, order):
+                self._connection.send(stagehand.again(records, policy, order))
+            case Trace():
+                self._trace(subject, job)
+
+    def _play(self, stagehand: Stagehand, job: PlayRuns) -> None:
+        logs: list[tuple[int, Log]] = []
+        done: list[int] = []
+        due = time.monotonic() + CHUNK_SECONDS
+        for number, log in stagehand.first(
+            job.examination, job.unit, job.numbers, job.order, job.script
+        ):
+            if log is None:
+                done.append(number)
+            else:
+                logs.append((number, log))
+            if len(logs) >= CHUNK or time.monotonic() > due:
+                self._connection.send(Played(logs, done))
+                logs, done = [], []
+                due = time.monotonic() + CHUNK_SECONDS
+        if logs or done:
+            self._connection.send(Played(logs, done))
+
+    def _trace(self, subject: Subject, job: Trace) -> None:
+        rules = job.rules
+        name = name_run(rules, job.world)
+        every = job.schedules == "all"
+        for choices in Schedules() if every else [rules.choices(name, job.script)]:
+            self._connection.send(Told(None))
+            log = perform(
+                TellingWorld(job.world, self._connection),
+                subject.player(),
+                TellingChoices(choices, self._connection),
+                rules.budget(job.world.map),
+                self._beat,
+            )
+            self._intact()
+        self._connection.send(log)
+
+    def _intact(self) -> None:
+        """Leave, if the explorer has forked this process or closed its pipe."""
+        if os.getpid() != self._pid:
+            # The original goes on with the work; its copy must not do it a second time.
+            os._exit(0)
+        os.fstat(self._connection.fileno())
+
+
+class TellingWorld:
+    """A world that tells each step before the explorer sees its outcome."""
+
+    def __init__(self, world: World, connection: Connection) -> None:
+        self._world, self._connection = world, connection
+        self.start, self.first, self.told = world.start, world.first, world.told
+        self.percepts = world.percepts
+
+    def step(self, state: Dart, action: Action) -> tuple[Dart, Percept]:
+        """The world's, told."""
+        after, percept = self._world.step(state, action)
+        self._connection.send(Told((number_of(action), percept)))
+        return after, percept
+
+
+class TellingChoices(Choices):
+    """Choices that tell each pick."""
+
+    def __init__(self, choices: Choices, connection: Connection) -> None:
+        super().__init__()
+        self._choices, self._connection = choices, connection
+        self.record = choices.record
+
+    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
+        """One of the options, told."""
+        picked = self._choices.pick(options, of, cost)
+        self._connection.send(Told(self.record[-1]))
+        return picked
+
+
+def _digest(subject: Subject) -> str:
+    """SHA-256 of the explorer's file, or of the program's; empty where there is none."""
+    if subject.source is not None:
+        return subject.source.digest
+    with suppress(Exception):  # whatever an explorer's module makes of being looked at
+        if subject.program is not None:
+            return hashlib.sha256(Path(subject.program.path).read_bytes()).hexdigest()
+        file = inspect.getsourcefile(inspect.unwrap(subject.explore))  # type: ignore[arg-type]
+        return hashlib.sha256(Path(file or "").read_bytes()).hexdigest()
+    return ""
+
+
+def _limit_memory(megabytes: int) -> None:
+    """Bound the address space of this process.
+
+    Raises:
+        InputError: if it is larger already; it would go on for as long as it needs no more.
+    """
+    import resource
+
+    _, most = resource.getrlimit(resource.RLIMIT_AS)
+    size = min(megabytes << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
+    resource.setrlimit(resource.RLIMIT_AS, (size, size))
+    try:
+        mmap.mmap(-1, mmap.PAGESIZE).close()
+    except OSError:
+        raise InputError("a player is larger before it has loaded an explorer") from None
+
+
+def _leave(subject: Subject) -> None:
+    """End this process now, but not without the foreign program behind the explorer."""
+    if subject.program:
+        subject.program.close()
+    os._exit(0)
+
+
+__all__ = ["Fault", "Player"]

@@ -1,0 +1,269 @@
+"""The referee's side of the players: asked, heard, replaced where they are lost."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Callable, Generator, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from random import Random
+
+from allworlds.episode import Fault, Log, LostRun
+from allworlds.inputs import InputError
+from allworlds.isolation.jobs import (
+    Casting,
+    Described,
+    Played,
+    PlayRecords,
+    PlayRuns,
+)
+from allworlds.isolation.process import GRACE, NO_RUN, Guardian, Process, close_all
+from allworlds.runs import Examination, Record, Worlds
+from allworlds.subjects import EXEC
+from allworlds.work import POLL
+
+IMPORT_TIMEOUT = 60.0
+"""Seconds that an explorer's module may take to be imported."""
+
+ANSWER = "an action, or an estimate at the end"
+
+
+MOST_LOSSES = 20
+"""So many lost players that no fresh one has followed are put down to the machine."""
+
+
+class Unsettled(Exception):
+    """Processes are lost again and again, and nothing can be said of the explorer."""
+
+
+class Lost(Exception):
+    """A player was silent for too long, or has died.
+
+    Attributes:
+        law: ``timeout`` or ``crash``.
+        seen: how, as a sentence.
+        number: of the run that it was in; None if it was in none.
+    """
+
+    def __init__(self, law: str, seen: str, number: int | None) -> None:
+        super().__init__(seen)
+        self.law, self.seen, self.number = law, seen, number
+
+
+def started(guardian: Guardian, casting: Casting) -> tuple[Process, Described]:
+    """A player with its explorer loaded.
+
+    Raises:
+        InputError: if the explorer cannot be loaded.
+    """
+    process = Process(guardian, "player", casting)
+    try:
+        deadline = time.monotonic() + IMPORT_TIMEOUT
+        while not process.connection.poll(POLL):
+            if process.has_ended():
+                raise InputError(
+                    f"a process came to {process.death()} when it imported {casting.name}"
+                    + _limit(casting)
+                )
+            if time.monotonic() > deadline:
+                raise InputError(
+                    f"{casting.name} does not import: it was at it for {IMPORT_TIMEOUT:g} s"
+                )
+        try:
+            described = process.receive()
+        except EOFError:
+            raise InputError(
+                f"a process came to {process.death()} when it imported {casting.name}"
+                + _limit(casting)
+            ) from None
+    except BaseException:
+        process.close()
+        raise
+    assert isinstance(described, Described)
+    return process, described
+
+
+def _limit(casting: Casting) -> str:
+    return "" if casting.memory is None else f", with memory limited to {casting.memory} MB"
+
+
+def hear(process: Process, casting: Casting, alive: Callable[[], None] = lambda: None) -> object:
+    """A player's next message.
+
+    ``alive`` is called while there is none.
+
+    Raises:
+        Lost: if it is silent for too long, or has died.
+    """
+    patience = casting.answer_timeout + (GRACE if casting.name.startswith(EXEC) else 0.0)
+    while True:
+        told = process.connection.poll(POLL)
+        # What it has told before it fell silent is still heard; but it may tell choices for ever.
+        if process.silent_for() > patience + (GRACE if told else 0.0):
+            raise Lost("timeout", f"silent for {casting.answer_timeout:g} s", _number(process))
+        if told:
+            break
+        if process.has_ended():
+            raise Lost("crash", process.death(), _number(process))
+        alive()
+    try:
+        return process.receive()
+    except EOFError:
+        raise Lost("crash", process.death(), _number(process)) from None
+
+
+def _number(process: Process) -> int | None:
+    number = process.beat[0]
+    return None if number == NO_RUN else number
+
+
+@dataclass(slots=True)
+class Cast:
+    """Two processes with one explorer: the one plays in worlds, the other against records.
+
+    Attributes:
+        guardian: starts and ends them.
+        casting: the explorer.
+        random: from which every order is drawn.
+        alive: called while a player is waited for.
+        remark: takes what happened and refutes nothing.
+    """
+
+    guardian: Guardian
+    casting: Casting
+    random: Random
+    alive: Callable[[], None] = lambda: None
+    remark: Callable[[str], None] = lambda _: None
+    _processes: dict[str, Process] = field(default_factory=dict)
+    _losses: int = 0
+    _asked: PlayRecords = field(default_factory=lambda: PlayRecords((), "fifo", 0))
+
+    def close(self) -> None:
+        """End both."""
+        close_all(*self._processes.values())
+        self._processes.clear()
+
+    def renew(self) -> None:
+        """Go on in fresh processes."""
+        self.close()
+
+    def first(
+        self,
+        examination: Examination,
+        unit: Worlds,
+        numbers: Sequence[int],
+        script: tuple[int, ...] | None = None,
+    ) -> Iterator[list[tuple[int, Log]]]:
+        """The logs of these runs, as they come; of a run that is lost twice there is one more.
+
+        Raises:
+            Unsettled: if processes are lost again and again, and no fresh one repeats it.
+        """
+        left, told = list(numbers), Counter[int]()
+        while left:
+            job = PlayRuns(examination, unit, tuple(left), self.random.getrandbits(64), script)
+            lost = yield from self._attempt(job, left, told)
+            if lost is None:
+                return
+            number = lost.number if lost.number in left else None
+            again = None
+            if number is not None:
+                # Once more by itself, so that it can be put down to nobody else.
+                alone = replace(job, numbers=(number,))
+                again = yield from self._attempt(alone, left, told)
+            if again is None:
+                self._note(lost)
+            elif number in left:
+                left.remove(number)
+                yield [(number, Log((), (), LostRun(again.law, ANSWER, again.seen)))]
+
+    def _attempt(
+        self, job: PlayRuns, left: list[int], told: Counter[int]
+    ) -> Generator[list[tuple[int, Log]], None, Lost | None]:
+        """The logs of a job that have not been told before; how it was lost, if it was.
+
+        What has no more logs is taken out of ``left``.
+        """
+        before = Counter(told)
+        try:
+            player = self._player("first")
+            player.beat[0] = NO_RUN
+            player.send(job)
+            waiting = len(job.numbers)
+            while waiting:
+                played = hear(player, self.casting, self.alive)
+                assert isinstance(played, Played)
+                fresh = []
+                for number, log in played.logs:
+                    if before[number]:
+                        before[number] -= 1
+                    else:
+                        told[number] += 1
+                        fresh.append((number, log))
+                waiting -= len(played.done)
+                for number in played.done:
+                    left.remove(number)
+                if fresh:
+                    yield fresh
+        except Lost as lost:
+            self._dismiss("first")
+            return lost
+        return None
+
+    def ask_again(self, records: Sequence[Record], policy: str) -> None:
+        """Begin to play these once more."""
+        self._asked = PlayRecords(tuple(records), policy, self.random.getrandbits(64))
+        if records:
+            self._player("second").send(self._asked)
+
+    def told_again(self) -> list[Log]:
+        """The logs of what was asked for, in the order of the records."""
+        if not self._asked.records:
+            return []
+        try:
+            logs = hear(self._player("second"), self.casting, self.alive)
+        except Lost as lost:
+            self._dismiss("second")
+            return self._one_by_one(lost)
+        assert isinstance(logs, list)
+        return logs
+
+    def _one_by_one(self, lost: Lost) -> list[Log]:
+        """The same, where one of the records has cost the player its life."""
+        logs = []
+        repeated = False
+        for record in self._asked.records:
+            try:
+                player = self._player("second")
+                player.send(PlayRecords((record,), self._asked.policy, 0))
+                told = hear(player, self.casting, self.alive)
+                assert isinstance(told, list)
+                log: Log = told[0]
+            except Lost as again:
+                self._dismiss("second")
+                repeated = True
+                log = Log((), (), Fault(again.law, ANSWER, again.seen))
+            logs.append(log)
+        if not repeated:
+            self._note(lost)
+        return logs
+
+    def _note(self, lost: Lost) -> None:
+        """A loss that a fresh process has not repeated refutes nothing."""
+        self.remark(f"a player was lost ({lost.seen}), and a fresh one was not: no refutation")
+        self._losses += 1
+        if self._losses > MOST_LOSSES:
+            raise Unsettled(
+                f"{self._losses} players were lost, the last by {lost.seen}, and each time a fresh "
+                "one was not"
+            )
+
+    def _player(self, which: str) -> Process:
+        if which not in self._processes:
+            self._processes[which], _ = started(self.guardian, self.casting)
+        return self._processes[which]
+
+    def _dismiss(self, which: str) -> None:
+        process = self._processes.pop(which, None)
+        if process is not None:
+            process.close()

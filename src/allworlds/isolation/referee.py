@@ -1,0 +1,88 @@
+"""The process that judges units; the foreign code is in its players."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Iterator, MutableSequence
+from multiprocessing.connection import Connection
+from random import Random
+from typing import Protocol
+
+from allworlds.inputs import InputError
+from allworlds.isolation.jobs import (
+    Appointment,
+    Casting,
+    HarnessError,
+    Tallied,
+    UnitJob,
+)
+from allworlds.isolation.players import Cast, Unsettled
+from allworlds.isolation.process import Guardian
+from allworlds.runs import Examination, OwnExamination, PlayedTwice, Tally, Worlds
+from allworlds.subjects import built_in
+from allworlds.work import with_last
+
+
+class Engine(Protocol):
+    """What is done with a unit from some run on."""
+
+    def parts(self, unit: Worlds, start: int = 0) -> Iterator[tuple[int, Tally]]:
+        """The number of the next run and the tally since, some time and again."""
+
+
+class RefereeProcess:
+    """A referee's life: its appointment, then units until the pipe is closed.
+
+    ``beat[1]`` grows while it works, so that its owner can see that it does.
+    """
+
+    def __init__(
+        self, connection: Connection, beat: MutableSequence[int], guardian: Guardian
+    ) -> None:
+        self._connection, self._beat, self._guardian = connection, beat, guardian
+        self._remarks: list[str] = []
+
+    def run(self) -> None:
+        """Serve until the owner hangs up."""
+        appointment: Appointment = self._connection.recv()
+        cast = self._cast(appointment)
+        try:
+            while True:
+                job: UnitJob = self._connection.recv()
+                self._alive()
+                self._examine(self._engine(appointment, cast, job.examination), job)
+                self._beat[1] = 0
+        except EOFError:
+            cast.close()
+
+    def _cast(self, appointment: Appointment) -> Cast:
+        subject = appointment.subject
+        casting = Casting(
+            subject.name, subject.source, appointment.answer_timeout, appointment.memory
+        )
+        order = Random(appointment.order)  # noqa: S311  # drawn from the system by the owner
+        return Cast(self._guardian, casting, order, self._alive, self._remarks.append)
+
+    def _engine(self, appointment: Appointment, cast: Cast, examination: Examination) -> Engine:
+        subject = appointment.subject
+        if subject.foreign:
+            return PlayedTwice(examination, subject.name, cast)
+        return OwnExamination(examination, built_in(subject.name))
+
+    def _examine(self, engine: Engine, job: UnitJob) -> None:
+        try:
+            for (next_run, tally), last in with_last(engine.parts(job.unit, job.start)):
+                self._alive()
+                for remark in self._remarks:
+                    tally.remark(remark)
+                self._remarks.clear()
+                self._connection.send(Tallied(next_run, tally, last))
+        except (InputError, Unsettled) as error:
+            self._connection.send(error)
+        except OSError:
+            raise
+        except Exception:  # noqa: BLE001  # explorers' errors never get here: it is ours
+            self._connection.send(HarnessError(traceback.format_exc()))
+
+    def _alive(self) -> None:
+        self._beat[1] += 1

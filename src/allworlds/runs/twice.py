@@ -1,0 +1,201 @@
+"""Every run of a foreign explorer played twice: in worlds, and against what was sensed there.
+
+The second play is not in the order of the first, and, where the explorer can be played in other
+processes, not in the process of the first nor in one that holds any world.  An explorer that
+keeps something from one run to the next, or looks at anything but its percepts, does not play
+the same way twice.  The orders are drawn anew for each check, so that nothing but its percepts
+tells an explorer which world it is in.
+
+What the machine may have done is tried once more in fresh processes before it is believed: a
+run that has cost its process its life, or that crashed, or was silent, in one of its plays alone.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import islice
+from typing import NamedTuple, Protocol
+
+from allworlds.episode import Episode, Fault, Log, LostRun, retold
+from allworlds.runs.examination import REPORT_EVERY, Examination
+from allworlds.runs.examiner import Outcome, Referee, difference_of, name_run, overruled
+from allworlds.runs.play import Record
+from allworlds.runs.tally import Tally
+from allworlds.runs.units import NumberedRun, Worlds
+from allworlds.world import IllegalAction, World
+
+FEW, MANY = 16, 1024
+"""The least and the greatest number of runs among which the order is drawn."""
+
+LOST = ("crash", "timeout")
+"""The laws that the machine can break, too."""
+
+
+class Players(Protocol):
+    """Who plays; in this process, or in others that may be lost."""
+
+    def first(
+        self,
+        examination: Examination,
+        unit: Worlds,
+        numbers: Sequence[int],
+        script: tuple[int, ...] | None = None,
+    ) -> Iterator[list[tuple[int, Log]]]:
+        """The logs of these runs of the unit, some at a time, each with its number.
+
+        Of a run that cost its process its life, twice, there is one log, with that fault.
+        """
+
+    def ask_again(self, records: Sequence[Record], policy: str) -> None:
+        """Begin to play these once more, in another order, against what was sensed."""
+
+    def told_again(self) -> list[Log]:
+        """The logs of what was asked for, in the order of the records."""
+
+    def renew(self) -> None:
+        """Go on in fresh processes."""
+
+
+@dataclass(frozen=True, slots=True)
+class OneRun:
+    """A run of a unit: its number there, the number of its place, and its world."""
+
+    number: int
+    place: int
+    world: World
+
+
+class _Play(NamedTuple):
+    """A first play, retold in its world, with what is needed to play it again."""
+
+    one: OneRun
+    log: Log
+    episode: Episode
+    record: Record
+
+
+@dataclass(slots=True)
+class PlayedTwice:
+    """The engine for a foreign explorer."""
+
+    examination: Examination
+    explorer: str
+    players: Players
+    _window: int = FEW
+    _referee: Referee = field(init=False)
+
+    def __post_init__(self) -> None:
+        self._referee = Referee(self.explorer, self.examination.scope.rules)
+
+    def parts(self, unit: Worlds, start: int = 0) -> Iterator[tuple[int, Tally]]:
+        """After some runs, and at the end, the number of the next run and the tally since."""
+        runs = self.examination.runs(unit, start)
+        after = start
+        while window := list(islice(runs, self._window)):
+            began = time.monotonic()
+            yield (after := window[-1].number + 1), self._tally(unit, window)
+            slow = time.monotonic() - began > REPORT_EVERY / 2
+            self._window = max(FEW, self._window // 2) if slow else min(MANY, self._window * 2)
+        if after == start:
+            yield after, self.examination.tally()
+
+    def _tally(self, unit: Worlds, window: list[NumberedRun]) -> Tally:
+        tally = self.examination.tally()
+        lit = {}
+        for run in window:
+            world = self.examination.count_run(run, tally)
+            if world is not None:
+                lit[run.number] = OneRun(run.number, run.place, world)
+
+        def matters(one: OneRun) -> bool:
+            return tally.wants(one.world.map.edge_count, one.world.map.vertex_count)
+
+        for one, outcome in self.outcomes(unit, lit, matters, tally.remark):
+            if isinstance(outcome, Outcome):
+                self.examination.count_outcome(self._referee, one.world, one.place, outcome, tally)
+            elif matters(one):
+                tally.find(self._referee.lost(one.world, one.place, outcome))
+        return tally
+
+    def outcomes(
+        self,
+        unit: Worlds,
+        lit: Mapping[int, OneRun],
+        matters: Callable[[OneRun], bool] = lambda _: True,
+        remark: Callable[[str], None] = lambda _: None,
+        script: tuple[int, ...] | None = None,
+    ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
+        """What comes of these runs of a unit, by their numbers, in any order.
+
+        Args:
+            unit: the unit.
+            lit: the runs.
+            matters: whether it is worth while to try a run once more in fresh processes.
+            remark: takes what happened and refutes nothing.
+            script: the choices to be made; None for every schedule that the scope asks for.
+        """
+        for logs in self.players.first(self.examination, unit, [*lit], script):
+            whole = []
+            for number, log in logs:
+                if isinstance(log.ending, LostRun):
+                    yield lit[number], log.ending
+                else:
+                    whole.append(self._play(lit[number], log))
+            self.players.ask_again(
+                [play.record for play in whole], self.examination.scope.rules.policy
+            )
+            outcomes = [
+                self._referee.outcome(play.one.world, play.episode, play.log.choices)
+                for play in whole
+            ]
+            again = self.players.told_again()
+            for play, outcome, second in zip(whole, outcomes, again, strict=True):
+                if _may_be_the_machine(play.log, second) and matters(play.one):
+                    yield play.one, self._once_more(unit, play, remark)
+                else:
+                    yield play.one, overruled(outcome, play.log, second)
+
+    def _play(self, one: OneRun, log: Log) -> _Play:
+        rules, world = self.examination.scope.rules, one.world
+        try:
+            episode = retold(log, world)
+        except IllegalAction as error:
+            raise RuntimeError(f"the log of a run is no walk in its world: {error}") from error
+        record = Record(
+            tuple(episode.transcript.percepts),
+            world.told,
+            log.choices,
+            rules.budget(world.map),
+            name_run(rules, world),
+        )
+        return _Play(one, log, episode, record)
+
+    def _once_more(
+        self, unit: Worlds, before: _Play, remark: Callable[[str], None]
+    ) -> Outcome | LostRun:
+        """The run played anew, both times in fresh processes."""
+        one, choices = before.one, before.log.choices
+        self.players.renew()
+        (((_, log),),) = self.players.first(self.examination, unit, [one.number], choices)
+        if isinstance(log.ending, LostRun):
+            return log.ending
+        play = self._play(one, log)
+        self.players.ask_again([play.record], self.examination.scope.rules.policy)
+        (second,) = self.players.told_again()
+        if not _may_be_the_machine(log, second) and log.ending != before.log.ending:
+            remark(f"a run ended otherwise when it was tried again; at first: {_how(before.log)}")
+        outcome = self._referee.outcome(one.world, play.episode, log.choices)
+        return overruled(outcome, log, second)
+
+
+def _may_be_the_machine(first: Log, second: Log) -> bool:
+    """One play ended in a way that is not always the explorer's own, and the other did not."""
+    endings = (first.ending, second.ending)
+    suspicious = any(isinstance(end, Fault) and end.law in LOST for end in endings)
+    return suspicious and difference_of(first, second) is not None
+
+
+def _how(log: Log) -> str:
+    return log.ending.seen if isinstance(log.ending, Fault) else "it ended with an answer"
