@@ -52,29 +52,43 @@ def alive(pid):
     return state != "Z"
 
 
-def children():
-    """The processes that this one has started and that still run."""
-    found = []
+def descendants():
+    """The processes that come from this one and still run, but for the guardians, which stay."""
+    below = {}
     for entry in Path("/proc").iterdir():
         if entry.name.isdigit():
             try:
                 after = (entry / "stat").read_text().rpartition(")")[2].split()
             except OSError:
                 continue
-            if int(after[1]) == os.getpid() and after[0] != "Z":
-                found.append(int(entry.name))
-    return found
+            if after[0] != "Z":
+                below.setdefault(int(after[1]), []).append(int(entry.name))
+    found = []
+    for pid in (waiting := [os.getpid()]):
+        waiting += below.get(pid, [])
+        found += below.get(pid, [])
+    return {pid for pid in found if not is_guardian(pid)}
+
+
+def is_guardian(pid):
+    """A guardian, and not what it has forked, which has the same command."""
+    try:
+        command = Path(f"/proc/{pid}/cmdline").read_bytes()
+        parent = int(Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
+    except OSError:
+        return True
+    return b"isolation.roles" in command and parent == os.getpid()
 
 
 @pytest.fixture
 def no_orphans():
     """Nothing that a check has started outlives it."""
-    before = set(children())
+    before = descendants()
     yield
-    deadline = time.monotonic() + 3
-    while set(children()) - before and time.monotonic() < deadline:
+    deadline = time.monotonic() + 30
+    while descendants() - before and time.monotonic() < deadline:
         time.sleep(0.05)
-    assert not set(children()) - before
+    assert not descendants() - before
 
 
 @pytest.fixture

@@ -26,7 +26,16 @@ from allworlds.isolation import Unsettled, confirmed, subject_of
 from allworlds.maps.classes import Extent
 from allworlds.outcome import Verdict
 from allworlds.progress import Listener, Silent
-from allworlds.runs import DEFAULT_EDGES, LOST, Scope, Shard, Tally, a_schedule, a_shard
+from allworlds.runs import (
+    DEFAULT_EDGES,
+    LOST,
+    Scope,
+    Shard,
+    Tally,
+    a_schedule,
+    a_shard,
+    nondeterministic,
+)
 from allworlds.work import Limits, TimeIsUp, gather, level_size
 
 
@@ -159,15 +168,28 @@ class _Check:
                 kept.append(found)
                 continue
             again = confirmed(found, job.subject, job.limits, self._scope.schedules)
-            if again.law in LOST and job.subject.elsewhere and not again.confirmed:
+            if again.law not in LOST or not job.subject.elsewhere or again.confirmed:
+                kept.append(again)
+            elif not again.machine:
+                difference = nondeterministic(
+                    f"{again.law}, and not in a fresh process: {again.seen}"
+                )
+                kept.append(
+                    replace(
+                        again,
+                        law=difference.law,
+                        expected=difference.expected,
+                        seen=difference.seen,
+                        confirmed=True,
+                    )
+                )
+            else:
                 unrepeated = True
                 size = f"{found.key[0]} edges and {found.key[1]} vertices"
                 self._tally.remark(
                     f"a {found.law} in a world with {size} ({found.seen}) that a fresh process did "
                     "not repeat"
                 )
-            else:
-                kept.append(again)
         return kept, unrepeated
 
     def _examined(self) -> Ending:

@@ -73,12 +73,15 @@ class Fault:
         law: ``crash``, ``timeout``, ``illegal-action``, ``no-estimate`` or ``budget``.
         expected, seen: a sentence each.
         detail: a traceback, or the tail of a program's stderr; may be empty.
+        machine: it may be the machine's doing and not the explorer's: a signal, a time-out, no
+            memory.
     """
 
     law: str
     expected: str
     seen: str
     detail: str = ""
+    machine: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -348,7 +351,7 @@ def answered(ending: Said | Fault) -> Ending:
 def _raised(error: BaseException) -> Fault:
     let_users_interrupt(error)
     if type(error) is ExplorerFault and error.law in ADAPTERS_LAWS:
-        return Fault(error.law, _ANSWER, error.seen, error.detail)
+        return Fault(error.law, _ANSWER, error.seen, error.detail, error.machine)
     name = type(error).__name__
     try:
         frames = error.__traceback__.tb_next if error.__traceback__ else None
@@ -357,7 +360,8 @@ def _raised(error: BaseException) -> Fault:
     except BaseException as another:  # noqa: BLE001  # an exception may not even be printable
         let_users_interrupt(another)
         return Fault("crash", _ANSWER, f"{name}, which cannot be shown")
-    return Fault("crash", _ANSWER, f"{name}: {message}" if message else name, detail[-LONGEST:])
+    seen = f"{name}: {message}" if message else name
+    return Fault("crash", _ANSWER, seen, detail[-LONGEST:], isinstance(error, MemoryError))
 
 
 def _close(generator: Generator[Any, Any, Any] | None) -> None:

@@ -37,6 +37,7 @@ class Finding:
         step: the number of steps before the checkpoint that breaks the law; None where none does.
         confirmed: a fresh process has repeated it from the recorded percepts alone.
         minimal: no smaller world of the scope is refuting.
+        machine: what was seen may be the machine's doing.
         traced: its walk is known; a run that has killed its worker is traced when it is reported.
     """
 
@@ -53,6 +54,7 @@ class Finding:
     step: int | None = None
     confirmed: bool = False
     minimal: bool = False
+    machine: bool = False
     traced: bool = True
 
     @cached_property

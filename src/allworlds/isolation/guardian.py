@@ -118,6 +118,9 @@ class _Guardian:
         self._owner = owner
         self._parent = os.getppid()
         self._known: set[int] = set()
+        # Whoever asks for a process owns it: it does not outlive its owner.
+        self._owned: dict[socket.socket, set[int]] = {owner: set()}
+        self._control: dict[int, socket.socket] = {}
         self._ended: dict[int, int] = {}
 
     def run(self) -> NoReturn:
@@ -144,16 +147,24 @@ class _Guardian:
         except EOFError:
             if sock is self._owner:
                 raise
-            self._selector.unregister(sock)
-            sock.close()
+            self._end(tuple(self._owned[sock]))
+            self._forget(sock)
             return
         with suppress(BrokenPipeError, ConnectionResetError):
-            send(sock, self._answer(request, descriptors), [])
+            send(sock, self._answer(sock, request, descriptors), [])
 
-    def _answer(self, request: Request, descriptors: list[int]) -> Answer:
+    def _forget(self, sock: socket.socket) -> None:
+        self._selector.unregister(sock)
+        del self._owned[sock]
+        self._control = {pid: kept for pid, kept in self._control.items() if kept is not sock}
+        sock.close()
+
+    def _answer(self, sock: socket.socket, request: Request, descriptors: list[int]) -> Answer:
         match request:
             case Spawn():
-                return self._spawn(request, descriptors)
+                pid = self._spawn(request, descriptors)
+                self._owned[sock].add(pid)
+                return pid
             case End(pids):
                 self._end(pids)
                 return None
@@ -170,6 +181,8 @@ class _Guardian:
             os.close(descriptor)
         theirs.close()
         self._known.add(pid)
+        self._control[pid] = ours
+        self._owned[ours] = set()
         self._selector.register(ours, EVENT_READ)
         return pid
 
@@ -198,7 +211,13 @@ class _Guardian:
             os._exit(code)
 
     def _end(self, pids: tuple[int, ...]) -> None:
-        for pid in self._known.intersection(pids) - self._ended.keys():
+        family, waiting = list(pids), list(pids)
+        while waiting:
+            control = self._control.get(waiting.pop())
+            below = self._owned.get(control, set()) if control else set()
+            family += below
+            waiting += below
+        for pid in self._known.intersection(family) - self._ended.keys():
             kill_tree(pid)
             with suppress(ChildProcessError):
                 os.waitpid(pid, 0)
@@ -207,9 +226,13 @@ class _Guardian:
             if stray not in self._known:
                 kill_tree(stray)
         self._reap()
-        for pid in pids:
+        for pid in family:
             self._known.discard(pid)
             self._ended.pop(pid, None)
+            if pid in self._control:
+                self._forget(self._control[pid])
+        for owned in self._owned.values():
+            owned.difference_update(family)
 
     def _reap(self) -> None:
         with suppress(ChildProcessError):

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import inspect
-import mmap
 import os
 import signal
-import sys
 import time
 import traceback
 from collections.abc import MutableSequence, Sequence
@@ -28,6 +26,7 @@ from allworlds.isolation.jobs import (
     Told,
     Trace,
 )
+from allworlds.isolation.process import limit_memory
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
 from allworlds.runs import Stagehand, name_run
@@ -56,16 +55,12 @@ class Player:
         casting: Casting = self._connection.recv()
         try:
             if casting.memory is not None:
-                _limit_memory(casting.memory)
+                limit_memory(casting.memory)
             subject = load(casting.name, casting.answer_timeout, casting.source)
         except InputError as error:
-            if casting.memory is not None:
-                error = InputError(f"memory {casting.memory} MB is perhaps too small: {error}")
+            if casting.memory is not None and "memory" not in str(error):
+                error = InputError(f"memory {casting.memory} MB is probably too small: {error}")
             self._connection.send(error)
-            return
-        except MemoryError:
-            text = f"memory {casting.memory} MB is too small to load {casting.name}"
-            self._connection.send(InputError(text))
             return
         signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
         self._connection.send(Described(subject.keywords, _digest(subject)))
@@ -175,23 +170,6 @@ def _digest(subject: Subject) -> str:
         file = inspect.getsourcefile(inspect.unwrap(subject.explore))  # type: ignore[arg-type]
         return hashlib.sha256(Path(file or "").read_bytes()).hexdigest()
     return ""
-
-
-def _limit_memory(megabytes: int) -> None:
-    """Bound the address space of this process.
-
-    Raises:
-        InputError: if it is larger already; it would go on for as long as it needs no more.
-    """
-    import resource
-
-    _, most = resource.getrlimit(resource.RLIMIT_AS)
-    size = min(megabytes << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
-    resource.setrlimit(resource.RLIMIT_AS, (size, size))
-    try:
-        mmap.mmap(-1, mmap.PAGESIZE).close()
-    except OSError:
-        raise InputError("a player is larger before it has loaded an explorer") from None
 
 
 def _leave(subject: Subject) -> None:

@@ -42,12 +42,17 @@ class Lost(Exception):
     Attributes:
         law: ``timeout`` or ``crash``.
         seen: how, as a sentence.
+        machine: it may be the machine's doing.
         number: of the run that it was in; None if it was in none.
     """
 
-    def __init__(self, law: str, seen: str, number: int | None) -> None:
+    def __init__(self, law: str, seen: str, number: int | None, *, machine: bool) -> None:
         super().__init__(seen)
-        self.law, self.seen, self.number = law, seen, number
+        self.law, self.seen, self.number, self.machine = law, seen, number, machine
+
+    def log(self, kind: type[Fault]) -> Log:
+        """In place of the log of the run."""
+        return Log((), (), kind(self.law, ANSWER, self.seen, "", self.machine))
 
 
 def started(guardian: Guardian, casting: Casting) -> tuple[Process, Described]:
@@ -62,7 +67,7 @@ def started(guardian: Guardian, casting: Casting) -> tuple[Process, Described]:
         while not process.connection.poll(POLL):
             if process.has_ended():
                 raise InputError(
-                    f"a process came to {process.death()} when it imported {casting.name}"
+                    f"a process came to {process.death()[0]} when it imported {casting.name}"
                     + _limit(casting)
                 )
             if time.monotonic() > deadline:
@@ -73,7 +78,7 @@ def started(guardian: Guardian, casting: Casting) -> tuple[Process, Described]:
             described = process.receive()
         except EOFError:
             raise InputError(
-                f"a process came to {process.death()} when it imported {casting.name}"
+                f"a process came to {process.death()[0]} when it imported {casting.name}"
                 + _limit(casting)
             ) from None
     except BaseException:
@@ -100,16 +105,22 @@ def hear(process: Process, casting: Casting, alive: Callable[[], None] = lambda:
         told = process.connection.poll(POLL)
         # What it has told before it fell silent is still heard; but it may tell choices for ever.
         if process.silent_for() > patience + (GRACE if told else 0.0):
-            raise Lost("timeout", f"silent for {casting.answer_timeout:g} s", _number(process))
+            seen = f"silent for {casting.answer_timeout:g} s"
+            raise Lost("timeout", seen, _number(process), machine=True)
         if told:
             break
         if process.has_ended():
-            raise Lost("crash", process.death(), _number(process))
+            raise _died(process)
         alive()
     try:
         return process.receive()
     except EOFError:
-        raise Lost("crash", process.death(), _number(process)) from None
+        raise _died(process) from None
+
+
+def _died(process: Process) -> Lost:
+    seen, machine = process.death()
+    return Lost("crash", seen, _number(process), machine=machine)
 
 
 def _number(process: Process) -> int | None:
@@ -175,7 +186,7 @@ class Cast:
                 self._note(lost)
             elif number in left:
                 left.remove(number)
-                yield [(number, Log((), (), LostRun(again.law, ANSWER, again.seen)))]
+                yield [(number, again.log(LostRun))]
 
     def _attempt(
         self, job: PlayRuns, left: list[int], told: Counter[int]
@@ -242,7 +253,7 @@ class Cast:
             except Lost as again:
                 self._dismiss("second")
                 repeated = True
-                log = Log((), (), Fault(again.law, ANSWER, again.seen))
+                log = again.log(Fault)
             logs.append(log)
         if not repeated:
             self._note(lost)

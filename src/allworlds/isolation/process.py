@@ -188,15 +188,15 @@ class Process:
         """
         return not self.connection.poll() and self._guardian.exit_code(self.pid) is not None
 
-    def death(self) -> str:
-        """How the process ended, as a sentence."""
+    def death(self) -> tuple[str, bool]:
+        """How the process ended, as a sentence; and whether it may be the machine's doing."""
         deadline = time.monotonic() + GRACE
         while (code := self._guardian.exit_code(self.pid)) is None:
             if time.monotonic() > deadline:
-                return "the end of the interpreter's pipe"
+                return "the end of the interpreter's pipe", False
             time.sleep(0.01)
         how = f"exit code {code}" if code >= 0 else f"signal {-code}"
-        return f"the end of the interpreter ({how})"
+        return f"the end of the interpreter ({how})", code < 0
 
     def close(self) -> None:
         """End the process now, and all that it has started."""
@@ -213,3 +213,22 @@ def close_all(*processes: Process) -> None:
         process.connection.close()
         process.beat.release()
         process._memory.close()  # noqa: SLF001
+
+
+def limit_memory(megabytes: int) -> None:
+    """Bound the address space of this process.
+
+    Raises:
+        InputError: if it is larger already; it would go on for as long as it needs no more.
+    """
+    import resource
+
+    _, most = resource.getrlimit(resource.RLIMIT_AS)
+    size = min(megabytes << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
+    resource.setrlimit(resource.RLIMIT_AS, (size, size))
+    try:
+        mmap.mmap(-1, mmap.PAGESIZE).close()
+    except OSError:
+        raise InputError(
+            f"memory {megabytes} MB is probably too small: a process is larger before it begins"
+        ) from None

@@ -17,7 +17,7 @@ from allworlds.isolation.jobs import (
     UnitJob,
 )
 from allworlds.isolation.players import Cast, Unsettled
-from allworlds.isolation.process import Guardian
+from allworlds.isolation.process import Guardian, limit_memory
 from allworlds.runs import Examination, OwnExamination, PlayedTwice, Tally, Worlds
 from allworlds.subjects import built_in
 from allworlds.work import with_last
@@ -45,6 +45,12 @@ class RefereeProcess:
     def run(self) -> None:
         """Serve until the owner hangs up."""
         appointment: Appointment = self._connection.recv()
+        if appointment.memory is not None and not appointment.subject.foreign:
+            try:
+                limit_memory(appointment.memory)
+            except InputError as error:
+                self._connection.send(error)
+                return
         cast = self._cast(appointment)
         try:
             while True:

@@ -88,7 +88,7 @@ class Workers:
                 if referee.silent_for() > PATIENCE:
                     yield self._replace(referee, engine, f"silent for {PATIENCE:g} s")
                 elif referee.has_ended():
-                    yield self._replace(referee, engine, referee.death())
+                    yield self._replace(referee, engine, referee.death()[0])
             check_deadline(self.deadline)
 
     def _hand_out(self, engine: Examination, task: _Task) -> None:
@@ -111,7 +111,7 @@ class Workers:
         try:
             told = referee.receive()
         except EOFError:
-            return self._replace(referee, engine, referee.death())
+            return self._replace(referee, engine, referee.death()[0])
         if isinstance(told, Unsettled):
             raise told
         assert isinstance(told, Tallied)

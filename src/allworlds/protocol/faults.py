@@ -12,6 +12,7 @@ class ExplorerFault(Exception):
         law: the broken law: ``crash``, ``timeout``, ``illegal-action`` or ``no-estimate``.
         seen: a sentence: what happened instead of an answer.
         detail: for example the tail of the program's stderr; may be empty.
+        machine: it may be the machine's doing, not the program's.
     """
 
     def __init__(
@@ -19,8 +20,11 @@ class ExplorerFault(Exception):
         law: Literal["crash", "timeout", "illegal-action", "no-estimate"],
         seen: str,
         detail: str = "",
+        *,
+        machine: bool = False,
     ) -> None:
         super().__init__(seen)
         self.law = law
         self.seen = seen
         self.detail = detail
+        self.machine = machine

@@ -15,7 +15,14 @@
 """
 
 from allworlds.runs.examination import Examination, OwnExamination
-from allworlds.runs.examiner import Examiner, Outcome, Referee, difference_of, name_run, overruled
+from allworlds.runs.examiner import (
+    LOST,
+    Examiner,
+    Outcome,
+    Referee,
+    name_run,
+    nondeterministic,
+)
 from allworlds.runs.here import PlayersHere
 from allworlds.runs.play import Record, Recorded, Stagehand
 from allworlds.runs.scope import (
@@ -30,7 +37,7 @@ from allworlds.runs.scope import (
     a_shard,
 )
 from allworlds.runs.tally import Row, Tally
-from allworlds.runs.twice import LOST, OneRun, PlayedTwice, Players
+from allworlds.runs.twice import OneRun, PlayedTwice, Players
 from allworlds.runs.units import GivenWorlds, NumberedRun, Placed, Unit, Worlds, numbered_runs
 
 __all__ = [
@@ -63,8 +70,7 @@ __all__ = [
     "Worlds",
     "a_schedule",
     "a_shard",
-    "difference_of",
     "name_run",
+    "nondeterministic",
     "numbered_runs",
-    "overruled",
 ]

@@ -91,6 +91,7 @@ class Referee:
             violation.seen,
             outcome.detail,
             violation.step,
+            machine=isinstance(outcome.episode.ending, Fault) and outcome.episode.ending.machine,
         )
 
     def lost(self, world: World, place: int, fault: Fault) -> Finding:
@@ -107,6 +108,7 @@ class Referee:
             fault.expected,
             fault.seen,
             traced=False,
+            machine=fault.machine,
         )
 
 
@@ -134,6 +136,10 @@ class Examiner(Referee):
         return self.outcome(world, episode, tuple(choices.record))
 
 
+LOST = ("crash", "timeout")
+"""The laws that the machine can break, too."""
+
+
 def name_run(rules: Rules, world: World) -> str:
     """A name for a run that does not depend on the order of runs; empty if unused."""
     if not rules.policy.startswith("random"):
@@ -146,38 +152,35 @@ def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
     difference = difference_of(first, second)
     if difference is None or not _may_be_overruled(outcome.violation):
         return outcome
-    ending = second.ending if isinstance(second.ending, Fault) else first.ending
-    detail = ending.detail if isinstance(ending, Fault) else ""
-    return replace(outcome, violation=difference, detail=detail)
+    faults = [log.ending for log in (second, first) if isinstance(log.ending, Fault)]
+    return replace(outcome, violation=difference, detail=faults[0].detail if faults else "")
 
 
 def _may_be_overruled(violation: Violation | None) -> bool:
-    if violation is None:
+    """A crash or a time-out that is not repeated says only that the plays differ."""
+    if violation is None or violation.law in LOST:
         return True
     return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
 
 
 def difference_of(first: Log, second: Log) -> Violation | None:
-    """What the same explorer has done otherwise when it was given the same percepts again.
-
-    A second play that ended without an answer has broken a law of its own, which precedes.
-    """
-    fault = second.ending
-    if isinstance(fault, Fault) and not isinstance(first.ending, Fault):
-        return Violation(
-            fault.law, fault.expected, f"in the second run of this world: {fault.seen}"
-        )
+    """What the same explorer has done otherwise when it was given the same percepts again."""
     if first.actions != second.actions:
         pairs = zip(first.actions, second.actions, strict=False)
         same = next((i for i, (a, b) in enumerate(pairs) if a != b), None)
         where = "in its length" if same is None else f"at step {same + 1}"
-        return _nondeterministic(f"the second walk differs {where}")
-    if _meaning(first) != _meaning(second):
-        return _nondeterministic("the second answer differs")
-    return None
+        difference = f"the second walk differs {where}"
+    elif _meaning(first) != _meaning(second):
+        difference = "the second answer differs"
+    else:
+        return None
+    for which, log in (("first", first), ("second", second)):
+        if isinstance(log.ending, Fault):
+            difference += f"; the {which} ended with {log.ending.law}: {log.ending.seen}"
+    return nondeterministic(difference)
 
 
-def _nondeterministic(seen: str) -> Violation:
+def nondeterministic(seen: str) -> Violation:
     return Violation(
         "nondeterministic",
         "the same walk and answer when the same world is explored again",

@@ -29,8 +29,8 @@ from allworlds.world import IllegalAction, World
 FEW, MANY = 16, 1024
 """The least and the greatest number of runs among which the order is drawn."""
 
-LOST = ("crash", "timeout")
-"""The laws that the machine can break, too."""
+ENOUGH = 32
+"""So many second plays leave an explorer that goes by their number no chance."""
 
 
 class Players(Protocol):
@@ -84,6 +84,7 @@ class PlayedTwice:
     explorer: str
     players: Players
     _window: int = FEW
+    _again: int = 0
     _referee: Referee = field(init=False)
 
     def __post_init__(self) -> None:
@@ -143,19 +144,28 @@ class PlayedTwice:
                     yield lit[number], log.ending
                 else:
                     whole.append(self._play(lit[number], log))
-            self.players.ask_again(
-                [play.record for play in whole], self.examination.scope.rules.policy
-            )
+            records = [play.record for play in whole]
+            rounds = self._rounds(len(records))
+            self.players.ask_again(records * rounds, self.examination.scope.rules.policy)
             outcomes = [
                 self._referee.outcome(play.one.world, play.episode, play.log.choices)
                 for play in whole
             ]
             again = self.players.told_again()
-            for play, outcome, second in zip(whole, outcomes, again, strict=True):
+            for i, (play, outcome) in enumerate(zip(whole, outcomes, strict=True)):
+                second = _another(play.log, again[i :: len(whole)])
                 if _may_be_the_machine(play.log, second) and matters(play.one):
                     yield play.one, self._once_more(unit, play, remark)
                 else:
                     yield play.one, overruled(outcome, play.log, second)
+
+    def _rounds(self, records: int) -> int:
+        """How often these records are to be played: of few, one order may be as good as another."""
+        if not records:
+            return 1
+        rounds = max(1, -(-(ENOUGH - self._again) // records))
+        self._again += rounds * records
+        return rounds
 
     def _play(self, one: OneRun, log: Log) -> _Play:
         rules, world = self.examination.scope.rules, one.world
@@ -190,10 +200,15 @@ class PlayedTwice:
         return overruled(outcome, log, second)
 
 
+def _another(first: Log, again: Sequence[Log]) -> Log:
+    """The first of the later plays that differs, if one does."""
+    return next((log for log in again if difference_of(first, log)), again[0])
+
+
 def _may_be_the_machine(first: Log, second: Log) -> bool:
     """One play ended in a way that is not always the explorer's own, and the other did not."""
     endings = (first.ending, second.ending)
-    suspicious = any(isinstance(end, Fault) and end.law in LOST for end in endings)
+    suspicious = any(isinstance(end, Fault) and end.machine for end in endings)
     return suspicious and difference_of(first, second) is not None
 
 

@@ -185,7 +185,7 @@ class Program:
                 raise self._fault("illegal-action", f"a line of over {LONGEST_LINE} bytes")
             left = deadline - time.monotonic()
             if left <= 0:
-                raise self._fault("timeout", f"silent for {self._timeout:g} s")
+                raise self._fault("timeout", f"silent for {self._timeout:g} s", machine=True)
             if not self._read(left):
                 raise self._ended()
         line = bytes(self._out[:end])
@@ -227,7 +227,8 @@ class Program:
             seen = "the end of its output"
         if self._process.returncode == 0 and not self._heard:
             seen += ", before a line of this episode: one process plays many, until its input ends"
-        return self._fault("crash", seen)
+        code = self._process.returncode
+        return self._fault("crash", seen, machine=code is not None and code < 0)
 
     def _drain(self) -> None:
         """Take in what it has written to stderr by now."""
@@ -243,11 +244,16 @@ class Program:
                 return
 
     def _fault(
-        self, law: Literal["crash", "timeout", "illegal-action", "no-estimate"], seen: str
+        self,
+        law: Literal["crash", "timeout", "illegal-action", "no-estimate"],
+        seen: str,
+        *,
+        machine: bool = False,
     ) -> ExplorerFault:
         self._drain()
         detail = self._err.decode(errors="replace")
-        return ExplorerFault(law, seen, f"stderr:\n{detail}" if detail else "")
+        told = f"stderr:\n{detail}" if detail else ""
+        return ExplorerFault(law, seen, told, machine=machine)
 
 
 def _obstacle(name: str) -> str:
