@@ -48,7 +48,7 @@ def junit(report: Report) -> str:
     )
     verb = "fuzz" if sampled else "check"
     totals = {"tests": str(len(cases))}
-    for result, name in (("failure", "failures"), ("error", "inputs"), ("skipped", "skipped")):
+    for result, name in (("failure", "failures"), ("error", "errors"), ("skipped", "skipped")):
         totals[name] = str(sum(case.result == result for case in cases))
     root = ET.Element("testsuites", {"name": f"allworlds {verb}", **totals})
     suite = ET.SubElement(root, "testsuite", {"name": _legal(report.explorer), **totals})
