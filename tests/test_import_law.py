@@ -21,6 +21,7 @@ LAYERS = {
     "verbs": set(),
     "streams": set(),
     "progress": set(),
+    "words": set(),
     "outcome": set(),
     "inputs": set(),
     "maps": {"inputs"},
@@ -53,7 +54,9 @@ LAYERS = {
         *("episode", "findings", "inputs", "isolation", "judge", "kernel", "maps", "outcome"),
         *("progress", "runs", "subjects", "work", "world"),
     },
-    "explaining": {"findings", "inputs", "judge", "maps", "outcome", "protocol", "world"},
+    "explaining": {
+        *("findings", "inputs", "judge", "maps", "outcome", "protocol", "words", "world"),
+    },
     "fuzzer": {
         *("checker", "findings", "inputs", "isolation", "maps", "progress", "runs", "subjects"),
         *("work", "world"),
@@ -76,7 +79,7 @@ LAYERS = {
     "reports": {
         *("ambiguity", "benching", "checker", "counter", "drawing", "episode", "explaining"),
         *("findings", "inputs", "maps", "mutation", "outcome", "protocol", "runs", "smt"),
-        *("world", "worst_case"),
+        *("words", "world", "worst_case"),
     },
     # The verbs are the functions of the package: '' is all of it.
     "cli": {

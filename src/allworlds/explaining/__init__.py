@@ -10,8 +10,8 @@
     what the log leaves open, and how it is in truth, in sentences;
 ``laws``
     **the** table of the laws: what there is to tell of a run that breaks each of them;
-``telling``, ``words``
-    what each law hands back, and the small words that all of them use.
+``telling``
+    what each law hands back.
 """
 
 from allworlds.explaining.belief import Belief

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import Counter
 
 from allworlds.explaining.story import Story
-from allworlds.explaining.words import darts
 from allworlds.judge import fold
 from allworlds.maps.combinatorial import cycles
+from allworlds.words import darts
 
 
 def tell_open_darts(story: Story) -> list[str]:

@@ -13,8 +13,9 @@ from allworlds.ambiguity import (
 )
 from allworlds.drawing import draw
 from allworlds.maps.quotient import Quotient
-from allworlds.reports.layout import entry, number, plural, table
+from allworlds.reports.layout import entry, table
 from allworlds.reports.picture import markers
+from allworlds.words import number, plural
 from allworlds.world import Compass, Directional, World
 
 DRAWN = 4

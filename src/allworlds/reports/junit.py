@@ -12,9 +12,9 @@ from xml.etree import ElementTree as ET
 from allworlds.checker import Disagreed, Report
 from allworlds.findings import Finding
 from allworlds.outcome import Verdict
-from allworlds.reports.layout import plural, size
 from allworlds.reports.run_text import finding_text
 from allworlds.runs import Sample
+from allworlds.words import plural, size
 
 WIDTH = 100
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")

@@ -13,13 +13,13 @@ from allworlds.reports.finding_words import (
     choices_words,
     expected_words,
     headline,
-    motion,
     remarks,
     seen_words,
     wrong,
 )
-from allworlds.reports.layout import entry, plural, table
+from allworlds.reports.layout import entry, table
 from allworlds.reports.picture import answer_picture, world_picture
+from allworlds.words import plural
 from allworlds.world import World
 
 LONGEST_WALK = 60
@@ -88,7 +88,7 @@ def _walk(world: World, transcript: Transcript, answer: Estimate | None) -> list
     believed = None
     if answer is not None:
         believed = believed_percepts(world, answer.map, answer.here, transcript)
-    motions = ["start", *(motion(action) for action in transcript.actions)]
+    motions = ["start", *(str(action) for action in transcript.actions)]
     header = ["step", "motion", "arrives at", "sensed", "", "expected by the answer"]
     rows = []
     for i, (dart, percept) in enumerate(zip(trail, sensed, strict=True)):

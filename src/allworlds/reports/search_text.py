@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from allworlds.drawing import draw
-from allworlds.reports.layout import entry, plural, table
+from allworlds.reports.layout import entry, table
 from allworlds.smt import MarkedMap, SearchResult
+from allworlds.words import plural
 
 
 def search_text(result: SearchResult, width: int) -> str:

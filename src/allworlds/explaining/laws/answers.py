@@ -6,20 +6,24 @@ from allworlds.explaining.belief import Belief
 from allworlds.explaining.parting import tell_parting
 from allworlds.explaining.story import Story
 from allworlds.explaining.telling import Telling
-from allworlds.explaining.words import count, size
 from allworlds.inputs import InputError
 from allworlds.maps.canonical import carries, numbering
-from allworlds.maps.combinatorial import Dart
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.words import plural, size
 
 
 def tell_map(story: Story) -> Telling:
     """How large both maps are, and where the walks in them part."""
     belief = Belief(story)
     sizes = (
-        f"The world has {size(story.map)}; the answer has {size(belief.answer.map)} and is "
+        f"The world has {_size(story.map)}; the answer has {_size(belief.answer.map)} and is "
         "another map."
     )
     return Telling([sizes, *tell_parting(belief)], belief.step, belief.answer)
+
+
+def _size(map_: CombinatorialMap) -> str:
+    return size(map_.edge_count, map_.vertex_count)
 
 
 def tell_pose(story: Story) -> Telling:
@@ -27,7 +31,7 @@ def tell_pose(story: Story) -> Telling:
     belief = Belief(story)
     images = _images(belief)
     alike = len(images) - 1
-    symmetry = f"The map is symmetric: {count(alike, 'other dart')} would do as well."
+    symmetry = f"The map is symmetric: {plural(alike, 'other dart')} would do as well."
     sentences = [
         "The map is right, but the robot is not where the answer says.",
         _say_where(story, images),

@@ -4,21 +4,22 @@ from __future__ import annotations
 
 from allworlds.explaining.story import Story
 from allworlds.explaining.telling import Telling
-from allworlds.explaining.words import count, size
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Move
+from allworlds.words import plural, size
 
 
 def tell_bound(story: Story) -> Telling:
     """What the bound allows, and what the traversals were spent on."""
-    cost, bound = story.transcript.cost, story.finding.expected
+    map_, cost, bound = story.map, story.transcript.cost, story.finding.expected
     name = story.finding.rules.the_bound.name
     back, first = _back_and_first(story)
     out = cost - back
+    world = size(map_.edge_count, map_.vertex_count)
     return Telling(
         [
-            f"The world has {size(story.map)}, for which the bound ({name}) allows {bound}.",
-            f"The robot made {count(cost, 'traversal')}: {out} out, {back} to take one back.",
+            f"The world has {world}, for which the bound ({name}) allows {bound}.",
+            f"The robot made {plural(cost, 'traversal')}: {out} out, {back} to take one back.",
             f"Of those out {first} went along an edge that was new.",
         ]
     )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from allworlds.explaining.story import Story
 from allworlds.explaining.telling import Teller, Telling
-from allworlds.protocol import Move
 
 
 def ending(how: str) -> Teller:
@@ -23,9 +22,8 @@ def _say_last_step(story: Story) -> str:
     if not steps:
         return f"It made no step: it stood at the start, {place}, and sensed '{story.sensed[0]}'."
     action, percept = steps[-1]
-    motion = f"move {action.k}" if type(action) is Move else type(action).__name__.lower()
     return (
-        f"Its last step was step {len(steps)}, {motion}: to {place}, where it sensed '{percept}'."
+        f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{percept}'."
     )
 
 

@@ -7,11 +7,11 @@ from xml.etree import ElementTree as ET
 
 from allworlds.explaining import Belief, Story, explain
 from allworlds.findings import Finding
+from allworlds.protocol import Move
 from allworlds.reports.finding_words import (
     choices_words,
     expected_words,
     headline,
-    motion,
     remarks,
     seen_words,
     wrong,
@@ -127,7 +127,7 @@ def _arrivals(story: Story, trail: list[int]) -> set[int]:
     return {
         dart
         for dart, (action, _) in zip(trail[1:], story.transcript.steps, strict=True)
-        if motion(action).startswith("move")
+        if type(action) is Move
     }
 
 
@@ -158,7 +158,7 @@ def _again(finding: Finding, name: str) -> Iterator[ET.Element]:
         yield _text(finding.detail, f"{name}-detail")
     transcript = finding.transcript
     lines = [f"start: {transcript.first}"]
-    lines += [f"{motion(action)}: {percept}" for action, percept in transcript.steps]
+    lines += [f"{action}: {percept}" for action, percept in transcript.steps]
     summary = tag("summary", "The transcript, as it was recorded")
     yield tag("details", summary, _text("\n".join(lines), f"{name}-transcript"))
     copier = _copier("Copy the finding as JSON, for replay and explain", f"{name}-json")
