@@ -31,7 +31,8 @@ LAYERS = {
     "world": {"corpora", "inputs", "maps", "protocol"},
     "episode": {"inputs", "maps", "protocol", "world"},
     "judge": {"inputs", "maps", "protocol"},
-    "drawing": {"maps"},
+    "markup": set(),
+    "drawing": {"maps", "markup", "protocol", "world"},
     "kernel": {"judge"},
     "strategies": {"inputs", "maps", "protocol", "world"},
     "smt": {"inputs", "maps", "outcome", "world"},
@@ -78,8 +79,8 @@ LAYERS = {
     },
     "reports": {
         *("ambiguity", "benching", "checker", "counter", "drawing", "episode", "explaining"),
-        *("findings", "inputs", "maps", "mutation", "outcome", "protocol", "runs", "smt"),
-        *("words", "world", "worst_case"),
+        *("findings", "inputs", "maps", "markup", "mutation", "outcome", "protocol", "runs"),
+        *("smt", "words", "world", "worst_case"),
     },
     # The verbs are the functions of the package: '' is all of it.
     "cli": {

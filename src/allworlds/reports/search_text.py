@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from allworlds.drawing import draw
+from allworlds.drawing import draw, scene_of
 from allworlds.reports.layout import entry, table
-from allworlds.smt import MarkedMap, SearchResult
+from allworlds.smt import SearchResult
 from allworlds.words import plural
+from allworlds.world import World
 
 
 def search_text(result: SearchResult, width: int) -> str:
@@ -37,7 +38,8 @@ def _found(result: SearchResult, width: int) -> list[str]:
             f"{plural(world.map.vertex_count, 'vertex', 'vertices')}, genus {world.map.genus}"
         )
         lines += ["", f"world {name} ({size}); under each dart its class", ""]
-        lines.append(_drawing(world, [f"c{k}" for k in classes], width))
+        scene = scene_of(World.from_json(world.to_json()), labels=[f"c{k}" for k in classes])
+        lines.append(draw(scene, width))
     home = result.classes[0][result.pair[0].start]
     why = (
         f"the two starts are in class c{home}, sigma and alpha take every class to one class, and "
@@ -48,17 +50,6 @@ def _found(result: SearchResult, width: int) -> list[str]:
     if result.certificate is not None:
         lines += entry("pair", str(result.certificate), width)
     return lines
-
-
-def _drawing(world: MarkedMap, labels: list[str], width: int) -> str:
-    marked = {world.map.vertex_of[world.start]: 1} if world.kind == "position" else None
-    pointed = world.darts[0] if world.kind == "directional" else None
-    if world.kind == "compass":
-        labels = [f"{text}*" if d in world.darts else text for d, text in enumerate(labels)]
-    text = draw(
-        world.map, start=world.start, pointed=pointed, marked=marked, labels=labels, width=width
-    )
-    return text + ("   * reference dart" if world.kind == "compass" else "")
 
 
 def _none(result: SearchResult, width: int) -> list[str]:

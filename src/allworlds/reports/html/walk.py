@@ -5,8 +5,8 @@ from __future__ import annotations
 from xml.etree import ElementTree as ET
 
 from allworlds.explaining import Belief, Story
+from allworlds.markup import tag
 from allworlds.protocol import Move
-from allworlds.reports.html.elements import tag
 
 
 def walk(story: Story, belief: Belief | None, parting: int | None, name: str) -> ET.Element:
