@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from allworlds.explaining.laws import teller_of
 from allworlds.explaining.story import Story
+from allworlds.explaining.tellers import teller_of
 from allworlds.findings import Finding
 from allworlds.inputs import InputError, show
 from allworlds.maps.combinatorial import Dart
