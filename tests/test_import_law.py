@@ -35,12 +35,15 @@ LAYERS = {
     "drawing": {"maps", "markup", "protocol", "world"},
     "kernel": {"judge"},
     "strategies": {"inputs", "maps", "protocol", "world"},
-    "smt": {"inputs", "maps", "outcome", "world"},
+    "bisimulation": {"world"},
+    "smt": {"bisimulation", "inputs", "maps", "outcome", "protocol", "words", "world"},
     "subjects": {"episode", "explorers", "inputs", "maps", "protocol"},
     # Work piece by piece: what is done with a piece, and where.
     "work": {"inputs", "maps", "progress"},
     "counter": {"inputs", "kernel", "maps", "outcome"},
-    "ambiguity": {"inputs", "maps", "outcome", "progress", "protocol", "work", "world"},
+    "ambiguity": {
+        *("bisimulation", "inputs", "maps", "outcome", "progress", "protocol", "work", "world"),
+    },
     # A refuting run as a value; runs played and judged; foreign code survived; the check.
     "findings": {"episode", "inputs", "judge", "maps", "protocol", "subjects", "world"},
     "runs": {
@@ -120,10 +123,12 @@ LAZY = {"networkx", "rich"}
 # Two ways to one answer share nothing but what is named here, however many modules between.
 COMPARED = [
     (
-        "ambiguity.certificate",
+        "bisimulation",
         "maps.quotient",
         {"inputs", "maps.canonical", "maps.combinatorial"},
     ),
+    # Twins are found by formulas, and by quotients; one checker serves both, and knows neither.
+    ("smt", "maps.quotient", {"inputs", "maps.canonical", "maps.combinatorial"}),
     ("maps.enumeration", "maps.bruteforce", {"maps.combinatorial", "inputs"}),
     ("maps.counting", "maps.enumeration", set()),
     ("maps.counting", "maps.bruteforce", set()),

@@ -4,7 +4,7 @@ import shutil
 import pytest
 
 from allworlds.ambiguity import twins
-from allworlds.ambiguity.certificate import flaw
+from allworlds.bisimulation import flaw
 from allworlds.checker import replay, run
 from allworlds.corpora import MANIFEST, CorpusError, load_corpus, own_corpus
 from allworlds.counter import count

@@ -6,24 +6,23 @@ from allworlds.drawing import draw, scene_of
 from allworlds.reports.layout import entry, table
 from allworlds.smt import SearchResult
 from allworlds.words import plural
-from allworlds.world import World
 
 
 def search_text(result: SearchResult, width: int) -> str:
-    """The answer, the levels it rests on, and where the certificate is."""
+    """The answer, the sizes it rests on, and where the certificate is."""
     lines = {"sat": _found, "unsat": _none, "unknown": _undecided}[result.status](result, width)
     rows = [
         [
-            searched.level.name,
+            searched.sizes.name,
             searched.status,
             f"{searched.seconds:.2f}",
             searched.formula.name,
             "-" if searched.proof is None else searched.proof.name,
         ]
-        for searched in result.levels
+        for searched in result.searched
     ]
     if rows:
-        lines += ["", *table(["level", "status", "seconds", "formula", "proof"], rows, "llr"), ""]
+        lines += ["", *table(["sizes", "status", "seconds", "formula", "proof"], rows, "llr"), ""]
     lines += entry("files", str(result.directory), width)
     return "\n".join(lines)
 
@@ -38,7 +37,7 @@ def _found(result: SearchResult, width: int) -> list[str]:
             f"{plural(world.map.vertex_count, 'vertex', 'vertices')}, genus {world.map.genus}"
         )
         lines += ["", f"world {name} ({size}); under each dart its class", ""]
-        scene = scene_of(World.from_json(world.to_json()), labels=[f"c{k}" for k in classes])
+        scene = scene_of(world, labels=[f"c{k}" for k in classes])
         lines.append(draw(scene, width))
     home = result.classes[0][result.pair[0].start]
     why = (
@@ -57,9 +56,9 @@ def _none(result: SearchResult, width: int) -> list[str]:
         return entry("VACUOUS", f"{result.question.describes}: there is no world at all.", width)
     lines = entry("NONE", f"{result.question.describes}: there are none.", width)
     if result.certificate is None:
-        return lines + entry("proof", "no certificate for every level; the notices say why", width)
+        return lines + entry("proof", "no certificate for all sizes; the notices say why", width)
     text = (
-        f"{result.certificate}: a formula and an LRAT proof for every level, each proof checked "
+        f"{result.certificate}: a formula and an LRAT proof for all sizes, each proof checked "
         "by a program that is no solver"
     )
     return lines + entry("proof", text, width)
