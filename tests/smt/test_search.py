@@ -22,7 +22,7 @@ from allworlds.smt.question import Sizes, question
 from allworlds.smt.witness import bisimulation, code, same_world_from
 from allworlds.world import Compass, Directional, Nothing, Position, World
 
-search_module = sys.modules["allworlds.smt.search"]
+search_module = sys.modules["allworlds.smt.searching"]
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 needs_python_sat = pytest.mark.skipif(
     not solvers.python_sat_is_installed(), reason="python-sat is not installed: no certificates"

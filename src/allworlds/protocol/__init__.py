@@ -12,7 +12,6 @@ from allworlds.protocol.choices import (
     Choices,
     Kind,
     Policy,
-    PolicyError,
     Schedules,
     policy_named,
 )
@@ -35,7 +34,6 @@ __all__ = [
     "Percept",
     "Pick",
     "Policy",
-    "PolicyError",
     "Schedules",
     "Transcript",
     "action_from_json",

@@ -10,11 +10,11 @@
     a model as two worlds, and what these must be whatever the formula says;
 ``rup``, ``lrat``
     proofs that there are none, and their checker;
-``search``, ``result``
+``searching``, ``result``
     the search, and what it has found: plain values.
 """
 
 from allworlds.smt.result import Searched, SearchResult, Twins
-from allworlds.smt.search import search
+from allworlds.smt.searching import search
 
 __all__ = ["SearchResult", "Searched", "Twins", "search"]
