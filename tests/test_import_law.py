@@ -39,7 +39,7 @@ LAYERS = {
     "smt": {"bisimulation", "inputs", "maps", "outcome", "protocol", "words", "world"},
     "subjects": {"episode", "explorers", "inputs", "maps", "protocol"},
     # Work piece by piece: what is done with a piece, and where.
-    "work": {"inputs", "maps", "progress"},
+    "work": {"inputs", "maps", "progress", "protocol"},
     "counter": {"inputs", "kernel", "maps", "outcome"},
     "ambiguity": {
         *("bisimulation", "inputs", "maps", "outcome", "progress", "protocol", "work", "world"),
@@ -56,7 +56,7 @@ LAYERS = {
     },
     "checker": {
         *("episode", "findings", "inputs", "isolation", "judge", "kernel", "maps", "outcome"),
-        *("progress", "runs", "subjects", "work", "world"),
+        *("progress", "protocol", "runs", "subjects", "work", "world"),
     },
     "explaining": {
         *("findings", "inputs", "judge", "maps", "outcome", "protocol", "words", "world"),
@@ -87,8 +87,8 @@ LAYERS = {
     },
     # The verbs are the functions of the package: '' is all of it.
     "cli": {
-        *("", "checker", "findings", "inputs", "outcome", "reports", "streams", "subjects"),
-        *("verbs", "version", "world"),
+        *("", "checker", "findings", "inputs", "outcome", "protocol", "reports", "streams"),
+        *("subjects", "verbs", "version", "world"),
     },
     "__main__": {"cli"},
     "": {

@@ -8,6 +8,7 @@ it is folded into the next :class:`Move`, or into ``here`` of the answer.
 from allworlds.protocol.actions import Action, Drop, Move, Pick
 from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
 from allworlds.protocol.choices import (
+    DEFAULT_POLICY,
     KINDS,
     Choices,
     Kind,
@@ -15,11 +16,13 @@ from allworlds.protocol.choices import (
     Schedules,
     policy_named,
 )
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.faults import ANSWER_TIMEOUT, ExplorerFault
 from allworlds.protocol.percept import Percept
 from allworlds.protocol.transcript import Transcript, action_from_json
 
 __all__ = [
+    "ANSWER_TIMEOUT",
+    "DEFAULT_POLICY",
     "KINDS",
     "Action",
     "Ambiguous",

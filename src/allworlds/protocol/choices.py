@@ -67,6 +67,10 @@ class Seeded:
         return self._random.randrange(len(options))
 
 
+DEFAULT_POLICY = "fifo"
+"""Answers where no policy is named."""
+
+
 def policy_named(name: str, run: str = "") -> Policy:
     """The policy ``fifo``, ``lifo``, ``nearest`` or ``random:SEED``, fresh for one run.
 
