@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 import allworlds
-from allworlds.ambiguity import flaw
+from allworlds.bisimulation import flaw
 from allworlds.cli.app import call
 from allworlds.maps import named_map
 from allworlds.world import World

@@ -85,7 +85,9 @@ COMMANDS = {
     "twins-alike": "twins fig1-left fig1-right --json",
     "search-sat": "search --lighthouse position --vertices 1 --edges 2 --out {tmp}/sat --json",
     "search-unsat": "search --lighthouse directional --vertices 3 --edges 2 --out {tmp}/un --json",
-    "search-none": "search --lighthouse none --class simple --vertices 3 --edges 3 --json",
+    "search-none": (
+        "search --lighthouse none --class simple --vertices 4 --edges 4 --out {tmp}/none --json"
+    ),
     "mutants": "mutants --edges 3 --json",
     "mutants-text": "mutants --edges 2",
     "refused-verb": "chekc",

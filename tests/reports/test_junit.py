@@ -15,7 +15,7 @@ from allworlds.reports.junit import junit
 from allworlds.reports.run_text import finding_text
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
-SUITE = {"name", "tests", "failures", "inputs", "skipped"}
+SUITE = {"name", "tests", "failures", "errors", "skipped"}
 
 
 def suite_of(report):
@@ -49,7 +49,7 @@ def suite_of(report):
     for counted in (root, suite):
         assert counted.get("tests") == str(len(cases))
         assert counted.get("failures") == str(results["failure"])
-        assert counted.get("inputs") == str(results["error"])
+        assert counted.get("errors") == str(results["error"])
         assert counted.get("skipped") == str(results["skipped"])
     return suite
 

@@ -1,4 +1,4 @@
-"""What each level of information perceives, and where each lighthouse may stand."""
+"""What is sensed of each lighthouse, and where each lighthouse may stand."""
 
 from math import prod
 from random import Random

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
 
-from allworlds.ambiguity.certificate import flaw
 from allworlds.ambiguity.criterion import Disagreement
+from allworlds.bisimulation import flaw
 from allworlds.inputs import InputError, show
 from allworlds.maps.canonical import carries, numbering
 from allworlds.maps.combinatorial import Dart
@@ -36,7 +36,7 @@ class Separation:
 
 @dataclass(frozen=True, slots=True)
 class Bisimulation:
-    """For each of two worlds the class of each dart; see :func:`certificate.flaw`."""
+    """For each of two worlds the class of each dart; see :func:`allworlds.bisimulation.flaw`."""
 
     classes: tuple[tuple[int, ...], tuple[int, ...]]
 

@@ -10,6 +10,7 @@ from allworlds.checker.single import SingleRun, single_run, unused_choice
 from allworlds.findings import Finding, recorded_trail
 from allworlds.inputs import InputError, show
 from allworlds.outcome import SCHEMA, Exit
+from allworlds.protocol import ANSWER_TIMEOUT
 from allworlds.subjects import subject_of
 from allworlds.work import Limits
 
@@ -56,7 +57,7 @@ def replay(
     finding: Finding,
     explore: str | Callable[..., Any] | None = None,
     *,
-    answer_timeout: float = 10.0,
+    answer_timeout: float = ANSWER_TIMEOUT,
 ) -> Replay:
     """Run a finding's world again under its rules, with ``explore`` in place of its explorer.
 

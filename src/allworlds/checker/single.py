@@ -14,6 +14,7 @@ from allworlds.isolation import examine_apart
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.outcome import SCHEMA, Exit, Verdict
+from allworlds.protocol import ANSWER_TIMEOUT
 from allworlds.runs import DEFAULT_EDGES, Examiner, Outcome, make_finding
 from allworlds.subjects import Subject, subject_of
 from allworlds.work import Limits
@@ -132,7 +133,7 @@ def run(
     """
     refuse_others("run", options, RunOptions)
     script = _indices(choices)
-    limits = Limits(answer_timeout=options.get("answer_timeout", Limits().answer_timeout))
+    limits = Limits(answer_timeout=options.get("answer_timeout", ANSWER_TIMEOUT))
     subject = subject_of(explore, limits.answer_timeout)
     if isinstance(world, str):
         world = world_named(world, subject.lighthouse)

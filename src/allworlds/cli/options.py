@@ -9,6 +9,7 @@ import typer
 
 from allworlds.cli.values import integer, law_names, seconds, worker_count
 from allworlds.inputs import InputError
+from allworlds.protocol import ANSWER_TIMEOUT, DEFAULT_POLICY
 from allworlds.subjects import EXEC
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ class Rules:
             "POLICY",
             "Who answers the explorer's choices: fifo, lifo, nearest or random:SEED.",
         ),
-    ] = "fifo"
+    ] = DEFAULT_POLICY
     bound: Annotated[
         str | None,
         option(
@@ -128,7 +129,7 @@ class Rules:
             show_default=False,
         ),
     ] = None
-    answer_timeout: AnswerTimeout = 10.0
+    answer_timeout: AnswerTimeout = ANSWER_TIMEOUT
 
     def options(self) -> RunOptions:
         """As ``run`` takes them."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from allworlds.explaining.laws import teller_of
 from allworlds.explaining.story import Story
+from allworlds.explaining.tellers import teller_of
 from allworlds.findings import Finding
 from allworlds.inputs import InputError, show
 from allworlds.maps.combinatorial import Dart
@@ -22,23 +22,34 @@ class Explanation:
     Vertices and darts are those of the world, in the numbering of the finding.
 
     Attributes:
-        law: the broken law.
+        finding: what is explained.
         sentences: in plain words.
         step: the first step at which belief and truth part; 0 is the start, None where they
             part at none.
-        explorer: its name.
-        world: where it happened.
         robot: its dart at the end of the walk.
         answer: the wrong answer; None where the finding holds none.
     """
 
-    law: str
+    finding: Finding
     sentences: tuple[str, ...]
     step: int | None
-    explorer: str
-    world: World
     robot: Dart
     answer: Estimate | None
+
+    @property
+    def explorer(self) -> str:
+        """Its name."""
+        return self.finding.explorer
+
+    @property
+    def law(self) -> str:
+        """The broken law."""
+        return self.finding.law
+
+    @property
+    def world(self) -> World:
+        """Where it happened."""
+        return self.finding.world
 
     @property
     def exit_code(self) -> Exit:
@@ -71,11 +82,5 @@ def explain(finding: Finding) -> Explanation:
     story = Story(finding)
     telling = teller_of(finding.law)(story)
     return Explanation(
-        finding.law,
-        tuple(telling.sentences),
-        telling.step,
-        finding.explorer,
-        finding.world,
-        story.walked[-1],
-        telling.answer,
+        finding, tuple(telling.sentences), telling.step, story.walked[-1], telling.answer
     )

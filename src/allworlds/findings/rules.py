@@ -11,7 +11,7 @@ from allworlds.episode import default_step_budget
 from allworlds.inputs import InputError, a_text, an_integer, show
 from allworlds.judge import LAWS, Bound, Setting, bound_named, paper_bound
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.protocol import Choices, policy_named
+from allworlds.protocol import DEFAULT_POLICY, Choices, policy_named
 from allworlds.world import Lighthouse, World, lighthouse_named
 
 
@@ -47,7 +47,7 @@ class Rules:
     """
 
     lighthouse: str = "directional"
-    policy: str = "fifo"
+    policy: str = DEFAULT_POLICY
     bound: str | None = None
     laws: tuple[str, ...] | None = None
     step_budget: int | None = None
@@ -161,7 +161,7 @@ class Rules:
                 bound = None
         return make_rules(
             {
-                "policy": options.get("policy", "fifo"),
+                "policy": options.get("policy", DEFAULT_POLICY),
                 "bound": bound,
                 "laws": laws,
                 "step_budget": budget,
@@ -190,7 +190,7 @@ def make_rules(
         laws = _names("laws", laws)
     return Rules(
         lighthouse,
-        options.get("policy", "fifo"),
+        options.get("policy", DEFAULT_POLICY),
         bound,
         laws,
         options.get("step_budget"),

@@ -35,6 +35,10 @@ class
 
 Inside this package a map in a hot place is a bare pair of tuples or lists; everywhere
 else it is a :class:`CombinatorialMap`.
+
+The names below are for programs of one's own, too: some of them, such as ``dual`` of a map,
+:func:`from_planar_embedding` and :func:`rooted_isomorphism`, this package itself uses nowhere
+but in its tests.
 """
 
 from allworlds.maps.build import (

@@ -1,4 +1,7 @@
-"""All small maps by trying every permutation: slow, short, and the yardstick of the fast ones."""
+"""All small maps by trying every permutation: slow, short, and the yardstick of the fast ones.
+
+It is public: whoever makes maps in another way can hold them against these.
+"""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from allworlds.checker import check, worlds
-from allworlds.episode import Answered, play
+from allworlds.episode import Answered, default_step_budget, play
 from allworlds.findings import canonical_world
 from allworlds.inputs import InputError, an_integer
 from allworlds.judge import LAWS, Case, judge, paper_bound
@@ -162,7 +162,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, Wor
             continue
         bound = paper_bound(world.map.vertex_count, level)
         for name, player in players:
-            episode = play(world, player, Choices(), 8 * bound + 100)
+            episode = play(world, player, Choices(), default_step_budget(bound))
             if isinstance(episode.ending, Answered):
                 case = Case(
                     world.map,

@@ -22,10 +22,6 @@ path that tests a hypothesis, the next dart on the way to the dart to be explore
 KINDS: tuple[Kind, ...] = get_args(Kind)
 
 
-class PolicyError(InputError):
-    """A policy's name that is none."""
-
-
 class Policy(Protocol):
     """Answers choices.  It sees how many options there are, their kind and their costs."""
 
@@ -71,6 +67,10 @@ class Seeded:
         return self._random.randrange(len(options))
 
 
+DEFAULT_POLICY = "fifo"
+"""Answers where no policy is named."""
+
+
 def policy_named(name: str, run: str = "") -> Policy:
     """The policy ``fifo``, ``lifo``, ``nearest`` or ``random:SEED``, fresh for one run.
 
@@ -80,7 +80,7 @@ def policy_named(name: str, run: str = "") -> Policy:
             of the runs.
 
     Raises:
-        PolicyError: naming the legal policies.
+        InputError: naming the legal policies.
     """
     kind, _, seed = name.partition(":")
     if kind == "random" and seed.isascii() and seed.isdigit():
@@ -91,7 +91,7 @@ def policy_named(name: str, run: str = "") -> Policy:
         "nearest": Nearest,
     }
     if name not in plain:
-        raise PolicyError(
+        raise InputError(
             f"policy {name!r} is none of fifo, lifo, nearest, random:SEED (SEED = 0, 1, 2, ...)"
         )
     return plain[name]()

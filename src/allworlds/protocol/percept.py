@@ -11,7 +11,7 @@ class Percept:
 
     Attributes:
         degree: the number of darts of the vertex, at least 1.
-        marks: how many markers lie here (under ``labels`` the vertex's own number).
+        marks: how many markers lie here.
         bearing: the offset from the dart arrived by to the pointed dart, clockwise, in
             ``0..degree-1``; None where no direction is sensed.
     """

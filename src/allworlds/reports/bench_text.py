@@ -5,7 +5,8 @@ from __future__ import annotations
 from statistics import median
 
 from allworlds.benching import BenchReport, commit, machine
-from allworlds.reports.layout import entry, number, table
+from allworlds.reports.layout import entry, table
+from allworlds.words import number
 
 
 def bench_text(report: BenchReport, width: int) -> str:

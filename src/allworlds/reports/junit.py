@@ -12,9 +12,9 @@ from xml.etree import ElementTree as ET
 from allworlds.checker import Disagreed, Report
 from allworlds.findings import Finding
 from allworlds.outcome import Verdict
-from allworlds.reports.layout import plural, size
 from allworlds.reports.run_text import finding_text
 from allworlds.runs import Sample
+from allworlds.words import plural, size
 
 WIDTH = 100
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -48,7 +48,7 @@ def junit(report: Report) -> str:
     )
     verb = "fuzz" if sampled else "check"
     totals = {"tests": str(len(cases))}
-    for result, name in (("failure", "failures"), ("error", "inputs"), ("skipped", "skipped")):
+    for result, name in (("failure", "failures"), ("error", "errors"), ("skipped", "skipped")):
         totals[name] = str(sum(case.result == result for case in cases))
     root = ET.Element("testsuites", {"name": f"allworlds {verb}", **totals})
     suite = ET.SubElement(root, "testsuite", {"name": _legal(report.explorer), **totals})

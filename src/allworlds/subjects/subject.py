@@ -17,7 +17,7 @@ from typing import Any
 from allworlds.episode import Player
 from allworlds.explorers import BUILT_IN, BuiltIn, Size, nobody
 from allworlds.inputs import InputError
-from allworlds.protocol import Choices, Percept
+from allworlds.protocol import ANSWER_TIMEOUT, Choices, Percept
 from allworlds.subjects.program import Program
 
 ENTRY_POINTS = "allworlds.explorers"
@@ -84,7 +84,7 @@ class Subject:
         return closing(self.program) if self.program else nullcontext()
 
 
-def load(name: str, answer_timeout: float = 10.0) -> Subject:
+def load(name: str, answer_timeout: float = ANSWER_TIMEOUT) -> Subject:
     """The explorer of that name.
 
     Args:
@@ -132,7 +132,9 @@ def own_lighthouse(name: str) -> str:
     return BUILT_IN[name].lighthouse if name in BUILT_IN else LIGHTHOUSE
 
 
-def subject_of(explore: str | Callable[..., Any], answer_timeout: float = 10.0) -> Subject:
+def subject_of(
+    explore: str | Callable[..., Any], answer_timeout: float = ANSWER_TIMEOUT
+) -> Subject:
     """The subject for a name or a generator function.
 
     A function that can be imported by its name runs in worker processes, any other (a

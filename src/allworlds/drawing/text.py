@@ -13,54 +13,42 @@ printed numbers.
 from __future__ import annotations
 
 import textwrap
-from typing import TYPE_CHECKING, TypeVar
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TypeVar
+
+from allworlds.drawing.scene import Scene
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 T = TypeVar("T")
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping, Sequence
-
-    from allworlds.maps import CombinatorialMap
+LONGEST_ROW = 40
+"""Of more vertices in a table, and of more darts of a vertex, both ends are shown."""
 
 _LEGEND = {
     "(": "( ) vertex with its darts clockwise",
     "╭": "╭─╮ edge",
     "→": "a→v.b the other end of dart a is dart b of v",
     "┼": "┼ arcs cross, no vertex",
-    "▲": "▲ marker points along this dart",
     "●": "● marker",
+    "▲": "▲ pointed dart (bearing 0)",
     "S": "S start",
+    "R": "R robot at the end",
 }
 """The signs in the order of the legend."""
 
 
-def draw(
-    map_: CombinatorialMap,
-    *,
-    start: int | None = None,
-    pointed: int | None = None,
-    marked: Mapping[int, int] | None = None,
-    labels: Sequence[str] | None = None,
-    width: int = 80,
-    most: int | None = None,
-) -> str:
-    """The map as an arc diagram, or as :func:`rotation_table` where that is wider than ``width``.
+def draw(scene: Scene, width: int = 80, *, most: int = LONGEST_ROW) -> str:
+    """The scene as an arc diagram, or as :func:`rotation_table` where that is wider than ``width``.
 
-    ``start`` is the dart at which the picture begins (dart 0 if not given); ``pointed`` the
-    dart along which a directional marker points; ``marked[v]`` the number of markers at
-    vertex ``v``; ``labels[d]`` a short text printed under dart ``d``.  Vertex ``v`` is called
-    by its index in ``map_.vertices``.  Lines end in no space, the text in no newline.
-
-    Raises:
-        ValueError: for a dart or vertex that the map does not have, a negative number of
-            markers, or labels that are not one for each dart.
+    It begins at the start.  Vertex ``v`` is called by its index in ``map.vertices``.  Under the
+    darts stand their labels, the names of the vertices with their markers, and the signs of
+    single darts.  Lines end in no space, the text in no newline.
 
     Cost: O(m), and O(m^2) for a diagram, which has less than ``width`` darts.
     """
-    marked = {} if marked is None else marked
-    _check(map_, start, pointed, marked, labels)
-    groups = _groups(map_, 0 if start is None else start)
-    names_of = _names(map_, marked)
+    map_, labels = scene.map, scene.labels
+    groups = _groups(map_, scene.start)
+    names_of = _names(scene)
     names = [names_of[map_.vertex_of[group[0]]] for group in groups]
     # Widths follow from the map alone, so that renaming the darts moves nothing.
     cell = max(map(len, [str(len(map_.sigma) - 1), *(labels or ())]))
@@ -69,57 +57,40 @@ def draw(
     if labels is not None:
         rows.append(_row({column[dart]: labels[dart] for dart in column}))
     rows.append(_row({column[group[0]]: name for group, name in zip(groups, names, strict=True)}))
-    for sign, dart in (("▲", pointed), ("S", start)):
-        if dart is not None:
-            rows.append(_row({column[dart]: sign}))
+    rows += [
+        _row({column[dart]: sign for dart in darts})
+        for sign, darts in _signed(scene).items()
+        if darts
+    ]
     if max(map(len, rows)) > width:
-        return rotation_table(
-            map_,
-            start=start,
-            pointed=pointed,
-            marked=marked,
-            labels=labels,
-            width=width,
-            most=most,
-        )
+        return rotation_table(scene, width, most=most)
     # No arc reaches beyond the darts that it joins.
     arcs = list(_arcs([_span(column[d], column[e]) for d, e in map_.edges]))
-    signs = {"(", *"".join(arcs)} | _signs(start, pointed, marked)
-    return "\n".join([*arcs, *rows, "", _legend(signs, width)])
+    return "\n".join([*arcs, *rows, "", _legend({"(", *"".join(arcs)} | _signs(scene), width)])
 
 
-def rotation_table(
-    map_: CombinatorialMap,
-    *,
-    start: int | None = None,
-    pointed: int | None = None,
-    marked: Mapping[int, int] | None = None,
-    labels: Sequence[str] | None = None,
-    width: int = 80,
-    most: int | None = None,
-) -> str:
-    """The map as a table: a line for each vertex with name, degree and its darts clockwise.
+def rotation_table(scene: Scene, width: int = 80, *, most: int = LONGEST_ROW) -> str:
+    """The scene as a table: a line for each vertex with name, degree and its darts clockwise.
 
-    Arguments, order and errors are those of :func:`draw`.  Each dart is written
-    ``dart→vertex.dart``: where its edge goes.  The signs stand before the dart, its label in
-    square brackets after it.  Only the legend is kept within ``width``.
+    The order is that of :func:`draw`.  Each dart is written ``dart→vertex.dart``: where its
+    edge goes.  The signs stand before the dart, its label in square brackets after it.  Only
+    the legend is kept within ``width``.
 
     Of more than ``most`` vertices, and of more than ``most`` darts of a vertex, the first and
     the last are shown, and how many there are between them.
     """
-    marked = {} if marked is None else marked
-    _check(map_, start, pointed, marked, labels)
-    groups = _groups(map_, 0 if start is None else start)
-    names = _names(map_, marked)
+    map_, labels, signed = scene.map, scene.labels, _signed(scene)
+    groups = _groups(map_, scene.start)
+    names = _names(scene)
     head, between, tail = _ends(groups, most)
 
-    def entry(dart: int) -> str:
-        signs = "S" * (dart == start) + "▲" * (dart == pointed)
+    def entry(dart: Dart) -> str:
+        signs = "".join(sign for sign, darts in signed.items() if dart in darts)
         label = "" if labels is None else f"[{labels[dart]}]"
         other = map_.alpha[dart]
         return f"{signs}{dart}{label}→v{map_.vertex_of[other]}.{other}"
 
-    def row(group: list[int]) -> list[str]:
+    def row(group: list[Dart]) -> list[str]:
         first, left_out, last = _ends(group, most)
         more = [f"({len(left_out):,} darts more)"] if left_out else []
         texts = [*map(entry, first), *more, *map(entry, last)]
@@ -137,32 +108,16 @@ def rotation_table(
     if between:
         darts = sum(map(len, between))
         lines.insert(len(head), f"... ({len(between):,} vertices more, with {darts:,} darts)")
-    return "\n".join([*lines, "", _legend({"→"} | _signs(start, pointed, marked), width)])
+    return "\n".join([*lines, "", _legend({"→"} | _signs(scene), width)])
 
 
-def _check(
-    map_: CombinatorialMap,
-    start: int | None,
-    pointed: int | None,
-    marked: Mapping[int, int],
-    labels: Sequence[str] | None,
-) -> None:
-    size = len(map_.sigma)
-    for what, dart in (("start", start), ("pointed", pointed)):
-        if dart is not None and dart not in map_.darts:
-            raise ValueError(f"{what} = {dart} is no dart; darts are 0..{size - 1}")
-    for vertex, count in marked.items():
-        if not 0 <= vertex < map_.vertex_count:
-            raise ValueError(
-                f"marked vertex {vertex} does not exist; vertices are 0..{map_.vertex_count - 1}"
-            )
-        if count < 0:
-            raise ValueError(f"vertex {vertex} cannot have {count} markers; at least 0 are legal")
-    if labels is not None and len(labels) != size:
-        raise ValueError(f"{len(labels)} labels for {size} darts; there must be one for each")
+def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
+    """The signs of single darts, with the darts that have them."""
+    robot = () if scene.robot is None else (scene.robot,)
+    return {"▲": tuple(scene.pointed), "S": (scene.start,), "R": robot}
 
 
-def _groups(map_: CombinatorialMap, root: int) -> list[list[int]]:
+def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
     """The vertices breadth first from the root, each clockwise from the dart that found it.
 
     A vertex finds its neighbours from its last dart back: so the nearer neighbour hangs at
@@ -179,19 +134,19 @@ def _groups(map_: CombinatorialMap, root: int) -> list[list[int]]:
     return groups
 
 
-def _ends(items: list[T], most: int | None) -> tuple[list[T], list[T], list[T]]:
+def _ends(items: list[T], most: int) -> tuple[list[T], list[T], list[T]]:
     """The first items, those that are left out, and the last ones."""
-    if most is None or len(items) <= most:
+    if len(items) <= most:
         return items, [], []
     half = most // 2
     return items[:half], items[half : len(items) - half], items[len(items) - half :]
 
 
-def _turned(map_: CombinatorialMap, first: int) -> list[int]:
+def _turned(map_: CombinatorialMap, first: Dart) -> list[Dart]:
     return [map_.turn(first, offset) for offset in range(map_.degree_at[first])]
 
 
-def _columns(groups: Sequence[Sequence[int]], cell: int, names: Sequence[str]) -> dict[int, int]:
+def _columns(groups: Sequence[Sequence[Dart]], cell: int, names: Sequence[str]) -> dict[Dart, int]:
     """The column of each dart: cells of one width, brackets round each group, room for names."""
     column = {}
     left = 0
@@ -202,7 +157,7 @@ def _columns(groups: Sequence[Sequence[int]], cell: int, names: Sequence[str]) -
     return column
 
 
-def _darts(groups: Sequence[Sequence[int]], column: Mapping[int, int]) -> str:
+def _darts(groups: Sequence[Sequence[Dart]], column: Mapping[Dart, int]) -> str:
     texts = {column[dart]: str(dart) for dart in column}
     for group in groups:
         texts[column[group[0]] - 1] = "("
@@ -210,12 +165,12 @@ def _darts(groups: Sequence[Sequence[int]], column: Mapping[int, int]) -> str:
     return _row(texts)
 
 
-def _names(map_: CombinatorialMap, marked: Mapping[int, int]) -> list[str]:
+def _names(scene: Scene) -> list[str]:
     """``v0``, ``v1 ●``, ``v2 ●3``: all names of equal length, then the markers."""
-    length = len(f"v{map_.vertex_count - 1}")
+    length = len(f"v{scene.map.vertex_count - 1}")
     names = []
-    for vertex in range(map_.vertex_count):
-        count = marked.get(vertex, 0)
+    for vertex in range(scene.map.vertex_count):
+        count = scene.marks.get(vertex, 0)
         sign = "" if count == 0 else " ●" if count == 1 else f" ●{count}"
         names.append(f"v{vertex}".ljust(length) + sign)
     return names
@@ -262,9 +217,9 @@ def _row(texts: Mapping[int, str]) -> str:
     return "".join(parts).rstrip()
 
 
-def _signs(start: int | None, pointed: int | None, marked: Mapping[int, int]) -> set[str]:
-    used = {"S": start is not None, "▲": pointed is not None, "●": any(marked.values())}
-    return {sign for sign in used if used[sign]}
+def _signs(scene: Scene) -> set[str]:
+    marked = {"●"} if any(scene.marks.values()) else set()
+    return marked | {sign for sign, darts in _signed(scene).items() if darts}
 
 
 def _legend(signs: set[str], width: int) -> str:

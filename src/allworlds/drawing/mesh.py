@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf, tau
 
+from allworlds.drawing.planar import PlanarMap
 from allworlds.maps.combinatorial import cycles
-from allworlds.reports.html.planar import PlanarMap
 
 SWEEPS = 150
 """How often every point is moved."""

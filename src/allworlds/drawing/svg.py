@@ -1,42 +1,24 @@
-"""A map as a picture: the darts leave each vertex in their cyclic order, clockwise."""
+"""A scene as a drawing in a page: the darts leave each vertex in their cyclic order, clockwise.
+
+The labels of a scene are not drawn.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 from itertools import pairwise
 from xml.etree import ElementTree as ET
 
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.reports.html.elements import Child, tag
-from allworlds.reports.html.layout import Layout, layout
+from allworlds.drawing.layout import Layout, layout
+from allworlds.drawing.scene import Scene
+from allworlds.maps.combinatorial import Dart
+from allworlds.markup import Child, tag
 
 DISC, ROBOT, MARGIN = 12.0, 6.0, 26.0
 """In pixels: the radii of a vertex and of a robot, and the free room round the drawing."""
 
 FLAG = 12.0
 """The length of the head of the arrow that stands for a marker's direction, in pixels."""
-
-
-@dataclass(frozen=True, slots=True)
-class Scene:
-    """What a picture shows.
-
-    Attributes:
-        map: the map.
-        start: the dart that the robot faced at the start.
-        robot: where it is at the end.
-        walked: the darts by which it has arrived anywhere.
-        pointed: the darts of which the bearing is sensed at their vertices.
-        marks: the number of markers at each vertex that has any.
-    """
-
-    map: CombinatorialMap
-    start: Dart
-    robot: Dart
-    walked: Collection[Dart] = ()
-    pointed: Collection[Dart] = ()
-    marks: Mapping[int, int] = field(default_factory=dict)
 
 
 def picture(scene: Scene, name: str, title: str) -> ET.Element:
@@ -76,7 +58,8 @@ def in_words(scene: Scene) -> str:
         sentences.append(f"Markers at v{vertex}: {marks}.")
     if scene.pointed:
         sentences.append(f"Pointed darts: {', '.join(map(str, sorted(scene.pointed)))}.")
-    sentences.append(f"The start is dart {scene.start}, the robot is in the end at {scene.robot}.")
+    end = "" if scene.robot is None else f", the robot is in the end at {scene.robot}"
+    sentences.append(f"The start is dart {scene.start}{end}.")
     return " ".join(sentences)
 
 

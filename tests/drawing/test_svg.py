@@ -8,14 +8,14 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from allworlds import worlds
+from allworlds.drawing import Scene, in_words, picture
+from allworlds.drawing import layout as layouts
+from allworlds.drawing.mesh import mesh, place
+from allworlds.drawing.planar import planar
 from allworlds.maps import CombinatorialMap
 from allworlds.maps.build import named_map
 from allworlds.maps.combinatorial import cycles
 from allworlds.maps.families import family
-from allworlds.reports.html import layout as layouts
-from allworlds.reports.html.mesh import mesh, place
-from allworlds.reports.html.planar import planar
-from allworlds.reports.html.svg import Scene, in_words, picture
 
 NS = "{http://www.w3.org/2000/svg}"
 SMALL = [world.map for world in worlds(edges=3)]

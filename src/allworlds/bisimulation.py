@@ -1,4 +1,4 @@
-"""The checker of bisimulations; it knows nothing of how they are found."""
+"""The checker of bisimulations; it knows nothing of how they are found, whoever finds them."""
 
 from __future__ import annotations
 

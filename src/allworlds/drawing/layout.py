@@ -9,9 +9,9 @@ from functools import lru_cache
 from itertools import combinations
 from math import tau
 
+from allworlds.drawing.mesh import mesh, place
+from allworlds.drawing.planar import planar
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
-from allworlds.reports.html.mesh import mesh, place
-from allworlds.reports.html.planar import planar
 
 MOST_DARTS = 200
 """Larger drawings, ends at crossings counted, are made in the plain way."""
