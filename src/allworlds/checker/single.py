@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, Unpack
+from typing import TYPE_CHECKING, Any, Literal, Unpack
 
 from allworlds.checker.options import RunOptions, refuse_others
 from allworlds.episode import Answered
@@ -18,6 +18,9 @@ from allworlds.runs import DEFAULT_EDGES, Examiner, Outcome, make_finding
 from allworlds.subjects import Subject, subject_of
 from allworlds.work import Limits
 from allworlds.world import Lighthouse, World, lighthouse_named, world_named
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 def worlds(
@@ -87,7 +90,7 @@ class SingleRun:
         """The exit code of the command."""
         return self.verdict.exit
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.RunReport:
         """The document of ``run --json``."""
         ending = self.outcome.episode.ending
         return {

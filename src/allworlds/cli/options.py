@@ -152,6 +152,11 @@ class Effort:
         number(EFFORT, "MB", "Address space of each worker process; the kernel engine has none."),
     ] = None
 
+    @property
+    def count(self) -> int:
+        """The number of workers."""
+        return worker_count(self.workers)
+
 
 def many_runs(
     map_class: str, lighthouse: str | None, rules: Rules, effort: Effort
@@ -161,7 +166,7 @@ def many_runs(
         **rules.options(),
         "map_class": map_class,
         "lighthouse": lighthouse,
-        "workers": worker_count(effort.workers),
+        "workers": effort.count,
         "time_limit": effort.time_limit,
         "memory": effort.memory,
     }

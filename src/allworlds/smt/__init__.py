@@ -3,7 +3,8 @@
 What comes out are plain values: maps, numbers and the paths of files.
 """
 
+from allworlds.smt.question import SEARCHED
 from allworlds.smt.twin_search import Searched, SearchResult, search
 from allworlds.smt.witness import MarkedMap
 
-__all__ = ["MarkedMap", "SearchResult", "Searched", "search"]
+__all__ = ["SEARCHED", "MarkedMap", "SearchResult", "Searched", "search"]

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import monotonic
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from allworlds.inputs import InputError, a_path, show
 from allworlds.maps.combinatorial import CombinatorialMap
@@ -29,6 +29,9 @@ from allworlds.smt.solvers import (
     solve_with_z3,
 )
 from allworlds.smt.witness import MarkedMap, bisimulation, same_world_from, senses
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 PROOF_LIMIT = 10_000_000
 """Bytes of DRAT that our own checker takes on: a minute or two."""
@@ -58,7 +61,7 @@ class Searched:
     same_map: tuple[Twins, ...] = ()
     pair: Twins | None = None
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.SearchLevel:
         """One row of the document."""
         return {
             "edges": [size.edges for size in self.level],
@@ -66,7 +69,6 @@ class Searched:
             "status": self.status,
             "formula": str(self.formula),
             "proof": None if self.proof is None else str(self.proof),
-            "seconds": round(self.seconds, 3),
         }
 
 
@@ -104,7 +106,7 @@ class SearchResult:
             return Exit.INCONCLUSIVE
         return Exit.VACUOUS if self.vacuous else Exit.ANSWERED
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.SearchReport:
         """The document of ``search --json``."""
         same = [twins for searched in self.levels for twins in searched.same_map]
         asked = self.question

@@ -8,11 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from allworlds.maps.canonical import numbering, rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.world import LIGHTHOUSES, Sensing
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,14 +71,16 @@ class MarkedMap:
         pointed = self.darts if self.sensing.bearing else ()
         return (*code, tuple(sorted(order.index(dart) for dart in pointed)))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.World:
         """The WORLD document."""
-        lighthouse: dict[str, Any] = {"kind": self.kind}
+        return {**self.map.to_json(), "start": self.start, "lighthouse": self._lighthouse()}
+
+    def _lighthouse(self) -> documents.Lighthouse | documents.AtDart | documents.AtDarts:
         if self.kind == "compass":
-            lighthouse["darts"] = list(self.darts)
-        elif self.darts:
-            lighthouse["dart"] = self.darts[0]
-        return {**self.map.to_json(), "start": self.start, "lighthouse": lighthouse}
+            return {"kind": self.kind, "darts": list(self.darts)}
+        if self.darts:
+            return {"kind": self.kind, "dart": self.darts[0]}
+        return {"kind": self.kind}
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> MarkedMap:

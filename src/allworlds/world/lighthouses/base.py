@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.inputs import InputError, integer, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Percept
 from allworlds.world.lighthouses.sensing import Sensing
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 class InvalidWorld(InputError):
@@ -66,7 +69,7 @@ class Lighthouse(ABC):
         """The same place after dart ``d`` has been renamed to ``names[d]``."""
 
     @abstractmethod
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.Lighthouse:
         """``{"kind": ...}`` and where it stands."""
 
     @classmethod

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.inputs import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
@@ -16,6 +16,9 @@ from allworlds.world.lighthouses.base import (
     no_place,
 )
 from allworlds.world.lighthouses.sensing import Sensing, Where
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +71,7 @@ class Cluster(Lighthouse):
         """At the renamed dart."""
         return Cluster(names[self.dart])
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.AtDart:
         """``{"kind": "cluster", "dart": d}``."""
         return {"kind": self.kind, "dart": self.dart}
 

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice, product
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.inputs import integer, show
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse
 from allworlds.world.lighthouses.sensing import Sensing, Where
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 ALL_CHOICES = 3
 """The largest number of edges for which every choice of reference darts is a place."""
@@ -75,7 +78,7 @@ class Compass(Lighthouse):
         """The renamed reference darts."""
         return Compass(tuple(sorted(names[dart] for dart in self.darts)))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.AtDarts:
         """``{"kind": "compass", "darts": [...]}``."""
         return {"kind": self.kind, "darts": list(self.darts)}
 

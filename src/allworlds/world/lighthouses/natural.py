@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
@@ -15,6 +15,9 @@ from allworlds.world.lighthouses.base import (
     no_place,
 )
 from allworlds.world.lighthouses.sensing import Sensing, Where
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +74,7 @@ class Natural(Lighthouse):
         """At the renamed dart."""
         return Natural(names[self.dart])
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.AtDart:
         """``{"kind": "natural", "dart": d}``."""
         return {"kind": self.kind, "dart": self.dart}
 
