@@ -101,7 +101,7 @@ def count(
     Args:
         edges: the largest number of edges.
         vertices: the largest number of vertices; alone only for the simple classes.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
 
     Raises:
         InputError: naming the offending option and what would be legal.

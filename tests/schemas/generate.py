@@ -1,8 +1,8 @@
 """Write the JSON Schemas from the typed descriptions, and the reference of keys from them.
 
 ``python tests/schemas/generate.py`` writes ``src/allworlds/schemas`` and ``docs/documents.md``
-anew; ``test_generated.py`` compares.  The descriptions are in ``allworlds.documents``, names in the
-tables that these name.
+anew, and the table of explorers in ``docs/protocol.md``; ``test_generated.py`` compares.  The
+descriptions are in ``allworlds.documents``, names in the tables that these name.
 """
 
 from __future__ import annotations
@@ -81,9 +81,12 @@ def table(name: str) -> Any:
     return getattr(import_module(f"allworlds.{module}"), attribute)
 
 
-def names(named: Named) -> list[str]:
-    """The names that a table has."""
-    return [str(name) for name in table(named.table)]
+def names(named: Named) -> dict[str, Any]:
+    """One of the names that a table has, each with its summary where it has one."""
+    found = [*table(named.table)]
+    if all(hasattr(name, "summary") for name in found):
+        return {"oneOf": [{"const": str(name), "description": name.summary} for name in found]}
+    return {"enum": [str(name) for name in found]}
 
 
 def kinds(of: KindsOf) -> Iterator[tuple[str, Any]]:
@@ -123,7 +126,7 @@ def shape(tp: Any, page: str) -> dict[str, Any]:
     """The schema of a value, told on the spot."""
     base, _ = peeled(tp)
     if named := note_of(tp, Named):
-        return {"enum": names(named)}
+        return names(named)
     if of := note_of(tp, KindsOf):
         return {"oneOf": [kind_schema(name, written, page) for name, written in kinds(of)]}
     if is_typeddict(base):
@@ -225,12 +228,13 @@ def schema_text(name: str) -> str:
 
 def main() -> None:
     """Write everything anew."""
-    from reference import REFERENCE, page_text
+    from reference import PROTOCOL, REFERENCE, page_text, with_tables
 
     for file in SCHEMAS.iterdir():
         file.unlink()
     for name in PAGES:
         (SCHEMAS / f"{name}.schema.json").write_text(schema_text(name), encoding="utf-8")
+    PROTOCOL.write_text(with_tables(PROTOCOL.read_text("utf-8")), "utf-8")
     REFERENCE.write_text(page_text({name: schema_of_page(name) for name in PAGES}), "utf-8")
 
 

@@ -6,9 +6,13 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from allworlds.explorers import BUILT_IN
 from allworlds.verbs import VERBS
+from allworlds.world import lighthouse_named
 
-REFERENCE = Path(__file__).parents[2] / "docs" / "documents.md"
+DOCS = Path(__file__).parents[2] / "docs"
+REFERENCE = DOCS / "documents.md"
+PROTOCOL = DOCS / "protocol.md"
 
 INTRODUCTION = """\
 # Documents
@@ -69,7 +73,12 @@ class Reference:
             for part, heading, told in self.sections(name):
                 said = f"{told['description']} " if "description" in told else ""
                 text += f"\n## {heading}\n\n{said}Schema: `{name}.schema.json{part}`.\n\n"
-                if "properties" in told:
+                if "oneOf" in told:
+                    rows = (
+                        f"| `{one['const']}` | {one['description']} |\n" for one in told["oneOf"]
+                    )
+                    text += "| name | meaning |\n|---|---|\n" + "".join(rows)
+                elif "properties" in told:
                     own = {k: v for k, v in told["properties"].items() if common.get(k) != v}
                     text += TABLE + self.rows({**told, "properties": own}, name)
                 else:
@@ -101,29 +110,21 @@ class Reference:
         return text
 
     def below(self, value: Schema, page: str) -> Iterator[tuple[Schema, str]]:
-        """The objects inside a value whose keys are told with it."""
-        if "$ref" in value:
-            if value["$ref"].startswith("#") and self.whole(value["$ref"], page) is None:
-                part = value["$ref"].rpartition("/")[2]
-                yield self.schemas[page]["$defs"][part], ""
-        elif "properties" in value:
+        """The objects inside a value; what a reference leads to is told elsewhere."""
+        if "properties" in value:
             yield value, ""
         elif "items" in value:
             yield from ((inner, f"[]{more}") for inner, more in self.below(value["items"], page))
         for option in value.get("anyOf", ()):
             yield from self.below(option, page)
 
-    def whole(self, reference: str, page: str) -> str | None:
-        """The reference with its file, where it is one to a section."""
-        found = f"{page}.schema.json{reference}" if reference.startswith("#") else reference
-        return found if found in self.headings else None
-
     def value(self, told: Schema, page: str) -> str:
         """What a value can be, in words."""
         match told:
             case {"$ref": reference}:
-                found = self.whole(reference, page)
-                return self.link(found) if found else "object"
+                return self.link(
+                    f"{page}.schema.json{reference}" if reference[0] == "#" else reference
+                )
             case {"anyOf": options}:
                 return " or ".join(self.value(option, page) for option in options)
             case {"const": one}:
@@ -186,3 +187,20 @@ def plural(text: str) -> str:
 def page_text(schemas: Mapping[str, Schema]) -> str:
     """The page of these schemas."""
     return Reference(schemas).text()
+
+
+def explorers_table() -> str:
+    """The built-in explorers, a row each."""
+    rows = [
+        f"| `{name}` | `{own.lighthouse}` "
+        f"| `{own.bound or lighthouse_named(own.lighthouse).default_bound}` | {own.about} |"
+        for name, own in BUILT_IN.items()
+    ]
+    return "\n".join(["| name | lighthouse | bound | what it is |", "|---|---|---|---|", *rows])
+
+
+def with_tables(page: str) -> str:
+    """A page whose tables between ``<!-- explorers -->`` and ``<!-- end -->`` are made anew."""
+    begin, end = "<!-- explorers -->\n", "\n<!-- end -->"
+    head, _, rest = page.partition(begin)
+    return head + begin + explorers_table() + end + rest.partition("<!-- end -->")[2]

@@ -10,7 +10,7 @@ from allworlds.documents import PAGES, Begins, Keywords
 from allworlds.outcome import SCHEMA
 from allworlds.verbs import VERBS
 from schemas.generate import schema, schema_text
-from schemas.reference import REFERENCE, page_text
+from schemas.reference import PROTOCOL, REFERENCE, page_text, with_tables
 
 WRITTEN = {
     file.name.removesuffix(".schema.json"): file.read_text(encoding="utf-8")
@@ -31,6 +31,12 @@ def test_there_is_no_other_schema():
 def test_the_reference_is_what_the_schemas_say():
     told = {name: json.loads(WRITTEN[name]) for name in PAGES}
     assert REFERENCE.read_text(encoding="utf-8") == page_text(told), WRITE_ANEW
+
+
+def test_the_table_of_explorers_is_what_the_code_says():
+    page = PROTOCOL.read_text(encoding="utf-8")
+    assert page == with_tables(page), WRITE_ANEW
+    assert "| `algorithm1-natural` | `natural` | `two-vertices` |" in page
 
 
 def test_every_key_that_needs_words_has_them():

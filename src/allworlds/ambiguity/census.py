@@ -99,7 +99,7 @@ class AmbiguityCensus:
             return Exit.DISAGREES
         return Exit.ANSWERED if any(row.marked_worlds for row in self.rows) else Exit.VACUOUS
 
-    def to_json(self) -> documents.CensusReport:
+    def to_json(self) -> documents.AmbiguityCensusReport:
         """The document of ``ambiguity census --json``."""
         return {
             "schema": SCHEMA,
@@ -124,7 +124,7 @@ def census(
     Args:
         edges: the largest number of edges.
         vertices: the largest number of vertices; alone only for the simple classes.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         listener: told how far it is.
 
     Raises:

@@ -61,7 +61,7 @@ class AmbiguityClass:
         """The exit code of the command: a question was answered."""
         return Exit.ANSWERED
 
-    def to_json(self) -> documents.ClassReport:
+    def to_json(self) -> documents.AmbiguityClassReport:
         """The document of ``ambiguity class --json``."""
         return {
             "schema": SCHEMA,

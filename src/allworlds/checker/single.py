@@ -36,7 +36,7 @@ def worlds(
     Args:
         edges: the largest number of edges (default: one that takes seconds).
         vertices: the largest number of vertices.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         lighthouse: the kind of lighthouse.
         places: ``first``: one world a rooted map, as reports count worlds; ``all``: one for
             every place of the lighthouse, as reports count runs.

@@ -7,7 +7,7 @@
 
 Strict types hold every ``to_json`` to them.  The JSON Schemas of the package and the reference
 in ``docs/documents.md`` are written from them by ``tests/schemas/generate.py``, and compared by a
-test.  A new document is a class here, and an entry of :data:`PAGES`.
+test.  The document of a new verb is a class in one of these modules.
 """
 
 from collections.abc import Mapping
@@ -19,6 +19,7 @@ from allworlds.documents.findings import *
 from allworlds.documents.questions import *
 from allworlds.documents.words import *
 from allworlds.documents.worlds import *
+from allworlds.verbs import VERBS
 
 
 class Page(NamedTuple):
@@ -33,19 +34,13 @@ class Page(NamedTuple):
     parts: Mapping[str, Any] = {}
 
 
-PAGES = {
-    "check": Page(CheckReport, {"scope": Scope, "row": CheckRow}),
-    "run": Page(RunReport),
-    "replay": Page(ReplayReport),
-    "explain": Page(Explanation),
-    "mutants": Page(MutantsReport),
-    "count": Page(CountReport),
-    "worst": Page(WorstReport),
-    "twins": Page(TwinsReport),
-    "search": Page(SearchReport),
-    "bench": Page(BenchReport, {"spread": Spread}),
-    "ambiguity-census": Page(CensusReport),
-    "ambiguity-class": Page(ClassReport),
+def _of_verb(document: str) -> Page:
+    """The page of a verb's document: of ``two-words`` the class is ``TwoWordsReport``."""
+    name = "".join(word.capitalize() for word in document.split("-"))
+    return Page(globals()[f"{name}Report"])
+
+
+PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
     "finding": Page(FindingRead, {"written": Finding, "options": Options}),
     "world": Page(WorldRead, {"written": World, "rooted": Rooted}),
     "transcript": Page(

@@ -150,7 +150,7 @@ class ReplayReport(Report):
     run: Annotated[RunReport, "the run of today"]
 
 
-class Explanation(Report):
+class ExplainReport(Report):
     """Report of 'explain'."""
 
     explorer: Annotated[str, "its name"]

@@ -102,7 +102,7 @@ class CensusRow(TypedDict):
     largest_class: Annotated[Natural, "the members of the largest; 0: there is none"]
 
 
-class CensusReport(Report, Extent):
+class AmbiguityCensusReport(Report, Extent):
     """Report of 'ambiguity census'."""
 
     lighthouse: Annotated[str, Keywords(const="position")]
@@ -110,7 +110,7 @@ class CensusReport(Report, Extent):
     rows: Annotated[list[CensusRow], "one a number of edges, ascending"]
 
 
-class ClassReport(Report, OfClass):
+class AmbiguityClassReport(Report, OfClass):
     """Report of 'ambiguity class'."""
 
     world: Annotated[World, "as it was understood"]

@@ -48,7 +48,7 @@ class Explanation:
         """The exit code of the command: a question was answered."""
         return Exit.ANSWERED
 
-    def to_json(self) -> documents.Explanation:
+    def to_json(self) -> documents.ExplainReport:
         """The document of ``explain --json``."""
         answer = self.answer
         return {

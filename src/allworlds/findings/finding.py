@@ -184,10 +184,7 @@ def _of_report(document: Any) -> Any:
 
 def place_of(world: World) -> int:
     """The number of the lighthouse's place among those of the rooted map."""
-    places = type(world.lighthouse).places(world.map, world.start)
-    # A compass with darts of one's own in a large map stands at none of the numbered places.
-    numbered = (i for i, lighthouse in enumerate(places) if lighthouse == world.lighthouse)
-    return next(numbered, 0)
+    return world.lighthouse.number(world.map, world.start)
 
 
 def canonical_world(world: World) -> World:

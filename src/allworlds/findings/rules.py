@@ -22,8 +22,8 @@ class RulesOptions(TypedDict, total=False):
     """Options of every verb that plays and judges runs.
 
     Attributes:
-        policy: answers the explorer's choices: ``fifo`` (default), ``lifo``, ``nearest`` or
-            ``random:SEED``.
+        policy: answers the explorer's choices: one of :data:`allworlds.protocol.POLICIES`
+            (default ``fifo``), or ``random:SEED``.
         bound: on the traversals: ``paper``, ``two-vertices``, ``none``, an expression or an
             integer; None (default) takes the explorer's own, else the lighthouse's.
         laws: those to check; None (default) takes all that apply.

@@ -9,6 +9,8 @@ from allworlds.protocol.actions import Action, Drop, Move, Pick
 from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
 from allworlds.protocol.choices import (
     KINDS,
+    POLICIES,
+    SEEDED,
     Choices,
     Kind,
     Policy,
@@ -22,6 +24,8 @@ from allworlds.protocol.transcript import Transcript, action_from_json
 
 __all__ = [
     "KINDS",
+    "POLICIES",
+    "SEEDED",
     "Action",
     "Ambiguous",
     "Answer",

@@ -152,7 +152,7 @@ def search(
         lighthouse: ``none``, ``position``, ``compass`` or ``directional``.
         vertices: the largest number of vertices of each of the two worlds.
         edges: the largest number of edges.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         degree_marked: the degree of the start's vertex (with ``position``: the marked one).
         degree_others: the degree of every other vertex.
         motions: a walk from the start, in both worlds.

@@ -141,7 +141,7 @@ def worst(
 
     Args:
         edges: the largest number of edges (default: one that takes a second).
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         transit: ``shortest`` or ``simple``: how the robot goes through S in line 4.
         workers: threads.
         listener: is told of the progress.

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from allworlds.inputs import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
+    BelievedWalk,
     InvalidWorld,
     Lighthouse,
     check_leads_away,
@@ -66,6 +67,10 @@ class Cluster(Lighthouse):
     def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
         """The two ends of the dart's edge."""
         return (self.dart, map_.alpha[self.dart])
+
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Cluster:
+        """Seen from the start in the same direction, even where the answer breaks what it needs."""
+        return Cluster(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
 
     def relabelled(self, names: Sequence[Dart]) -> Cluster:
         """At the renamed dart."""

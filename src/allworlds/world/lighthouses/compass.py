@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from allworlds.inputs import integer, show
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse
+from allworlds.world.lighthouses.base import BelievedWalk, InvalidWorld, Lighthouse
 from allworlds.world.lighthouses.sensing import Sensing, Where
 
 if TYPE_CHECKING:
@@ -73,6 +73,15 @@ class Compass(Lighthouse):
     def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # it knows
         """The dart of each vertex."""
         return self.darts
+
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Compass:  # noqa: ARG002  # sensed
+        """The reference dart that was sensed when the robot first came to a vertex."""
+        answer = walk.map
+        north = {vertex: darts[0] for vertex, darts in enumerate(answer.vertices)}
+        for dart, percept in reversed([*zip(walk.trail, walk.sensed, strict=True)]):
+            assert percept.bearing is not None
+            north[answer.vertex_of[dart]] = answer.turn(dart, percept.bearing)
+        return Compass(tuple(sorted(north.values())))
 
     def relabelled(self, names: Sequence[Dart]) -> Compass:
         """The renamed reference darts."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
+    BelievedWalk,
     InvalidWorld,
     Lighthouse,
     check_leads_away,
@@ -69,6 +70,10 @@ class Natural(Lighthouse):
     def told(self, map_: CombinatorialMap) -> int:
         """The degree of v1."""
         return map_.degree_at[map_.alpha[self.dart]]
+
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Natural:
+        """Seen from the start in the same direction, even where the answer breaks what it needs."""
+        return Natural(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
 
     def relabelled(self, names: Sequence[Dart]) -> Natural:
         """At the renamed dart."""
