@@ -38,8 +38,8 @@ LEAST = {
     "twins": "k4 k4",
     "search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
     "bench": "--edges 4 --rounds 1",
-    "ambiguity class": "k4",
     "ambiguity census": "--edges 1",
+    "ambiguity class": "k4",
 }
 
 # What every command says is recorded under a name.

@@ -12,7 +12,7 @@ from referencing import Registry, Resource
 
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
-from allworlds.checker import Interrupted, check, replay, run
+from allworlds.checker import Interrupted, check, replay, run, worlds
 from allworlds.cli.app import call
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
@@ -22,9 +22,10 @@ from allworlds.maps import named_map
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.smt import search
-from allworlds.world import Directional, World
-from allworlds.world.lighthouses import Cluster, Compass, Nothing, Position
+from allworlds.verbs import VERBS
+from allworlds.world import LIGHTHOUSES, Directional, Position, World
 from allworlds.worst_case import worst
+from recorded.record import least
 from schemas.rules import RULES, broken
 
 SCHEMAS = {
@@ -36,7 +37,6 @@ REGISTRY = Registry().with_resources(
 )
 WRONG = {mutant.name: mutant for mutant in WRONG_EXPLORERS if mutant.name != "confirmed-too-early"}
 THETA = named_map("theta")
-LIGHTS = [Nothing(), Position(1), Directional(2), Compass((0, 3)), Cluster(1)]
 
 
 @functools.cache
@@ -64,6 +64,11 @@ def finding_of(name):
 def interrupted():
     report = check(edges=3)
     return replace(report, ending=Interrupted()).to_json()
+
+
+def placed(kind):
+    """A world with a lighthouse of that kind: the smallest that has a place for it."""
+    return next(worlds(edges=4, lighthouse=kind))
 
 
 def marked(name):
@@ -167,11 +172,11 @@ DOCUMENTS = {
         for name in ("mirror-image", "no-retracing", "crashes-at-leaves")
     },
     **{
-        f"world {light.kind}": (
+        f"world {kind}": (
             whole("world#/$defs/written"),
-            World(THETA, light).to_json,
+            functools.partial(lambda kind: placed(kind).to_json(), kind),
         )
-        for light in LIGHTS
+        for kind in LIGHTHOUSES
     },
     "transcript": (
         whole("transcript"),
@@ -357,34 +362,18 @@ def test_a_transcript_that_is_read_needs_its_actions_and_percepts():
 # ---------------------------------------------------------------- completeness
 
 
-@pytest.mark.parametrize(
-    ("name", "arguments"),
-    [
-        ("check", ["check", "--edges", "2", "--workers", "1"]),
-        ("check", ["fuzz", "--edges", "5", "--runs", "2", "--workers", "1"]),
-        ("count", ["count", "--edges", "2"]),
-        ("run", ["run", "theta"]),
-        ("worst", ["worst", "--edges", "2", "--workers", "1"]),
-        ("bench", ["bench", "--edges", "4", "--rounds", "1"]),
-        ("twins", ["twins", "k4", "wheel-4"]),
-        ("ambiguity-class", ["ambiguity", "class", "k4", "--class", "simple"]),
-        ("ambiguity-census", ["ambiguity", "census", "--edges", "2"]),
-    ],
-)
-def test_what_the_command_line_prints_keeps_its_schema(name, arguments, capsys):
-    assert call([*arguments, "--json"]) == 0
-    assert complaints(whole(name), json.loads(capsys.readouterr().out)) == []
+@pytest.mark.parametrize("verb", VERBS, ids=lambda verb: verb.name)
+def test_what_the_command_line_prints_keeps_its_schema(verb, capsys, tmp_path):
+    code = call([*least(verb.name, str(tmp_path)), "--json"])
+    assert code == (1 if verb.name == "mutants" else 0)
+    document = json.loads(capsys.readouterr().out)
+    assert wrongs(whole(verb.document), document) == []
+    assert complaints(whole("made-by"), document["made_by"]) == []
+    assert complaints(whole(verb.document), {**document, "made_by": {}})
 
 
-@pytest.mark.parametrize("name", ["replay", "explain"])
-def test_what_is_said_of_a_file_keeps_its_schema(name, capsys, tmp_path):
-    def explore(first):
-        return None
-        yield
-
-    (finding,) = check(explore, edges=1).findings
-    document = {**finding.to_json(), "explorer": "algorithm1"}
-    file = tmp_path / "finding.json"
-    file.write_text(json.dumps(document), encoding="utf-8")
-    assert call([name, str(file), "--json"]) == {"replay": 5, "explain": 0}[name]
-    assert complaints(whole(name), json.loads(capsys.readouterr().out)) == []
+def test_a_document_of_every_verb_and_of_every_kind_is_looked_at():
+    told = {reference for reference, _ in DOCUMENTS.values()}
+    assert {whole(verb.document) for verb in VERBS} <= told
+    assert {whole("finding#/$defs/written"), whole("world#/$defs/written")} < told
+    assert {whole("transcript"), whole("manifest")} < told
