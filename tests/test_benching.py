@@ -39,11 +39,9 @@ def test_ratios_are_taken_within_a_round(report):
     assert ratio["ratio"]["highest"] == round(max(both), 4)
 
 
-def test_the_document_says_where_and_what(report):
+def test_the_document_says_what_was_measured(report):
     document = json.loads(json.dumps(report.to_json()))
     assert document["schema"] == 1
-    assert {"system", "processor", "cores", "python", "numba"} <= set(document["machine"])
-    assert document["version"]
     assert "commit" in document
     assert document["rounds"] == 2
     assert 10 < document["peak_mb"] < 100_000  # of this process, whatever else it has run

@@ -12,7 +12,7 @@ from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap
 from allworlds.maps.classes import MapClass
 from allworlds.maps.enumeration import rooted_maps
-from allworlds.smt import solvers
+from allworlds.smt import searching, solvers
 from allworlds.smt.decode import sensed
 from allworlds.smt.formula import read_dimacs
 from allworlds.smt.lrat import check_lrat
@@ -22,7 +22,6 @@ from allworlds.smt.question import Sizes, question
 from allworlds.smt.witness import bisimulation, code, same_world_from
 from allworlds.world import Compass, Directional, Nothing, Position, World
 
-search_module = sys.modules["allworlds.smt.searching"]
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 needs_python_sat = pytest.mark.skipif(
     not solvers.python_sat_is_installed(), reason="python-sat is not installed: no certificates"
@@ -174,7 +173,7 @@ def smallest_by_enumeration(kind, map_class, edges):
     ],
 )
 def test_search_and_enumeration_give_the_same_answer(tmp_path, monkeypatch, kind, map_class, edges):
-    monkeypatch.setattr(search_module, "python_sat_is_installed", lambda: False)
+    monkeypatch.setattr(searching, "python_sat_is_installed", lambda: False)
     expected = smallest_by_enumeration(kind, MapClass(map_class), edges)
     result = allworlds.search(
         lighthouse=kind, map_class=map_class, vertices=edges + 1, edges=edges, out=tmp_path
@@ -216,7 +215,7 @@ def test_when_the_time_is_over_the_answer_is_unknown_and_never_unsat(tmp_path):
 
 
 def test_without_python_sat_there_is_no_certificate_but_a_notice(tmp_path, monkeypatch):
-    monkeypatch.setattr(search_module, "python_sat_is_installed", lambda: False)
+    monkeypatch.setattr(searching, "python_sat_is_installed", lambda: False)
     result = allworlds.search(lighthouse="position", vertices=2, edges=1, out=tmp_path)
     assert (result.status, result.certificate) == ("unsat", None)
     assert "allworlds[proofs]" in result.notices[0]
@@ -224,7 +223,7 @@ def test_without_python_sat_there_is_no_certificate_but_a_notice(tmp_path, monke
 
 @needs_python_sat
 def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path, monkeypatch):
-    monkeypatch.setattr(search_module, "PROOF_LIMIT", 10)
+    monkeypatch.setattr(searching, "PROOF_LIMIT", 10)
     result = allworlds.search(lighthouse="position", vertices=2, edges=1, out=tmp_path)
     assert (result.status, result.certificate) == ("unsat", None)
     assert "our checker takes up to 10" in result.notices[0]
@@ -302,8 +301,8 @@ def test_an_external_solver_without_a_verdict_is_an_internal_error(tmp_path):
 
 @needs_python_sat
 def test_two_solvers_that_disagree_are_an_internal_error(tmp_path, monkeypatch):
-    monkeypatch.setattr(search_module, "solve_with_z3", lambda *_: solvers.Solved("unsat"))
-    monkeypatch.setattr(search_module._Search, "_some_world_exists", lambda _: True)
+    monkeypatch.setattr(searching, "solve_with_z3", lambda *_: solvers.Solved("unsat"))
+    monkeypatch.setattr(searching._Search, "_some_world_exists", lambda _: True)
     with pytest.raises(RuntimeError, match="disagree"):
         allworlds.search(lighthouse="position", vertices=3, edges=2, out=tmp_path)
 

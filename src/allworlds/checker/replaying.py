@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from allworlds.checker.single import SingleRun, single_run, unused_choice
 from allworlds.findings import Finding, recorded_trail
@@ -13,6 +13,9 @@ from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import ANSWER_TIMEOUT
 from allworlds.subjects import subject_of
 from allworlds.work import Limits
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +34,7 @@ class Replay:
     notice: str = ""
 
     @property
-    def outcome(self) -> str:
+    def outcome(self) -> Literal["reproduced", "fixed"]:
         """``reproduced`` if the run still breaks a law, ``fixed`` if it breaks none."""
         return "reproduced" if self.again.finding else "fixed"
 
@@ -40,7 +43,7 @@ class Replay:
         """The exit code of the command."""
         return Exit.FIXED if self.outcome == "fixed" else Exit.ANSWERED
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.ReplayReport:
         """The document of ``replay --json``."""
         return {
             "schema": SCHEMA,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, Unpack
+from typing import TYPE_CHECKING, Any, Literal, Unpack
 
 from allworlds.checker.options import RunOptions, refuse_others
 from allworlds.episode import Answered
@@ -20,6 +20,9 @@ from allworlds.subjects import Subject, subject_of
 from allworlds.work import Limits
 from allworlds.world import Lighthouse, World, lighthouse_named, world_named
 
+if TYPE_CHECKING:
+    from allworlds import documents
+
 
 def worlds(
     *,
@@ -34,7 +37,7 @@ def worlds(
     Args:
         edges: the largest number of edges (default: one that takes seconds).
         vertices: the largest number of vertices.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         lighthouse: the kind of lighthouse.
         places: ``first``: one world a rooted map, as reports count worlds; ``all``: one for
             every place of the lighthouse, as reports count runs.
@@ -88,7 +91,7 @@ class SingleRun:
         """The exit code of the command."""
         return self.verdict.exit
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.RunReport:
         """The document of ``run --json``."""
         ending = self.outcome.episode.ending
         return {

@@ -14,6 +14,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from allworlds.cli.groups import grouped
+from allworlds.cli.made_by import beginning
 from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable
 from allworlds.inputs import InputError, show
 from allworlds.outcome import Exit
@@ -96,7 +97,8 @@ def main() -> NoReturn:
 def call(arguments: list[str]) -> int:
     """Run a verb in this process; its exit code, whatever happens."""
     try:
-        code = app(args=arguments, standalone_mode=False)
+        with beginning(arguments):
+            code = app(args=arguments, standalone_mode=False)
     except InputError as error:
         return _refuse(str(error))
     except _ClickError as error:

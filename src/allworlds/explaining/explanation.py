@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 from allworlds.explaining.story import Story
 from allworlds.explaining.tellers import teller_of
@@ -13,6 +13,9 @@ from allworlds.maps.combinatorial import Dart
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Estimate
 from allworlds.world import World
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +59,7 @@ class Explanation:
         """The exit code of the command: a question was answered."""
         return Exit.ANSWERED
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.ExplainReport:
         """The document of ``explain --json``."""
         answer = self.answer
         return {

@@ -29,7 +29,7 @@ def rooted_maps(edges: int, map_class: str = "maps") -> tuple[CombinatorialMap, 
 
     Args:
         edges: m, from 1 to 5.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
 
     Raises:
         ValueError: for a number of edges out of range, or an unknown class.

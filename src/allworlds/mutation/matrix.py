@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from allworlds.checker import check, worlds
 from allworlds.episode import Answered, default_step_budget, play
@@ -23,6 +23,9 @@ from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Choices
 from allworlds.subjects import subject_of
 from allworlds.world import Directional, World
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 LARGEST_LEVEL = 4
 """The dumb enumerator, which some mutants need, goes no further in reasonable time."""
@@ -42,7 +45,7 @@ class Kill:
     """
 
     mutant: str
-    kind: str
+    kind: documents.MutantKind
     breaks: str
     killed_by: str = ""
     world: World | None = None
@@ -53,7 +56,7 @@ class Kill:
         """Killed if it must be, alive if it is equivalent."""
         return bool(self.killed_by) != bool(self.equivalent)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.Kill:
         """The row as it stands in the document."""
         return {
             "mutant": self.mutant,
@@ -87,7 +90,7 @@ class KillMatrix:
         """1 if a mutant survived."""
         return Exit.REFUTED if self.survivors else Exit.HOLDS
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.MutantsReport:
         """The document of ``mutants --json``."""
         return {
             "schema": SCHEMA,

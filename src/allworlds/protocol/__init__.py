@@ -13,6 +13,8 @@ from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
 from allworlds.protocol.choices import (
     DEFAULT_POLICY,
     KINDS,
+    POLICIES,
+    SEEDED,
     Choices,
     Kind,
     Policy,
@@ -27,6 +29,8 @@ __all__ = [
     "ANSWER_TIMEOUT",
     "DEFAULT_POLICY",
     "KINDS",
+    "POLICIES",
+    "SEEDED",
     "Action",
     "Ambiguous",
     "Answer",

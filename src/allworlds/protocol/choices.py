@@ -67,12 +67,22 @@ class Seeded:
         return self._random.randrange(len(options))
 
 
+POLICIES: dict[str, type[Fifo | Lifo | Nearest]] = {
+    "fifo": Fifo,
+    "lifo": Lifo,
+    "nearest": Nearest,
+}
+"""Every policy that has no seed, by its name."""
+
+SEEDED = "random:SEED"
+"""How the one that has a seed is written."""
+
 DEFAULT_POLICY = "fifo"
 """Answers where no policy is named."""
 
 
 def policy_named(name: str, run: str = "") -> Policy:
-    """The policy ``fifo``, ``lifo``, ``nearest`` or ``random:SEED``, fresh for one run.
+    """The policy of that name, fresh for one run.
 
     Args:
         name: as on the command line.
@@ -85,16 +95,10 @@ def policy_named(name: str, run: str = "") -> Policy:
     kind, _, seed = name.partition(":")
     if kind == "random" and seed.isascii() and seed.isdigit():
         return Seeded(f"{seed.lstrip('0') or '0'}/{run}")
-    plain: dict[str, type[Fifo | Lifo | Nearest]] = {
-        "fifo": Fifo,
-        "lifo": Lifo,
-        "nearest": Nearest,
-    }
-    if name not in plain:
-        raise InputError(
-            f"policy {name!r} is none of fifo, lifo, nearest, random:SEED (SEED = 0, 1, 2, ...)"
-        )
-    return plain[name]()
+    if name not in POLICIES:
+        legal = ", ".join([*POLICIES, SEEDED])
+        raise InputError(f"policy {name!r} is none of {legal} (SEED = 0, 1, 2, ...)")
+    return POLICIES[name]()
 
 
 class Choices:

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +30,6 @@ class Percept:
         bearing = "" if self.bearing is None else f", bearing {self.bearing}"
         return f"degree {self.degree}{marks}{bearing}"
 
-    def to_json(self) -> dict[str, int | None]:
+    def to_json(self) -> documents.Percept:
         """``{"degree", "marks", "bearing"}``."""
         return {"degree": self.degree, "marks": self.marks, "bearing": self.bearing}

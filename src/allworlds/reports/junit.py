@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 from xml.etree import ElementTree as ET
 
 from allworlds.checker import Disagreed, Report
@@ -68,7 +68,7 @@ def junit(report: Report) -> str:
 
 def _properties(suite: ET.Element, report: Report) -> None:
     """Verdict and scope, which no result is worth anything without."""
-    document = report.to_json()
+    document: Mapping[str, Any] = report.to_json()
     named = ("verdict", "exit_code", "engine", "worlds", "runs", "traversals")
     told = {name: document[name] for name in named}
     told |= {f"scope.{name}": value for name, value in document["scope"].items()}

@@ -14,7 +14,8 @@
     the search, and what it has found: plain values.
 """
 
+from allworlds.smt.question import SEARCHED
 from allworlds.smt.result import Searched, SearchResult, Twins
 from allworlds.smt.searching import search
 
-__all__ = ["SearchResult", "Searched", "Twins", "search"]
+__all__ = ["SEARCHED", "SearchResult", "Searched", "Twins", "search"]

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.smt.question import Question, Sizes
 from allworlds.smt.solvers import Status
 from allworlds.world import World
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 Classes: TypeAlias = tuple[tuple[int, ...], tuple[int, ...]]
 """For each of two worlds the class of each dart."""
@@ -44,7 +47,7 @@ class Searched:
     same_map: tuple[Twins, ...] = ()
     twins: Twins | None = None
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.SearchLevel:
         """One row of the document."""
         return {
             "edges": [size.edges for size in self.sizes],
@@ -52,7 +55,6 @@ class Searched:
             "status": self.status,
             "formula": str(self.formula),
             "proof": None if self.proof is None else str(self.proof),
-            "seconds": round(self.seconds, 3),
         }
 
 
@@ -98,7 +100,7 @@ class SearchResult:
             return Exit.INCONCLUSIVE
         return Exit.VACUOUS if self.vacuous else Exit.ANSWERED
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.SearchReport:
         """The document of ``search --json``."""
         same = [twins.worlds for searched in self.searched for twins in searched.same_map]
         asked = self.question

@@ -36,8 +36,7 @@ def page(report: Report) -> str:
         tag("title", f"{title}: {word}, {report.explorer}"),
         raw("style", style),
     )
-    summary = report.to_json()
-    del summary["findings"]
+    summary = {key: told for key, told in report.to_json().items() if key != "findings"}
     body = tag(
         "body",
         tag(

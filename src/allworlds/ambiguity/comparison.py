@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from allworlds.ambiguity.criterion import Disagreement
 from allworlds.bisimulation import flaw
@@ -14,6 +14,9 @@ from allworlds.maps.quotient import Labelled, classes_of_union
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Move, Percept
 from allworlds.world import World
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 Relation: TypeAlias = Literal["same", "same-map", "different"]
 """``same``: one world; ``same-map``: one map with its lighthouse, entered at two darts;
@@ -64,9 +67,9 @@ class Comparison:
         """The exit code of the command: a question was answered."""
         return Exit.ANSWERED
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.TwinsReport:
         """The document of ``twins --json``."""
-        document: dict[str, Any] = {
+        document: documents.TwinsReport = {
             "schema": SCHEMA,
             "worlds": [world.to_json() for world in self.worlds],
             "relation": self.relation,

@@ -4,7 +4,7 @@ from itertools import combinations_with_replacement, pairwise, product
 import pytest
 
 from allworlds.ambiguity import Bisimulation, Disagreement, Separation, twins
-from allworlds.ambiguity.twins import replayed, separation
+from allworlds.ambiguity.comparison import replayed, separation
 from allworlds.bisimulation import flaw
 from allworlds.inputs import InputError
 from allworlds.maps import named_map
@@ -13,7 +13,7 @@ from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Move
 from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World
 
-twins_module = sys.modules["allworlds.ambiguity.twins"]
+twins_module = sys.modules["allworlds.ambiguity.comparison"]
 KINDS = [Nothing, Position, Compass, Directional]
 
 
