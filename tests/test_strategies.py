@@ -20,6 +20,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Schedules
 from allworlds.world import Directional, World
+from small import EDGE, LOOP, TORUS
 
 OF_CLASS = {
     MapClass.MAPS: strategies.maps,
@@ -123,21 +124,17 @@ def test_impossible_bounds_are_refused_at_once(strategy, least, most, message):
 
 # ---------------------------------------------------------------- shrinking
 
-LOOP = CombinatorialMap((1, 0), (1, 0))
-LINK = CombinatorialMap((0, 1), (1, 0))
-TORUS = CombinatorialMap((1, 2, 3, 0), (2, 3, 0, 1))
-
 
 @pytest.mark.parametrize(
     ("strategy", "condition", "expected"),
     [
         (strategies.maps(), lambda _: True, LOOP),
         (strategies.maps(), lambda m: m.loop_count, LOOP),
-        (strategies.maps(), lambda m: m.vertex_count > 1, LINK),
+        (strategies.maps(), lambda m: m.vertex_count > 1, EDGE),
         (strategies.maps(), lambda m: m.genus == 1, TORUS),
-        (strategies.simple_maps(), lambda _: True, LINK),
+        (strategies.simple_maps(), lambda _: True, EDGE),
         (strategies.planar_maps(), lambda _: True, LOOP),
-        (strategies.planar_simple_maps(), lambda _: True, LINK),
+        (strategies.planar_simple_maps(), lambda _: True, EDGE),
     ],
 )
 def test_the_smallest_example_is_the_smallest_map(strategy, condition, expected):

@@ -4,14 +4,14 @@ import time
 
 import pytest
 
+import small
 from allworlds.checker import Finding, check, replay, run
 from allworlds.checker.confirm import MOST_CHOICES
 from allworlds.errors import InputError
-from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.world import Directional, World
 
-EDGE = World(CombinatorialMap((0, 1), (1, 0)), Directional(0))
-LOOP = World(CombinatorialMap((1, 0), (1, 0)), Directional(0))
+EDGE = World(small.EDGE, Directional(0))
+LOOP = World(small.LOOP, Directional(0))
 RUNS = 3  # with one edge: one run in the edge, two in the loop
 
 pytestmark = pytest.mark.usefixtures("no_orphans")

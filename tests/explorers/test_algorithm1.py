@@ -2,7 +2,7 @@ from fractions import Fraction
 
 import networkx as nx
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from allworlds.explorers import BUILT_IN, algorithm1
@@ -14,26 +14,10 @@ from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Checkpoint, Choices, Move, Percept, Schedules, policy_named
-
-settings.register_profile("laws", deadline=None, database=None)
-settings.load_profile("laws")
+from small import EDGE, LOOP, maps
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:1"]
-EDGE = from_cycles(["a", "a"])
-LOOP = from_cycles(["aa"])
 FOUND_TWO = ["empty-H", "non-loop"] * 2
-
-
-@st.composite
-def maps(draw, most=5):
-    darts = range(2 * draw(st.integers(1, most)))
-    sigma = draw(st.permutations(darts))
-    paired = draw(st.permutations(darts))
-    alpha = [0] * len(darts)
-    for a, b in zip(paired[::2], paired[1::2], strict=True):
-        alpha[a], alpha[b] = b, a
-    assume(nx.is_connected(nx.Graph([*enumerate(sigma), *enumerate(alpha)])))
-    return CombinatorialMap(sigma, alpha)
 
 
 class Run:

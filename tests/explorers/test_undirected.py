@@ -3,7 +3,7 @@
 from collections import Counter
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from allworlds.explorers import BUILT_IN, algorithm1_cluster, algorithm1_natural
@@ -13,12 +13,9 @@ from allworlds.maps.classes import MapClass
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Checkpoint, Choices, Move, Percept, Schedules, policy_named
 from allworlds.strategies import maps
-
-settings.register_profile("laws", deadline=None, database=None)
-settings.load_profile("laws")
+from small import EDGE
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:1"]
-EDGE = from_cycles(["a", "a"])
 
 
 class Lost(Exception):

@@ -8,10 +8,9 @@ from fractions import Fraction
 import pytest
 
 from allworlds.judge.bounds import Bound, BoundError, bound_named, paper_bound
-from allworlds.maps.combinatorial import CombinatorialMap
+from small import LOLLIPOP
 
 # Vertex 0 of degree 1, vertex 1 of degree 3 with a loop: n = 2, m = 2.
-LOLLIPOP = CombinatorialMap((0, 2, 3, 1), (1, 0, 3, 2))
 
 
 def printed(m, n):

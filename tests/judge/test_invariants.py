@@ -8,14 +8,10 @@ import pytest
 from allworlds.explorers.algorithm1 import algorithm1
 from allworlds.judge import Case, Violation
 from allworlds.judge.invariants import invariant_1, invariant_2, variant
-from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Checkpoint, Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World
-
-# Vertex 0 of degree 1, vertex 1 of degree 3 with a loop.
-LOLLIPOP = CombinatorialMap((0, 2, 3, 1), (1, 0, 3, 2))
-EDGE = CombinatorialMap((0, 1), (1, 0))
+from small import EDGE, LOLLIPOP
 
 
 def finished(world):

@@ -1,14 +1,11 @@
 from itertools import product
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from allworlds.errors import InputError
 from allworlds.protocol.choices import KINDS, Choices, PolicyError, Schedules, policy_named
-
-settings.register_profile("laws", deadline=None, database=None)
-settings.load_profile("laws")
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:7"]
 widths = st.lists(st.integers(1, 5), max_size=12)

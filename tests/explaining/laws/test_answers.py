@@ -4,11 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from allworlds import CombinatorialMap
 from allworlds.errors import InputError
 from allworlds.explaining import explain
-
-EDGE = CombinatorialMap([0, 1], [1, 0])
+from small import EDGE, LASSO
 
 
 def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
@@ -22,8 +20,7 @@ def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
 
 def test_a_robot_at_another_vertex_is_told_so(explained, answering):
     # A vertex of degree 3 with a loop and a leaf: no symmetry.
-    lollipop = CombinatorialMap([1, 2, 0, 3], [1, 0, 3, 2])
-    explanation = explained(lollipop, answering(lollipop, 3, 0))
+    explanation = explained(LASSO, answering(LASSO, 3, 0))
     assert explanation.law == "pose"
     assert "it believes to stand at v1, dart 3, which is another vertex" in explanation.sentences[1]
 

@@ -1,11 +1,9 @@
 """Too many traversals in words."""
 
-from allworlds import CombinatorialMap
 from allworlds.checker import run
 from allworlds.explaining import explain
 from allworlds.world import Directional, World
-
-PATH = CombinatorialMap([0, 2, 1, 3], [1, 0, 3, 2])
+from small import PATH
 
 
 def test_the_bound_is_told_with_the_moves_out_and_back(told):
