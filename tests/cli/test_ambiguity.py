@@ -6,19 +6,8 @@ import pytest
 
 import allworlds
 from allworlds.ambiguity import flaw
-from allworlds.cli.app import _guarded
 from allworlds.maps import named_map
 from allworlds.world import World
-
-
-@pytest.fixture
-def cli(capsys):
-    def run(*arguments):
-        code = _guarded([*arguments])
-        told = capsys.readouterr()
-        return code, told.out, told.err
-
-    return run
 
 
 def test_twins_answer_yes_and_no_with_exit_code_zero(cli):

@@ -96,14 +96,10 @@ BAD = [
 
 
 @pytest.mark.parametrize(("arguments", "named"), BAD, ids=lambda value: str(value)[:60])
-def test_bad_input_is_one_line_that_names_it(guarded, arguments, named):
+def test_bad_input_is_one_line_that_names_it(refused, arguments, named):
     if arguments[0] == "check" and "--edges" not in arguments and "--vertices" not in arguments:
         arguments = [*arguments, "--edges", "1"]
-    code, out, err = guarded(*arguments)
-    assert (code, out) == (2, "")
-    assert err.count("\n") == 1, err
-    assert named in err
-    assert "Traceback" not in err
+    assert named in refused(*arguments)
 
 
 @pytest.mark.parametrize(
@@ -125,39 +121,32 @@ def test_bad_input_is_one_line_that_names_it(guarded, arguments, named):
         ('{"schema": 1, "verdict": "holds", "findings": []}', "holds"),
     ],
 )
-def test_a_file_that_is_no_finding_is_bad_input(guarded, tmp_path, text, named):
+def test_a_file_that_is_no_finding_is_bad_input(refused, tmp_path, text, named):
     file = tmp_path / "finding.json"
     file.write_text(text)
-    code, out, err = guarded("replay", file)
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert named in err
+    assert named in refused("replay", file)
 
 
-def test_a_binary_file_is_bad_input(guarded, tmp_path):
+def test_a_binary_file_is_bad_input(refused, tmp_path):
     file = tmp_path / "finding.json"
     file.write_bytes(bytes(range(256)))
-    code, out, err = guarded("replay", file)
-    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert file.name in refused("replay", file)
 
 
-def test_a_module_that_does_not_import_is_bad_input(guarded, tmp_path):
+def test_a_module_that_does_not_import_is_bad_input(refused, tmp_path):
     for i, source in enumerate(["1/0", "import sys; sys.exit(0)", "def", "raise BaseException"]):
         file = tmp_path / f"broken{i}.py"
         file.write_text(source)
-        code, out, err = guarded("check", f"{file}:explore", "--edges", "1")
-        assert (code, out, err.count("\n")) == (2, "", 1)
-        assert file.name in err
+        assert file.name in refused("check", f"{file}:explore", "--edges", "1")
 
 
 @pytest.mark.parametrize(
     "signature", ["first, more", "", "first, *, chosen", "first, choices, /", "*, first"]
 )
-def test_an_explorer_with_another_signature_is_bad_input(guarded, tmp_path, signature):
+def test_an_explorer_with_another_signature_is_bad_input(refused, tmp_path, signature):
     file = tmp_path / "explorer.py"
     file.write_text(f"def explore({signature}):\n    yield\n")
-    code, out, err = guarded("check", f"{file}:explore", "--edges", "1")
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert "explorer.py" in err
+    assert "explorer.py" in refused("check", f"{file}:explore", "--edges", "1")
 
 
 def test_what_an_explorer_prints_is_not_in_the_document(tmp_path):
@@ -203,34 +192,34 @@ def test_a_finding_is_replayed_from_its_report_and_from_its_command(tmp_path):
         ("right", ["--edges", "2", "--bound", "m", "--class", "planar"]),
     ],
 )
-def test_the_command_of_a_finding_shows_the_same_law(guarded, name, options):
-    code, out, _ = guarded("check", f"{WRONG}:{name}", *options, "--json")
+def test_the_command_of_a_finding_shows_the_same_law(cli, name, options):
+    code, out, _ = cli("check", f"{WRONG}:{name}", *options, "--json")
     assert code == 1
     (finding,) = json.loads(out)["findings"]
-    code, out, _ = guarded(*shlex.split(finding["reproduce"])[1:], "--json")
+    code, out, _ = cli(*shlex.split(finding["reproduce"])[1:], "--json")
     again = json.loads(out)["finding"]
     assert code == 1
     for key in ("law", "world", "transcript", "choices", "expected", "seen"):
         assert again[key] == finding[key]
 
 
-def test_the_command_of_a_program_shows_the_same_law(guarded):
+def test_the_command_of_a_program_shows_the_same_law(cli):
     command = f"{sys.executable} {EXPLORERS / 'program.py'} no-json"
-    code, out, _ = guarded("check", "--exec", command, "--edges", "1", "--json")
+    code, out, _ = cli("check", "--exec", command, "--edges", "1", "--json")
     (finding,) = json.loads(out)["findings"]
-    code, out, _ = guarded(*shlex.split(finding["reproduce"])[1:], "--json")
+    code, out, _ = cli(*shlex.split(finding["reproduce"])[1:], "--json")
     assert (code, json.loads(out)["finding"]["law"]) == (1, "illegal-action")
 
 
-def test_the_exit_code_is_in_the_document(guarded):
-    code, out, err = guarded("check", "--edges", "1", "--json", "--engine", "python")
+def test_the_exit_code_is_in_the_document(cli):
+    code, out, err = cli("check", "--edges", "1", "--json", "--engine", "python")
     document = json.loads(out)
     assert (code, document["exit_code"], document["schema"], err) == (0, 0, 1, "")
     assert document["scope"]["complete"] is True
 
 
-def test_counts(guarded):
-    code, out, _ = guarded("count", "--edges", "4", "--json")
+def test_counts(cli):
+    code, out, _ = cli("count", "--edges", "4", "--json")
     rows = json.loads(out)["rows"]
     # A000698 and the unrooted counts 2, 5, 20, 107.
     assert code == 0
@@ -273,18 +262,18 @@ def test_an_interrupt_ends_the_kill_matrix():
     assert "Traceback" not in err
 
 
-def test_recorded_choices_that_no_longer_fit_are_told_on_stderr(guarded, tmp_path):
-    _, out, _ = guarded(
+def test_recorded_choices_that_no_longer_fit_are_told_on_stderr(cli, tmp_path):
+    _, out, _ = cli(
         "check", f"{WRONG}:one_schedule", "--edges", "1", "--schedules", "all", "--json"
     )
     finding = json.loads(out)["findings"][0]
     file = tmp_path / "finding.json"
     file.write_text(json.dumps({**finding, "choices": [1, 0, 0]}))
-    code, out, err = guarded("replay", str(file), "--json")
+    code, out, err = cli("replay", str(file), "--json")
     assert (code, json.loads(out)["outcome"]) == (0, "reproduced")
     assert "recorded choice 2 is 0, but only 2 were asked for" in err
     file.write_text(json.dumps({**finding, "explorer": f"{WRONG}:everywhere"}))
-    code, out, err = guarded("replay", str(file))
+    code, out, err = cli("replay", str(file))
     assert (code, out) == (2, "")
     assert "takes no choices" in err
 
@@ -316,26 +305,26 @@ def test_a_terminal_without_the_characters_is_no_error():
     assert out.isascii()
 
 
-def test_an_internal_error_has_its_own_exit_code(guarded, monkeypatch):
+def test_an_internal_error_has_its_own_exit_code(cli, monkeypatch):
     from allworlds import counter
 
     monkeypatch.setattr(counter, "rooted_maps", lambda *_: 1 // 0)
-    code, out, err = guarded("count", "--edges", "1")
+    code, out, err = cli("count", "--edges", "1")
     assert (code, out) == (70, "")
     assert "internal error" in err
 
 
-def test_a_count_that_its_source_contradicts_is_an_internal_error(guarded, monkeypatch):
+def test_a_count_that_its_source_contradicts_is_an_internal_error(cli, monkeypatch):
     from allworlds import counter
 
     monkeypatch.setattr(counter, "rooted_maps", lambda *_: iter(()))
-    code, out, _ = guarded("count", "--edges", "1")
+    code, out, _ = cli("count", "--edges", "1")
     assert code == 70
     assert "MISMATCH" in out
 
 
 @pytest.mark.parametrize("verb", ["check", "count", "run", "replay"])
-def test_help_begins_with_an_example(guarded, verb):
-    code, out, _ = guarded(verb, "--help")
+def test_help_begins_with_an_example(cli, verb):
+    code, out, _ = cli(verb, "--help")
     assert code == 0
     assert f"Example: allworlds {verb}" in out

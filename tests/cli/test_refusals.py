@@ -6,7 +6,7 @@ import pytest
 import typer
 
 from allworlds import check
-from allworlds.cli.app import _guarded, app
+from allworlds.cli.app import app
 
 EDGE = '{"sigma": [0, 1], "alpha": [1, 0]}'
 ENOUGH = {
@@ -40,20 +40,6 @@ OPTIONS = [
     for param in command.params
     if param.param_type_name == "option" and not param.is_flag
 ]
-
-
-@pytest.fixture
-def refused(capsys):
-    """The one line with which these arguments are refused."""
-
-    def call(*arguments):
-        code = _guarded([str(argument) for argument in arguments])
-        out, err = capsys.readouterr()
-        assert (code, out) == (2, ""), err
-        assert err.count("\n") == 1, err
-        return err
-
-    return call
 
 
 def test_every_verb_is_looked_at():
@@ -113,10 +99,9 @@ def test_an_option_without_effect_is_refused(refused, arguments, said):
         ["check", "--edges", "1", "--schedules", "all", "--policy", "lifo"],
     ],
 )
-def test_what_may_be_named_in_every_run_is_legal_where_it_changes_nothing(arguments, capsys):
+def test_what_may_be_named_in_every_run_is_legal_where_it_changes_nothing(arguments, cli):
     """A seed, a policy, the bound that is the default: scripts pass them always."""
-    assert _guarded(arguments) == 0
-    capsys.readouterr()
+    assert cli(*arguments)[0] == 0
 
 
 @pytest.mark.parametrize(
@@ -190,11 +175,13 @@ def test_a_choice_that_was_not_asked_for_is_counted_rightly(refused, tmp_path):
     assert "only 2 were asked for" in refused("run", f"{file}:explore", "theta", "--choices=0,0,0")
 
 
-def test_the_scope_says_no_bound_where_none_was_checked(capsys):
+def test_the_scope_says_no_bound_where_none_was_checked(cli):
     for verb in (["check"], ["fuzz", "--runs", "3"]):
-        assert _guarded([*verb, "--edges", "2", "--laws", "map,pose", "--json"]) == 0
-        document = json.loads(capsys.readouterr().out)
+        code, out, _ = cli(*verb, "--edges", "2", "--laws", "map,pose", "--json")
+        assert code == 0
+        document = json.loads(out)
         assert document["scope"]["bound"] == "none"
         assert {row["bound"] for row in document["rows"]} == {None}
-    assert _guarded(["check", "--edges", "2", "--bound", "none", "--json"]) == 0
-    assert "bound" not in json.loads(capsys.readouterr().out)["scope"]["laws"]
+    code, out, _ = cli("check", "--edges", "2", "--bound", "none", "--json")
+    assert code == 0
+    assert "bound" not in json.loads(out)["scope"]["laws"]

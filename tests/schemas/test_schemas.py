@@ -12,7 +12,6 @@ from referencing import Registry, Resource
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
 from allworlds.checker import check, replay, run
-from allworlds.cli.app import _guarded
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
@@ -349,13 +348,14 @@ def test_every_law_and_every_lighthouse_is_in_the_schemas():
         ("ambiguity-census", ["ambiguity", "census", "--edges", "2"]),
     ],
 )
-def test_what_the_command_line_prints_keeps_its_schema(name, arguments, capsys):
-    assert _guarded([*arguments, "--json"]) == 0
-    assert complaints(whole(name), json.loads(capsys.readouterr().out)) == []
+def test_what_the_command_line_prints_keeps_its_schema(name, arguments, cli):
+    code, out, _ = cli(*arguments, "--json")
+    assert code == 0
+    assert complaints(whole(name), json.loads(out)) == []
 
 
 @pytest.mark.parametrize("name", ["replay", "explain"])
-def test_what_is_said_of_a_file_keeps_its_schema(name, capsys, tmp_path):
+def test_what_is_said_of_a_file_keeps_its_schema(name, cli, tmp_path):
     def explore(first):
         return None
         yield
@@ -364,5 +364,6 @@ def test_what_is_said_of_a_file_keeps_its_schema(name, capsys, tmp_path):
     document = {**finding.to_json(), "explorer": "algorithm1"}
     file = tmp_path / "finding.json"
     file.write_text(json.dumps(document), encoding="utf-8")
-    assert _guarded([name, str(file), "--json"]) == {"replay": 5, "explain": 0}[name]
-    assert complaints(whole(name), json.loads(capsys.readouterr().out)) == []
+    code, out, _ = cli(name, file, "--json")
+    assert code == {"replay": 5, "explain": 0}[name]
+    assert complaints(whole(name), json.loads(out)) == []

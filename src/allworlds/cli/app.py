@@ -76,10 +76,11 @@ def main() -> NoReturn:
     # To be terminated is to be interrupted: a report is left, and no worker.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     prepare_streams()
-    sys.exit(_guarded(sys.argv[1:]))
+    sys.exit(call(sys.argv[1:]))
 
 
-def _guarded(arguments: list[str]) -> int:
+def call(arguments: list[str]) -> int:
+    """Run a verb in this process; its exit code, whatever happens."""
     try:
         code = app(args=arguments, standalone_mode=False)
     except InputError as error:
