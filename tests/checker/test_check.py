@@ -23,6 +23,7 @@ from allworlds.maps.counting import Source
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Estimate, Move
 from allworlds.world import Directional, World
+from processes import PATIENCE
 
 pytestmark = pytest.mark.usefixtures("no_orphans")
 check = partial(checker.check, engine="python")
@@ -328,9 +329,11 @@ def test_the_time_limit_leaves_unfinished_levels_out(workers):
     assert report.to_json()["scope"]["complete"] is False
 
 
-def test_a_finding_of_an_unfinished_level_is_not_called_minimal(wrong):
-    report = check(wrong("hang"), edges=3, answer_timeout=0.3, time_limit=2.5, max_findings=6)
-    assert (report.exit_code, report.complete) == (1, False)
+def test_a_finding_of_an_unfinished_level_is_not_called_minimal(wrong, clock):
+    # It hangs in 1, 2 and 10 runs with 1, 2 and 3 edges, and is given time for five of them.
+    limits = {"answer_timeout": PATIENCE, "time_limit": 5.5 * clock.LEAP}
+    report = check(wrong("hang"), edges=3, max_findings=6, **limits)
+    assert (report.exit_code, report.complete, report.levels) == (1, False, [1, 2])
     minimal = [found.minimal for found in report.findings]
     assert minimal == [found.key[0] in report.levels for found in report.findings]
     assert not all(minimal)

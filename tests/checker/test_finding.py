@@ -8,6 +8,7 @@ from allworlds.checker.finding import canonical_world, place_of
 from allworlds.errors import InputError
 from allworlds.maps.build import named_map
 from allworlds.world import Directional, World
+from processes import PATIENCE
 
 
 def lazy(first):
@@ -105,10 +106,10 @@ def test_a_report_of_one_run_is_a_finding_too(finding):
     assert Finding.from_json(report).key == finding.key
 
 
-def test_all_zero_choices_are_told_where_another_policy_would_choose_otherwise(wrong):
+def test_all_zero_choices_are_told_where_another_policy_would_choose_otherwise(wrong, clock):
     world = next(worlds(edges=1))
     told = run(
-        wrong("hang_after_choices"), world, policy="lifo", choices=[0, 0], answer_timeout=0.3
+        wrong("hang_after_choices"), world, policy="lifo", choices=[0, 0], answer_timeout=PATIENCE
     )
     assert told.finding.choices == (0, 0)
     assert "--choices 0,0" in told.finding.reproduce
