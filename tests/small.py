@@ -1,6 +1,7 @@
 """Small maps that many tests speak of, made by hand, and a strategy that draws others."""
 
 import networkx as nx
+import pytest
 from hypothesis import assume
 from hypothesis import strategies as st
 
@@ -18,6 +19,11 @@ LASSO = CombinatorialMap((1, 2, 0, 3), (1, 0, 3, 2))
 # Around one vertex the edges a, b stand as aabb (plane) and as abab (torus).
 PLANE = CombinatorialMap((1, 2, 3, 0), (1, 0, 3, 2))
 TORUS = CombinatorialMap((1, 2, 3, 0), (2, 3, 0, 1))
+
+
+def slow(*values):
+    """Parameters that are left to ``pytest -m slow``."""
+    return pytest.param(*values, marks=pytest.mark.slow)
 
 
 def all_maps(most):

@@ -170,6 +170,7 @@ def test_a_crash_in_the_second_run_is_a_crash(wrong):
         ("lazy", "map", ""),
     ],
 )
+@pytest.mark.usefixtures("without_workers")  # that the program is another one suffices
 def test_the_law_that_a_program_breaks(program, kind, law, seen):
     finding = only_finding(program(kind))
     assert (finding.law, finding.world) == (law, LOOP)  # fewer vertices than the edge
