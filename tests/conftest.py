@@ -35,6 +35,7 @@ def refused(cli):
     def run(*arguments):
         code, out, err = cli(*arguments)
         assert (code, out) == (2, ""), err
+        assert err.startswith("allworlds: ")
         assert err.count("\n") == 1, err
         return err
 

@@ -12,6 +12,8 @@ from allworlds.fuzzer import fuzz
 from allworlds.reports.html import page
 from allworlds.reports.junit import junit
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 QUICK = ["check", "--edges", "1", "--workers", "1", "-q"]
 WRITERS = pytest.mark.parametrize(("option", "written"), [("--junit", junit), ("--html", page)])
 OPTIONS = pytest.mark.parametrize("option", ["--junit", "--html"])

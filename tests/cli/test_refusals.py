@@ -8,6 +8,8 @@ import typer
 from allworlds import check
 from allworlds.cli.app import app
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 EDGE = '{"sigma": [0, 1], "alpha": [1, 0]}'
 ENOUGH = {
     "check": ["--edges", "1"],

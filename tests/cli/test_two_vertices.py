@@ -4,6 +4,8 @@ import json
 
 import pytest
 
+pytestmark = pytest.mark.usefixtures("without_workers")
+
 # v0 with an edge to v1 and a loop: the edge is dart 0.
 LOLLIPOP = '{"sigma":[1,2,0,3],"alpha":[3,2,1,0]'
 PAIR = [

@@ -334,6 +334,7 @@ def test_every_law_and_every_lighthouse_is_in_the_schemas():
     assert {light["properties"]["kind"]["const"] for light in lights} >= set(LIGHTHOUSES)
 
 
+@pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
     ("name", "arguments"),
     [
