@@ -1,5 +1,8 @@
 """What all tests share: drawn examples that are the same every time, and the command line."""
 
+import fcntl
+import os
+import subprocess
 import sys
 from contextlib import contextmanager
 
@@ -7,9 +10,18 @@ import pytest
 from coverage import Coverage
 from hypothesis import settings
 
+from allworlds.checker import run
+from allworlds.checker.examine import Examiner
 from allworlds.checker.laboratory import Laboratory
 from allworlds.checker.pool import LocalPool
 from allworlds.cli import call
+
+COMPILE = """
+import allworlds
+
+allworlds.worst(edges=1)
+allworlds.bench(edges=4, rounds=1)
+"""
 
 settings.register_profile(
     "same-every-time", derandomize=True, database=None, deadline=None, max_examples=60
@@ -44,14 +56,36 @@ def refused(cli):
 
 @pytest.fixture
 def without_workers(monkeypatch):
-    """Checks run in this process: they are the same there, and no worker has to start."""
+    """Checks and runs are done in this process: no worker has to start, and all else is the same.
+
+    Only the confirmation of a finding takes a fresh process still.
+    """
 
     @contextmanager
-    def here(subject, _limits, deadline):
+    def pool(subject, _limits, deadline):
         with subject.running():
             yield LocalPool(subject, deadline)
 
-    monkeypatch.setattr(sys.modules[Laboratory.__module__], "WorkerPool", here)
+    def examine(subject, rules, world, script, _limits):
+        examiner = Examiner(subject, rules)
+        name = examiner.name_run(world)
+        with subject.running():
+            return examiner.examine(world, rules.choices(name, script), name)
+
+    monkeypatch.setattr(sys.modules[Laboratory.__module__], "WorkerPool", pool)
+    monkeypatch.setattr(sys.modules[run.__module__], "examine_apart", examine)
+
+
+@pytest.fixture(scope="session")
+def compiled(tmp_path_factory):
+    """The kernel, compiled once, by a process that nothing traces, whoever needs it first."""
+    base = tmp_path_factory.getbasetemp()
+    common = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+    with (common / "compiled").open("a") as done:
+        fcntl.flock(done, fcntl.LOCK_EX)  # the other workers of pytest wait
+        if os.fstat(done.fileno()).st_size == 0:
+            subprocess.run([sys.executable, "-c", COMPILE], check=True)
+            done.write("done")
 
 
 @pytest.fixture(scope="session")

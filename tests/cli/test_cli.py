@@ -203,6 +203,7 @@ def test_a_finding_is_replayed_from_its_report_and_from_its_command(cli, tmp_pat
         assert again[key] == finding[key]
 
 
+@pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
     ("name", "options"),
     [
@@ -224,6 +225,7 @@ def test_the_command_of_a_finding_shows_the_same_law(cli, name, options):
         assert again[key] == finding[key]
 
 
+@pytest.mark.usefixtures("without_workers")
 def test_the_command_of_a_program_shows_the_same_law(cli):
     command = f"{sys.executable} {EXPLORERS / 'program.py'} no-json"
     code, out, _ = cli("check", "--exec", command, "--edges", "1", "--json")
@@ -286,6 +288,7 @@ def test_an_interrupt_ends_the_kill_matrix(cli, monkeypatch):
     assert "Traceback" not in err
 
 
+@pytest.mark.usefixtures("without_workers")
 def test_recorded_choices_that_no_longer_fit_are_told_on_stderr(cli, tmp_path):
     _, out, _ = cli(
         "check", f"{WRONG}:one_schedule", "--edges", "1", "--schedules", "all", "--json"
