@@ -17,12 +17,11 @@ from collections import deque
 from collections.abc import Callable
 
 import allworlds
-from allworlds.checker.examine import Examiner
-from allworlds.checker.scope import make_scope
 from allworlds.maps.canonical import rooted_code, unrooted_code
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.maps.families import family
 from allworlds.protocol import Choices
+from allworlds.runs import Examiner, make_scope
 from allworlds.subjects import load
 
 LEVEL = 5

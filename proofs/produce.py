@@ -64,8 +64,8 @@ def write(path: Path, document: Any) -> None:
 
 def no_twins_directional(solver: str | None, edges: int, folder: Path) -> None:
     """None up to so many edges."""
-    bounds = {"max_vertices": edges + 1, "max_edges": edges}
-    if searched(folder, "", solver, info="directional", **bounds):
+    bounds = {"vertices": edges + 1, "edges": edges}
+    if searched(folder, "", solver, lighthouse="directional", **bounds):
         raise SystemExit("a pair with a directional lighthouse")
 
 
@@ -74,19 +74,19 @@ def smallest_pairs(solver: str | None) -> None:
     folder = HERE / "smallest-pairs"
     pairs = {}
     for name, below, edges in (("maps", 1, 2), ("simple", 5, 6), ("planar-simple", 7, 8)):
-        asked = {"info": "position", "map_class": name, "max_vertices": edges + 1}
-        searched(folder, f"{name}-", solver, max_edges=below, **asked)
-        pairs[name] = entry(searched(folder, "", solver, max_edges=edges, **asked))
+        asked = {"lighthouse": "position", "map_class": name, "vertices": edges + 1}
+        searched(folder, f"{name}-", solver, edges=below, **asked)
+        pairs[name] = entry(searched(folder, "", solver, edges=edges, **asked))
     write(folder / "pairs.json", pairs)
 
 
 def fig1(solver: str | None) -> None:
     """The candidates for Fig. 1, and that the caption does not fit planar drawings of the wheel."""
     folder = HERE / "fig1"
-    asked = {"info": "position", "map_class": "planar-simple", "degree_marked": 4}
+    asked = {"lighthouse": "position", "map_class": "planar-simple", "degree_marked": 4}
     asked |= {"degree_others": 3, **CAPTION}
-    searched(folder, "search-", solver, max_vertices=5, max_edges=8, **asked)
-    found = searched(folder, "", solver, max_vertices=9, max_edges=14, **asked)
+    searched(folder, "search-", solver, vertices=5, edges=8, **asked)
+    found = searched(folder, "", solver, vertices=9, edges=14, **asked)
     write(folder / "pairs.json", {"planar-simple": entry(found), "wheel": entry(wheels())})
 
 

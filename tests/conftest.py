@@ -10,11 +10,9 @@ import pytest
 from coverage import Coverage
 from hypothesis import settings
 
-from allworlds.checker import run
-from allworlds.checker.examine import Examiner
-from allworlds.checker.laboratory import Laboratory
-from allworlds.checker.pool import LocalPool
-from allworlds.cli import call
+from allworlds.cli.app import call
+from allworlds.isolation.workers import ThisProcess
+from allworlds.runs import Examiner
 
 COMPILE = """
 import allworlds
@@ -61,10 +59,10 @@ def without_workers(monkeypatch):
     Only the confirmation of a finding takes a fresh process still.
     """
 
-    @contextmanager
-    def pool(subject, _limits, deadline):
-        with subject.running():
-            yield LocalPool(subject, deadline)
+    class Here(ThisProcess):
+        def __exit__(self, *_):
+            if self.subject.program:
+                self.subject.program.close()
 
     def examine(subject, rules, world, script, _limits):
         examiner = Examiner(subject, rules)
@@ -72,8 +70,11 @@ def without_workers(monkeypatch):
         with subject.running():
             return examiner.examine(world, rules.choices(name, script), name)
 
-    monkeypatch.setattr(sys.modules[Laboratory.__module__], "WorkerPool", pool)
-    monkeypatch.setattr(sys.modules[run.__module__], "examine_apart", examine)
+    monkeypatch.setattr(
+        "allworlds.isolation.workers.Workers",
+        lambda subject, _limits, deadline: Here(subject, deadline),
+    )
+    monkeypatch.setattr("allworlds.checker.single.examine_apart", examine)
 
 
 @pytest.fixture(scope="session")

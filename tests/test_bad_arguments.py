@@ -5,7 +5,7 @@ import pytest
 import allworlds
 import small
 from allworlds import strategies
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.world import Directional, World
 
 EDGE = World(small.EDGE, Directional(0))
@@ -24,7 +24,7 @@ def run(**options):
 
 
 def search(**options):
-    least = {"info": "position", "max_vertices": 1, "max_edges": 1}
+    least = {"lighthouse": "position", "vertices": 1, "edges": 1}
     return lambda: allworlds.search(**{**least, **options})
 
 
@@ -89,8 +89,8 @@ BAD = [
     (lambda: allworlds.ambiguity.class_of("k4"), "world = 'k4'"),
     (lambda: allworlds.ambiguity.class_of(EDGE, limit="9"), "limit = '9'"),
     (lambda: allworlds.ambiguity.census(edges=1.0), "edges = 1.0"),
-    (search(info=3), "info 3"),
-    (search(max_edges="1"), "max-edges = '1'"),
+    (search(lighthouse=3), "info 3"),
+    (search(edges="1"), "edges = '1'"),
     (search(degree_marked=1.0), "degree-marked = 1.0"),
     (search(motions="1"), "motions = '1'"),
     (search(motions=[1.0], percepts=["1A"]), "motion = 1.0"),

@@ -4,7 +4,7 @@ import re
 import pytest
 
 from allworlds.benching import bench, peer
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.reports.bench_text import bench_text
 
 SLEEP = "python3 -c 'import time; time.sleep(0.05)'"

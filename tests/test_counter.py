@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds.counter import count
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,8 @@ from hypothesis.strategies import tuples
 
 from allworlds import strategies
 from allworlds.episode import Answered, play
-from allworlds.errors import InputError
 from allworlds.explorers.algorithm1 import Algorithm1
+from allworlds.inputs import InputError
 from allworlds.judge import LAWS, Case, judge, paper_bound
 from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
 from allworlds.maps.canonical import rooted_code

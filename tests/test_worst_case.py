@@ -5,14 +5,14 @@ from dataclasses import replace
 import pytest
 
 from allworlds import check, run
-from allworlds.checker.examine import Examiner
-from allworlds.checker.scope import Rules
-from allworlds.errors import InputError
+from allworlds.findings import Rules
+from allworlds.inputs import InputError
 from allworlds.maps.classes import MapClass
 from allworlds.maps.counting import rooted_maps as counted
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Schedules
 from allworlds.reports.worst_text import worst_text
+from allworlds.runs import Examiner
 from allworlds.subjects import load
 from allworlds.world import Directional, World
 from allworlds.worst_case import EverySchedule, search, worst

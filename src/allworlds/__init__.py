@@ -24,6 +24,7 @@ from allworlds.protocol import (
     Percept,
     Pick,
 )
+from allworlds.verbs import GROUPS, VERBS
 from allworlds.version import __version__
 
 if TYPE_CHECKING:
@@ -38,21 +39,9 @@ if TYPE_CHECKING:
     from allworlds.smt import search
     from allworlds.worst_case import worst
 
-_PACKAGES = {"ambiguity"}
-
-_HOMES = {
-    "bench": "allworlds.benching",
-    "mutants": "allworlds.mutation",
-    "fuzz": "allworlds.fuzzer",
-    "check": "allworlds.checker",
-    "count": "allworlds.counter",
-    "explain": "allworlds.explaining",
-    "replay": "allworlds.checker",
-    "run": "allworlds.checker",
-    "search": "allworlds.smt",
-    "twins": "allworlds.ambiguity",
-    "worlds": "allworlds.checker",
-    "worst": "allworlds.worst_case",
+_PACKAGES = set(GROUPS)
+_HOMES = {"worlds": "checker"} | {
+    verb.name: verb.function.partition(":")[0] for verb in VERBS if not verb.group
 }
 
 __all__ = [
@@ -88,7 +77,7 @@ def __getattr__(name: str) -> Any:
         return import_module(f"allworlds.{name}")
     if name not in _HOMES:
         raise AttributeError(f"module 'allworlds' has no attribute {name!r}")
-    return getattr(import_module(_HOMES[name]), name)
+    return getattr(import_module(f"allworlds.{_HOMES[name]}"), name)
 
 
 def __dir__() -> list[str]:

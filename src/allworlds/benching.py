@@ -20,16 +20,22 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from allworlds.checker.examine import Examiner
-from allworlds.checker.scope import Limits, make_scope
-from allworlds.errors import InputError, a_text, an_integer, show
+from allworlds.checker import ENGINES, Job
+from allworlds.episode import default_step_budget
+from allworlds.findings import Rules
+from allworlds.inputs import InputError, a_text, an_integer, show
+from allworlds.judge import paper_bound
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
+from allworlds.outcome import SCHEMA, Exit
+from allworlds.progress import Silent
+from allworlds.runs import Examiner, Scope, Tally
 from allworlds.subjects import load
 from allworlds.version import __version__
+from allworlds.work import Limits, gather
 from allworlds.world import Directional, World
 
-SCHEMA = 1
 REFERENCE = "kernel"
 """The contender to whose rate all others are compared."""
 
@@ -98,9 +104,9 @@ class BenchReport:
     peak_mb: int
 
     @property
-    def exit_code(self) -> int:
+    def exit_code(self) -> Exit:
         """0: measured."""
-        return 0
+        return Exit.ANSWERED
 
     def ratios(self) -> list[dict[str, Any]]:
         """How many times the rate of each other contender the reference's is."""
@@ -215,32 +221,30 @@ def _warm(contender: Contender) -> None:
 
 
 def _walk(edges: int, threads: int = 1) -> None:
-    from allworlds.checker.kernel_pool import KernelPool
-
-    scope = make_scope(edges=edges)
-    with KernelPool(load("algorithm1"), Limits(threads)) as pool:
-        for _ in pool.examine(scope, scope.units(edges), 1):
-            pass
+    scope = Scope(Extent(MapClass.MAPS, edges), Rules())
+    job = Job(scope, load("algorithm1"), Limits(threads), 1, None, lambda _: None)
+    way = ENGINES["kernel"].ready(job)
+    with way.transport:
+        gather(way.transport, way.engine, scope.units(edges), Tally(1), Silent())
 
 
 def _count(edges: int) -> None:
-    from allworlds.kernel.engine import by_vertices_and_faces
+    from allworlds.kernel import by_vertices_and_faces
 
     for prefix in prefixes(edges, depth=2):
         by_vertices_and_faces(edges, edges + 1, prefix)
 
 
 def _thorough(edges: int) -> None:
-    from allworlds.checker.kernel_pool import level_tables
-    from allworlds.kernel.engine import examine
+    from allworlds.kernel import examine, tables
 
-    rules = make_scope(edges=edges).rules
+    looked_up = tables(edges, default_step_budget(paper_bound(edges + 1, edges)))
     for prefix in prefixes(edges, depth=1):
-        examine(edges, edges + 1, "fifo", prefix, level_tables(rules, edges), mode="thorough")
+        examine(edges, edges + 1, "fifo", prefix, looked_up, mode="thorough")
 
 
 def _python(edges: int) -> None:
-    rules = make_scope(edges=edges).rules
+    rules = Rules()
     examiner = Examiner(load("algorithm1"), rules)
     for map_ in rooted_maps(edges):
         examiner.examine(World(map_, Directional(0), 0), rules.choices(""))

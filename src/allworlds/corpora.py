@@ -13,7 +13,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
-from allworlds.errors import InputError, parse_json, show
+from allworlds.inputs import InputError, parse_json, show
 
 Kind: TypeAlias = Literal["world", "finding", "pair", "counts"]
 KINDS: tuple[Kind, ...] = get_args(Kind)

@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 from math import factorial
 from typing import Any
 
-from allworlds.errors import InputError
 from allworlds.maps.canonical import automorphisms
-from allworlds.maps.classes import Bounds, MapClass
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
+from allworlds.outcome import SCHEMA, Exit
 
 UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
@@ -62,29 +62,29 @@ class Census:
     """Every level of a class, counted.
 
     Attributes:
-        bounds: class and bounds.
+        extent: class and bounds.
         source: the independent source that every row has been compared with.
         rows: one a number of edges, ascending.
     """
 
-    bounds: Bounds
+    extent: Extent
     source: str
     rows: tuple[CountRow, ...]
 
     @property
-    def exit_code(self) -> int:
+    def exit_code(self) -> Exit:
         """0 counted, 4 nothing to count, 70 the source disagrees."""
         if not all(row.agrees for row in self.rows):
-            return 70
-        return 0 if any(row.rooted for row in self.rows) else 4
+            return Exit.DISAGREES
+        return Exit.ANSWERED if any(row.rooted for row in self.rows) else Exit.VACUOUS
 
     def to_json(self) -> dict[str, Any]:
         """The document of ``count --json``."""
         return {
-            "schema": 1,
-            "class": self.bounds.map_class.value,
-            "edges": self.bounds.edges,
-            "vertices": self.bounds.vertices,
+            "schema": SCHEMA,
+            "class": self.extent.map_class.value,
+            "edges": self.extent.edges,
+            "vertices": self.extent.vertices,
             "gate": {"source": self.source, "agrees": all(row.agrees for row in self.rows)},
             "rows": [row.to_json() for row in self.rows],
         }
@@ -106,33 +106,31 @@ def count(
     Cost: some microseconds a rooted map, in the class ``maps`` from 7 edges on less than
     100 ns; constant memory.
     """
-    if map_class not in list(MapClass):
-        raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")
-    bounds = Bounds(MapClass(map_class), edges, vertices)
-    rows = tuple(_count_level(bounds, level) for level in bounds.levels)
-    return Census(bounds, source_for(map_class).name, rows)
+    extent = Extent(MapClass.named(map_class), edges, vertices)
+    rows = tuple(_count_level(extent, level) for level in extent.levels)
+    return Census(extent, source_for(map_class).name, rows)
 
 
-def _count_level(bounds: Bounds, edges: int) -> CountRow:
-    if bounds.map_class is MapClass.MAPS and edges > UNROOTED_LIMIT:
-        row = count_compiled(bounds, edges)
+def _count_level(extent: Extent, edges: int) -> CountRow:
+    if extent.map_class is MapClass.MAPS and edges > UNROOTED_LIMIT:
+        row = count_compiled(extent, edges)
     else:
-        row = count_one_by_one(bounds, edges)
-    limit = bounds.vertex_limit(edges)
-    cells = source_for(bounds.map_class).cells(edges)
+        row = count_one_by_one(extent, edges)
+    limit = extent.vertex_limit(edges)
+    cells = source_for(extent.map_class).cells(edges)
     row.counted = {n: cells.get(n, 0) for n in range(1, limit + 1)}
     return row
 
 
-def count_compiled(bounds: Bounds, edges: int) -> CountRow:
+def count_compiled(extent: Extent, edges: int) -> CountRow:
     """A level of the class ``maps``, counted by the compiled enumeration.
 
     Cost: less than 100 ns a rooted map, after some seconds of compiling at the first use.
     """
-    from allworlds.kernel.engine import by_vertices_and_faces
+    from allworlds.kernel import by_vertices_and_faces
 
     row = CountRow(edges)
-    limit = bounds.vertex_limit(edges)
+    limit = extent.vertex_limit(edges)
     for prefix in prefixes(edges, vertices=limit):
         for (vertices, faces), maps in by_vertices_and_faces(edges, limit, prefix).items():
             row.rooted += maps
@@ -141,11 +139,11 @@ def count_compiled(bounds: Bounds, edges: int) -> CountRow:
     return row
 
 
-def count_one_by_one(bounds: Bounds, edges: int) -> CountRow:
+def count_one_by_one(extent: Extent, edges: int) -> CountRow:
     """A level of any class, each map made, and each looked at."""
     row = CountRow(edges)
     darts_fixed = 0
-    for map_ in rooted_maps(edges, bounds.map_class, bounds.vertices):
+    for map_ in rooted_maps(edges, extent.map_class, extent.vertices):
         row.rooted += 1
         row.by_vertices[map_.vertex_count] += 1
         row.by_genus[map_.genus] += 1
@@ -154,7 +152,7 @@ def count_one_by_one(bounds: Bounds, edges: int) -> CountRow:
     if edges <= UNROOTED_LIMIT:
         # A map has 2m / |Aut| rootings, so its rootings weigh |Aut| / 2m each.
         row.unrooted = darts_fixed // (2 * edges)
-    if bounds.map_class.simple:
+    if extent.map_class.simple:
         row.labelled = {
             n: rooted * factorial(n) // (2 * edges) for n, rooted in row.by_vertices.items()
         }

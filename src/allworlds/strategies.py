@@ -24,7 +24,7 @@ from typing import TypeAlias
 from hypothesis import assume
 from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, integers, lists
 
-from allworlds.errors import InputError, an_integer
+from allworlds.inputs import InputError, an_integer
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles

@@ -5,7 +5,7 @@ import pytest
 
 from allworlds.ambiguity import Disagreement, census
 from allworlds.ambiguity.marked import is_least_rooting, least_rooting
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.maps import bruteforce
 from allworlds.maps.enumeration import rooted_maps
 from small import slow

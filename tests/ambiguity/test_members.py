@@ -2,7 +2,7 @@ import pytest
 
 from allworlds.ambiguity import Disagreement, class_of, class_size, members, pose_count, twins
 from allworlds.ambiguity.marked import is_least_rooting
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.maps import automorphisms, isomorphism, lattice, named_map
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.world import Compass, Directional, Nothing, Position, World

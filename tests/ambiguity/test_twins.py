@@ -5,7 +5,7 @@ import pytest
 
 from allworlds.ambiguity import Bisimulation, Disagreement, Separation, flaw, twins
 from allworlds.ambiguity.twins import replayed, separation
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.maps import cycle, named_map
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.enumeration import rooted_maps

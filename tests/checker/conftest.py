@@ -7,9 +7,7 @@ from pathlib import Path
 import pytest
 
 import processes
-from allworlds.checker.laboratory import Laboratory
-from allworlds.checker.pool import GRACE, WorkerProcess
-from allworlds.checker.scope import Limits
+from allworlds.isolation.process import GRACE
 from processes import PATIENCE
 
 EXPLORERS = Path(__file__).parents[1] / "explorers_for_tests"
@@ -94,6 +92,6 @@ def clock(monkeypatch, tmp_path):
     hung = tmp_path / "hung"
     monkeypatch.setenv("HUNG", str(hung))
     clock = Clock(hung)
-    for limited in (WorkerProcess, Laboratory, Limits):
-        monkeypatch.setattr(sys.modules[limited.__module__], "time", clock)
+    for module in ("isolation.process", "work.effort", "checker.exhaustive"):
+        monkeypatch.setattr(f"allworlds.{module}.time", clock)
     return clock

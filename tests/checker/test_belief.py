@@ -1,7 +1,7 @@
 """The walk in an answer, traced back from its end."""
 
 from allworlds import Move, Percept
-from allworlds.checker.belief import believed_percepts, believed_trail, true_trail
+from allworlds.findings import believed_percepts, believed_trail, true_trail
 from allworlds.maps import named_map
 from allworlds.protocol import Transcript
 from allworlds.world import Directional, World

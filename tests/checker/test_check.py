@@ -10,15 +10,15 @@ import pytest
 
 from allworlds import checker
 from allworlds.checker import run, worlds
-from allworlds.checker.drive import Silent
-from allworlds.checker.report import Verdict
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.maps.bruteforce import rooted_maps as every_rooted_map
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import Source
 from allworlds.maps.enumeration import rooted_maps
+from allworlds.outcome import Verdict
+from allworlds.progress import Silent
 from allworlds.protocol import Estimate, Move
 from allworlds.world import Directional, World
 from processes import PATIENCE
@@ -83,7 +83,7 @@ def test_no_witness_is_asked_for_that_cannot_occur(policy, map_class, most):
             if not report.runs:
                 assert report.verdict is Verdict.VACUOUS, options
                 continue
-            assert report.missing == [], options
+            assert report.missing == (), options
             assert report.verdict is Verdict.HOLDS, options
 
 
@@ -106,7 +106,7 @@ def test_a_missing_witness_is_no_success(monkeypatch):
     assert check(edges=1).missing == []
     report = check(edges=2)
     assert (report.verdict, report.exit_code) == (Verdict.VACUOUS, 4)
-    assert report.missing == report.to_json()["missing_witnesses"] == ["case-4"]
+    assert [*report.missing] == report.to_json()["missing_witnesses"] == ["case-4"]
     assert check(edges=2, map_class="simple").missing == []
 
 
@@ -260,7 +260,7 @@ def test_the_shards_make_the_whole(edges, shards):
     assert sum((part.tally.witnesses for part in parts), whole.tally.witnesses.__class__()) == (
         whole.tally.witnesses
     )
-    assert all(part.missing == [] for part in parts)
+    assert all(part.missing == () for part in parts)
 
 
 @pytest.mark.usefixtures("without_workers")
@@ -303,30 +303,28 @@ def test_the_gate_notices_a_broken_enumerator(explorers, monkeypatch, broken, vi
                 yield map_
 
     target = list(rooted_maps(3))[victim]
-    scope = importlib.import_module("allworlds.checker.scope")
-    monkeypatch.setattr(scope, "rooted_maps", tampered)
+    monkeypatch.setattr("allworlds.work.levels.rooted_maps", tampered)
     report = check(explorers("right"), edges=4)
-    assert (report.verdict, report.exit_code, report.levels) == (Verdict.ERROR, 70, [1, 2, 3])
-    assert "count gate" in report.stopped
+    assert (report.verdict, report.exit_code, report.levels) == (Verdict.ERROR, 70, (1, 2, 3))
+    assert "count gate" in report.ending.reason
     wrong_cells = [cell for cell in report.gate if not cell.agrees]
     assert [(cell.edges, cell.vertices) for cell in wrong_cells] == [(3, target.vertex_count)]
 
 
 def test_the_gate_notices_a_class_that_is_mixed_up(explorers, monkeypatch):
-    scope = importlib.import_module("allworlds.checker.scope")
     monkeypatch.setattr(
-        scope, "rooted_maps", lambda edges, _class, *rest: rooted_maps(edges, MapClass.MAPS, *rest)
+        "allworlds.work.levels.rooted_maps",
+        lambda edges, _class, *rest: rooted_maps(edges, MapClass.MAPS, *rest),
     )
     assert check(explorers("right"), edges=4, map_class="planar").exit_code == 70
 
 
 @pytest.mark.usefixtures("without_workers")
 def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch):
-    drive = importlib.import_module("allworlds.checker.drive")
     source = Source("abacus", lambda edges: {1: 1, 2: 2})
-    monkeypatch.setattr(drive, "source_for", lambda _class: source)
+    monkeypatch.setattr("allworlds.checker.gate.source_for", lambda _class: source)
     report = check(edges=2)
-    assert (report.verdict, report.levels) == (Verdict.ERROR, [1])
+    assert (report.verdict, report.levels) == (Verdict.ERROR, (1,))
     assert {cell.source for cell in report.gate} == {"abacus"}
 
 
@@ -334,8 +332,8 @@ def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch):
 def test_the_time_limit_leaves_unfinished_levels_out(workers):
     report = check(edges=9, time_limit=2, workers=workers)
     assert (report.verdict, report.exit_code) == (Verdict.INCONCLUSIVE, 3)
-    assert "2 s" in report.stopped
-    assert report.levels == list(range(1, len(report.levels) + 1))
+    assert "2 s" in report.ending.reason
+    assert [*report.levels] == list(range(1, len(report.levels) + 1))
     assert {row["edges"] for row in report.rows()} == set(report.levels)
     assert report.worlds == sum((2, 10, 74, 706, 8162)[: len(report.levels)])
     assert report.to_json()["scope"]["complete"] is False
@@ -345,7 +343,7 @@ def test_a_finding_of_an_unfinished_level_is_not_called_minimal(wrong, clock):
     # It hangs in 1, 2 and 10 runs with 1, 2 and 3 edges, and is given time for five of them.
     limits = {"answer_timeout": PATIENCE, "time_limit": 5.5 * clock.LEAP}
     report = check(wrong("hang"), edges=3, max_findings=6, **limits)
-    assert (report.exit_code, report.complete, report.levels) == (1, False, [1, 2])
+    assert (report.exit_code, report.complete, report.levels) == (1, False, (1, 2))
     minimal = [found.minimal for found in report.findings]
     assert minimal == [found.key[0] in report.levels for found in report.findings]
     assert not all(minimal)

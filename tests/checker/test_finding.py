@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.checker import Finding, check, replay, run, worlds
-from allworlds.checker.finding import canonical_world, place_of
-from allworlds.errors import InputError
+from allworlds.checker import check, replay, run, worlds
+from allworlds.findings import Finding, canonical_world, place_of
+from allworlds.inputs import InputError
 from allworlds.maps.build import named_map
 from allworlds.world import Directional, World
 from processes import PATIENCE

@@ -1,6 +1,6 @@
 from itertools import permutations
 
-from allworlds.checker.tally import Row, Tally
+from allworlds.runs import Row, Tally
 
 
 class Found:

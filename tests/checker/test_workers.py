@@ -3,9 +3,10 @@
 import pytest
 
 import small
-from allworlds.checker import Finding, check, replay, run
-from allworlds.checker.confirm import MOST_CHOICES
-from allworlds.errors import InputError
+from allworlds.checker import check, replay, run
+from allworlds.findings import Finding
+from allworlds.inputs import InputError
+from allworlds.isolation.confirm import MOST_CHOICES
 from allworlds.world import Directional, World
 from processes import PATIENCE
 

@@ -22,20 +22,20 @@ def test_twins_answer_yes_and_no_with_exit_code_zero(cli):
 
 
 @pytest.mark.parametrize(
-    ("info", "twins"), [("none", True), ("compass", True), ("position", False)]
+    ("lighthouse", "twins"), [("none", True), ("compass", True), ("position", False)]
 )
-def test_the_lighthouse_of_named_maps_is_an_option(cli, info, twins):
-    _, out, _ = cli("twins", "cycle-3", "cycle-5", "--info", info, "--json")
+def test_the_lighthouse_of_named_maps_is_an_option(cli, lighthouse, twins):
+    _, out, _ = cli("twins", "cycle-3", "cycle-5", "--lighthouse", lighthouse, "--json")
     document = json.loads(out)
     assert document["twins"] is twins
-    assert [world["lighthouse"]["kind"] for world in document["worlds"]] == [info] * 2
+    assert [world["lighthouse"]["kind"] for world in document["worlds"]] == [lighthouse] * 2
 
 
 def test_a_world_in_json_keeps_its_own_lighthouse_and_gets_one_if_it_has_none(cli, tmp_path):
     file = tmp_path / "k4.json"
     file.write_text(json.dumps(named_map("k4").to_json()))
     own = json.dumps({**named_map("k4").to_json(), "lighthouse": {"kind": "none"}})
-    code, out, _ = cli("twins", f"@{file}", own, "--info", "none", "--json")
+    code, out, _ = cli("twins", f"@{file}", own, "--lighthouse", "none", "--json")
     assert (code, json.loads(out)["relation"]) == (0, "same")
     code, out, err = cli("twins", f"@{file}", own, "--json")
     assert (code, out) == (2, "")
@@ -71,12 +71,12 @@ def test_the_census_counts_inside_a_class(cli):
     ("arguments", "named"),
     [
         (["twins", "k4", "nowhere"], "'nowhere' is neither JSON"),
-        (["twins", "k4", "k4", "--info", "sun"], "'sun' is none of"),
+        (["twins", "k4", "k4", "--lighthouse", "sun"], "'sun' is none of"),
         (["twins", "k4", '{"sigma": [0, 1]}'], "'alpha' must be a list"),
         (["twins", "k4"], "B"),
         (["ambiguity", "class", "k4", "--limit", "0"], "limit 0"),
         (["ambiguity", "class", "k4", "--limit", "many"], "many"),
-        (["ambiguity", "class", "k4", "--info", "none"], "lighthouse none"),
+        (["ambiguity", "class", "k4", "--lighthouse", "none"], "lighthouse none"),
         (["ambiguity", "class", "theta", "--class", "simple"], "not simple"),
         (["ambiguity", "census"], "needs a bound"),
         (["ambiguity", "census", "--edges", "0"], "edges = 0"),

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import processes
-from allworlds.cli import call
+from allworlds.cli.app import call
 from allworlds.mutation import matrix
 from allworlds.mutation.matrix import Kill
 from processes import PATIENCE

@@ -7,8 +7,8 @@ import pytest
 
 from allworlds.checker import check
 from allworlds.cli.files import ensure_writable, write_reports
-from allworlds.errors import InputError
 from allworlds.fuzzer import fuzz
+from allworlds.inputs import InputError
 from allworlds.reports.html import page
 from allworlds.reports.junit import junit
 

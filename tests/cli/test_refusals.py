@@ -21,7 +21,7 @@ ENOUGH = {
     "count": ["--edges", "1"],
     "worst": ["--edges", "1"],
     "twins": ["k4", "k4"],
-    "search": ["--info", "position", "--max-vertices", "1", "--max-edges", "1"],
+    "search": ["--lighthouse", "position", "--vertices", "1", "--edges", "1"],
     "bench": [],
     "ambiguity class": ["k4"],
     "ambiguity census": ["--edges", "1"],

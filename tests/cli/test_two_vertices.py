@@ -81,8 +81,8 @@ def test_the_pair_with_two_edges_cannot_be_told_apart(cli, kind):
     assert (code, report["twins"], report["distinguishable"]) == (0, True, False)
     assert [world["lighthouse"]["kind"] for world in report["worlds"]] == [kind, kind]
     bare = [json.dumps(map_) for map_ in PAIR]
-    assert cli("twins", *bare, "--info", kind, "--json") == (code, out, "")
-    code, out, _ = cli("twins", *bare, "--info", "directional", "--json")
+    assert cli("twins", *bare, "--lighthouse", kind, "--json") == (code, out, "")
+    code, out, _ = cli("twins", *bare, "--lighthouse", "directional", "--json")
     assert json.loads(out)["distinguishable"]
 
 
@@ -99,8 +99,8 @@ BAD = [
     (["run", LOLLIPOP + ',"lighthouse":{"kind":"cluster","singel":true}}'], "'singel'"),
     (["run", LOLLIPOP + ',"lighthouse":{"kind":"cluster","single":"yes"}}'], "'yes'"),
     (["check", "algorithm1-cluster", "--engine", "kernel"], "'algorithm1-cluster'"),
-    (["search", "--info", "cluster", "--max-vertices", "2", "--max-edges", "2"], "'cluster'"),
-    (["ambiguity", "class", "edge", "--info", "cluster"], "cluster"),
+    (["search", "--lighthouse", "cluster", "--vertices", "2", "--edges", "2"], "'cluster'"),
+    (["ambiguity", "class", "edge", "--lighthouse", "cluster"], "cluster"),
     (
         [
             "twins",

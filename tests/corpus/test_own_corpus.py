@@ -5,9 +5,10 @@ import pytest
 
 from allworlds.ambiguity import twins
 from allworlds.ambiguity.certificate import flaw
-from allworlds.checker import Finding, replay, run
+from allworlds.checker import replay, run
 from allworlds.corpora import MANIFEST, CorpusError, load_corpus, own_corpus
 from allworlds.counter import count
+from allworlds.findings import Finding
 from allworlds.maps import CombinatorialMap, automorphisms, unrooted_code
 from allworlds.world import World
 from small import slow

@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 
 import allworlds
-from allworlds.checker import Finding
-from allworlds.errors import InputError
 from allworlds.explaining import explain
+from allworlds.findings import Finding
+from allworlds.inputs import InputError
 from allworlds.judge import PRECEDENCE
 from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.protocol import Percept, Transcript

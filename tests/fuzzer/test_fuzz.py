@@ -1,10 +1,10 @@
 import pytest
 
-from allworlds.checker.drive import Silent
-from allworlds.checker.pool import TimeIsUp
-from allworlds.errors import InputError
 from allworlds.fuzzer import fuzz
 from allworlds.fuzzer.shrink import shrink
+from allworlds.inputs import InputError
+from allworlds.progress import Silent
+from allworlds.work import TimeIsUp
 from small import slow
 
 
@@ -12,7 +12,7 @@ from small import slow
 def test_an_error_that_begins_at_some_size_is_found_and_shrunk(planted_file, begins, edges, runs):
     report = fuzz(planted_file(*begins), edges=edges, runs=runs, workers=2)
     assert (report.verdict, report.exit_code) == ("refuted", 1)
-    assert not report.stopped
+    assert not report.ending.reason
     (finding,) = report.findings
     assert (finding.law, finding.world.map.edge_count) == ("pose", begins[0])
     assert finding.confirmed
@@ -84,7 +84,7 @@ def test_what_has_been_reached_when_the_time_is_up_is_reported(planted, monkeypa
 def test_a_time_limit_leaves_an_unfinished_sample_inconclusive():
     report = fuzz("algorithm1", edges=60, runs=100_000, time_limit=0.5)
     assert (report.verdict, report.exit_code) == ("inconclusive", 3)
-    assert "time limit of 0.5 s" in report.stopped
+    assert "time limit of 0.5 s" in report.ending.reason
 
 
 @pytest.mark.parametrize(

@@ -3,14 +3,15 @@ from dataclasses import replace
 import pytest
 
 import allworlds
-from allworlds.checker.scope import make_scope
+from allworlds.findings import Rules
 from allworlds.fuzzer import fuzz
 from allworlds.fuzzer.shrink import shrink
 from allworlds.maps.canonical import rooted_code
-from allworlds.maps.classes import MapClass
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.surgery import contracted, deleted
 from allworlds.protocol import Estimate
-from allworlds.world import World
+from allworlds.runs import Scope
+from allworlds.world import Directional, World
 from small import slow
 
 
@@ -25,7 +26,7 @@ def shrunk(request, planted, untraced):
 
 def refuted(explore, map_):
     """Whether any start and any place of the marker in this map refutes the explorer."""
-    kind = make_scope(edges=map_.edge_count).rules.kind
+    kind = Directional
     return any(
         allworlds.run(explore, World(map_, lighthouse, start)).finding
         for start in map_.darts
@@ -93,13 +94,13 @@ def large():
         return Estimate(allworlds.CombinatorialMap((1, 0), (1, 0)), 0)
 
     map_ = allworlds.maps.named_map("cube")
-    kind = make_scope(edges=12).rules.kind
+    kind = Directional
     return allworlds.run(wrong, World(map_, next(kind.places(map_, 0)), 0)).finding
 
 
 def smallest(large, condition, map_class="maps"):
     recorder = Recorder(large, condition)
-    steps = list(shrink(large, make_scope(edges=12, map_class=map_class), recorder))
+    steps = list(shrink(large, Scope(Extent(MapClass.named(map_class), 12), Rules()), recorder))
     return steps, recorder
 
 

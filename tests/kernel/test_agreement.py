@@ -11,19 +11,19 @@ import pytest
 
 import allworlds
 from allworlds import check
-from allworlds.checker.examine import Examiner
-from allworlds.checker.kernel_pool import (
+from allworlds.checker.compiled import (
     AGREEMENT_EDGES,
     compare_engines,
     level_tables,
     listed_costs,
 )
-from allworlds.checker.scope import Rules
+from allworlds.findings import Rules
 from allworlds.kernel import engine
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
 from allworlds.maps.counting import rooted_maps as counted
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
+from allworlds.runs import Examiner
 from allworlds.subjects import load
 from allworlds.world import Directional, World
 
@@ -109,7 +109,7 @@ def test_both_engines_give_the_same_report(policy):
 @pytest.mark.parametrize("bound", ["m * n", "n - m - 3", "0 - 10**30"])
 @pytest.mark.parametrize("keep", [1, 4])
 def test_both_engines_report_the_same_least_findings(keep, bound):
-    # Bounds that Algorithm 1 does not keep: the least worlds where it walks more.
+    # Extent that Algorithm 1 does not keep: the least worlds where it walks more.
     reports = [
         check(edges=4, bound=bound, max_findings=keep, engine=name).to_json()
         for name in ("python", "kernel")

@@ -1,8 +1,8 @@
 import pytest
 
 from allworlds import check
-from allworlds.checker.report import Verdict
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
+from allworlds.outcome import Verdict
 
 
 class Stopper:
@@ -75,7 +75,7 @@ def test_a_time_limit_is_kept():
     report = check(edges=10, engine="kernel", workers=2, time_limit=2.5)
     assert report.verdict is Verdict.INCONCLUSIVE
     assert report.exit_code == 3
-    assert "2.5 s" in report.stopped
+    assert "2.5 s" in report.ending.reason
     assert report.levels[:5] == [1, 2, 3, 4, 5]
 
 

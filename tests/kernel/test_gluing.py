@@ -3,7 +3,7 @@ import pytest
 from allworlds import counter
 from allworlds.counter import count_compiled, count_one_by_one
 from allworlds.kernel.engine import by_vertices_and_faces
-from allworlds.maps.classes import Bounds, MapClass
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import rooted_maps_by_genus
 from allworlds.maps.enumeration import prefixes
 
@@ -11,7 +11,7 @@ from allworlds.maps.enumeration import prefixes
 @pytest.mark.parametrize("vertices", [None, 2, 4])
 @pytest.mark.parametrize("edges", [1, 2, 3, 4, 5])
 def test_the_compiled_count_is_the_count_one_by_one(edges, vertices):
-    bounds = Bounds(MapClass.MAPS, edges, vertices)
+    bounds = Extent(MapClass.MAPS, edges, vertices)
     compiled, slow = count_compiled(bounds, edges), count_one_by_one(bounds, edges)
     assert compiled.rooted == slow.rooted
     assert compiled.by_vertices == slow.by_vertices
@@ -30,7 +30,7 @@ def test_however_the_work_is_cut_the_maps_are_the_same(depth):
 
 
 def test_a_level_beyond_python_agrees_with_its_sources():
-    row = count_compiled(Bounds(MapClass.MAPS, 7), 7)
+    row = count_compiled(Extent(MapClass.MAPS, 7), 7)
     # OEIS A000698; by genus after Carrell and Chapuy.
     assert row.rooted == 1_708_394
     assert dict(row.by_genus) == rooted_maps_by_genus(7)

@@ -5,14 +5,15 @@ from dataclasses import replace
 import pytest
 
 from allworlds import check
-from allworlds.checker import kernel_pool
-from allworlds.checker.report import Verdict
-from allworlds.checker.scope import Rules, Scope
+from allworlds.checker import compiled
+from allworlds.findings import Rules
 from allworlds.kernel import engine
 from allworlds.kernel.tables import tables
 from allworlds.maps.enumeration import prefixes
+from allworlds.outcome import Verdict
+from allworlds.runs import Scope
 
-WHOLE = kernel_pool.level_tables
+WHOLE = compiled.level_tables
 
 
 def percepts_mixed_up(table):
@@ -70,24 +71,24 @@ TABLES = [
 
 @pytest.fixture(autouse=True)
 def fresh_comparison():
-    kernel_pool.compare_engines.cache_clear()
+    compiled.compare_engines.cache_clear()
     yield
-    kernel_pool.compare_engines.cache_clear()
+    compiled.compare_engines.cache_clear()
 
 
 @pytest.mark.parametrize("mutant", TABLES, ids=lambda mutant: mutant.__name__)
 def test_a_check_with_a_damaged_table_ends_as_an_internal_error(monkeypatch, mutant):
-    monkeypatch.setattr(kernel_pool, "level_tables", lambda *a: mutant(WHOLE(*a)))
+    monkeypatch.setattr(compiled, "level_tables", lambda *a: mutant(WHOLE(*a)))
     report = check(edges=6, engine="kernel", workers=2)
     assert report.verdict is Verdict.ERROR
     assert report.exit_code == 70
-    assert report.stopped
+    assert report.ending.reason
 
 
 @pytest.mark.parametrize("mutant", TABLES, ids=lambda mutant: mutant.__name__)
 def test_without_the_comparison_a_damaged_table_is_found_out_as_well(monkeypatch, mutant):
-    monkeypatch.setattr(kernel_pool, "level_tables", lambda *a: mutant(WHOLE(*a)))
-    monkeypatch.setattr(kernel_pool, "compare_engines", lambda *_: None)
+    monkeypatch.setattr(compiled, "level_tables", lambda *a: mutant(WHOLE(*a)))
+    monkeypatch.setattr(compiled, "compare_engines", lambda *_: None)
     report = check(edges=6, engine="kernel")
     if mutant in (retracing_for_nothing, retracing_counted_twice):
         # Only another engine can know what a walk should have cost.
@@ -153,9 +154,9 @@ def test_a_walk_that_fails_half_way_blames_every_completion():
 def test_a_disagreement_names_the_world():
     rules = Rules()
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(kernel_pool, "level_tables", lambda *a: retracing_for_nothing(WHOLE(*a)))
-        with pytest.raises(kernel_pool.EnginesDisagree, match=r"sigma=\[.*bearing=0"):
-            kernel_pool.compare_engines(rules.policy, 4)
+        patch.setattr(compiled, "level_tables", lambda *a: retracing_for_nothing(WHOLE(*a)))
+        with pytest.raises(compiled.EnginesDisagree, match=r"sigma=\[.*bearing=0"):
+            compiled.compare_engines(rules.policy, 4)
 
 
 def test_rules_are_left_as_they_were():

@@ -1,9 +1,9 @@
 import pytest
 
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.maps import bruteforce
 from allworlds.maps.build import cycle, dense, named_map
-from allworlds.maps.classes import Bounds, MapClass
+from allworlds.maps.classes import Extent, MapClass
 
 SIMPLE = [MapClass.SIMPLE, MapClass.PLANAR_SIMPLE]
 NOT_SIMPLE = [MapClass.MAPS, MapClass.PLANAR]
@@ -49,54 +49,54 @@ def test_known_maps_are_in_the_classes_that_one_expects(map_, classes):
 @pytest.mark.parametrize("edges", [0, -1])
 def test_a_bound_below_one_edge_is_refused_by_name(edges):
     with pytest.raises(InputError, match=f"edges = {edges}, .* at least 1"):
-        Bounds(MapClass.MAPS, edges)
+        Extent(MapClass.MAPS, edges)
 
 
 @pytest.mark.parametrize("vertices", [1, 0, -3])
 @pytest.mark.parametrize("edges", [None, 4])
 def test_a_bound_below_two_vertices_is_refused_by_name(vertices, edges):
     with pytest.raises(InputError, match=f"vertices = {vertices}, .* at least 2"):
-        Bounds(MapClass.SIMPLE, edges, vertices)
+        Extent(MapClass.SIMPLE, edges, vertices)
 
 
 @pytest.mark.parametrize("map_class", MapClass)
 def test_no_bound_at_all_is_refused(map_class):
     with pytest.raises(InputError, match="needs a bound"):
-        Bounds(map_class, None)
+        Extent(map_class, None)
 
 
 @pytest.mark.parametrize("map_class", NOT_SIMPLE)
 def test_vertices_alone_do_not_bound_a_class_with_loops(map_class):
     with pytest.raises(InputError) as refusal:
-        Bounds(map_class, None, 4)
+        Extent(map_class, None, 4)
     assert "vertices = 4 alone" in str(refusal.value)
     assert f"instead of {map_class.value}" in str(refusal.value)
 
 
 @pytest.mark.parametrize("map_class", MapClass)
 def test_the_levels_go_up_to_the_bound_on_the_edges(map_class):
-    assert list(Bounds(map_class, 1).levels) == [1]
-    assert list(Bounds(map_class, 4).levels) == [1, 2, 3, 4]
-    assert list(Bounds(map_class, 4, 2).levels) == [1, 2, 3, 4]
+    assert list(Extent(map_class, 1).levels) == [1]
+    assert list(Extent(map_class, 4).levels) == [1, 2, 3, 4]
+    assert list(Extent(map_class, 4, 2).levels) == [1, 2, 3, 4]
 
 
 @pytest.mark.parametrize("map_class", SIMPLE)
 @pytest.mark.parametrize("vertices", [2, 3, 4, 7])
 def test_with_vertices_alone_the_levels_go_up_to_the_complete_graph(map_class, vertices):
-    assert list(Bounds(map_class, None, vertices).levels) == list(
+    assert list(Extent(map_class, None, vertices).levels) == list(
         range(1, dense(vertices).edge_count + 1)
     )
 
 
 def test_the_vertex_limit_is_that_of_trees_or_the_bound_if_it_is_lower():
-    assert [Bounds(MapClass.MAPS, 5).vertex_limit(m) for m in (1, 2, 5)] == [2, 3, 6]
-    assert [Bounds(MapClass.MAPS, 5, 3).vertex_limit(m) for m in (1, 2, 5)] == [2, 3, 3]
+    assert [Extent(MapClass.MAPS, 5).vertex_limit(m) for m in (1, 2, 5)] == [2, 3, 6]
+    assert [Extent(MapClass.MAPS, 5, 3).vertex_limit(m) for m in (1, 2, 5)] == [2, 3, 3]
 
 
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])
 @pytest.mark.parametrize("vertices", [None, 2, 3, 4, 9])
 def test_the_vertex_limit_is_met_and_not_passed_by_the_maps_within_the_bounds(edges, vertices):
-    bounds = Bounds(MapClass.MAPS, 4, vertices)
+    bounds = Extent(MapClass.MAPS, 4, vertices)
     counts = {map_.vertex_count for map_ in bruteforce.rooted_maps(edges)}
     within = {n for n in counts if vertices is None or n <= vertices}
     assert bounds.vertex_limit(edges) == max(within)

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from allworlds.errors import InputError
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles, integer
+from allworlds.inputs import InputError, integer
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles
 from small import EDGE, LOOP, joined, labelled_pairs, maps
 
 HUGE = 10**5000  # more digits than Python turns into text by default

@@ -6,7 +6,7 @@ import pytest
 
 from allworlds.maps import bruteforce
 from allworlds.maps.canonical import automorphisms, rooted_code, unrooted_code
-from allworlds.maps.classes import Bounds, MapClass
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import labelled_simple, source_for
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
@@ -138,7 +138,7 @@ def test_the_rootings_of_all_unrooted_maps_are_all_rooted_maps(map_class, edges)
 
 def simple_on(vertices):
     """Every rooted simple map with so many vertices."""
-    bounds = Bounds(MapClass.SIMPLE, None, vertices)
+    bounds = Extent(MapClass.SIMPLE, None, vertices)
     for edges in bounds.levels:
         for map_ in rooted_maps(edges, MapClass.SIMPLE, bounds.vertex_limit(edges)):
             if map_.vertex_count == vertices:

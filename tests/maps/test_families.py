@@ -3,7 +3,7 @@ from random import Random
 
 import pytest
 
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.families import family, random_map
 

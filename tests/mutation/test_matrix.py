@@ -2,7 +2,7 @@ from collections import Counter
 
 import pytest
 
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.judge import LAWS, PRECEDENCE
 from allworlds.mutation import explorers, matrix, mutants
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer

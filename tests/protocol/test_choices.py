@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.protocol.choices import KINDS, Choices, PolicyError, Schedules, policy_named
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:7"]

@@ -5,7 +5,7 @@ import pytest
 
 from allworlds.ambiguity import AmbiguityCensus, CensusRow, census, class_of, twins
 from allworlds.maps import named_map
-from allworlds.maps.classes import Bounds, MapClass
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.reports.ambiguity_text import census_text, class_text, twins_text
 from allworlds.world import Position, World
 
@@ -110,5 +110,5 @@ def test_a_mismatch_with_the_source_is_named(counted):
 
 
 def test_a_restricted_census_names_its_universe():
-    found = AmbiguityCensus(Bounds(MapClass.SIMPLE, 1), "a source", (CensusRow(1, 1, 1, 1),))
+    found = AmbiguityCensus(Extent(MapClass.SIMPLE, 1), "a source", (CensusRow(1, 1, 1, 1),))
     assert "another world of the class simple" in flat(census_text(found, 80))

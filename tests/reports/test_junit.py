@@ -8,14 +8,14 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from allworlds.checker import check
-from allworlds.checker.report import Cell
+from allworlds.checker.gate import Cell
 from allworlds.fuzzer import fuzz
 from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.reports import finding_text
 from allworlds.reports.junit import junit
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
-SUITE = {"name", "tests", "failures", "errors", "skipped"}
+SUITE = {"name", "tests", "failures", "inputs", "skipped"}
 
 
 def suite_of(report):
@@ -49,7 +49,7 @@ def suite_of(report):
     for counted in (root, suite):
         assert counted.get("tests") == str(len(cases))
         assert counted.get("failures") == str(results["failure"])
-        assert counted.get("errors") == str(results["error"])
+        assert counted.get("inputs") == str(results["error"])
         assert counted.get("skipped") == str(results["skipped"])
     return suite
 

@@ -3,6 +3,7 @@
 import copy
 import functools
 import json
+from dataclasses import replace
 from importlib.resources import files
 
 import pytest
@@ -11,7 +12,7 @@ from referencing import Registry, Resource
 
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
-from allworlds.checker import check, replay, run
+from allworlds.checker import Interrupted, check, replay, run
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
@@ -59,8 +60,7 @@ def finding_of(name):
 
 def interrupted():
     report = check(edges=3)
-    report.complete, report.stopped, report.interrupted = False, "interrupted", True
-    return report.to_json()
+    return replace(report, ending=Interrupted()).to_json()
 
 
 def marked(name):
@@ -70,7 +70,7 @@ def marked(name):
 def searched(**bounds):
     """A search for two worlds alike; a test that is asked for it needs z3."""
     pytest.importorskip("z3")
-    return search(info="position", **bounds).to_json()
+    return search(lighthouse="position", **bounds).to_json()
 
 
 @functools.cache
@@ -143,11 +143,11 @@ DOCUMENTS = {
         lambda: class_of(marked("cycle-3")).to_json(),
     ),
     "ambiguity census": (whole("ambiguity-census"), lambda: census(edges=3).to_json()),
-    "search sat": (whole("search"), lambda: searched(max_vertices=2, max_edges=2)),
-    "search unsat": (whole("search"), lambda: searched(max_vertices=2, max_edges=1)),
+    "search sat": (whole("search"), lambda: searched(vertices=2, edges=2)),
+    "search unsat": (whole("search"), lambda: searched(vertices=2, edges=1)),
     "search vacuous": (
         whole("search"),
-        lambda: searched(max_vertices=1, max_edges=1, map_class="simple"),
+        lambda: searched(vertices=1, edges=1, map_class="simple"),
     ),
     **{
         f"finding {name}": (

@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 
 import allworlds
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.smt import solvers, twin_search
@@ -40,8 +40,8 @@ def sizes(result):
     ],
 )
 def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class, edges, found):
-    bounds = {"max_vertices": 9, "map_class": map_class, "out": tmp_path}
-    result = allworlds.search(info="position", max_edges=edges, **bounds)
+    bounds = {"vertices": 9, "map_class": map_class, "out": tmp_path}
+    result = allworlds.search(lighthouse="position", edges=edges, **bounds)
     assert (result.status, result.exit_code) == ("sat", 0)
     assert sizes(result) == [found, found]
     assert [level.status for level in result.levels].count("unsat") >= edges - 1
@@ -49,7 +49,7 @@ def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class
 
 @needs_python_sat
 @pytest.mark.parametrize(
-    ("info", "map_class", "edges"),
+    ("lighthouse", "map_class", "edges"),
     [
         ("position", "maps", 1),
         ("position", "simple", 5),
@@ -58,9 +58,11 @@ def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class
         pytest.param("directional", "maps", 5, marks=pytest.mark.slow),
     ],
 )
-def test_where_there_is_no_pair_every_level_has_a_checked_proof(tmp_path, info, map_class, edges):
-    bounds = {"max_vertices": 9, "max_edges": edges, "map_class": map_class}
-    result = allworlds.search(info=info, out=tmp_path, **bounds)
+def test_where_there_is_no_pair_every_level_has_a_checked_proof(
+    tmp_path, lighthouse, map_class, edges
+):
+    bounds = {"vertices": 9, "edges": edges, "map_class": map_class}
+    result = allworlds.search(lighthouse=lighthouse, out=tmp_path, **bounds)
     assert (result.status, result.exit_code, result.certificate) == ("unsat", 0, tmp_path)
     assert [level.level.two.edges for level in result.levels] == list(range(1, edges + 1))
     for level in result.levels:
@@ -69,9 +71,9 @@ def test_where_there_is_no_pair_every_level_has_a_checked_proof(tmp_path, info, 
 
 
 def test_the_caption_of_fig_1_is_found_and_replays_from_every_start(tmp_path):
-    bounds = {"max_vertices": 9, "max_edges": 14, "map_class": "planar-simple", "out": tmp_path}
+    bounds = {"vertices": 9, "edges": 14, "map_class": "planar-simple", "out": tmp_path}
     result = allworlds.search(
-        info="position", degree_marked=4, degree_others=3, **CAPTION, **bounds
+        lighthouse="position", degree_marked=4, degree_others=3, **CAPTION, **bounds
     )
     assert sizes(result) == [(14, 9), (14, 9)]
     for world in result.pair:
@@ -151,7 +153,7 @@ def test_search_and_enumeration_give_the_same_answer(tmp_path, monkeypatch, kind
     monkeypatch.setattr(twin_search, "python_sat_is_installed", lambda: False)
     expected = smallest_by_enumeration(kind, MapClass(map_class), edges)
     result = allworlds.search(
-        info=kind, map_class=map_class, max_vertices=edges + 1, max_edges=edges, out=tmp_path
+        lighthouse=kind, map_class=map_class, vertices=edges + 1, edges=edges, out=tmp_path
     )
     found = None if result.pair is None else tuple(m for m, _ in sizes(result))
     assert found == expected
@@ -160,9 +162,9 @@ def test_search_and_enumeration_give_the_same_answer(tmp_path, monkeypatch, kind
 
 def test_one_vertex_more_or_less_decides(tmp_path):
     # K4 with its marker: n = 4; with three vertices a simple map has at most three edges.
-    bounds = {"info": "position", "map_class": "simple", "max_edges": 6, "out": tmp_path}
-    assert allworlds.search(max_vertices=4, **bounds).status == "sat"
-    result = allworlds.search(max_vertices=3, **bounds)
+    bounds = {"lighthouse": "position", "map_class": "simple", "edges": 6, "out": tmp_path}
+    assert allworlds.search(vertices=4, **bounds).status == "sat"
+    result = allworlds.search(vertices=3, **bounds)
     assert (result.status, result.vacuous) == ("unsat", False)
     assert [level.level.two.edges for level in result.levels] == [1, 2, 3]
 
@@ -170,28 +172,28 @@ def test_one_vertex_more_or_less_decides(tmp_path):
 @pytest.mark.parametrize(
     "bounds",
     [
-        {"degree_marked": 9, "max_vertices": 3, "max_edges": 3},
-        {"map_class": "simple", "max_vertices": 1, "max_edges": 3},
+        {"degree_marked": 9, "vertices": 3, "edges": 3},
+        {"map_class": "simple", "vertices": 1, "edges": 3},
         # The one world with one edge has two vertices: the first step leads away from v0.
-        {"degree_marked": 1, "degree_others": 1, "max_vertices": 2, "max_edges": 1}
+        {"degree_marked": 1, "degree_others": 1, "vertices": 2, "edges": 1}
         | {"motions": (0,), "percepts": ("1P",)},
     ],
 )
 def test_bounds_without_any_world_are_vacuous(tmp_path, bounds):
-    result = allworlds.search(info="position", out=tmp_path, **bounds)
+    result = allworlds.search(lighthouse="position", out=tmp_path, **bounds)
     assert (result.exit_code, result.vacuous, result.certificate) == (4, True, None)
 
 
 def test_when_the_time_is_over_the_answer_is_unknown_and_never_unsat(tmp_path):
-    bounds = {"max_vertices": 9, "max_edges": 6, "out": tmp_path}
-    result = allworlds.search(info="directional", time_limit=1e-6, **bounds)
+    bounds = {"vertices": 9, "edges": 6, "out": tmp_path}
+    result = allworlds.search(lighthouse="directional", time_limit=1e-6, **bounds)
     assert (result.status, result.exit_code, result.pair) == ("unknown", 3, None)
     assert "undecided" in result.notices[-1]
 
 
 def test_without_python_sat_there_is_no_certificate_but_a_notice(tmp_path, monkeypatch):
     monkeypatch.setattr(twin_search, "python_sat_is_installed", lambda: False)
-    result = allworlds.search(info="position", max_vertices=2, max_edges=1, out=tmp_path)
+    result = allworlds.search(lighthouse="position", vertices=2, edges=1, out=tmp_path)
     assert (result.status, result.certificate) == ("unsat", None)
     assert "allworlds[proofs]" in result.notices[0]
 
@@ -199,7 +201,7 @@ def test_without_python_sat_there_is_no_certificate_but_a_notice(tmp_path, monke
 @needs_python_sat
 def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path, monkeypatch):
     monkeypatch.setattr(twin_search, "PROOF_LIMIT", 10)
-    result = allworlds.search(info="position", max_vertices=2, max_edges=1, out=tmp_path)
+    result = allworlds.search(lighthouse="position", vertices=2, edges=1, out=tmp_path)
     assert (result.status, result.certificate) == ("unsat", None)
     assert "our checker takes up to 10" in result.notices[0]
 
@@ -207,10 +209,10 @@ def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"info": "gps"}, "info 'gps' is none of none, position, directional, compass"),
+        ({"lighthouse": "gps"}, "lighthouse 'gps' is none of none, position, directional, compass"),
         ({"map_class": "trees"}, "class 'trees'"),
-        ({"max_edges": 0}, "max-edges = 0"),
-        ({"max_vertices": 0}, "max-vertices = 0"),
+        ({"edges": 0}, "edges = 0"),
+        ({"vertices": 0}, "vertices = 0"),
         ({"degree_marked": 0}, "degree-marked = 0"),
         ({"degree_others": -1}, "degree-others = -1"),
         ({"motions": (1, 1), "percepts": ("3A",)}, "2 motions and 1 percepts"),
@@ -218,14 +220,14 @@ def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path
         ({"motions": (1,), "percepts": ("3AP",)}, "more than once"),
         ({"motions": (1,), "percepts": ("A",)}, "percept 'A'"),
         ({"motions": (1,), "percepts": ("3",)}, "percept '3'"),
-        ({"info": "none", "motions": (1,), "percepts": ("4P",)}, "4P needs a marked vertex"),
+        ({"lighthouse": "none", "motions": (1,), "percepts": ("4P",)}, "4P needs a marked vertex"),
         ({"time_limit": 0}, "time-limit = 0"),
         ({"solver": "/nowhere/cadical"}, "'/nowhere/cadical' cannot be run"),
         ({"solver": "/bin/true"}, "legal is CaDiCaL 2 or later"),
     ],
 )
 def test_bad_input_is_refused_in_one_line_that_names_it(tmp_path, options, message):
-    asked = {"info": "position", "max_vertices": 3, "max_edges": 2, "out": tmp_path, **options}
+    asked = {"lighthouse": "position", "vertices": 3, "edges": 2, "out": tmp_path, **options}
     with pytest.raises(InputError) as refusal:
         allworlds.search(**asked)
     assert message in str(refusal.value)
@@ -243,8 +245,8 @@ def script(path, body):
 def test_an_external_solver_whose_proof_is_wrong_is_not_believed(tmp_path):
     body = "open(sys.argv[-1], 'w').write('9999 0 1 0\\n')\nprint('s UNSATISFIABLE')"
     solver = script(tmp_path / "liar", body)
-    bounds = {"max_vertices": 3, "max_edges": 2, "solver": solver, "out": tmp_path / "out"}
-    result = allworlds.search(info="position", **bounds)
+    bounds = {"vertices": 3, "edges": 2, "solver": solver, "out": tmp_path / "out"}
+    result = allworlds.search(lighthouse="position", **bounds)
     assert (result.status, result.exit_code, result.certificate) == ("unknown", 3, None)
     assert "line 1 of the LRAT proof" in result.notices[0]
 
@@ -254,7 +256,7 @@ def test_an_external_solver_whose_model_is_wrong_is_an_internal_error(tmp_path):
     body = "print('s SATISFIABLE')\nprint('v', *range(1, 200), 0)"
     solver = script(tmp_path / "liar", body)
     with pytest.raises((RuntimeError, ValueError)):
-        allworlds.search(info="position", max_vertices=2, max_edges=1, solver=solver, out=tmp_path)
+        allworlds.search(lighthouse="position", vertices=2, edges=1, solver=solver, out=tmp_path)
 
 
 @pytest.mark.parametrize(
@@ -263,15 +265,15 @@ def test_an_external_solver_whose_model_is_wrong_is_an_internal_error(tmp_path):
 )
 def test_an_external_solver_that_does_not_know_gives_no_answer(tmp_path, body, status):
     solver = script(tmp_path / "idle", body)
-    bounds = {"max_vertices": 3, "max_edges": 2, "out": tmp_path / "out", "time_limit": 2}
-    result = allworlds.search(info="position", solver=solver, **bounds)
+    bounds = {"vertices": 3, "edges": 2, "out": tmp_path / "out", "time_limit": 2}
+    result = allworlds.search(lighthouse="position", solver=solver, **bounds)
     assert (result.status, result.exit_code) == (status, 3)
 
 
 def test_an_external_solver_without_a_verdict_is_an_internal_error(tmp_path):
     solver = script(tmp_path / "mute", "print('hello')")
     with pytest.raises(RuntimeError, match="no verdict: hello"):
-        allworlds.search(info="position", max_vertices=2, max_edges=1, solver=solver, out=tmp_path)
+        allworlds.search(lighthouse="position", vertices=2, edges=1, solver=solver, out=tmp_path)
 
 
 @needs_python_sat
@@ -279,26 +281,26 @@ def test_two_solvers_that_disagree_are_an_internal_error(tmp_path, monkeypatch):
     monkeypatch.setattr(twin_search, "solve_with_z3", lambda *_: solvers.Solved("unsat"))
     monkeypatch.setattr(twin_search._Search, "_some_world_exists", lambda _: True)
     with pytest.raises(RuntimeError, match="disagree"):
-        allworlds.search(info="position", max_vertices=3, max_edges=2, out=tmp_path)
+        allworlds.search(lighthouse="position", vertices=3, edges=2, out=tmp_path)
 
 
 def test_a_directory_that_cannot_be_made_is_bad_input(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError, match="cannot be made"):
-        allworlds.search(info="none", max_vertices=2, max_edges=1, out=tmp_path / "file" / "x")
+        allworlds.search(lighthouse="none", vertices=2, edges=1, out=tmp_path / "file" / "x")
 
 
 @pytest.mark.skipif("CADICAL" not in os.environ, reason="CADICAL does not name a CaDiCaL 2")
 def test_an_external_cadical_gives_the_same_answers_with_proofs(tmp_path):
-    asked = {"max_vertices": 9, "solver": os.environ["CADICAL"]}
-    none = allworlds.search(info="directional", max_edges=5, out=tmp_path / "none", **asked)
+    asked = {"vertices": 9, "solver": os.environ["CADICAL"]}
+    none = allworlds.search(lighthouse="directional", edges=5, out=tmp_path / "none", **asked)
     assert (none.status, none.certificate) == ("unsat", tmp_path / "none")
-    one = allworlds.search(info="position", max_edges=2, out=tmp_path / "one", **asked)
+    one = allworlds.search(lighthouse="position", edges=2, out=tmp_path / "one", **asked)
     assert (one.status, sizes(one)) == ("sat", [(2, 1), (2, 1)])
 
 
 def test_the_document_holds_the_pair_its_bisimulation_and_its_files(tmp_path):
-    result = allworlds.search(info="position", max_vertices=3, max_edges=2, out=tmp_path)
+    result = allworlds.search(lighthouse="position", vertices=3, edges=2, out=tmp_path)
     document = json.loads(json.dumps(result.to_json()))
     assert document["schema"] == 1
     assert document["status"] == "sat"
@@ -319,8 +321,10 @@ def test_a_pair_that_can_be_told_apart_has_no_bisimulation():
 
 
 def test_twins_agree_that_the_pairs_found_look_alike(tmp_path):
-    for info in ("position", "none", "compass"):
-        result = allworlds.search(info=info, max_vertices=3, max_edges=2, out=tmp_path / info)
+    for lighthouse in ("position", "none", "compass"):
+        result = allworlds.search(
+            lighthouse=lighthouse, vertices=3, edges=2, out=tmp_path / lighthouse
+        )
         a, b = (World.from_json(world.to_json()) for world in result.pair)
         assert not allworlds.twins(a, b).distinguishable
 

@@ -13,7 +13,7 @@ def search(*words):
 
 def test_a_pair_is_one_json_document_on_stdout(tmp_path):
     code, out, _ = search(
-        *("--info", "position", "--max-vertices", "3", "--max-edges", "2"),
+        *("--lighthouse", "position", "--vertices", "3", "--edges", "2"),
         *("--out", str(tmp_path), "--json"),
     )
     document = json.loads(out)
@@ -24,8 +24,8 @@ def test_a_pair_is_one_json_document_on_stdout(tmp_path):
 
 def test_the_text_draws_both_worlds_and_says_why(tmp_path):
     code, out, _ = search(
-        *("--info", "compass", "--class", "simple", "--max-vertices", "4"),
-        *("--max-edges", "4", "--out", str(tmp_path)),
+        *("--lighthouse", "compass", "--class", "simple", "--vertices", "4"),
+        *("--edges", "4", "--out", str(tmp_path)),
     )
     assert code == 0
     assert "world A (3 edges, 3 vertices, genus 0)" in out
@@ -34,8 +34,8 @@ def test_the_text_draws_both_worlds_and_says_why(tmp_path):
 
 
 def test_that_there_is_none_names_the_proofs(tmp_path):
-    bounds = ["--max-vertices", "3", "--max-edges", "2", "--out", str(tmp_path)]
-    code, out, _ = search("--info", "directional", *bounds)
+    bounds = ["--vertices", "3", "--edges", "2", "--out", str(tmp_path)]
+    code, out, _ = search("--lighthouse", "directional", *bounds)
     assert code == 0
     assert out.startswith("NONE")
     assert (tmp_path / "m2n1to3.cnf").exists()
@@ -53,8 +53,8 @@ def test_that_there_is_none_names_the_proofs(tmp_path):
     ],
 )
 def test_exit_codes_say_what_kind_of_answer_it_is(tmp_path, words, code, said):
-    bounds = ["--max-vertices", "3", "--max-edges", "2", "--out", str(tmp_path)]
-    seen, out, err = search("--info", "position", *bounds, *words)
+    bounds = ["--vertices", "3", "--edges", "2", "--out", str(tmp_path)]
+    seen, out, err = search("--lighthouse", "position", *bounds, *words)
     assert seen == code
     assert said in err
     assert (len(err.splitlines()), out if code == 2 else "") == (1, "")

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.protocol import Checkpoint, ExplorerFault, Move, Percept
 from allworlds.subjects import Program
 

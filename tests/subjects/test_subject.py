@@ -3,15 +3,9 @@ import sys
 import pytest
 
 from allworlds.explorers import algorithm1
+from allworlds.inputs import InputError
 from allworlds.protocol import Choices, Percept
-from allworlds.subjects import (
-    Program,
-    SubjectError,
-    default_lighthouse,
-    load,
-    own_bound,
-    subject_of,
-)
+from allworlds.subjects import Program, load, own_bound, own_lighthouse, subject_of
 
 
 def explore(first):
@@ -34,7 +28,7 @@ def test_a_function_of_a_module_is_found_by_its_name(tmp_path, monkeypatch):
     subject = load("my_explorer:A.b")
     assert (subject.keywords, subject.foreign, subject.takes_choices) == ({"told"}, True, False)
     assert load(f"{tmp_path}/my_explorer.py:A.b").keywords == {"told"}
-    with pytest.raises(SubjectError, match="'my_explorer' has no 'c'"):
+    with pytest.raises(InputError, match="'my_explorer' has no 'c'"):
         load("my_explorer:c")
 
 
@@ -56,7 +50,7 @@ def test_keywords_are_offered_to_those_who_take_them():
 
 @pytest.mark.parametrize("value", [3, None, print, int, lambda first: 1])
 def test_what_is_no_generator_function_is_no_explorer(value):
-    with pytest.raises(SubjectError, match="no generator function"):
+    with pytest.raises(InputError, match="no generator function"):
         subject_of(value)
 
 
@@ -74,10 +68,10 @@ def test_an_entry_point_that_does_not_load_is_bad_input(monkeypatch):
         ]
     )
     monkeypatch.setattr("importlib.metadata.entry_points", lambda group: points)
-    with pytest.raises(SubjectError, match="'mine' does not import"):
+    with pytest.raises(InputError, match="'mine' does not import"):
         load("mine")
     assert load("ours").foreign
-    with pytest.raises(SubjectError, match="mine, ours"):
+    with pytest.raises(InputError, match="mine, ours"):
         load("nobody")
 
 
@@ -90,7 +84,7 @@ def test_a_command_that_is_none_is_bad_input(command):
 def test_built_in_explorers_take_what_they_need_and_bring_what_they_keep():
     assert load("algorithm1").keywords == {"choices", "notice"}
     assert load("algorithm1-natural").keywords == {"choices", "notice", "told"}
-    assert [default_lighthouse(name) for name in ("algorithm1", "algorithm1-natural", "a:b")] == [
+    assert [own_lighthouse(name) for name in ("algorithm1", "algorithm1-natural", "a:b")] == [
         *("directional", "natural", "directional")
     ]
     assert own_bound("algorithm1-cluster", "cluster") == "two-vertices"

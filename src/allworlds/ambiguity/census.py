@@ -3,44 +3,30 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Any, Protocol, TypeAlias
+from typing import Any, TypeAlias
 
 from allworlds.ambiguity.criterion import Disagreement, class_size, is_ambiguous
 from allworlds.ambiguity.marked import is_least_rooting
 from allworlds.ambiguity.members import projection_of
-from allworlds.errors import InputError
-from allworlds.maps.classes import Bounds, MapClass
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
-from allworlds.maps.enumeration import rooted_maps
 from allworlds.maps.quotient import Quotient
+from allworlds.outcome import SCHEMA, Exit
+from allworlds.progress import Listener, Silent
+from allworlds.work import Here, LevelUnit, gather, level_size, units_of_level
 from allworlds.world import Position, World
+
+BATCH = 200
+"""Maps after which a part of a unit is handed over."""
 
 Key: TypeAlias = tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
 """Sigma, alpha and degree of a quotient, rooted so at its marked vertex that they are least."""
 
 
-class Listener(Protocol):
-    """Told how far the census is."""
-
-    def level(self, edges: int, worlds: int) -> None:
-        """A level begins, with so many rooted maps."""
-
-    def progress(self, worlds: int) -> None:
-        """So many more rooted maps are done."""
-
-
-class Silent:
-    """Tells nobody."""
-
-    def level(self, edges: int, worlds: int) -> None:
-        """Nothing."""
-
-    def progress(self, worlds: int) -> None:
-        """Nothing."""
-
-
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class CensusRow:
     """The marked maps with one number of edges.
 
@@ -89,12 +75,12 @@ class AmbiguityCensus:
     """Every level of a class of maps.
 
     Attributes:
-        bounds: class and bounds; twins are looked for inside the class only.
+        extent: class and bounds; twins are looked for inside the class only.
         source: the independent source with which the numbers of rooted maps were compared.
         rows: one a number of edges, ascending.
     """
 
-    bounds: Bounds
+    extent: Extent
     source: str
     rows: tuple[CensusRow, ...]
 
@@ -104,19 +90,19 @@ class AmbiguityCensus:
         return all(row.rooted == row.counted for row in self.rows)
 
     @property
-    def exit_code(self) -> int:
+    def exit_code(self) -> Exit:
         """0 counted, 4 nothing to count, 70 the source disagrees."""
         if not self.agrees:
-            return 70
-        return 0 if any(row.marked_worlds for row in self.rows) else 4
+            return Exit.DISAGREES
+        return Exit.ANSWERED if any(row.marked_worlds for row in self.rows) else Exit.VACUOUS
 
     def to_json(self) -> dict[str, Any]:
         """The document of ``ambiguity census --json``."""
         return {
-            "schema": 1,
-            "class": self.bounds.map_class.value,
-            "edges": self.bounds.edges,
-            "vertices": self.bounds.vertices,
+            "schema": SCHEMA,
+            "class": self.extent.map_class.value,
+            "edges": self.extent.edges,
+            "vertices": self.extent.vertices,
             "lighthouse": Position.kind,
             "gate": {"source": self.source, "agrees": self.agrees},
             "rows": [row.to_json() for row in self.rows],
@@ -143,35 +129,77 @@ def census(
 
     Cost: some 100 microseconds a rooted map; memory for the ambiguous quotients of a level.
     """
-    if map_class not in list(MapClass):
-        raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")
-    bounds = Bounds(MapClass(map_class), edges, vertices)
+    extent = Extent(MapClass.named(map_class), edges, vertices)
     heard = listener or Silent()
-    rows = tuple(_level(bounds, level, heard) for level in bounds.levels)
-    return AmbiguityCensus(bounds, source_for(map_class).name, rows)
+    with Here() as here:
+        rows = tuple(_level(here, extent, level, heard) for level in extent.levels)
+    return AmbiguityCensus(extent, source_for(map_class).name, rows)
 
 
-def _level(bounds: Bounds, edges: int, listener: Listener) -> CensusRow:
-    cells = source_for(bounds.map_class).cells(edges)
-    limit = bounds.vertex_limit(edges)
-    row = CensusRow(edges, counted=sum(count for n, count in cells.items() if n <= limit))
-    listener.level(edges, row.counted)
-    met: dict[Key, list[Quotient]] = {}
-    for map_ in rooted_maps(edges, bounds.map_class, bounds.vertices):
-        row.rooted += 1
-        listener.progress(1)
+@dataclass(slots=True)
+class Met:
+    """What a part of a level holds.
+
+    Attributes:
+        worlds: rooted maps.
+        marked_worlds: maps with one marked vertex, up to isomorphism.
+        ambiguous: the ambiguous ones by their quotient, with one of the quotients.
+    """
+
+    worlds: int = 0
+    marked_worlds: int = 0
+    ambiguous: dict[Key, tuple[Quotient, int]] = field(default_factory=dict)
+
+    def add(self, other: Met) -> None:
+        """Take in another part."""
+        self.worlds += other.worlds
+        self.marked_worlds += other.marked_worlds
+        for key, (quotient, members) in other.ambiguous.items():
+            self._count(key, quotient, members)
+
+    def meet(self, map_: CombinatorialMap) -> None:
+        """Take in one rooted map; of those that differ in the root at v0 alone only one counts."""
+        self.worlds += 1
         if not is_least_rooting(map_):
-            continue
-        row.marked_worlds += 1
+            return
+        self.marked_worlds += 1
         # A marked vertex of degree 1 has one dart, so k = 1: never ambiguous.
         if map_.sigma[0] != 0:
             quotient = projection_of(World(map_, Position(0), 0)).quotient
             if is_ambiguous(quotient):
-                met.setdefault(_key(quotient), []).append(quotient)
-    if bounds.map_class is MapClass.MAPS:
+                self._count(_key(quotient), quotient, 1)
+
+    def _count(self, key: Key, quotient: Quotient, members: int) -> None:
+        first, before = self.ambiguous.get(key, (quotient, 0))
+        self.ambiguous[key] = (first, before + members)
+
+
+@dataclass(frozen=True, slots=True)
+class Classify:
+    """The engine of the census."""
+
+    extent: Extent
+
+    def parts(self, unit: LevelUnit) -> Iterator[Met]:
+        """The maps of the unit, classified, some at a time."""
+        met = Met()
+        for map_ in unit.maps(self.extent):
+            met.meet(map_)
+            if met.worlds == BATCH:
+                yield met
+                met = Met()
+        yield met
+
+
+def _level(here: Here, extent: Extent, edges: int, listener: Listener) -> CensusRow:
+    size = level_size(extent, edges)
+    listener.level(edges, size)
+    met = Met()
+    gather(here, Classify(extent), units_of_level(extent, edges), met, listener)
+    if extent.map_class is MapClass.MAPS:
         _check_sizes(met)
-    row.sizes.update(len(members) for members in met.values() if len(members) > 1)
-    return row
+    members = (members for _, members in met.ambiguous.values() if members > 1)
+    return CensusRow(edges, met.worlds, size, met.marked_worlds, Counter(members))
 
 
 def _key(quotient: Quotient) -> Key:
@@ -179,11 +207,11 @@ def _key(quotient: Quotient) -> Key:
     return min((q.sigma, q.alpha, q.degree) for q in rooted)
 
 
-def _check_sizes(met: dict[Key, list[Quotient]]) -> None:
+def _check_sizes(met: Met) -> None:
     """Nothing, if as many worlds were met of each class as Burnside's count says."""
-    for members in met.values():
-        if len(members) != class_size(members[0]):
+    for quotient, members in met.ambiguous.values():
+        if members != class_size(quotient):
             raise Disagreement(
-                f"{len(members)} worlds were met of a class of {class_size(members[0])}, "
-                f"with the quotient {members[0]}"
+                f"{members} worlds were met of a class of {class_size(quotient)}, "
+                f"with the quotient {quotient}"
             )

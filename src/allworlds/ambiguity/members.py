@@ -8,11 +8,12 @@ from typing import Any
 from allworlds.ambiguity.criterion import Disagreement, class_size, is_ambiguous, pose_count
 from allworlds.ambiguity.lifting import lifts
 from allworlds.ambiguity.marked import LeastRooting, least_rooting
-from allworlds.errors import InputError, an_integer, show
+from allworlds.inputs import InputError, an_integer, show
 from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.quotient import Labelled, Projection, Quotient, project
+from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Percept
 from allworlds.world import Directional, Position, World
 
@@ -52,10 +53,15 @@ class AmbiguityClass:
             "size and poses are exact (Burnside's count)"
         )
 
+    @property
+    def exit_code(self) -> Exit:
+        """The exit code of the command: a question was answered."""
+        return Exit.ANSWERED
+
     def to_json(self) -> dict[str, Any]:
         """The document of ``ambiguity class --json``."""
         return {
-            "schema": 1,
+            "schema": SCHEMA,
             "world": self.world.to_json(),
             "class": self.universe.value,
             "ambiguous": self.size > 1,
@@ -143,9 +149,7 @@ def _checked(world: World, limit: int, map_class: str) -> MapClass:
         )
     if an_integer("limit", limit) < 1:
         raise InputError(f"limit {limit} is too small; at least the world itself is listed")
-    if map_class not in list(MapClass):
-        raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")
-    universe = MapClass(map_class)
+    universe = MapClass.named(map_class)
     if not universe.includes(world.map):
         raise InputError(f"the world itself is not {universe}, so its class there is empty")
     return universe

@@ -7,10 +7,11 @@ from typing import Any, Literal, TypeAlias
 
 from allworlds.ambiguity.certificate import flaw
 from allworlds.ambiguity.criterion import Disagreement
-from allworlds.errors import InputError, show
+from allworlds.inputs import InputError, show
 from allworlds.maps.canonical import carries, numbering
 from allworlds.maps.combinatorial import Dart
 from allworlds.maps.quotient import Labelled, classes_of_union
+from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Move, Percept
 from allworlds.world import World
 
@@ -58,10 +59,15 @@ class Comparison:
         """They are different, and no motion tells them apart."""
         return self.relation == "different" and not self.distinguishable
 
+    @property
+    def exit_code(self) -> Exit:
+        """The exit code of the command: a question was answered."""
+        return Exit.ANSWERED
+
     def to_json(self) -> dict[str, Any]:
         """The document of ``twins --json``."""
         document: dict[str, Any] = {
-            "schema": 1,
+            "schema": SCHEMA,
             "worlds": [world.to_json() for world in self.worlds],
             "relation": self.relation,
             "distinguishable": self.distinguishable,

@@ -1,43 +1,54 @@
-"""The checker: every world of a class, one explorer, a verdict with its scope.
+"""The check: every world of a class, one explorer, a verdict with its scope.
 
-``scope``
-    what is to be checked, and with which options;
-``examine``
-    one run after the other, judged and tallied; **the** loop of the exhaustive check;
-``worker``, ``pool``, ``laboratory``
-    the same loop in processes that can be killed;
-``engines``, ``kernel_pool``
-    the compiled engine in their place, where it can;
-``finding``, ``confirm``
-    the refuting run as a value, and its confirmation in a fresh process;
-``past``
+``options``
+    the options that ``check``, ``fuzz`` and ``run`` share;
+``exhaustive``
+    level by level to a report;
+``engines``, ``compiled``
+    **the** table of engines, and the compiled one;
+``gate``
+    what a complete check must have met: every world, and certain events;
+``corpus``
     findings of earlier checks, which are tried first;
-``belief``, ``parting``
-    the same walk in a wrong answer, and where the two part;
-``drive``, ``tally``, ``report``
-    level by level to a :class:`Report`, with the count gate and the witnesses;
-``single``, ``replay``
+``report``
+    the verdict with its scope;
+``single``, ``replaying``
     one world at a time.
 """
 
-from allworlds.checker.drive import check
-from allworlds.checker.finding import Finding
-from allworlds.checker.replay import Replay, replay
-from allworlds.checker.report import Report, Verdict
-from allworlds.checker.scope import Limits, Scope, ScopeError
+from allworlds.checker.corpus import UserCorpus
+from allworlds.checker.engines import ENGINES, Job
+from allworlds.checker.exhaustive import check
+from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
+from allworlds.checker.replaying import Replay, replay
+from allworlds.checker.report import (
+    Completed,
+    Disagreed,
+    Ending,
+    Interrupted,
+    Report,
+    Stopped,
+)
 from allworlds.checker.single import SingleRun, run, worlds
 
 __all__ = [
-    "Finding",
-    "Limits",
+    "ENGINES",
+    "Completed",
+    "Disagreed",
+    "Ending",
+    "Interrupted",
+    "Job",
+    "ManyRunsOptions",
     "Replay",
     "Report",
-    "Scope",
-    "ScopeError",
+    "RunOptions",
     "SingleRun",
-    "Verdict",
+    "Stopped",
+    "UserCorpus",
     "check",
+    "refuse_others",
     "replay",
+    "rules_for",
     "run",
     "worlds",
 ]

@@ -2,63 +2,54 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from enum import StrEnum
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, TypeAlias, assert_never
 
-from allworlds.checker.finding import Finding
-from allworlds.checker.past import Past
-from allworlds.checker.scope import Scope
-from allworlds.checker.tally import Tally
-
-SCHEMA = 1
-
-
-class Verdict(StrEnum):
-    """What was found out."""
-
-    HOLDS = "holds"
-    REFUTED = "refuted"
-    INCONCLUSIVE = "inconclusive"
-    VACUOUS = "vacuous"
-    ERROR = "error"
-    NOT_REFUTED = "not-refuted"
-
-
-EXIT_CODES = {
-    Verdict.HOLDS: 0,
-    Verdict.NOT_REFUTED: 0,
-    Verdict.REFUTED: 1,
-    Verdict.INCONCLUSIVE: 3,
-    Verdict.VACUOUS: 4,
-    Verdict.ERROR: 70,
-}
-INTERRUPTED = 130
+from allworlds.checker.corpus import UserCorpus
+from allworlds.checker.gate import Cell
+from allworlds.findings import Finding
+from allworlds.outcome import SCHEMA, Exit, Verdict
+from allworlds.runs import Sample, Scope, Shard, Tally, Whole
 
 
 @dataclass(frozen=True, slots=True)
-class Cell:
-    """One comparison of the count gate.
+class Completed:
+    """Everything was done that was to be done.
 
     Attributes:
-        edges, vertices: the size.
-        enumerated: the rooted maps that were visited.
-        counted: those that there are according to ``source``.
+        missing: witnesses that a complete check must have seen and has not.
     """
 
-    edges: int
-    vertices: int
-    enumerated: int
-    counted: int
-    source: str
-
-    @property
-    def agrees(self) -> bool:
-        """Nothing speaks against the enumeration."""
-        return self.counted == self.enumerated
+    missing: tuple[str, ...] = ()
+    reason = ""
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
+class Stopped:
+    """Something is left undone."""
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Interrupted:
+    """By the user."""
+
+    reason = "interrupted"
+
+
+@dataclass(frozen=True, slots=True)
+class Disagreed:
+    """Two roads to one number lead to different ones, so nothing is to be believed."""
+
+    reason: str
+
+
+Ending: TypeAlias = Completed | Stopped | Interrupted | Disagreed
+"""How a check came to its end, each with the reason why it is not complete, if it is not."""
+
+
+@dataclass(frozen=True)
 class Report:
     """What a check has seen, and what follows from it.
 
@@ -68,29 +59,21 @@ class Report:
         scope: what was to be checked.
         tally: the counts of the finished levels, and the smallest findings.
         levels: the numbers of edges of the finished levels.
-        complete: every level of the scope is finished.
+        ending: how it came to its end.
         gate: the comparisons of the count gate.
-        missing: witnesses that a complete check must have seen and has not.
-        stopped: why the check is not complete; empty if it is.
-        interrupted: by the user.
         corpus: what became of the past findings, if there is a corpus of them.
         symmetry: where one run has been counted for several, why that is right; else empty.
-        disagreement: what two engines say differently; empty if they agree.
     """
 
     explorer: str
     engine: str
     scope: Scope
     tally: Tally
-    levels: list[int] = field(default_factory=list)
-    complete: bool = False
-    gate: list[Cell] = field(default_factory=list)
-    missing: list[str] = field(default_factory=list)
-    stopped: str = ""
-    interrupted: bool = False
-    corpus: Past | None = None
+    levels: tuple[int, ...]
+    ending: Ending
+    gate: tuple[Cell, ...] = ()
+    corpus: UserCorpus | None = None
     symmetry: str = ""
-    disagreement: str = ""
 
     @property
     def findings(self) -> list[Finding]:
@@ -108,26 +91,46 @@ class Report:
         return self.tally.runs
 
     @property
+    def complete(self) -> bool:
+        """Every world of the scope was tried; a sample is never complete."""
+        return isinstance(self.ending, Completed) and not isinstance(self.scope.coverage, Sample)
+
+    @property
+    def interrupted(self) -> bool:
+        """By the user."""
+        return isinstance(self.ending, Interrupted)
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Witnesses that a complete check must have seen and has not."""
+        return self.ending.missing if isinstance(self.ending, Completed) else ()
+
+    @property
     def verdict(self) -> Verdict:
         """The verdict, about the scope and nothing else."""
-        if self.disagreement or not all(cell.agrees for cell in self.gate):
+        if isinstance(self.ending, Disagreed) or not all(cell.agrees for cell in self.gate):
             return Verdict.ERROR
         if self.findings:
             return Verdict.REFUTED
-        if self.scope.sample and self.runs and not self.stopped:
-            return Verdict.NOT_REFUTED
-        if not self.complete:
+        if not isinstance(self.ending, Completed):
             return Verdict.INCONCLUSIVE
-        if self.missing or (not self.runs and self.scope.shard == (0, 1)):
-            return Verdict.VACUOUS
-        return Verdict.HOLDS
+        match self.scope.coverage:
+            case Sample():
+                return Verdict.NOT_REFUTED if self.runs else Verdict.INCONCLUSIVE
+            case Shard():
+                return Verdict.HOLDS
+            case Whole():
+                vacuous = self.missing or not self.runs
+                return Verdict.VACUOUS if vacuous else Verdict.HOLDS
+            case coverage:
+                assert_never(coverage)
 
     @property
-    def exit_code(self) -> int:
+    def exit_code(self) -> Exit:
         """The exit code of the command."""
         if self.interrupted and self.verdict is not Verdict.ERROR:
-            return INTERRUPTED
-        return EXIT_CODES[self.verdict]
+            return Exit.INTERRUPTED
+        return self.verdict.exit
 
     def uninterrupted(self) -> Report:
         """This report, for callers to whom half a check says nothing.
@@ -156,7 +159,7 @@ class Report:
             "checkpoints": self.tally.checkpoints,
             "rows": self.rows(),
             "witnesses": dict(sorted(self.tally.witnesses.items())),
-            "missing_witnesses": self.missing,
+            "missing_witnesses": list(self.missing),
             "corpus": self.corpus and self.corpus.to_json(),
             "findings": [finding.to_json() for finding in self.findings],
         }
@@ -179,39 +182,45 @@ class Report:
         ]
 
     def _scope_json(self) -> dict[str, Any]:
-        scope, rules = self.scope, self.scope.rules
-        index, count = scope.shard
+        scope, rules, coverage = self.scope, self.scope.rules, self.scope.coverage
+        sample = None
+        if isinstance(coverage, Sample):
+            sample = {"edges": scope.extent.edges, "runs": coverage.runs, "seed": coverage.seed}
         return {
-            "class": scope.bounds.map_class.value,
-            "edges": scope.bounds.edges,
-            "vertices": scope.bounds.vertices,
+            "class": scope.extent.map_class.value,
+            "edges": scope.extent.edges,
+            "vertices": scope.extent.vertices,
             "lighthouse": rules.lighthouse,
             "policy": rules.policy,
             "schedules": scope.schedules,
             "laws": list(rules.applying),
             "bound": rules.the_bound.name,
             "step_budget": rules.step_budget,
-            "shard": f"{index}/{count}",
-            "sample": self.scope.sample and dict(self.scope.sample),
+            "shard": str(coverage) if isinstance(coverage, Shard) else "0/1",
+            "sample": sample,
             "symmetry": self.symmetry or None,
             "gate": self._gate_json(),
             "complete": self.complete,
-            "finished_levels": self.levels,
-            "stopped": self.stopped or None,
+            "finished_levels": list(self.levels),
+            "stopped": self.ending.reason or None,
         }
 
     def _gate_json(self) -> list[dict[str, Any]] | str:
-        if self.scope.sample:
-            return "absent"
-        if self.scope.shard != (0, 1):
-            return "deferred to the merge of all shards"
-        return [
-            {
-                "edges": cell.edges,
-                "vertices": cell.vertices,
-                "enumerated": cell.enumerated,
-                "counted": cell.counted,
-                "source": cell.source,
-            }
-            for cell in self.gate
-        ]
+        match self.scope.coverage:
+            case Sample():
+                return "absent"
+            case Shard():
+                return "deferred to the merge of all shards"
+            case Whole():
+                return [
+                    {
+                        "edges": cell.edges,
+                        "vertices": cell.vertices,
+                        "enumerated": cell.enumerated,
+                        "counted": cell.counted,
+                        "source": cell.source,
+                    }
+                    for cell in self.gate
+                ]
+            case coverage:
+                assert_never(coverage)

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, Unpack
 
-from allworlds.checker.confirm import examine_apart
-from allworlds.checker.examine import Examiner, Outcome, make_finding
-from allworlds.checker.finding import Finding, place_of
-from allworlds.checker.report import EXIT_CODES, SCHEMA, Verdict
-from allworlds.checker.scope import Limits, Rules, Scope, ScopeError, make_rules, make_scope
+from allworlds.checker.options import RunOptions, refuse_others
 from allworlds.episode import Answered
-from allworlds.errors import an_integer, show
+from allworlds.findings import Finding, Rules, make_rules, place_of
+from allworlds.inputs import InputError, an_integer, show
+from allworlds.isolation import examine_apart
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.enumeration import rooted_maps
-from allworlds.subjects import own_bound, subject_of
-from allworlds.world import World
+from allworlds.outcome import SCHEMA, Exit, Verdict
+from allworlds.runs import DEFAULT_EDGES, Examiner, Outcome, make_finding
+from allworlds.subjects import Subject, subject_of
+from allworlds.work import Limits
+from allworlds.world import Lighthouse, World, lighthouse_named, world_named
 
 
 def worlds(
@@ -39,16 +41,18 @@ def worlds(
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    scope = make_scope(edges=edges, vertices=vertices, map_class=map_class, lighthouse=lighthouse)
+    if edges is None and vertices is None:
+        edges = DEFAULT_EDGES
+    extent = Extent(MapClass.named(map_class), edges, vertices)
+    kind = lighthouse_named(lighthouse)
     if places not in ("all", "first"):
-        raise ScopeError(f"places {show(places)} is none of all, first")
-    return _worlds(scope, places)
+        raise InputError(f"places {show(places)} is none of all, first")
+    return _worlds(extent, kind, places)
 
 
-def _worlds(scope: Scope, places: str) -> Iterator[World]:
-    bounds, kind = scope.bounds, scope.rules.kind
-    for level in bounds.levels:
-        for map_ in rooted_maps(level, bounds.map_class, bounds.vertices):
+def _worlds(extent: Extent, kind: type[Lighthouse], places: str) -> Iterator[World]:
+    for level in extent.levels:
+        for map_ in rooted_maps(level, extent.map_class, extent.vertices):
             for placed in kind.places(map_, 0):
                 yield World(map_, placed, 0)
                 if places == "first":
@@ -79,16 +83,13 @@ class SingleRun:
         return Verdict.REFUTED if self.finding else Verdict.HOLDS
 
     @property
-    def exit_code(self) -> int:
+    def exit_code(self) -> Exit:
         """The exit code of the command."""
-        return EXIT_CODES[self.verdict]
+        return self.verdict.exit
 
     def to_json(self) -> dict[str, Any]:
         """The document of ``run --json``."""
         ending = self.outcome.episode.ending
-        estimate = None
-        if isinstance(ending, Answered):
-            estimate = {**ending.estimate.map.to_json(), "here": ending.estimate.here}
         return {
             "schema": SCHEMA,
             "verdict": self.verdict.value,
@@ -99,7 +100,7 @@ class SingleRun:
             "choices": list(self.outcome.choices),
             "cost": self.outcome.cost,
             "bound": self.outcome.bound,
-            "estimate": estimate,
+            "estimate": ending.estimate.to_json() if isinstance(ending, Answered) else None,
             "transcript": self.outcome.episode.transcript.to_json(),
             "finding": self.finding.to_json() if self.finding else None,
         }
@@ -107,14 +108,10 @@ class SingleRun:
 
 def run(
     explore: str | Callable[..., Any],
-    world: World,
+    world: World | str,
     *,
-    policy: str = "fifo",
     choices: Sequence[int] = (),
-    bound: str | int | None = None,
-    laws: Iterable[str] | None = None,
-    step_budget: int | None = None,
-    answer_timeout: float = 10.0,
+    **options: Unpack[RunOptions],
 ) -> SingleRun:
     """One episode, judged.
 
@@ -123,31 +120,36 @@ def run(
 
     Args:
         explore: a name or a generator function.
-        world: map, lighthouse and start.
-        policy: answers the choices after those of ``choices``.
-        choices: answers to the first choices, by index.
-        bound: ``paper``, ``two-vertices``, ``none``, an expression or an integer; None takes
-            the explorer's own, else the lighthouse's.
-        laws: those to check; None takes all that apply.
-        step_budget: the largest legal number of traversals.
-        answer_timeout: seconds of silence after which the explorer is killed.
+        world: map, lighthouse and start; or what :func:`allworlds.world.world_named` reads,
+            under the explorer's own lighthouse where none is named.
+        choices: answers to the first choices, by index; then the policy goes on.
+        options: see :class:`~allworlds.checker.options.RunOptions` and
+            :class:`~allworlds.findings.RulesOptions`.
 
     Raises:
-        InputError: naming the offending option and what would be legal.
+        InputError: naming the offending option and what would be legal, or the first choice
+            that was not taken.
     """
-    if not isinstance(world, World):
-        raise ScopeError(f"world = {show(world)} is no World; World.from_json makes one")
+    refuse_others("run", options, RunOptions)
     script = _indices(choices)
-    limits = Limits(answer_timeout=answer_timeout)
-    subject = subject_of(explore, answer_timeout)
-    rules = make_rules(
-        lighthouse=world.lighthouse.kind,
-        policy=policy,
-        bound=bound,
-        own_bound=own_bound(subject.name, world.lighthouse.kind),
-        laws=laws,
-        step_budget=step_budget,
-    )
+    limits = Limits(answer_timeout=options.get("answer_timeout", Limits().answer_timeout))
+    subject = subject_of(explore, limits.answer_timeout)
+    if isinstance(world, str):
+        world = world_named(world, subject.lighthouse)
+    if not isinstance(world, World):
+        raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
+    kind = world.lighthouse.kind
+    rules = make_rules(options, kind, subject.bound_under(kind))
+    told = single_run(subject, world, rules, script, limits)
+    if unused := unused_choice(script, told):
+        raise InputError(unused)
+    return told
+
+
+def single_run(
+    subject: Subject, world: World, rules: Rules, script: tuple[int, ...], limits: Limits
+) -> SingleRun:
+    """One episode in which the script answers the first choices, as far as it fits."""
     examiner = Examiner(subject, rules)
     if subject.foreign and subject.importable:
         outcome = examine_apart(subject, rules, world, script, limits)
@@ -162,18 +164,8 @@ def run(
 
 def _indices(choices: object) -> tuple[int, ...]:
     if isinstance(choices, str) or not isinstance(choices, Iterable):
-        raise ScopeError(f"choices = {show(choices)} is not a list of indices")
+        raise InputError(f"choices = {show(choices)} is not a list of indices")
     return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
-
-
-def refuse_unused(choices: Sequence[int], told: SingleRun) -> None:
-    """Nothing, if a run has taken all these choices.
-
-    Raises:
-        InputError: naming the first that it has not taken.
-    """
-    if unused := unused_choice(choices, told):
-        raise ScopeError(unused)
 
 
 def unused_choice(choices: Sequence[int], told: SingleRun) -> str:

@@ -1,5 +1,5 @@
 """The command line: options in, text or JSON out; every decision is made elsewhere."""
 
-from allworlds.cli.app import call, main
+from allworlds.cli.app import main
 
-__all__ = ["call", "main"]
+__all__ = ["main"]

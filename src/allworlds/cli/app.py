@@ -7,30 +7,30 @@ import sys
 import traceback
 from collections.abc import Callable
 from functools import cache
+from importlib import import_module
 from itertools import pairwise
+from keyword import iskeyword
 from typing import Annotated, NoReturn
 
 import typer
 
-from allworlds.cli.ambiguity import ambiguity, twins
-from allworlds.cli.bench import bench
-from allworlds.cli.explain import explain
-from allworlds.cli.fuzz import fuzz
-from allworlds.cli.mutants import mutants
+from allworlds.cli.groups import grouped
 from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable
-from allworlds.cli.search import search
-from allworlds.cli.verbs import check, count, replay, run
-from allworlds.cli.worst import worst
-from allworlds.errors import InputError, show
-
-USAGE = 2
-INTERNAL = 70
-INTERRUPTED = 130
+from allworlds.inputs import InputError, show
+from allworlds.outcome import Exit
+from allworlds.verbs import GROUPS, VERBS, Verb
 
 # Typer has its own copy of click, or uses click itself, depending on its version.
 _ClickError: type[Exception] = next(
     kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException"
 )
+
+RENAMED = {
+    "--info": "--lighthouse",
+    "--max-edges": "--edges",
+    "--max-vertices": "--vertices",
+}
+"""Options as they were called once; they are refused with the name that they have now."""
 
 app = typer.Typer(
     name="allworlds",
@@ -42,21 +42,30 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     pretty_exceptions_enable=False,
 )
-for _verb, _what in (
-    (check, "Every world of a class, one explorer, a verdict: the main job."),
-    (run, "One world, told step by step."),
-    (fuzz, "Random worlds beyond the exhaustive bound."),
-    (replay, "A finding once more: reproduced or fixed."),
-    (explain, "A finding in plain words."),
-    (mutants, "What the checks are known to catch."),
-    (count, "How many maps there are, counted twice."),
-    (worst, "Algorithm 1 at its worst and best, over every schedule."),
-    (twins, "Can any motion tell two worlds apart?"),
-    (search, "Worlds that no motion tells apart, by SMT."),
-    (bench, "This program and others side by side."),
-):
-    app.command(name=_verb.__name__, short_help=_what)(_verb)
-app.add_typer(ambiguity, short_help="What a robot that knows only its position cannot tell apart.")
+
+
+def _command(verb: Verb) -> Callable[..., int]:
+    """What a verb is on the command line: in the module of its name, or of its group's."""
+    module = import_module(f"allworlds.cli.{verb.group or verb.name}")
+    name = verb.name.rpartition(" ")[2]
+    return grouped(getattr(module, f"{name}_" if iskeyword(name) else name))
+
+
+def _add_verbs() -> None:
+    groups = {}
+    for name, summary in GROUPS.items():
+        group = groups[name] = typer.Typer(name=name, help=summary)
+        group.callback(invoke_without_command=True)(_help)
+    for verb in VERBS:
+        home = groups[verb.group] if verb.group else app
+        home.command(name=verb.name.rpartition(" ")[2], short_help=verb.summary)(_command(verb))
+    for group in groups.values():
+        app.add_typer(group)
+
+
+def _help(context: typer.Context) -> None:
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
 
 
 @app.callback(invoke_without_command=True)
@@ -71,6 +80,9 @@ def _common(
         typer.echo(__version__)
     elif context.invoked_subcommand is None:
         typer.echo(context.get_help())
+
+
+_add_verbs()
 
 
 def main() -> NoReturn:
@@ -91,16 +103,16 @@ def call(arguments: list[str]) -> int:
         return _refuse(_complaint(error, arguments))
     except (KeyboardInterrupt, typer.Abort):
         complain("interrupted")
-        return INTERRUPTED
+        return Exit.INTERRUPTED
     except OSError as error:
         # A full disk, or a stdout that is closed or full.
         abandon_stdout()
         complain(error.strerror or str(error))
-        return INTERNAL
+        return Exit.INTERNAL
     except Exception:  # noqa: BLE001  # the last resort: say so, and say where
         print(printable(traceback.format_exc()), end="", file=sys.stderr)
         complain("internal error; the lines above say where")
-        return INTERNAL
+        return Exit.INTERNAL
     return int(code or 0)
 
 
@@ -113,6 +125,9 @@ def _verbs() -> Callable[..., int | None]:
 def _complaint(error: Exception, arguments: list[str]) -> str:
     """What click says, with the value that it may have left out."""
     said: str = error.format_message() if hasattr(error, "format_message") else str(error)
+    renamed = RENAMED.get(getattr(error, "option_name", ""))
+    if renamed:
+        return f"No such option: {error.option_name}; it is {renamed}"  # type: ignore[attr-defined]
     options = getattr(getattr(error, "param", None), "opts", ())
     for option, value in pairwise(arguments):
         if option in options and repr(value) not in said:
@@ -122,4 +137,4 @@ def _complaint(error: Exception, arguments: list[str]) -> str:
 
 def _refuse(message: str) -> int:
     complain(message)
-    return USAGE
+    return Exit.USAGE

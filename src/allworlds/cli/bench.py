@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
 from allworlds.cli import options as opt
 from allworlds.cli.output import emit
 
@@ -13,36 +11,29 @@ from allworlds.cli.output import emit
 def bench(
     *,
     edges: Annotated[
-        int,
-        typer.Option(
-            parser=opt.integer, metavar="M", help="The level that the compiled engines do."
-        ),
+        int, opt.number(opt.SCOPE, "M", "The level that the compiled engines do.")
     ] = 7,
     rounds: Annotated[
-        int,
-        typer.Option(
-            parser=opt.integer, metavar="R", help="How often each contender takes its turn."
-        ),
+        int, opt.number(opt.EFFORT, "R", "How often each contender takes its turn.")
     ] = 3,
     peer: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="NAME[@M]=COMMAND",
-            help="Another program that walks every world with M edges (default: those of "
-            "--edges); repeatable.",
+        opt.option(
+            opt.SCOPE,
+            "NAME[@M]=COMMAND",
+            "Another program that walks every world with M edges (default: those of --edges); "
+            "repeatable.",
             show_default=False,
         ),
     ] = None,
-    as_json: opt.Json = False,
+    output: opt.Output,
 ) -> int:
     """Example: allworlds bench --edges 7 --peer 'lazy=./lazy 1 7'
 
     Measure this program's engines and others side by side, in turns; ratios with their
     spread.
     """
-    from allworlds.benching import bench as run_bench
-    from allworlds.reports.bench_text import bench_text
+    import allworlds
 
-    report = run_bench(edges=edges, rounds=rounds, peers=peer or ())
-    emit(report, lambda width: bench_text(report, width), as_json=as_json)
-    return report.exit_code
+    report = allworlds.bench(edges=edges, rounds=rounds, peers=peer or ())
+    return emit(report, "bench", output)

@@ -1,49 +1,61 @@
-"""The options that write a report into a file: ``--junit`` and ``--html``."""
+"""The options that write a report into a file, and what is written where."""
 
 from __future__ import annotations
 
+import tempfile
+from dataclasses import make_dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from allworlds.cli import options as opt
-from allworlds.errors import InputError, a_path, show
+from allworlds.inputs import InputError, a_path, show
+from allworlds.outcome import Result
+from allworlds.reports import FORMATS, written
+
+
+class _Files:
+    """One option for each of the reports' formats, each with the name of its file."""
+
+    def ensure_writable(self) -> None:
+        """Nothing, if each file can be written; it is left as it is, and not made.
+
+        Raises:
+            InputError: naming the file and the reason.
+        """
+        for path in self._named().values():
+            _ensure_writable(path)
+
+    def write(self, report: Result) -> None:
+        """The report in each file that was named.
+
+        Raises:
+            InputError: naming the file and the reason why it cannot be written.
+        """
+        for form, path in self._named().items():
+            try:
+                Path(path).write_text(written(form, report), encoding="utf-8")
+            except OSError as error:
+                raise _refusal(path, error) from None
+
+    def _named(self) -> dict[str, str]:
+        given = {form: getattr(self, form) for form in FORMATS}
+        return {form: path for form, path in given.items() if path is not None}
+
+
+def _option(form: str) -> object:
+    help_ = FORMATS[form].help
+    return Annotated[str | None, opt.option(opt.OUTPUT, "FILE", help_, show_default=False)]
+
 
 if TYPE_CHECKING:
-    from allworlds.checker import Report
-
-Junit = Annotated[
-    str | None,
-    typer.Option(
-        "--junit",
-        metavar="FILE",
-        help="Write the report as JUnit XML too.",
-        rich_help_panel=opt.OUTPUT,
-        show_default=False,
-    ),
-]
-
-Html = Annotated[
-    str | None,
-    typer.Option(
-        "--html",
-        metavar="FILE",
-        help="Write the report as a web page too: one file, which needs no network.",
-        rich_help_panel=opt.OUTPUT,
-        show_default=False,
-    ),
-]
+    Files = _Files
+else:
+    Files = make_dataclass(
+        "Files", [(form, _option(form), None) for form in FORMATS], bases=(_Files,), frozen=True
+    )
 
 
-def ensure_writable(path: str | None) -> None:
-    """Nothing, if the file can be written; it is left as it is, and not made.
-
-    Raises:
-        InputError: naming the file and the reason.
-    """
-    if path is None:
-        return
+def _ensure_writable(path: str) -> None:
     try:
         file = a_path("file", path)
         existed = file.exists()
@@ -54,29 +66,20 @@ def ensure_writable(path: str | None) -> None:
         raise _refusal(path, error) from None
 
 
-def write_reports(report: Report, *, junit: str | None, html: str | None) -> None:
-    """The report in each file that was named.
-
-    Raises:
-        InputError: naming the file and the reason why it cannot be written.
-    """
-    if junit is not None:
-        from allworlds.reports.junit import junit as as_junit
-
-        _write(junit, as_junit(report))
-    if html is not None:
-        from allworlds.reports.html import page
-
-        _write(html, page(report))
-
-
-def _write(path: str, text: str) -> None:
-    try:
-        Path(path).write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise _refusal(path, error) from None
-
-
 def _refusal(path: str, error: Exception) -> InputError:
     reason = error.strerror if isinstance(error, OSError) else error
     return InputError(f"file {show(path)} cannot be written: {reason}")
+
+
+def ensure_directory(name: str | None) -> None:
+    """Make the directory if it is missing; bad input if no file can be written there."""
+    if name is None:
+        return
+    path = a_path("corpus", name)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=path):
+            pass
+    except OSError as error:
+        reason = f"{show(name)} cannot be written: {error.strerror}"
+        raise InputError(f"corpus {reason}") from None

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
 from allworlds.cli import options as opt
 from allworlds.cli.output import emit
 
@@ -13,21 +11,15 @@ from allworlds.cli.output import emit
 def mutants(
     *,
     edges: Annotated[
-        int,
-        typer.Option(
-            parser=opt.integer, metavar="M", help="Try worlds with at most M edges (1 to 4)."
-        ),
+        int, opt.number(opt.SCOPE, "M", "Try worlds with at most M edges (1 to 4).")
     ] = 4,
-    as_json: opt.Json = False,
+    output: opt.Output,
 ) -> int:
     """Example: allworlds mutants
 
     Try wrong explorers, weakened judges and broken enumerators, and say which check kills
     which at which smallest world.  Exit code 1: one survived.
     """
-    from allworlds.mutation import mutants as try_mutants
-    from allworlds.reports import mutants_text
+    import allworlds
 
-    matrix = try_mutants(edges=edges)
-    emit(matrix, lambda width: mutants_text(matrix, width), as_json=as_json)
-    return matrix.exit_code
+    return emit(allworlds.mutants(edges=edges), "mutants", output)

@@ -1,40 +1,30 @@
-"""Options that several verbs share, and the texts that become values."""
+"""Options that several verbs share, in groups; each is declared here and nowhere else."""
 
 from __future__ import annotations
 
-import os
-import re
-import tempfile
-from difflib import get_close_matches
-from pathlib import Path
-from typing import Annotated
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from allworlds.corpora import own_corpus
-from allworlds.errors import InputError, a_path, parse_json, show
-from allworlds.maps.build import NoSuchMap, named_map, named_maps
-from allworlds.maps.families import family
-from allworlds.subjects.subject import EXEC, names_explorer
-from allworlds.world import Directional, World, lighthouse_from_json, lighthouse_named
+from allworlds.cli.values import integer, law_names, seconds, worker_count
+from allworlds.inputs import InputError
+from allworlds.subjects import EXEC
+
+if TYPE_CHECKING:
+    from allworlds.checker import ManyRunsOptions, RunOptions
 
 SCOPE, RULES, EFFORT, OUTPUT = "What is checked", "How it is judged", "Effort", "Output"
 
 
-def integer(text: str | int) -> int:
-    """The integer of a text, or a default; unlike ``int`` without 1_0 and other scripts."""
-    if isinstance(text, int) or re.fullmatch(r"[+-]?[0-9]{1,4000}", text):
-        return int(text)
-    raise typer.BadParameter(f"{show(text)} is not an integer")
+def option(panel: str, metavar: str, help_: str, *names: str, **more: Any) -> Any:
+    """An option of a panel of the help; without ``names`` its field names it."""
+    return typer.Option(*names, metavar=metavar, help=help_, rich_help_panel=panel, **more)
 
 
-def seconds(text: str | float) -> float:
-    """The number of a text, or a default."""
-    if isinstance(text, float) or re.fullmatch(
-        r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?|-?inf|nan", text
-    ):
-        return float(text)
-    raise typer.BadParameter(f"{show(text)} is not a number of seconds")
+def number(panel: str, metavar: str, help_: str, *names: str, **more: Any) -> Any:
+    """The same for an integer."""
+    return option(panel, metavar, help_, *names, parser=integer, **more)
 
 
 Explorer = Annotated[
@@ -46,142 +36,151 @@ Explorer = Annotated[
         show_default=False,
     ),
 ]
+WorldText = Annotated[
+    str,
+    typer.Argument(
+        metavar="WORLD", help="Inline JSON, @file, or a name such as k4, wheel-4, fig1-left."
+    ),
+]
+FindingFile = Annotated[
+    str, typer.Argument(metavar="FILE", help="A finding, or a check's report; - for stdin.")
+]
 Exec = Annotated[
     str | None,
-    typer.Option(
-        "--exec",
-        metavar="COMMAND",
-        help="In place of EXPLORER: a program that speaks JSON lines.",
-        rich_help_panel=SCOPE,
-    ),
+    option(SCOPE, "COMMAND", "In place of EXPLORER: a program that speaks JSON lines.", "--exec"),
 ]
-Edges = Annotated[
-    int | None,
-    typer.Option(
-        "--edges",
-        parser=integer,
-        metavar="M",
-        help="At most M edges.",
-        rich_help_panel=SCOPE,
-        show_default=False,
-    ),
-]
-Vertices = Annotated[
-    int | None,
-    typer.Option(
-        "--vertices",
-        parser=integer,
-        metavar="N",
-        help="At most N vertices (alone: simple classes only).",
-        rich_help_panel=SCOPE,
-    ),
-]
+Workers = Annotated[str, option(EFFORT, "N|auto", "Processes, or threads.")]
 MapClassName = Annotated[
-    str,
-    typer.Option(
-        "--class",
-        metavar="CLASS",
-        help="maps, simple, planar or planar-simple.",
-        rich_help_panel=SCOPE,
-    ),
+    str, option(SCOPE, "CLASS", "maps, simple, planar or planar-simple.", "--class")
 ]
 LighthouseName = Annotated[
     str | None,
-    typer.Option(
-        "--lighthouse",
-        metavar="KIND",
-        help="KIND[:key=value,...] (default: directional, or the one that a built-in explorer is "
+    option(
+        SCOPE,
+        "KIND",
+        "KIND[:key=value,...] (default: directional, or the one that a built-in explorer is "
         "written for).",
-        rich_help_panel=SCOPE,
         show_default=False,
     ),
 ]
-PolicyName = Annotated[
+LighthouseOfWorld = Annotated[
     str,
-    typer.Option(
-        "--policy",
-        metavar="POLICY",
-        help="Who answers the explorer's choices: fifo, lifo, nearest or random:SEED.",
-        rich_help_panel=RULES,
+    option(
+        SCOPE,
+        "KIND",
+        "The lighthouse of a WORLD that names none: none, position, compass, directional, cluster "
+        "or natural.",
     ),
 ]
-BoundName = Annotated[
-    str | None,
-    typer.Option(
-        "--bound",
-        metavar="BOUND",
-        help="Largest number of traversals: paper (1)+(2), two-vertices, none, or an expression "
-        "over n, m, d0, D with + - * // **, min, max (default: the explorer's own, else the "
-        "lighthouse's).",
-        rich_help_panel=RULES,
-        show_default=False,
-    ),
-]
-LawNames = Annotated[
-    str | None,
-    typer.Option(
-        "--laws",
-        metavar="LAWS",
-        help="Of map, pose, invariant-1, invariant-2, variant, folding, bound, with commas "
-        "(default: all that apply).",
-        rich_help_panel=RULES,
-        show_default=False,
-    ),
-]
-StepBudget = Annotated[
-    int | None,
-    typer.Option(
-        "--step-budget",
-        parser=integer,
-        metavar="B",
-        help="More traversals break the law 'budget' (default: 8 x ((1)+(2)) + 100).",
-        rich_help_panel=RULES,
-        show_default=False,
-    ),
-]
+TimeLimit = Annotated[float | None, option(EFFORT, "S", "Seconds for everything.", parser=seconds)]
 AnswerTimeout = Annotated[
     float,
-    typer.Option(
-        "--answer-timeout",
-        parser=seconds,
-        metavar="S",
-        help="Seconds of silence that break the law 'timeout'.",
-        rich_help_panel=EFFORT,
-    ),
+    option(EFFORT, "S", "Seconds of silence that break the law 'timeout'.", parser=seconds),
 ]
-TimeLimit = Annotated[
-    float | None,
-    typer.Option(
-        parser=seconds, metavar="S", help="Seconds for everything.", rich_help_panel=EFFORT
-    ),
-]
-Memory = Annotated[
-    int | None,
-    typer.Option(
-        parser=integer,
-        metavar="MB",
-        help="Address space of each worker process; the kernel engine has none.",
-        rich_help_panel=EFFORT,
-    ),
-]
-CorpusDirectory = Annotated[
-    str | None,
-    typer.Option(
-        "--corpus",
-        metavar="DIR",
-        help="A directory of findings: tried first, and new ones are written to it.",
-        rich_help_panel=EFFORT,
-        show_default=False,
-    ),
-]
-Json = Annotated[
-    bool,
-    typer.Option("--json", help="One JSON document on stdout.", rich_help_panel=OUTPUT),
-]
-Quiet = Annotated[
-    bool,
-    typer.Option("-q", "--quiet", help="No progress.", rich_help_panel=OUTPUT),
-]
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """The extent of an exhaustive verb."""
+
+    edges: Annotated[int | None, number(SCOPE, "M", "At most M edges.", show_default=False)] = None
+    vertices: Annotated[
+        int | None, number(SCOPE, "N", "At most N vertices (alone: simple classes only).")
+    ] = None
+    map_class: MapClassName = "maps"
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """How runs are played and judged."""
+
+    policy: Annotated[
+        str,
+        option(
+            RULES,
+            "POLICY",
+            "Who answers the explorer's choices: fifo, lifo, nearest or random:SEED.",
+        ),
+    ] = "fifo"
+    bound: Annotated[
+        str | None,
+        option(
+            RULES,
+            "BOUND",
+            "Largest number of traversals: paper (1)+(2), two-vertices, none, or an expression "
+            "over n, m, d0, D with + - * // **, min, max (default: the explorer's own, else the "
+            "lighthouse's).",
+            show_default=False,
+        ),
+    ] = None
+    laws: Annotated[
+        str | None,
+        option(
+            RULES,
+            "LAWS",
+            "Of map, pose, invariant-1, invariant-2, variant, folding, bound, with commas "
+            "(default: all that apply).",
+            show_default=False,
+        ),
+    ] = None
+    step_budget: Annotated[
+        int | None,
+        number(
+            RULES,
+            "B",
+            "More traversals break the law 'budget' (default: 8 x ((1)+(2)) + 100).",
+            show_default=False,
+        ),
+    ] = None
+    answer_timeout: AnswerTimeout = 10.0
+
+    def options(self) -> RunOptions:
+        """As ``run`` takes them."""
+        return {
+            "policy": self.policy,
+            "bound": self.bound,
+            "laws": law_names(self.laws),
+            "step_budget": self.step_budget,
+            "answer_timeout": self.answer_timeout,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Effort:
+    """What bounds the effort of many runs."""
+
+    workers: Workers = "auto"
+    time_limit: TimeLimit = None
+    memory: Annotated[
+        int | None,
+        number(EFFORT, "MB", "Address space of each worker process; the kernel engine has none."),
+    ] = None
+
+
+def many_runs(
+    map_class: str, lighthouse: str | None, rules: Rules, effort: Effort
+) -> ManyRunsOptions:
+    """As ``check`` and ``fuzz`` take them."""
+    return {
+        **rules.options(),
+        "map_class": map_class,
+        "lighthouse": lighthouse,
+        "workers": worker_count(effort.workers),
+        "time_limit": effort.time_limit,
+        "memory": effort.memory,
+    }
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """What is printed."""
+
+    as_json: Annotated[
+        bool, typer.Option("--json", help="One JSON document on stdout.", rich_help_panel=OUTPUT)
+    ] = False
+    quiet: Annotated[
+        bool, typer.Option("-q", "--quiet", help="No progress.", rich_help_panel=OUTPUT)
+    ] = False
 
 
 def explorer_name(explorer: str | None, command: str | None) -> str:
@@ -191,163 +190,3 @@ def explorer_name(explorer: str | None, command: str | None) -> str:
     if explorer is not None:
         raise InputError(f"give EXPLORER {explorer!r} or --exec {command!r}, not both")
     return EXEC + command
-
-
-def law_names(text: str | None) -> tuple[str, ...] | None:
-    """The laws of a list with commas."""
-    return None if text is None else tuple(part.strip() for part in text.split(","))
-
-
-def worker_count(text: str) -> int:
-    """A number of processes, or one a usable core for ``auto``."""
-    if text == "auto":
-        return len(os.sched_getaffinity(0))
-    if re.fullmatch(r"[0-9]{1,9}", text) and int(text) > 0:
-        return int(text)
-    raise InputError(f"workers {show(text)} is neither auto nor a positive number")
-
-
-SHARD_DIGITS = 9
-
-
-def shard_numbers(text: str) -> tuple[int, int]:
-    """``K/N``."""
-    match = re.fullmatch(r"([0-9]+)/([0-9]+)", text)
-    if match is None:
-        raise InputError(f"shard {show(text)} is not of the form K/N, counted from 0")
-    if max(map(len, match.groups())) > SHARD_DIGITS:
-        raise InputError(f"shard {show(text)} is too big; N is at most {10**SHARD_DIGITS - 1}")
-    return int(match[1]), int(match[2])
-
-
-def fraction(text: str) -> float:
-    """``10%`` or ``0.1``."""
-    match = re.fullmatch(r"([0-9]+(?:\.[0-9]+)?)(%?)", text)
-    value = float(match[1]) / (100 if match[2] else 1) if match else -1.0
-    if not 0 <= value < 1:
-        raise InputError(f"holes {text!r} is no share of the edges; 0% up to 99% are legal")
-    return value
-
-
-def index_list(text: str | None) -> tuple[int, ...]:
-    """Integers from 0 on with commas; none where there is no text."""
-    if text is None:
-        return ()
-    if not re.fullmatch(r"[0-9]{1,9}(,[0-9]{1,9})*", text):
-        raise InputError(f"choices {show(text)} are not indices from 0 on with commas")
-    return tuple(int(part) for part in text.split(","))
-
-
-def explorer_and_world(words: list[str], *, family: bool, program: bool) -> tuple[str | None, str]:
-    """The EXPLORER and the WORLD among the arguments of ``run``, where they are given.
-
-    With a family there is no WORLD: it is the empty text.
-    """
-    wanted = 0 if family else 1
-    if not wanted <= len(words) <= wanted + (not program):
-        given = " ".join(words) or "nothing"
-        raise InputError(f"run takes [EXPLORER] and a WORLD or --family, not {show(given)}")
-    explorer = words[0] if len(words) > wanted else None
-    world = "" if family else words[-1]
-    if names_explorer(world):
-        if explorer is None:
-            raise InputError(f"WORLD is missing: {show(world)} is an explorer; {_WORLDS}")
-        if not names_explorer(explorer):
-            raise InputError(
-                f"{show(world)} is an explorer and stands in the place of WORLD; EXPLORER comes "
-                "first, then WORLD"
-            )
-    return explorer, world
-
-
-_WORLDS = "a WORLD is inline JSON, @file, or a name such as k4, wheel-4, theta-torus"
-
-
-def world_named(text: str, kind: str = Directional.kind) -> World:
-    """The world of inline JSON, of ``@file``, of the corpus, or of a named map.
-
-    Where no lighthouse is named it is of that kind, at its default place: at dart 0 of a
-    named map.
-    """
-    lighthouse_named(kind)
-    if text.startswith("@"):
-        return _world_of_json(read_text(text[1:]), kind)
-    if _is_json(text):
-        return _world_of_json(text, kind)
-    try:
-        map_ = named_map(text)
-    except NoSuchMap as error:
-        return _world_of_corpus(text, kind, error)
-    return World.from_json(map_.to_json(), missing=kind)
-
-
-def _world_of_corpus(name: str, kind: str, no_map: NoSuchMap) -> World:
-    corpus = own_corpus()
-    for entry in corpus.of_kind("world"):
-        if entry.name == name:
-            return World.from_json(corpus.document(entry), missing=kind)
-    if f"{name.rpartition('-')[0]}-N" in named_maps():
-        raise no_map
-    raise InputError(
-        f"world {show(name)} is neither JSON, nor @file, nor one of {', '.join(named_maps())}, "
-        f"nor a world of the corpus{_hint(name)}"
-    )
-
-
-def _is_json(text: str) -> bool:
-    if text.lstrip().startswith(("{", "[")):
-        return True
-    try:
-        parse_json(text)
-    except InputError:
-        return False
-    return True
-
-
-def _world_of_json(text: str, kind: str) -> World:
-    document = parse_json(text)
-    keys = document.keys() if isinstance(document, dict) else set()
-    if keys & {"findings", "finding", "law"} and not keys & {"sigma", "alpha"}:
-        raise InputError("this is a report or a finding, not a world; see replay and explain")
-    return World.from_json(document, missing=kind)
-
-
-def _hint(name: str) -> str:
-    """What may have been meant by a name that is none."""
-    if Path(name).suffix == ".json":
-        return f"; to read a file write {show('@' + name)}"
-    if ":" in name:
-        return f"; a family is given by --family {name}"
-    known = [*named_maps(), *(entry.name for entry in own_corpus().of_kind("world"))]
-    meant = get_close_matches(name.lower(), known, 1)
-    return f"; did you mean {meant[0]!r}?" if meant else ""
-
-
-def world_of_family(text: str, holes: str | None, seed: int, kind: str) -> World:
-    """The world of a family, started at dart 0, with a lighthouse at its default place."""
-    share = 0.0 if holes is None else fraction(holes)
-    map_ = family(text, holes=share, seed=seed)
-    return World(map_, lighthouse_from_json(None, map_, 0, kind))
-
-
-def ensure_directory(name: str | None) -> None:
-    """Make the directory if it is missing; bad input if no file can be written there."""
-    if name is None:
-        return
-    path = a_path("corpus", name)
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=path):
-            pass
-    except OSError as error:
-        reason = f"{show(name)} cannot be written: {error.strerror}"
-        raise InputError(f"corpus {reason}") from None
-
-
-def read_text(path: str) -> str:
-    """The text of a file the user has named."""
-    try:
-        return a_path("file", path).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "it is no text"
-        raise InputError(f"file {path!r} cannot be read: {reason}") from None

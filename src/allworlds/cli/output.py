@@ -8,20 +8,15 @@ import os
 import re
 import shutil
 import sys
-from collections.abc import Callable
 from contextlib import suppress
-from typing import Any, Protocol, Self
+from typing import Any, Self
 
-from allworlds.subjects.stderr import patient_stderr
+from allworlds.cli.options import Output
+from allworlds.outcome import Result
+from allworlds.reports import text
+from allworlds.streams import patient_stderr
 
 NARROWEST = 40
-
-
-class Document(Protocol):
-    """A result that has both forms."""
-
-    def to_json(self) -> dict[str, Any]:
-        """The JSON document."""
 
 
 def width() -> int:
@@ -37,20 +32,24 @@ def printable(text: str) -> str:
     return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", lambda found: f"\\x{ord(found[0]):02x}", text)
 
 
-def emit(result: Document, text: Callable[[int], str], *, as_json: bool) -> None:
-    """Print a result in the form that was asked for.
+def emit(result: Result, verb: str, output: Output) -> int:
+    """Print a verb's result in the form that was asked for; its exit code.
 
     Raises:
         OSError: saying that it is stdout that cannot be written.
     """
     try:
-        print(json.dumps(result.to_json(), indent=2) if as_json else printable(text(width())))
+        if output.as_json:
+            print(json.dumps(result.to_json(), indent=2))
+        else:
+            print(printable(text(verb, result, width())))
         sys.stdout.flush()
     except BrokenPipeError:
         # The reader has gone (a pipe to head); the exit code is still to be told.
         abandon_stdout()
     except OSError as error:
         raise OSError(error.errno, f"stdout cannot be written: {error.strerror}") from None
+    return result.exit_code
 
 
 def abandon_stdout() -> None:

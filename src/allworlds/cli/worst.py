@@ -4,29 +4,27 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
 from allworlds.cli import options as opt
 from allworlds.cli.output import Progress, emit
+from allworlds.cli.values import worker_count
 
 
 def worst(
     *,
-    edges: opt.Edges = None,
+    edges: Annotated[
+        int | None, opt.number(opt.SCOPE, "M", "At most M edges.", show_default=False)
+    ] = None,
     map_class: opt.MapClassName = "maps",
     transit: Annotated[
         str,
-        typer.Option(
-            metavar="shortest|simple",
-            help="How the robot goes to the next edge: on a shortest or on any simple path.",
-            rich_help_panel=opt.RULES,
+        opt.option(
+            opt.RULES,
+            "shortest|simple",
+            "How the robot goes to the next edge: on a shortest or on any simple path.",
         ),
     ] = "simple",
-    workers: Annotated[
-        str, typer.Option(metavar="N|auto", rich_help_panel=opt.EFFORT, help="Threads.")
-    ] = "auto",
-    as_json: opt.Json = False,
-    quiet: opt.Quiet = False,
+    workers: opt.Workers = "auto",
+    output: opt.Output,
 ) -> int:
     """Example: allworlds worst --edges 5
 
@@ -34,16 +32,14 @@ def worst(
     every choice of edge, order of hypotheses and path.  Exit code 0: answered, 1: a schedule
     breaks a law, 70: the replay of a row disagrees.
     """
-    from allworlds.reports.worst_text import worst_text
-    from allworlds.worst_case import worst as run_worst
+    import allworlds
 
-    with Progress(quiet=quiet) as progress:
-        report = run_worst(
+    with Progress(quiet=output.quiet) as progress:
+        report = allworlds.worst(
             edges=edges,
             map_class=map_class,
             transit=transit,
-            workers=opt.worker_count(workers),
+            workers=worker_count(workers),
             listener=progress,
         )
-    emit(report, lambda width: worst_text(report, width), as_json=as_json)
-    return report.exit_code
+    return emit(report, "worst", output)

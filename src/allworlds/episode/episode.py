@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Callable, Generator, MutableSequence
+from collections.abc import Callable, Generator, MutableSequence, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol, TypeAlias
 
-from allworlds.errors import SHOWN, let_users_interrupt, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap, integer
+from allworlds.inputs import SHOWN, integer, let_users_interrupt, show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap
 from allworlds.protocol import (
     Action,
     Checkpoint,
@@ -21,7 +21,30 @@ from allworlds.protocol import (
     Pick,
     Transcript,
 )
-from allworlds.world import IllegalAction, World
+from allworlds.world import IllegalAction
+
+
+class Stage(Protocol):
+    """What an explorer plays against: a world, or what stands in for one."""
+
+    @property
+    def start(self) -> Dart:
+        """The state at the start."""
+
+    @property
+    def first(self) -> Percept:
+        """What is sensed before any motion."""
+
+    @property
+    def told(self) -> int | None:
+        """What the lighthouse tells before the start, if anything."""
+
+    @property
+    def percepts(self) -> Sequence[Percept]:
+        """For each state what is sensed in it."""
+
+    def step(self, state: Dart, action: Action) -> tuple[Dart, Percept]:
+        """The state after the action, and what is sensed there; may raise IllegalAction."""
 
 
 class Player(Protocol):
@@ -98,7 +121,7 @@ def the_same(percept: Percept) -> Percept:
 
 
 def play(
-    world: World,
+    world: Stage,
     player: Player,
     choices: Choices,
     budget: int,
@@ -125,7 +148,7 @@ def play(
 
 @dataclass(slots=True)
 class _Run:
-    world: World
+    world: Stage
     budget: int
     beat: MutableSequence[int]
     hand: Callable[[Percept], Percept]

@@ -14,6 +14,8 @@
     what each law hands back, and the small words that all of them use.
 """
 
+from allworlds.explaining.belief import Belief
 from allworlds.explaining.explanation import Explanation, explain
+from allworlds.explaining.story import Story
 
-__all__ = ["Explanation", "explain"]
+__all__ = ["Belief", "Explanation", "Story", "explain"]

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property
 
-from allworlds.checker.belief import believed_percepts, believed_trail
-from allworlds.checker.parting import Parting, find_parting
-from allworlds.errors import InputError, show
 from allworlds.explaining.story import Story
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.findings import Parting, believed_percepts, believed_trail, find_parting
+from allworlds.inputs import InputError, show
 from allworlds.protocol import Estimate, Percept
 
 
@@ -62,7 +60,4 @@ class Belief:
 def _answer(seen: object) -> Estimate:
     if not isinstance(seen, Mapping):
         raise InputError(f"seen = {show(seen)} is no rooted map, but the law is about the answer")
-    map_, here = CombinatorialMap.from_json(seen), seen.get("here")
-    if type(here) is not int or here not in map_.darts:
-        raise InputError(f"seen.here = {show(here)} is no dart of the finding's answer")
-    return Estimate(map_, here)
+    return Estimate.from_json(seen)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from allworlds.checker.finding import Finding
-from allworlds.errors import InputError, show
 from allworlds.explaining.laws import teller_of
 from allworlds.explaining.story import Story
+from allworlds.findings import Finding
+from allworlds.inputs import InputError, show
 from allworlds.maps.combinatorial import Dart
+from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Estimate
 from allworlds.world import World
 
@@ -40,22 +41,22 @@ class Explanation:
     answer: Estimate | None
 
     @property
-    def exit_code(self) -> int:
+    def exit_code(self) -> Exit:
         """The exit code of the command: a question was answered."""
-        return 0
+        return Exit.ANSWERED
 
     def to_json(self) -> dict[str, Any]:
         """The document of ``explain --json``."""
         answer = self.answer
         return {
-            "schema": 1,
+            "schema": SCHEMA,
             "explorer": self.explorer,
             "law": self.law,
             "step": self.step,
             "sentences": list(self.sentences),
             "world": self.world.to_json(),
             "robot": self.robot,
-            "answer": {**answer.map.to_json(), "here": answer.here} if answer else None,
+            "answer": answer.to_json() if answer else None,
         }
 
 

@@ -6,7 +6,7 @@ from collections import Counter
 
 from allworlds.explaining.story import Story
 from allworlds.explaining.words import darts
-from allworlds.judge.folding import fold
+from allworlds.judge import fold
 from allworlds.maps.combinatorial import cycles
 
 

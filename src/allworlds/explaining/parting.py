@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from allworlds.checker.parting import Parting
 from allworlds.explaining.belief import Belief
 from allworlds.explaining.open_darts import tell_open_darts
+from allworlds.findings import Parting
 
 
 def tell_parting(belief: Belief) -> list[str]:

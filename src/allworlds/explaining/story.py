@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from allworlds.checker.belief import recorded_trail
-from allworlds.checker.finding import Finding
+from allworlds.findings import Finding, recorded_trail
+from allworlds.inputs import InputError
 from allworlds.maps.combinatorial import Dart
 
 
@@ -17,9 +17,10 @@ class Story:
         transcript: its log.
         sensed: the percepts at the start and after each step.
         walked: the robot's darts in the world, likewise.
+        checkpoint: the step before the checkpoint that breaks the law; None where none does.
 
     Raises:
-        InputError: if the transcript is no walk in the world.
+        InputError: if the transcript is no walk in the world, or has no such step.
     """
 
     def __init__(self, finding: Finding) -> None:
@@ -27,8 +28,13 @@ class Story:
         self.world = finding.world
         self.map = finding.world.map
         self.transcript = finding.transcript
-        self.sensed = [self.transcript.first, *(percept for _, percept in self.transcript.steps)]
+        self.sensed = self.transcript.percepts
         self.walked = recorded_trail(self.world, self.transcript)
+        self.checkpoint = finding.step
+        if finding.step is not None and finding.step >= len(self.walked):
+            raise InputError(
+                f"step = {finding.step} is behind the walk, which has {len(self.walked) - 1} steps"
+            )
 
     def vertex(self, dart: Dart) -> str:
         """The vertex of a dart: ``v1``."""

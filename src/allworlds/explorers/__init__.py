@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
-from allworlds.explorers.algorithm1 import algorithm1
+from allworlds.explorers.algorithm1 import Algorithm1, Walk, algorithm1, nobody
 from allworlds.explorers.undirected import algorithm1_cluster, algorithm1_natural
 
 Size: TypeAlias = tuple[int, int]
@@ -85,9 +85,12 @@ BUILT_IN: dict[str, BuiltIn] = {
 
 __all__ = [
     "BUILT_IN",
+    "Algorithm1",
     "BuiltIn",
     "Size",
+    "Walk",
     "algorithm1",
     "algorithm1_cluster",
     "algorithm1_natural",
+    "nobody",
 ]

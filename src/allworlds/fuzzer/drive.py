@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import replace
-from typing import Any
+from typing import Any, Unpack
 
-from allworlds.checker.drive import Listener, Silent
-from allworlds.checker.finding import Finding
-from allworlds.checker.laboratory import Laboratory
-from allworlds.checker.pool import Pool, TimeIsUp
-from allworlds.checker.report import Report
-from allworlds.checker.scope import Limits, Picked, make_scope
-from allworlds.checker.tally import Tally
-from allworlds.fuzzer.sample import Sample
+from allworlds.checker import (
+    Completed,
+    Ending,
+    Interrupted,
+    ManyRunsOptions,
+    Report,
+    Stopped,
+    refuse_others,
+    rules_for,
+)
+from allworlds.findings import Finding
+from allworlds.fuzzer.sample import batches
 from allworlds.fuzzer.shrink import shrink
-from allworlds.maps.classes import MapClass
-from allworlds.subjects import default_lighthouse, own_bound, subject_of
+from allworlds.inputs import InputError, an_integer
+from allworlds.isolation import confirmed, workers_for
+from allworlds.maps.classes import Extent
+from allworlds.progress import Listener, Silent
+from allworlds.runs import Examination, GivenWorlds, Sample, Scope, Tally
+from allworlds.subjects import subject_of
+from allworlds.work import Limits, TimeIsUp, Transport, gather
 
 
 def fuzz(
@@ -26,17 +34,8 @@ def fuzz(
     edges: int,
     runs: int,
     seed: int = 0,
-    map_class: str = "maps",
-    lighthouse: str | None = None,
-    policy: str = "fifo",
-    bound: str | int | None = None,
-    laws: Iterable[str] | None = None,
-    step_budget: int | None = None,
-    workers: int = 1,
-    answer_timeout: float = 10.0,
-    time_limit: float | None = None,
-    memory: int | None = None,
     listener: Listener | None = None,
+    **options: Unpack[ManyRunsOptions],
 ) -> Report:
     """Run an explorer in random worlds of up to ``edges`` edges; shrink what refutes it.
 
@@ -49,69 +48,55 @@ def fuzz(
         edges: the largest number of edges.
         runs: how many worlds, with one start and one place of the lighthouse each.
         seed: another seed, another sample.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
-        lighthouse: ``KIND[:key=value,...]``; None takes the explorer's own.
-        policy: ``fifo``, ``lifo``, ``nearest`` or ``random:SEED``.
-        bound: ``paper``, ``two-vertices``, ``none``, an expression or an integer; None takes
-            the explorer's own, else the lighthouse's.
-        laws: those to check; None takes all that apply.
-        step_budget: the largest legal number of traversals.
-        workers: processes.
-        answer_timeout: seconds of silence after which the explorer is killed.
-        time_limit: seconds for everything; shrinking ends with it.
-        memory: MB of address space of a worker.
         listener: is told of the progress.
+        options: as for :func:`allworlds.check`; shrinking ends with the time limit.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    limits = Limits(workers, answer_timeout, time_limit, memory)
-    subject = subject_of(explore, answer_timeout)
-    lighthouse = default_lighthouse(subject.name) if lighthouse is None else lighthouse
-    scope = make_scope(
-        edges=edges,
-        map_class=map_class,
-        lighthouse=lighthouse,
-        policy=policy,
-        bound=bound,
-        own_bound=own_bound(subject.name, lighthouse),
-        laws=laws,
-        step_budget=step_budget,
-    )
-    sample = Sample(MapClass(map_class), edges, runs, seed)
-    scope = replace(scope, sample=sample.to_json())
-    report = Report(subject.name, "python", scope, Tally(limits.max_findings))
-    laboratory = Laboratory(scope, subject, limits)
+    refuse_others("fuzz", options, ManyRunsOptions)
+    limits = Limits.of(options)
+    subject = subject_of(explore, limits.answer_timeout)
+    map_class, rules = rules_for(subject, options)
+    sample = Sample(runs, seed)
+    scope = Scope(Extent(map_class, _positive(edges)), rules, coverage=sample)
+    tally = Tally(keep=1)
+    ending: Ending = Completed()
     try:
-        with laboratory.open() as pool:
-            _examine(laboratory, pool, sample, report, listener or Silent())
-            _shrink(laboratory, pool, report)
-        report.tally.findings = [laboratory.confirmed(f) for f in report.findings]
+        with workers_for(subject, limits, limits.deadline()) as workers:
+            _try(workers, scope, tally, listener or Silent())
+            _shrink(workers, scope, tally)
+        tally.findings = [
+            confirmed(found, subject, limits, scope.schedules) for found in tally.findings
+        ]
     except TimeIsUp:
-        report.stopped = f"the time limit of {limits.time_limit:g} s was reached"
+        ending = Stopped(f"the time limit of {limits.time_limit:g} s was reached")
     except KeyboardInterrupt:
-        report.stopped, report.interrupted = "interrupted", True
-    return report
+        ending = Interrupted()
+    return Report(subject.name, "python", scope, tally, (), ending)
 
 
-def _examine(
-    laboratory: Laboratory, pool: Pool, sample: Sample, report: Report, listener: Listener
-) -> None:
-    listener.level(sample.edges, sample.runs)
-    for part in laboratory.examine(pool, sample.batches()):
-        report.tally.add(part)
-        listener.progress(part.worlds)
+def _positive(edges: object) -> int:
+    number = an_integer("edges", edges)
+    if number < 1:
+        raise InputError(f"edges = {number} is not positive")
+    return number
 
 
-def _shrink(laboratory: Laboratory, pool: Pool, report: Report) -> None:
-    def refute(picked: Sequence[Picked]) -> Finding | None:
-        tally = Tally(1)
-        for part in laboratory.examine(pool, picked):
-            tally.add(part)
-        return tally.findings[0] if tally.findings else None
+def _try(workers: Transport[Examination], scope: Scope, tally: Tally, listener: Listener) -> None:
+    assert isinstance(scope.coverage, Sample)
+    listener.level(scope.extent.levels[-1], scope.coverage.runs)
+    gather(workers, Examination(scope, tally.keep), batches(scope.coverage), tally, listener)
+
+
+def _shrink(workers: Transport[Examination], scope: Scope, tally: Tally) -> None:
+    def refute(given: Sequence[GivenWorlds]) -> Finding | None:
+        found = Tally(keep=1)
+        gather(workers, Examination(scope, found.keep), given, found, Silent())
+        return found.findings[0] if found.findings else None
 
     # What has been reached when the time is up is a finding all the same.
     with suppress(TimeIsUp):
-        for finding in report.findings:
-            for smaller in shrink(finding, laboratory.scope, refute):
-                report.tally.findings = [smaller]
+        for finding in tally.findings:
+            for smaller in shrink(finding, scope, refute):
+                tally.findings = [smaller]

@@ -6,72 +6,51 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from random import Random
 
-from allworlds.checker.scope import Placed, Scope
-from allworlds.errors import InputError, an_integer
 from allworlds.maps.build import lattice
 from allworlds.maps.canonical import rooted_code
-from allworlds.maps.classes import MapClass
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import Gluing
 from allworlds.maps.families import random_map
+from allworlds.runs import Placed, Sample
+from allworlds.world import Lighthouse
 
 BATCH = 64
 """The runs that one worker does at a time."""
 
 
-@dataclass(frozen=True, slots=True)
-class Sample:
-    """So many random worlds of a class with at most ``edges`` edges.
-
-    Raises:
-        InputError: for numbers that are not positive.
-    """
-
-    map_class: MapClass
-    edges: int
-    runs: int
-    seed: int = 0
-
-    def __post_init__(self) -> None:
-        for name in ("edges", "runs", "seed"):
-            object.__setattr__(self, name, an_integer(name, getattr(self, name)))
-        if self.seed < 0:
-            raise InputError(f"seed = {self.seed}, but seeds are 0, 1, 2, ...")
-        for name in ("edges", "runs"):
-            if getattr(self, name) < 1:
-                raise InputError(f"{name} = {getattr(self, name)} is not positive")
-
-    def to_json(self) -> dict[str, int]:
-        """What the sample depends on, besides its class."""
-        return {"edges": self.edges, "runs": self.runs, "seed": self.seed}
-
-    def batches(self) -> Iterator[Batch]:
-        """The sample in pieces; the same for any number of workers."""
-        for first in range(0, self.runs, BATCH):
-            yield Batch(self, first, min(first + BATCH, self.runs))
+def batches(sample: Sample) -> Iterator[Batch]:
+    """The sample in pieces; the same for any number of workers."""
+    for first in range(0, sample.runs, BATCH):
+        yield Batch(sample.seed, first, min(first + BATCH, sample.runs))
 
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """The runs ``first .. last - 1`` of a sample."""
+    """The runs ``first .. last - 1`` of the sample with that seed."""
 
-    sample: Sample
+    seed: int
     first: int
     last: int
 
-    def placed(self, scope: Scope) -> Iterator[Placed]:
+    @property
+    def key(self) -> str:
+        """``SEED/FIRST``."""
+        return f"{self.seed}/{self.first}"
+
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
         """One world a run: a random map with a random place of the lighthouse.
 
         Under a class every map that is none of it is drawn again.
         """
-        sample, kind = self.sample, scope.rules.kind
-        generators = GENERATORS[sample.map_class]
+        map_class, edges = extent.map_class, extent.levels[-1]
+        generators = GENERATORS[map_class]
         for run in range(self.first, self.last):
-            random = Random(f"{sample.seed}/{run}")  # noqa: S311  # reproducible, not secret
+            random = Random(f"{self.seed}/{run}")  # noqa: S311  # reproducible, not secret
             generator = generators[run % len(generators)]
-            size = random.randint(1, sample.edges)
+            size = random.randint(1, edges)
             map_ = generator(size, random)
-            while not sample.map_class.includes(map_):
+            while not map_class.includes(map_):
                 map_ = generator(size, random)
             places = list(enumerate(kind.places(map_, 0)))
             yield map_, [random.choice(places)] if places else []

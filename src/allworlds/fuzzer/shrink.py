@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from allworlds.checker.finding import Finding
-from allworlds.checker.scope import Picked, Scope
+from allworlds.findings import Finding
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.surgery import contracted, deleted, moved
+from allworlds.runs import GivenWorlds, Scope
 from allworlds.world import World
 
-Refute = Callable[[Sequence[Picked]], Finding | None]
+Refute = Callable[[Sequence[GivenWorlds]], Finding | None]
 """The smallest finding among these worlds, or None."""
 
 CHUNK = 50
@@ -41,7 +41,7 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
             yield smaller
 
 
-def _smallest(refute: Refute, picked: Sequence[Picked]) -> Finding | None:
+def _smallest(refute: Refute, picked: Sequence[GivenWorlds]) -> Finding | None:
     """The smallest finding among worlds in ascending order; larger ones are not tried."""
     waves = (refute(picked[i : i + WAVE]) for i in range(0, len(picked), WAVE))
     return next((found for found in waves if found), None)
@@ -54,13 +54,13 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
                 yield other
 
 
-def _picked(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[Picked]:
+def _picked(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
     """Every rooting and place of these maps that is smaller than the finding, ascending."""
     kind, size = scope.rules.kind, finding.key[:4]
     rooted = {
         (map_.edge_count, map_.vertex_count, rooted_code(map_.sigma, map_.alpha, start))
         for map_ in maps
-        if scope.bounds.map_class.includes(map_)
+        if scope.extent.map_class.includes(map_)
         for start in map_.darts
     }
     ordered = []
@@ -69,4 +69,4 @@ def _picked(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) ->
         for place, lighthouse in enumerate(kind.places(map_, 0)):
             if (*key, place) < size:
                 ordered.append((World(map_, lighthouse), place))
-    return [Picked(tuple(ordered[i : i + CHUNK])) for i in range(0, len(ordered), CHUNK)]
+    return [GivenWorlds(tuple(ordered[i : i + CHUNK])) for i in range(0, len(ordered), CHUNK)]

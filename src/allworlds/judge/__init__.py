@@ -2,12 +2,23 @@
 
 It takes values of :mod:`allworlds.maps` and :mod:`allworlds.protocol` and knows neither the
 inside of a world nor any explorer.  Each law is a function from a :class:`Case` to a
-:class:`Violation` or None, and :data:`LAWS` names them in the order of precedence.
+:class:`Violation` or None; the table :data:`LAWS` names them in the order of precedence.
 """
 
 from allworlds.judge.bounds import Bound, BoundError, bound_named, paper_bound
 from allworlds.judge.case import Case, Violation
-from allworlds.judge.laws import LAWS, PRECEDENCE, Law, Laws, judge
+from allworlds.judge.folding import Folded, fold
+from allworlds.judge.laws import (
+    LAWS,
+    PRECEDENCE,
+    Check,
+    Checks,
+    Law,
+    Setting,
+    bound_law,
+    judge,
+    map_law,
+)
 
 __all__ = [
     "LAWS",
@@ -15,10 +26,16 @@ __all__ = [
     "Bound",
     "BoundError",
     "Case",
+    "Check",
+    "Checks",
+    "Folded",
     "Law",
-    "Laws",
+    "Setting",
     "Violation",
+    "bound_law",
     "bound_named",
+    "fold",
     "judge",
+    "map_law",
     "paper_bound",
 ]

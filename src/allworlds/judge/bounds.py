@@ -1,4 +1,4 @@
-"""Bounds on the number of traversals: the paper's, one like it, none, or an expression."""
+"""Extent on the number of traversals: the paper's, one like it, none, or an expression."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from allworlds.errors import InputError, show
+from allworlds.inputs import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 VARIABLES = ("n", "m", "d0", "D")

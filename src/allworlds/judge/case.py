@@ -21,7 +21,6 @@ class Case:
         checkpoints: what the explorer has published, each with the number of steps before it.
         estimate: the answer; its map is valid and ``here`` one of its darts.
         bound: the largest legal number of traversals, or None.
-        folds: whether the log of a correct explorer must determine the map.
     """
 
     map: CombinatorialMap
@@ -30,7 +29,6 @@ class Case:
     checkpoints: tuple[tuple[int, Checkpoint], ...]
     estimate: Estimate
     bound: int | None = None
-    folds: bool = True
 
     @cached_property
     def trail(self) -> tuple[Dart, ...]:
@@ -71,8 +69,10 @@ class Violation:
         law: its name.
         expected, seen: rooted maps for map and pose (JSON objects with ``here``), integers
             for bound, else a sentence.
+        step: the number of steps before the checkpoint that breaks it; None where none does.
     """
 
     law: str
     expected: Any
     seen: Any
+    step: int | None = None

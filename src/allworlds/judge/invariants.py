@@ -73,6 +73,7 @@ def variant(case: Case) -> Violation | None:
                 "variant",
                 f"t = |E_G| - |E_S| below {previous} after the next pass",
                 f"t = {t} {_when(steps)}",
+                steps,
             )
         previous = t
     if previous:
@@ -128,4 +129,4 @@ def _when(steps: int) -> str:
 
 
 def _violation(law: str, expected: str, steps: int, broken: Broken) -> Violation:
-    return Violation(law, expected, f"{_when(steps)}: {broken.reason}")
+    return Violation(law, expected, f"{_when(steps)}: {broken.reason}", steps)

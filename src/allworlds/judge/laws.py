@@ -3,17 +3,47 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from typing import TypeAlias
 
 from allworlds.judge.case import Case, Violation
 from allworlds.judge.folding import fold
 from allworlds.judge.invariants import invariant_1, invariant_2, variant
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol import Estimate
 
-Law: TypeAlias = Callable[[Case], Violation | None]
+Check: TypeAlias = Callable[[Case], Violation | None]
 """The violation, or None where the law holds."""
 
-Laws: TypeAlias = Mapping[str, Law]
+Checks: TypeAlias = Mapping[str, Check]
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """What it depends on whether a law applies.
+
+    Attributes:
+        folds: the lighthouse turns every arrival at v0 into a place, and no promise, such as
+            planarity, can make an explorer right without folding.
+        bounded: there is a bound on the traversals.
+    """
+
+    folds: bool
+    bounded: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """One law of a finished run.
+
+    Attributes:
+        check: what a run is held to.
+        applies: whether the law means anything in a setting.
+        idle: why it does not, where it does not.
+    """
+
+    check: Check
+    applies: Callable[[Setting], bool] = lambda _: True
+    idle: str = ""
 
 
 def map_law(case: Case) -> Violation | None:
@@ -40,8 +70,6 @@ def folding_law(case: Case) -> Violation | None:
     With an open dart left two different worlds agree with the log, so an explorer that is
     right about this one has guessed.
     """
-    if not case.folds:
-        return None
     folded = fold(case.transcript)
     if not folded.open_darts:
         return None
@@ -54,13 +82,22 @@ def folding_law(case: Case) -> Violation | None:
 
 
 LAWS: dict[str, Law] = {
-    "map": map_law,
-    "pose": pose_law,
-    "invariant-1": invariant_1,
-    "invariant-2": invariant_2,
-    "variant": variant,
-    "folding": folding_law,
-    "bound": bound_law,
+    "map": Law(map_law),
+    "pose": Law(pose_law),
+    "invariant-1": Law(invariant_1),
+    "invariant-2": Law(invariant_2),
+    "variant": Law(variant),
+    "folding": Law(
+        folding_law,
+        lambda setting: setting.folds,
+        "holds only under the directional lighthouse in the classes maps and simple: a promise can "
+        "make an explorer right without it",
+    ),
+    "bound": Law(
+        bound_law,
+        lambda setting: setting.bounded,
+        "has no effect where the bound is none; name a bound too",
+    ),
 }
 """The laws of finished runs, in the order in which they are reported."""
 
@@ -76,23 +113,15 @@ PRECEDENCE: tuple[str, ...] = (
 """All laws; when several are broken the first is reported."""
 
 
-def judge(case: Case, laws: Iterable[Law]) -> Violation | None:
+def judge(case: Case, laws: Iterable[Check]) -> Violation | None:
     """The first broken law, or None where all hold.  Cost: O(m) a law and checkpoint."""
-    for law in laws:
-        violation = law(case)
+    for check in laws:
+        violation = check(case)
         if violation:
             return violation
     return None
 
 
 def _wrong_answer(case: Case, law: str) -> Violation:
-    return Violation(
-        law,
-        rooted_json(case.map, case.trail[-1]),
-        rooted_json(case.estimate.map, case.estimate.here),
-    )
-
-
-def rooted_json(map_: CombinatorialMap, here: Dart) -> dict[str, object]:
-    """``{"sigma", "alpha", "here"}``."""
-    return {**map_.to_json(), "here": here}
+    truth = Estimate(case.map, case.trail[-1])
+    return Violation(law, truth.to_json(), case.estimate.to_json())

@@ -18,6 +18,41 @@ lock only to start and to end, so that threads share the work.
 ``engine``
     the door to them: plain numbers in, plain rows out.
 
-Nothing here is imported before it is needed: the first use compiles for some seconds, later
-ones load what was compiled.
+This package is imported where it is used: the first use compiles for some seconds, later ones
+load what was compiled.
 """
+
+from allworlds.kernel.engine import (
+    COMPILING,
+    Counts,
+    Mode,
+    Rows,
+    by_vertices_and_faces,
+    costs,
+    examine,
+    flag,
+    is_compiled,
+)
+from allworlds.kernel.schedules import Dearest, dearest_of_maps, dearest_of_unit, search, take
+from allworlds.kernel.tables import Tables, tables
+from allworlds.kernel.walk import explore
+
+__all__ = [
+    "COMPILING",
+    "Counts",
+    "Dearest",
+    "Mode",
+    "Rows",
+    "Tables",
+    "by_vertices_and_faces",
+    "costs",
+    "dearest_of_maps",
+    "dearest_of_unit",
+    "examine",
+    "explore",
+    "flag",
+    "is_compiled",
+    "search",
+    "tables",
+    "take",
+]

@@ -1,11 +1,11 @@
-"""The four classes of maps, and the bounds that make one of them finite."""
+"""The four classes of maps, and the extent that makes one of them finite."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
 
-from allworlds.errors import InputError, an_integer
+from allworlds.inputs import InputError, an_integer, show
 from allworlds.maps.combinatorial import CombinatorialMap
 
 
@@ -16,6 +16,17 @@ class MapClass(StrEnum):
     SIMPLE = "simple"
     PLANAR = "planar"
     PLANAR_SIMPLE = "planar-simple"
+
+    @classmethod
+    def named(cls, text: object) -> MapClass:
+        """The class of that name.
+
+        Raises:
+            InputError: naming those that there are.
+        """
+        if not isinstance(text, str) or text not in list(cls):
+            raise InputError(f"class {show(text)} is none of {', '.join(cls)}")
+        return cls(text)
 
     @property
     def simple(self) -> bool:
@@ -33,7 +44,7 @@ class MapClass(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Bounds:
+class Extent:
     """At most ``edges`` edges and at most ``vertices`` vertices of one class.
 
     Attributes:

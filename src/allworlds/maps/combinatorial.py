@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeAlias
 
-from allworlds.errors import InputError, parse_json, show
+from allworlds.inputs import InputError, integer, parse_json, show
 
 Dart: TypeAlias = int
 """A dart: an integer in ``0..2m-1``."""
@@ -227,18 +226,6 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
             x = permutation[x]
         found.append(tuple(cycle))
     return tuple(found)
-
-
-def integer(value: object) -> int:
-    """``value`` as an ``int`` if it is an integer and no boolean.
-
-    Raises:
-        TypeError: for booleans, floats, strings and everything else.
-    """
-    if isinstance(value, bool):
-        raise TypeError(f"{value!r} is a boolean, not an integer")
-    index = operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer
-    return int.__index__(index)  # a plain int, also for a subclass with operators of its own
 
 
 def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:

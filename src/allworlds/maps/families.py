@@ -7,7 +7,7 @@ from collections.abc import Callable
 from math import prod
 from random import Random
 
-from allworlds.errors import InputError, show
+from allworlds.inputs import InputError, show
 from allworlds.maps.build import cycle, dense, lattice
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 

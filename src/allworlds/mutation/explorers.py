@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import count, pairwise
 from typing import Any
 
-from allworlds.explorers.algorithm1 import Algorithm1, Walk
+from allworlds.explorers import Algorithm1, Walk
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Percept
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from allworlds.judge import LAWS, Case, Law, Laws, Violation, paper_bound
-from allworlds.judge.laws import bound_law, map_law
+from allworlds.judge import LAWS, Case, Check, Checks, Violation, bound_law, map_law, paper_bound
 from allworlds.maps.canonical import isomorphism
 from allworlds.maps.networks import to_networkx
 from allworlds.protocol import Move
@@ -56,11 +55,11 @@ class WeakJudge:
     name: str
     breaks: str
     law: str
-    softer: Law | None = None
+    softer: Check | None = None
 
-    def laws(self) -> Laws:
+    def laws(self) -> Checks:
         """The laws of the weakened judge."""
-        others = {name: law for name, law in LAWS.items() if name != self.law}
+        others = {name: law.check for name, law in LAWS.items() if name != self.law}
         return others if self.softer is None else {**others, self.law: self.softer}
 
 

@@ -7,12 +7,10 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from allworlds.checker import check
-from allworlds.checker.finding import canonical_world
-from allworlds.checker.scope import ScopeError
-from allworlds.checker.single import worlds
+from allworlds.checker import check, worlds
 from allworlds.episode import Answered, play
-from allworlds.errors import an_integer
+from allworlds.findings import canonical_world
+from allworlds.inputs import InputError, an_integer
 from allworlds.judge import LAWS, Case, judge, paper_bound
 from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
 from allworlds.maps.canonical import rooted_code
@@ -21,6 +19,7 @@ from allworlds.maps.counting import source_for
 from allworlds.mutation.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
 from allworlds.mutation.judges import WEAK_JUDGES
+from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Choices
 from allworlds.subjects import subject_of
 from allworlds.world import Directional, World
@@ -84,14 +83,14 @@ class KillMatrix:
         return [kill.mutant for kill in self.kills if not kill.as_it_should]
 
     @property
-    def exit_code(self) -> int:
+    def exit_code(self) -> Exit:
         """1 if a mutant survived."""
-        return 1 if self.survivors else 0
+        return Exit.REFUTED if self.survivors else Exit.HOLDS
 
     def to_json(self) -> dict[str, Any]:
         """The document of ``mutants --json``."""
         return {
-            "schema": 1,
+            "schema": SCHEMA,
             "edges": self.edges,
             "mutants": len(self.kills),
             "kill_matrix": [kill.to_json() for kill in self.kills],
@@ -109,7 +108,7 @@ def mutants(*, edges: int = LARGEST_LEVEL) -> KillMatrix:
     Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
     """
     if not 1 <= an_integer("edges", edges) <= LARGEST_LEVEL:
-        raise ScopeError(f"edges = {edges}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
+        raise InputError(f"edges = {edges}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
     kills = [_explorer(mutant, edges) for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)]
     kills += _judges(edges, [kill.mutant for kill in kills if kill.killed_by in LAWS])
     kills += [_enumerator(mutant, edges) for mutant in BROKEN_ENUMERATORS]
@@ -173,7 +172,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, Wor
                     episode.ending.estimate,
                     bound,
                 )
-                if judge(case, LAWS.values()):
+                if judge(case, [law.check for law in LAWS.values()]):
                     yield case, world, name
 
 

@@ -18,7 +18,7 @@ from allworlds.protocol.choices import (
 )
 from allworlds.protocol.faults import ExplorerFault
 from allworlds.protocol.percept import Percept
-from allworlds.protocol.transcript import Transcript
+from allworlds.protocol.transcript import Transcript, action_from_json
 
 __all__ = [
     "KINDS",
@@ -38,5 +38,6 @@ __all__ = [
     "PolicyError",
     "Schedules",
     "Transcript",
+    "action_from_json",
     "policy_named",
 ]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
+from allworlds.inputs import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap
 
 
@@ -19,6 +20,22 @@ class Estimate:
 
     map: CombinatorialMap
     here: int
+
+    def to_json(self) -> dict[str, Any]:
+        """The rooted map ``{"sigma", "alpha", "here"}``."""
+        return {**self.map.to_json(), "here": self.here}
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Estimate:
+        """The estimate of :meth:`to_json`'s document; other keys are ignored.
+
+        Raises:
+            InputError: if there is no map, or ``here`` is none of its darts.
+        """
+        map_, here = CombinatorialMap.from_json(document), document.get("here")
+        if type(here) is not int or here not in map_.darts:
+            raise InputError(f"here = {show(here)} is no dart of the rooted map")
+        return cls(map_, here)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence, Sized
 from random import Random
 from typing import Literal, Protocol, TypeAlias, TypeVar, get_args
 
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 
 T = TypeVar("T")
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, assert_never
 
-from allworlds.maps.combinatorial import integer
+from allworlds.inputs import integer
 from allworlds.protocol.actions import Action, Drop, Move, Pick
 from allworlds.protocol.percept import Percept
 
@@ -26,6 +26,16 @@ class Transcript:
     def cost(self) -> int:
         """The number of edge traversals."""
         return sum(type(action) is Move for action, _ in self.steps)
+
+    @property
+    def percepts(self) -> list[Percept]:
+        """What was sensed at the start and after each step."""
+        return [self.first, *(percept for _, percept in self.steps)]
+
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        """What was done, step by step."""
+        return tuple(action for action, _ in self.steps)
 
     def to_json(self) -> list[dict[str, Any]]:
         """``[{"percept": P}, {"move": k, "percept": P}, ...]``."""

@@ -82,7 +82,7 @@ def census_text(census: AmbiguityCensus, width: int) -> str:
         for row in census.rows
     ]
     lines = table(header, rows, "rrrrr")
-    universe = census.bounds.map_class
+    universe = census.extent.map_class
     text = (
         "maps with one marked vertex, up to isomorphism; ambiguous are those from which no "
         f"motion tells another world of the class {universe}"

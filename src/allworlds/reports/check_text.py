@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from textwrap import wrap
 
-from allworlds.checker.report import Report
+from allworlds.checker import Report
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
 from allworlds.reports.layout import entry, table
 from allworlds.reports.run_text import finding_text

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from allworlds.checker.finding import Finding
-from allworlds.checker.past import Past
-from allworlds.checker.report import Report, Verdict
+from allworlds.checker import Report, UserCorpus
+from allworlds.findings import Finding
+from allworlds.outcome import Verdict
 from allworlds.reports.layout import number, plural, size
+from allworlds.runs import Sample, Shard
 
 
 def size_table(report: Report) -> tuple[list[str], list[list[str]]]:
@@ -40,28 +41,28 @@ def verdict_words(report: Report) -> tuple[str, str]:
             first = report.findings[0]
             text = f"law {first.law} is broken; {done} in finished levels"
         case Verdict.INCONCLUSIVE:
-            text = f"{report.stopped}; {done} in finished levels, no law is broken"
+            text = f"{report.ending.reason}; {done} in finished levels, no law is broken"
         case Verdict.VACUOUS:
             text = "nothing was checked" if not report.runs else "a witness is missing"
         case Verdict.ERROR:
-            text = report.stopped
+            text = report.ending.reason
     return report.verdict.value.upper(), text
 
 
 def scope_words(report: Report) -> list[tuple[str, str]]:
     """What the verdict is about, as names and texts; a text without a name goes on."""
     scope, rules = report.scope, report.scope.rules
-    bounds = scope.bounds
+    bounds = scope.extent
     limits = [f"at most {plural(bounds.edges, 'edge')}"] if bounds.edges else []
     if bounds.vertices:
         limits += [f"at most {plural(bounds.vertices, 'vertex', 'vertices')}"]
-    shard = "" if scope.shard == (0, 1) else f", shard {scope.shard[0]}/{scope.shard[1]}"
+    shard = f", shard {scope.coverage}" if isinstance(scope.coverage, Shard) else ""
     what = (
         f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} of the class "
         f"{bounds.map_class} with {' and '.join(limits)}{shard}; {_schedules(report)}"
     )
     words = [("explorer", f"{report.explorer}, {report.engine} engine"), ("scope", what)]
-    if not report.complete and not scope.sample:
+    if not report.complete and not isinstance(scope.coverage, Sample):
         finished = ", ".join(map(str, report.levels)) or "none"
         words.append(("", f"NOT complete: finished levels (edges): {finished}"))
     if report.symmetry:
@@ -84,23 +85,24 @@ def origin_words(report: Report, finding: Finding) -> str:
     """Where a finding comes from; empty where this check has come upon it by itself."""
     if not report.corpus or not report.corpus.holds(finding):
         return ""
-    bounds, kind = report.scope.bounds, report.scope.rules.kind.kind
+    bounds, kind = report.scope.extent, report.scope.rules.kind.kind
     inside = bounds.include(finding.world.map) and finding.world.lighthouse.kind == kind
     return "from the corpus" if inside else "from the corpus, beyond the scope"
 
 
 def _which(report: Report) -> str:
-    return "one start and marker" if report.scope.sample else "every start and marker"
+    sampled = isinstance(report.scope.coverage, Sample)
+    return "one start and marker" if sampled else "every start and marker"
 
 
 def _maps(report: Report) -> str:
-    sample = report.scope.sample
-    if sample is None:
+    sample = report.scope.coverage
+    if not isinstance(sample, Sample):
         return "every map"
-    return f"each of a SAMPLE of {plural(sample['runs'], 'map')} (seed {sample['seed']})"
+    return f"each of a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
 
 
-def _corpus(past: Past) -> str:
+def _corpus(past: UserCorpus) -> str:
     return "; ".join(
         f"{len(names)} {what}" + (f" ({', '.join(names)})" if names else "")
         for what, names in (
@@ -130,9 +132,9 @@ def _laws(report: Report) -> str:
 
 
 def _gate(report: Report) -> str:
-    if report.scope.shard != (0, 1):
+    if isinstance(report.scope.coverage, Shard):
         return "deferred to the merge of all shards"
-    if report.scope.sample:
+    if isinstance(report.scope.coverage, Sample):
         return "absent: a sample is not to be counted"
     if not report.gate:
         return "no level was finished"

@@ -19,7 +19,7 @@ def count_text(census: Census, width: int) -> str:
     ]
     lines = table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "rrrl")
     total = sum(row.rooted for row in census.rows)
-    lines += ["", f"{plural(total, 'rooted map')} of the class {census.bounds.map_class}", ""]
+    lines += ["", f"{plural(total, 'rooted map')} of the class {census.extent.map_class}", ""]
     if all(row.agrees for row in census.rows):
         lines += entry("gate", f"every count agrees with: {census.source}", width)
     else:

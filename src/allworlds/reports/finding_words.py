@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from allworlds.checker.finding import Finding
+from allworlds.findings import Finding
 from allworlds.protocol import Move
 from allworlds.reports.layout import number, plural
 

@@ -9,10 +9,12 @@ from dataclasses import dataclass
 from typing import Literal
 from xml.etree import ElementTree as ET
 
-from allworlds.checker.finding import Finding
-from allworlds.checker.report import Report, Verdict
+from allworlds.checker import Disagreed, Report
+from allworlds.findings import Finding
+from allworlds.outcome import Verdict
 from allworlds.reports.layout import plural, size
 from allworlds.reports.run_text import finding_text
+from allworlds.runs import Sample
 
 WIDTH = 100
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -37,11 +39,16 @@ def junit(report: Report) -> str:
     the reason, where the level was not finished.  Where they are judged, a case ``past
     findings`` comes before them and a case ``witnesses`` after.  A sample is one case.
     """
-    sample = report.scope.sample
-    cases = [_sample(report)] if sample else [*_past(report), *_levels(report), *_whole(report)]
-    verb = "fuzz" if sample else "check"
+    coverage = report.scope.coverage
+    sampled = isinstance(coverage, Sample)
+    cases = (
+        [_sample(report, coverage)]
+        if isinstance(coverage, Sample)
+        else [*_past(report), *_levels(report), *_whole(report)]
+    )
+    verb = "fuzz" if sampled else "check"
     totals = {"tests": str(len(cases))}
-    for result, name in (("failure", "failures"), ("error", "errors"), ("skipped", "skipped")):
+    for result, name in (("failure", "failures"), ("error", "inputs"), ("skipped", "skipped")):
         totals[name] = str(sum(case.result == result for case in cases))
     root = ET.Element("testsuites", {"name": f"allworlds {verb}", **totals})
     suite = ET.SubElement(root, "testsuite", {"name": _legal(report.explorer), **totals})
@@ -82,7 +89,7 @@ def _levels(report: Report) -> Iterator[_Case]:
     """One case a level."""
     past = report.corpus
     new = [finding for finding in report.findings if not (past and past.holds(finding))]
-    for edges in report.scope.bounds.levels:
+    for edges in report.scope.extent.levels:
         name = f"every world with {plural(edges, 'edge')}"
         found = [finding for finding in new if finding.key[0] == edges]
         wrong = [cell for cell in report.gate if cell.edges == edges and not cell.agrees]
@@ -99,16 +106,19 @@ def _levels(report: Report) -> Iterator[_Case]:
         elif edges in report.levels:
             yield _Case(name)
         else:
-            yield _Case(name, "skipped", message=report.stopped or "the level was not finished")
+            yield _Case(
+                name, "skipped", message=report.ending.reason or "the level was not finished"
+            )
 
 
 def _whole(report: Report) -> Iterator[_Case]:
     """What is judged about the scope as a whole."""
-    if report.disagreement:
+    gate = all(cell.agrees for cell in report.gate)
+    if isinstance(report.ending, Disagreed) and gate:
         yield _Case(
-            "engines", "error", "engines-disagree", "two engines disagree", report.disagreement
+            "engines", "error", "engines-disagree", "two engines disagree", report.ending.reason
         )
-    if not report.complete or report.scope.shard != (0, 1):
+    if not report.complete or not report.scope.whole:
         return
     if not report.runs:
         yield _Case("witnesses", "failure", "vacuous", "nothing was checked: there is no run")
@@ -119,14 +129,14 @@ def _whole(report: Report) -> Iterator[_Case]:
         yield _Case("witnesses")
 
 
-def _sample(report: Report) -> _Case:
-    sample = report.scope.sample or {}
-    name = f"{plural(sample['runs'], 'random world')} with up to {plural(sample['edges'], 'edge')}"
+def _sample(report: Report, sample: Sample) -> _Case:
+    edges = plural(report.scope.extent.levels[-1], "edge")
+    name = f"{plural(sample.runs, 'random world')} with up to {edges}"
     if report.findings:
         return _failure(name, report.findings)
     if report.verdict is Verdict.NOT_REFUTED:
         return _Case(name)
-    return _Case(name, "skipped", message=report.stopped or "no world was tried")
+    return _Case(name, "skipped", message=report.ending.reason or "no world was tried")
 
 
 def _failure(name: str, findings: list[Finding]) -> _Case:

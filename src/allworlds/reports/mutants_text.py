@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.mutation.matrix import Kill, KillMatrix
+from allworlds.mutation import Kill, KillMatrix
 from allworlds.reports.layout import entry, plural, table
 
 

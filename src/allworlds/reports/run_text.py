@@ -5,13 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from textwrap import wrap
 
-from allworlds.checker.belief import believed_percepts, true_trail
-from allworlds.checker.finding import Finding
-from allworlds.checker.replay import Replay
-from allworlds.checker.single import SingleRun
+from allworlds.checker import Replay, SingleRun
 from allworlds.episode import Answered
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import Percept, Transcript
+from allworlds.findings import Finding, believed_percepts, true_trail
+from allworlds.protocol import Estimate, Percept, Transcript
 from allworlds.reports.finding_words import (
     choices_words,
     expected_words,
@@ -38,8 +35,7 @@ def finding_text(finding: Finding, width: int, origin: str = "") -> str:
 def _refutation(finding: Finding, width: int, remarks: list[str]) -> str:
     world = finding.world
     robot = true_trail(world, finding.transcript)[-1]
-    given = finding.seen if isinstance(finding.seen, Mapping) else None
-    answer = None if given is None else (CombinatorialMap.from_json(given), int(given["here"]))
+    answer = Estimate.from_json(finding.seen) if isinstance(finding.seen, Mapping) else None
     lines = wrap(f"FINDING: {headline(finding)}", width, break_long_words=False)
     lines += ["", "the world", "", world_picture(world, robot, width)]
     lines += ["", *_walk(world, finding.transcript, answer)]
@@ -63,7 +59,7 @@ def run_text(run: SingleRun, width: int) -> str:
     transcript, estimate = episode.transcript, ending.estimate
     trail = true_trail(world, transcript)
     lines = ["the world", "", world_picture(world, trail[-1], width), ""]
-    lines += _walk(world, transcript, (estimate.map, estimate.here))
+    lines += _walk(world, transcript, estimate)
     lines += ["", "the answer", ""]
     lines += [answer_picture(estimate.map, estimate.here, width), ""]
     bound = "" if run.outcome.bound is None else f" of at most {run.outcome.bound}"
@@ -85,14 +81,14 @@ def replay_text(replay: Replay, width: int) -> str:
     return "\n".join([*entry("REPRODUCED", law, width), "", _refutation(again, width, [])])
 
 
-def _walk(
-    world: World, transcript: Transcript, answer: tuple[CombinatorialMap, Dart] | None
-) -> list[str]:
+def _walk(world: World, transcript: Transcript, answer: Estimate | None) -> list[str]:
     """The steps: where the robot came to, what it sensed, and what the answer makes expect."""
     trail = true_trail(world, transcript)
-    sensed = [transcript.first, *(percept for _, percept in transcript.steps)]
-    believed = answer and believed_percepts(world, *answer, transcript)
-    motions = ["start", *(motion(action) for action, _ in transcript.steps)]
+    sensed = transcript.percepts
+    believed = None
+    if answer is not None:
+        believed = believed_percepts(world, answer.map, answer.here, transcript)
+    motions = ["start", *(motion(action) for action in transcript.actions)]
     header = ["step", "motion", "arrives at", "sensed", "", "expected by the answer"]
     rows = []
     for i, (dart, percept) in enumerate(zip(trail, sensed, strict=True)):
@@ -103,7 +99,7 @@ def _walk(
         between = f"({len(rows) - 2 * half} more)"
         rows = [*rows[:half], ["...", between, "", "", "", ""], *rows[-half:]]
     lines = table(header if believed else header[:4], [r if believed else r[:4] for r in rows], "r")
-    if believed == sensed and answer is not None and len(answer[0].sigma) != len(world.map.sigma):
+    if believed == sensed and answer is not None and len(answer.map.sigma) != len(world.map.sigma):
         lines += ["", "The answer fits every percept: the walk ended before it could be known."]
     before = [] if world.told is None else [f"told before the start: {world.told}", ""]
     return ["the walk", "", *before, *lines]
@@ -115,9 +111,7 @@ def _expected(i: int, percept: Percept, believed: list[Percept] | None) -> list[
     return ["=" if believed[i] == percept else "≠", str(believed[i])]
 
 
-def _broken(
-    finding: Finding, answer: tuple[CombinatorialMap, Dart] | None, width: int
-) -> list[str]:
+def _broken(finding: Finding, answer: Estimate | None, width: int) -> list[str]:
     if answer is None:
         return [
             *entry("law", finding.law, width),
@@ -125,4 +119,11 @@ def _broken(
             *entry("seen", seen_words(finding), width),
         ]
     lines = entry("law", f"{finding.law}: {wrong(finding)}", width)
-    return [*lines, "", "the answer (S, R: the robot)", "", answer_picture(*answer, width), ""]
+    return [
+        *lines,
+        "",
+        "the answer (S, R: the robot)",
+        "",
+        answer_picture(answer.map, answer.here, width),
+        "",
+    ]

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from allworlds.drawing import draw
 from allworlds.reports.layout import entry, plural, table
-from allworlds.smt import SearchResult
-from allworlds.smt.witness import MarkedMap
+from allworlds.smt import MarkedMap, SearchResult
 
 
 def search_text(result: SearchResult, width: int) -> str:

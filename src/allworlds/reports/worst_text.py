@@ -19,8 +19,8 @@ def worst_text(report: WorstReport, width: int) -> str:
     lines += [""]
     lines += entry(
         "scope",
-        f"every schedule of algorithm1 in every map of the class {report.bounds.map_class.value} "
-        f"with at most {plural(report.bounds.edges or 0, 'edge')}, from every vertex; "
+        f"every schedule of algorithm1 in every map of the class {report.extent.map_class.value} "
+        f"with at most {plural(report.extent.edges or 0, 'edge')}, from every vertex; "
         f"transit on {_WAYS[report.transit]}",
         width,
     )

@@ -4,5 +4,6 @@ What comes out are plain values: maps, numbers and the paths of files.
 """
 
 from allworlds.smt.twin_search import Searched, SearchResult, search
+from allworlds.smt.witness import MarkedMap
 
-__all__ = ["SearchResult", "Searched", "search"]
+__all__ = ["MarkedMap", "SearchResult", "Searched", "search"]

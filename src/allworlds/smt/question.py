@@ -1,4 +1,4 @@
-"""What is searched for, checked once: level of information, class, bounds and the walk."""
+"""What is searched for, checked once: lighthouse, class, bounds and the walk."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from allworlds.errors import InputError, a_text, an_integer, show
+from allworlds.inputs import InputError, a_text, an_integer, show
 from allworlds.maps.classes import MapClass
 from allworlds.smt.one_world import Degrees, Size
 from allworlds.world import LIGHTHOUSES, Sensing
 
-INFORMATION = ("none", "position", "directional", "compass")
+SEARCHED = ("none", "position", "directional", "compass")
 """The lighthouses of which there are formulas."""
 
 ANY = Degrees()
@@ -89,9 +89,9 @@ class Question:
     """Is there a pair of different worlds that no motion separates?
 
     Attributes:
-        information: the level: the name of a lighthouse.
+        lighthouse: its kind.
         map_class: of both worlds.
-        max_vertices, max_edges: of each of them.
+        vertices, edges: of each of them.
         degrees: of v0, the start's vertex, and of all others.
         walk: what a walk from the start senses, in both worlds.
 
@@ -99,17 +99,17 @@ class Question:
         InputError: naming the offending bound or percept.
     """
 
-    information: str
+    lighthouse: str
     map_class: MapClass
-    max_vertices: int
-    max_edges: int
+    vertices: int
+    edges: int
     degrees: Degrees = ANY
     walk: Walk = NOWHERE
 
     def __post_init__(self) -> None:
-        for name, value in (("vertices", self.max_vertices), ("edges", self.max_edges)):
-            if an_integer(f"max-{name}", value) < 1:
-                raise InputError(f"max-{name} = {value}, but a map has at least 1")
+        for name, value in (("vertices", self.vertices), ("edges", self.edges)):
+            if an_integer(f"{name}", value) < 1:
+                raise InputError(f"{name} = {value}, but a map has at least 1")
         for name, degree in (("marked", self.degrees.root), ("others", self.degrees.others)):
             if degree is not None and an_integer(f"degree-{name}", degree) < 1:
                 raise InputError(f"degree-{name} = {degree}, but every vertex has at least 1 dart")
@@ -118,13 +118,13 @@ class Question:
                 if percept.present:
                     raise InputError(
                         f"percept {percept.degree}P needs a marked vertex, but there is none with "
-                        f"--info {self.information}; legal is {percept.degree}A"
+                        f"--lighthouse {self.lighthouse}; legal is {percept.degree}A"
                     )
 
     @property
     def sensing(self) -> Sensing:
         """What is sensed besides the degree."""
-        return LIGHTHOUSES[self.information].sensing
+        return LIGHTHOUSES[self.lighthouse].sensing
 
     def levels(self) -> Iterator[Level]:
         """The sizes that are to be searched, the smaller first.
@@ -134,14 +134,14 @@ class Question:
         Elsewhere the sizes are ordered by the larger number of edges, then by the smaller.
         Sizes for which simple counting leaves no world are left out.
         """
-        sizes = [size for m in range(1, self.max_edges + 1) if (size := self._size(m))]
+        sizes = [size for m in range(1, self.edges + 1) if (size := self._size(m))]
         for two in sizes:
             for one in sizes:
                 if one.edges == two.edges or (one.edges < two.edges and not self.sensing.marks_v0):
                     yield Level(one, two)
 
     def _size(self, edges: int) -> Size | None:
-        numbers = [n for n in range(1, self.max_vertices + 1) if self._possible(edges, n)]
+        numbers = [n for n in range(1, self.vertices + 1) if self._possible(edges, n)]
         return Size(edges, numbers[0], numbers[-1]) if numbers else None
 
     def _possible(self, m: int, n: int) -> bool:
@@ -164,8 +164,8 @@ class Question:
     def describes(self) -> str:
         """The question as a sentence, for comments in files."""
         extra = [
-            f"at most {self.max_vertices} {'vertex' if self.max_vertices == 1 else 'vertices'}",
-            f"at most {self.max_edges} {'edge' if self.max_edges == 1 else 'edges'}",
+            f"at most {self.vertices} {'vertex' if self.vertices == 1 else 'vertices'}",
+            f"at most {self.edges} {'edge' if self.edges == 1 else 'edges'}",
         ]
         if self.degrees.root is not None:
             extra.append(f"degree {self.degrees.root} at the start's vertex")
@@ -175,7 +175,7 @@ class Question:
             seen = ", ".join(f"{p.degree}{'P' if p.present else 'A'}" for p in self.walk.percepts)
             extra.append(f"motions {', '.join(map(str, self.walk.motions))} sensing {seen}")
         return (
-            f"Two different worlds that no motion tells apart: information {self.information}, "
+            f"Two different worlds that no motion tells apart: lighthouse {self.lighthouse}, "
             f"class {self.map_class}, {', '.join(extra)}"
         )
 
@@ -187,10 +187,10 @@ def _listed(name: str, values: object) -> Sequence[Any]:
 
 
 def question(
-    info: str,
+    lighthouse: str,
     map_class: str,
-    max_vertices: int,
-    max_edges: int,
+    vertices: int,
+    edges: int,
     *,
     degree_marked: int | None = None,
     degree_others: int | None = None,
@@ -202,15 +202,13 @@ def question(
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    if info not in INFORMATION:
-        raise InputError(f"info {info!r} is none of {', '.join(INFORMATION)}")
-    if map_class not in list(MapClass):
-        raise InputError(f"class {map_class!r} is none of {', '.join(MapClass)}")
+    if lighthouse not in SEARCHED:
+        raise InputError(f"lighthouse {show(lighthouse)} is none of {', '.join(SEARCHED)}")
     return Question(
-        info,
-        MapClass(map_class),
-        max_vertices,
-        max_edges,
+        lighthouse,
+        MapClass.named(map_class),
+        vertices,
+        edges,
         Degrees(degree_marked, degree_others),
         Walk(
             tuple(an_integer("motion", k) for k in _listed("motions", motions)),

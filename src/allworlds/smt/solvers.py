@@ -13,7 +13,7 @@ from time import monotonic
 from typing import Literal as Name
 from typing import TypeAlias
 
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 
 Status: TypeAlias = Name["sat", "unsat", "unknown"]
 

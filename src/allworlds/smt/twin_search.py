@@ -10,8 +10,9 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from allworlds.errors import InputError, a_path, show
+from allworlds.inputs import InputError, a_path, show
 from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.outcome import SCHEMA, Exit
 from allworlds.smt.formula import Block, Clause, Formula
 from allworlds.smt.lrat import check_lrat
 from allworlds.smt.one_world import OneWorld, Size
@@ -97,26 +98,28 @@ class SearchResult:
     notices: tuple[str, ...]
 
     @property
-    def exit_code(self) -> int:
+    def exit_code(self) -> Exit:
         """0 answered, 3 unknown, 4 no world within the bounds."""
-        return 3 if self.status == "unknown" else 4 if self.vacuous else 0
+        if self.status == "unknown":
+            return Exit.INCONCLUSIVE
+        return Exit.VACUOUS if self.vacuous else Exit.ANSWERED
 
     def to_json(self) -> dict[str, Any]:
         """The document of ``search --json``."""
         same = [twins for searched in self.levels for twins in searched.same_map]
         asked = self.question
         return {
-            "schema": 1,
+            "schema": SCHEMA,
             "status": self.status,
             "exit_code": self.exit_code,
             "pair": None if self.pair is None else [world.to_json() for world in self.pair],
             "bisimulation": None if self.classes is None else list(self.classes),
             "certificate": None if self.certificate is None else str(self.certificate),
             "vacuous": self.vacuous,
-            "info": asked.information,
+            "lighthouse": asked.lighthouse,
             "class": asked.map_class.value,
-            "max_vertices": asked.max_vertices,
-            "max_edges": asked.max_edges,
+            "vertices": asked.vertices,
+            "edges": asked.edges,
             "directory": str(self.directory),
             "levels": [searched.to_json() for searched in self.levels],
             "same_map": [[world.to_json() for world in twins] for twins in same],
@@ -126,9 +129,9 @@ class SearchResult:
 
 def search(
     *,
-    info: str,
-    max_vertices: int,
-    max_edges: int,
+    lighthouse: str,
+    vertices: int,
+    edges: int,
     map_class: str = "maps",
     degree_marked: int | None = None,
     degree_others: int | None = None,
@@ -144,9 +147,9 @@ def search(
     the other; where they start does not count.
 
     Args:
-        info: ``none``, ``position``, ``compass`` or ``directional``.
-        max_vertices: the largest number of vertices of each of the two worlds.
-        max_edges: the largest number of edges.
+        lighthouse: ``none``, ``position``, ``compass`` or ``directional``.
+        vertices: the largest number of vertices of each of the two worlds.
+        edges: the largest number of edges.
         map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
         degree_marked: the degree of the start's vertex (with ``position``: the marked one).
         degree_others: the degree of every other vertex.
@@ -160,10 +163,10 @@ def search(
         InputError: naming the offending value and what would be legal.
     """
     asked = question(
-        info,
+        lighthouse,
         map_class,
-        max_vertices,
-        max_edges,
+        vertices,
+        edges,
         degree_marked=degree_marked,
         degree_others=degree_others,
         motions=motions,
@@ -388,8 +391,8 @@ def _fits(world: MarkedMap, asked: Question) -> bool:
     map_, home = world.map, world.map.vertex_of[world.start]
     root, others = asked.degrees.root, asked.degrees.others
     return (
-        map_.vertex_count <= asked.max_vertices
-        and map_.edge_count <= asked.max_edges
+        map_.vertex_count <= asked.vertices
+        and map_.edge_count <= asked.edges
         and (root is None or map_.degrees[home] == root)
         and (others is None or all(d == others for v, d in enumerate(map_.degrees) if v != home))
     )
@@ -406,7 +409,7 @@ def _decoded_world(
         darts = tuple(x for x, variable in enumerate(pointed.variables) if variable in model)
     else:
         darts = (0,) if asked.sensing.marks_v0 else ()
-    return MarkedMap(asked.information, CombinatorialMap(sigma, alpha), 0, darts)
+    return MarkedMap(asked.lighthouse, CombinatorialMap(sigma, alpha), 0, darts)
 
 
 def read_dimacs(path: Path) -> tuple[int, list[Clause]]:

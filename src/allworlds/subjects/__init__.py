@@ -2,20 +2,22 @@
 
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
+    EXEC,
     Subject,
-    SubjectError,
-    default_lighthouse,
     load,
+    names_explorer,
     own_bound,
+    own_lighthouse,
     subject_of,
 )
 
 __all__ = [
+    "EXEC",
     "Program",
     "Subject",
-    "SubjectError",
-    "default_lighthouse",
     "load",
+    "names_explorer",
     "own_bound",
+    "own_lighthouse",
     "subject_of",
 ]

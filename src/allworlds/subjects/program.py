@@ -22,10 +22,16 @@ from collections.abc import Generator
 from pathlib import Path
 from typing import IO, Any, Literal
 
-from allworlds.errors import InputError
+from allworlds.inputs import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol import Action, Checkpoint, Estimate, ExplorerFault, Percept
-from allworlds.protocol.transcript import action_from_json
+from allworlds.protocol import (
+    Action,
+    Checkpoint,
+    Estimate,
+    ExplorerFault,
+    Percept,
+    action_from_json,
+)
 
 STDERR_KEPT = 4096
 LONGEST_LINE = 1 << 24

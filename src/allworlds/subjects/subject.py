@@ -10,14 +10,13 @@ import re
 import sys
 from collections.abc import Callable, Generator, Mapping
 from contextlib import AbstractContextManager, closing, nullcontext, redirect_stdout
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from allworlds.episode import Player
-from allworlds.errors import InputError
-from allworlds.explorers import BUILT_IN, Size
-from allworlds.explorers.algorithm1 import nobody
+from allworlds.explorers import BUILT_IN, BuiltIn, Size, nobody
+from allworlds.inputs import InputError
 from allworlds.protocol import Choices, Percept
 from allworlds.subjects.program import Program
 
@@ -26,10 +25,6 @@ EXEC = "exec:"
 
 LIGHTHOUSE = "directional"
 """What foreign explorers are run under unless another lighthouse is named."""
-
-
-class SubjectError(InputError):
-    """An explorer that cannot be found, or is none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +38,7 @@ class Subject:
         keywords: those of ``choices``, ``told`` and ``notice`` that it takes.
         foreign: not one of ours: its runs are executed twice.
         importable: another process can find it by its name.
-        witnesses: the events that a complete check must have seen (see ``BuiltIn``).
+        own: its entry among the built-in explorers, if it is one.
         program: the foreign program behind it, if it is one.
     """
 
@@ -52,8 +47,22 @@ class Subject:
     keywords: frozenset[str]
     foreign: bool = True
     importable: bool = True
-    witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
+    own: BuiltIn | None = None
     program: Program | None = None
+
+    @property
+    def lighthouse(self) -> str:
+        """The lighthouse under which it is run unless another is named."""
+        return self.own.lighthouse if self.own else LIGHTHOUSE
+
+    @property
+    def witnesses(self) -> Mapping[str, tuple[Size, Size | None]]:
+        """The events that a complete check must have seen (see ``BuiltIn``)."""
+        return self.own.witnesses if self.own else {}
+
+    def bound_under(self, lighthouse: str) -> str | None:
+        """The bound that it brings under this lighthouse, if it does."""
+        return own_bound(self.name, lighthouse)
 
     @property
     def takes_choices(self) -> bool:
@@ -83,7 +92,7 @@ def load(name: str, answer_timeout: float = 10.0) -> Subject:
         answer_timeout: seconds after which a silent foreign program is given up.
 
     Raises:
-        SubjectError: if there is none, it does not import, or it is no generator function.
+        InputError: if there is none, it does not import, or it is no generator function.
     """
     if name in BUILT_IN:
         return _built_in(name)
@@ -93,7 +102,7 @@ def load(name: str, answer_timeout: float = 10.0) -> Subject:
     if ":" in name:
         place, _, attribute = name.rpartition(":")
         if not place or not attribute:
-            raise SubjectError(
+            raise InputError(
                 f"explorer {name!r} is incomplete; legal are module:attribute and "
                 "path/to/file.py:attribute"
             )
@@ -103,14 +112,9 @@ def load(name: str, answer_timeout: float = 10.0) -> Subject:
     if name in points.names:
         return _subject(name, _imported(name, points[name].load))
     known = ", ".join(sorted({*BUILT_IN, *points.names}))
-    raise SubjectError(
+    raise InputError(
         f"explorer {name!r} is none of {known}, module:attribute or path/to/file.py:attribute"
     )
-
-
-def default_lighthouse(name: str) -> str:
-    """The lighthouse under which the explorer of that name is run unless another is named."""
-    return BUILT_IN[name].lighthouse if name in BUILT_IN else LIGHTHOUSE
 
 
 def own_bound(name: str, lighthouse: str) -> str | None:
@@ -119,8 +123,13 @@ def own_bound(name: str, lighthouse: str) -> str | None:
     Lighthouses are written ``KIND[:key=value,...]``; it does under all of the kind it is
     written for.
     """
-    kinds = {str(text).partition(":")[0] for text in (lighthouse, default_lighthouse(name))}
+    kinds = {str(text).partition(":")[0] for text in (lighthouse, own_lighthouse(name))}
     return BUILT_IN[name].bound if name in BUILT_IN and len(kinds) == 1 else None
+
+
+def own_lighthouse(name: str) -> str:
+    """The lighthouse that the explorer of that name is run under unless another is named."""
+    return BUILT_IN[name].lighthouse if name in BUILT_IN else LIGHTHOUSE
 
 
 def subject_of(explore: str | Callable[..., Any], answer_timeout: float = 10.0) -> Subject:
@@ -153,7 +162,7 @@ def _built_in(name: str) -> Subject:
         built_in.explore,
         frozenset(inspect.signature(built_in.explore).parameters) - {"first"},
         foreign=False,
-        witnesses=built_in.witnesses,
+        own=built_in,
     )
 
 
@@ -161,7 +170,7 @@ def _subject(name: str, explore: Any, *, importable: bool = True) -> Subject:
     function = explore if inspect.isroutine(explore) else getattr(explore, "__call__", None)  # noqa: B004
     generates = inspect.isgeneratorfunction(explore) or inspect.isgeneratorfunction(function)
     if not callable(explore) or not generates:
-        raise SubjectError(
+        raise InputError(
             f"{name} is no generator function: an explorer is def explore(first) with yield"
         )
     parameters = inspect.signature(explore).parameters
@@ -175,7 +184,7 @@ def _subject(name: str, explore: Any, *, importable: bool = True) -> Subject:
     try:
         inspect.signature(explore).bind(None, **dict.fromkeys(keywords))
     except TypeError as error:
-        raise SubjectError(
+        raise InputError(
             f"{name} must be callable as explore(first), with choices and told at most: {error}"
         ) from None
     return Subject(name, explore, keywords, importable=importable)
@@ -191,7 +200,7 @@ def _module(name: str) -> Any:
 def _file(path: str) -> Any:
     file = Path(path).resolve()
     if not file.is_file():
-        raise SubjectError(f"there is no file {path!r}")
+        raise InputError(f"there is no file {path!r}")
     # Behind all others: what lies beside the file must not hide modules that we need.
     if str(file.parent) not in sys.path:
         sys.path.append(str(file.parent))
@@ -220,7 +229,7 @@ def _imported(name: str, importing: Callable[[], Any]) -> Any:
         raise
     except BaseException as error:  # noqa: BLE001  # a module may raise anything
         what = f"{type(error).__name__}: {error}".splitlines()[0].removesuffix(": ")
-        raise SubjectError(f"{name!r} does not import: {what}") from None
+        raise InputError(f"{name!r} does not import: {what}") from None
 
 
 def _attribute(module: Any, attribute: str, place: str) -> Any:
@@ -230,7 +239,7 @@ def _attribute(module: Any, attribute: str, place: str) -> Any:
             value = getattr(value, part)
         except AttributeError:
             names = [n for n, v in vars(module).items() if inspect.isgeneratorfunction(v)]
-            raise SubjectError(
+            raise InputError(
                 f"{place!r} has no {attribute!r}; its generator functions are: "
                 + (", ".join(names) or "none")
             ) from None

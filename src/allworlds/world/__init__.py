@@ -1,4 +1,12 @@
-"""Worlds: a map, a lighthouse and a start; explorers never see one."""
+"""Worlds: a map, a lighthouse and a start; explorers never see one.
+
+``lighthouses``
+    what is marked, and what of it can be sensed; one kind a module;
+``world``
+    the three together, and what a step does;
+``named``
+    what a WORLD may be on the command line and in Python.
+"""
 
 from allworlds.world.lighthouses import (
     LIGHTHOUSES,
@@ -10,10 +18,12 @@ from allworlds.world.lighthouses import (
     Natural,
     Nothing,
     Position,
+    Sensing,
+    Where,
     lighthouse_from_json,
     lighthouse_named,
 )
-from allworlds.world.lighthouses.sensing import Sensing, Where
+from allworlds.world.named import world_named, world_of_family
 from allworlds.world.world import IllegalAction, World
 
 __all__ = [
@@ -32,4 +42,6 @@ __all__ = [
     "World",
     "lighthouse_from_json",
     "lighthouse_named",
+    "world_named",
+    "world_of_family",
 ]

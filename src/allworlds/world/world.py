@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from allworlds.errors import parse_json, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
+from allworlds.inputs import integer, parse_json, show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Action, Move, Percept
 from allworlds.world.lighthouses import (
     Directional,

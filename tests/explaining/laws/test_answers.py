@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from allworlds.errors import InputError
 from allworlds.explaining import explain
+from allworlds.inputs import InputError
 from small import EDGE, LASSO
 
 

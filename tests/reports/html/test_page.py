@@ -13,9 +13,10 @@ from html.parser import HTMLParser
 import pytest
 
 from allworlds import Estimate, Move
-from allworlds.checker import Finding, check
-from allworlds.checker.report import Cell
+from allworlds.checker import check
+from allworlds.checker.gate import Cell
 from allworlds.explaining import explain
+from allworlds.findings import Finding
 from allworlds.fuzzer import fuzz
 from allworlds.maps.build import named_map
 from allworlds.mutation.explorers import WRONG_EXPLORERS

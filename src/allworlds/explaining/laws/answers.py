@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from allworlds.errors import InputError
 from allworlds.explaining.belief import Belief
 from allworlds.explaining.parting import tell_parting
 from allworlds.explaining.story import Story
 from allworlds.explaining.telling import Telling
 from allworlds.explaining.words import count, size
+from allworlds.inputs import InputError
 from allworlds.maps.canonical import carries, numbering
 from allworlds.maps.combinatorial import Dart
 

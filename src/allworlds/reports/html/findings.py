@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.etree import ElementTree as ET
 
-from allworlds.checker.finding import Finding
-from allworlds.explaining import explain
-from allworlds.explaining.belief import Belief
-from allworlds.explaining.story import Story
+from allworlds.explaining import Belief, Story, explain
+from allworlds.findings import Finding
 from allworlds.reports.finding_words import (
     choices_words,
     expected_words,

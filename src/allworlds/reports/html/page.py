@@ -8,10 +8,11 @@ from hashlib import sha256
 from importlib.resources import files
 from xml.etree import ElementTree as ET
 
-from allworlds.checker.report import Report
+from allworlds.checker import Report
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
 from allworlds.reports.html.elements import document, raw, record, tag
 from allworlds.reports.html.findings import finding_section
+from allworlds.runs import Sample
 
 
 def page(report: Report) -> str:
@@ -22,7 +23,7 @@ def page(report: Report) -> str:
     """
     style, script = _own("style.css"), _own("script.js")
     word, text = verdict_words(report)
-    verb = "fuzz" if report.scope.sample else "check"
+    verb = "fuzz" if isinstance(report.scope.coverage, Sample) else "check"
     title = f"allworlds {verb}"
     policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}"
     head = tag(

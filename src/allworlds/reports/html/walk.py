@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from xml.etree import ElementTree as ET
 
-from allworlds.explaining.belief import Belief
-from allworlds.explaining.story import Story
+from allworlds.explaining import Belief, Story
 from allworlds.protocol import Move
 from allworlds.reports.finding_words import motion
 from allworlds.reports.html.elements import tag

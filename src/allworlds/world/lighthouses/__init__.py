@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from allworlds.errors import show
+from allworlds.inputs import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, refuse_other_keys
 from allworlds.world.lighthouses.cluster import Cluster
@@ -17,6 +17,7 @@ from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.natural import Natural
 from allworlds.world.lighthouses.nothing import Nothing
 from allworlds.world.lighthouses.position import Position
+from allworlds.world.lighthouses.sensing import Sensing, Where
 
 LIGHTHOUSES: dict[str, type[Lighthouse]] = {
     kind.kind: kind for kind in (Nothing, Position, Directional, Compass, Cluster, Natural)
@@ -72,6 +73,8 @@ __all__ = [
     "Natural",
     "Nothing",
     "Position",
+    "Sensing",
+    "Where",
     "lighthouse_from_json",
     "lighthouse_named",
     "refuse_other_keys",

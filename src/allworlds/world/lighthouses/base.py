@@ -6,8 +6,8 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, ClassVar
 
-from allworlds.errors import InputError, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
+from allworlds.inputs import InputError, integer, show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Percept
 from allworlds.world.lighthouses.sensing import Sensing
 

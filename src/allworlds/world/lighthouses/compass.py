@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from itertools import islice, product
 from typing import Any, ClassVar
 
-from allworlds.errors import show
+from allworlds.inputs import integer, show
 from allworlds.maps.canonical import numbering
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, integer
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse
 from allworlds.world.lighthouses.sensing import Sensing, Where
 

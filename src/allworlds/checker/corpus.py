@@ -1,0 +1,78 @@
+"""The findings of earlier checks, tried again before anything else."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from allworlds.findings import Finding, kept_findings, write_finding
+from allworlds.isolation import confirmed, workers_for
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.runs import Examination, GivenWorlds, Scope
+from allworlds.subjects import Subject
+from allworlds.work import Limits
+
+
+@dataclass(slots=True)
+class UserCorpus:
+    """A directory of findings in the course of one check.
+
+    Attributes:
+        directory: need not exist yet.
+        reproduced: the files whose findings still stand.
+        fixed: the files whose worlds are no longer refuting; they are kept.
+        written: the files that this check has added.
+    """
+
+    directory: Path
+    reproduced: list[str] = field(default_factory=list)
+    fixed: list[str] = field(default_factory=list)
+    written: list[str] = field(default_factory=list)
+    _standing: list[Finding] = field(default_factory=list)
+
+    def retry(self, subject: Subject, limits: Limits) -> list[Finding]:
+        """Run the explorer in every recorded world under its rules: what still refutes it.
+
+        Each finding is tried by itself, so that one that kills its worker does no harm.
+        """
+        for kept in kept_findings(self.directory):
+            found = _retry(kept.finding, subject, limits)
+            if found is None:
+                self.fixed.append(kept.name)
+            else:
+                self.reproduced.append(kept.name)
+                self._standing.append(found)
+        return self._standing
+
+    def holds(self, finding: Finding) -> bool:
+        """The finding is one of the past that still stands, and has been confirmed."""
+        return finding in self._standing
+
+    def write(self, findings: Iterable[Finding]) -> None:
+        """Add the findings that are new."""
+        for finding in findings:
+            if not self.holds(finding):
+                self.written.append(write_finding(self.directory, finding))
+
+    def to_json(self) -> dict[str, object]:
+        """As it stands in a report."""
+        return {
+            "directory": str(self.directory),
+            "reproduced": self.reproduced,
+            "fixed": self.fixed,
+            "written": self.written,
+        }
+
+
+def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None:
+    # A recorded schedule other than the policy's own is met when all are tried.
+    every = subject.takes_choices and finding.rules.policy == "fifo" and any(finding.choices)
+    extent = Extent(MapClass.MAPS, finding.world.map.edge_count)
+    scope = Scope(extent, finding.rules, "all" if every else "one")
+    with workers_for(subject, limits, limits.deadline()) as workers:
+        world = GivenWorlds(((finding.world, finding.place),))
+        for part in workers.map(Examination(scope, keep=1), [world]):
+            for found in part.result.findings:
+                return confirmed(found, subject, limits, scope.schedules)
+    return None

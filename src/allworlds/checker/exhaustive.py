@@ -1,0 +1,199 @@
+"""Level by level: the exhaustive check from its options to its report."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Unpack
+
+from allworlds.checker.corpus import UserCorpus
+from allworlds.checker.engines import Engine, EnginesDisagree, Job, Way, engine_for
+from allworlds.checker.gate import Cell, count_gate, missing_witnesses
+from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
+from allworlds.checker.report import (
+    Completed,
+    Disagreed,
+    Ending,
+    Interrupted,
+    Report,
+    Stopped,
+)
+from allworlds.findings import Finding
+from allworlds.inputs import InputError, a_path, an_integer
+from allworlds.isolation import confirmed
+from allworlds.maps.classes import Extent
+from allworlds.outcome import Verdict
+from allworlds.progress import Listener, Silent
+from allworlds.runs import DEFAULT_EDGES, Scope, Shard, Tally, a_schedule, a_shard
+from allworlds.subjects import subject_of
+from allworlds.work import Limits, TimeIsUp, gather, level_size
+
+
+def check(
+    explore: str | Callable[..., Any] = "algorithm1",
+    *,
+    edges: int | None = None,
+    vertices: int | None = None,
+    schedules: str = "one",
+    shard: tuple[int, int] | None = None,
+    max_findings: int = 1,
+    engine: str = "auto",
+    corpus: str | Path | None = None,
+    listener: Listener | None = None,
+    **options: Unpack[ManyRunsOptions],
+) -> Report:
+    """Run an explorer on every start and every marker orientation of every map in a class.
+
+    Args:
+        explore: a name (see :func:`allworlds.subjects.load`) or a generator function.
+        edges: the largest number of edges (default: one that takes seconds).
+        vertices: the largest number of vertices.
+        schedules: ``one`` or ``all``.
+        shard: ``(K, N)``: only every N-th unit of work, beginning with the K-th.
+        max_findings: with so many findings in finished levels the check ends.
+        engine: ``auto``, ``python`` or ``kernel``.
+        corpus: a directory of past findings, which are tried first; new ones are written
+            to it.
+        listener: is told of the progress.
+        options: class and lighthouse, rules and effort: see
+            :class:`~allworlds.checker.options.ManyRunsOptions`,
+            :class:`~allworlds.findings.RulesOptions` and
+            :class:`~allworlds.work.EffortOptions`.
+
+    An explorer that cannot be imported by its name runs in this process, where its
+    KeyboardInterrupt cannot be told from the user's: it interrupts the check.  In a worker it
+    is a crash.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
+    refuse_others("check", options, ManyRunsOptions)
+    limits = Limits.of(options)
+    keep = _positive("max-findings", max_findings)
+    subject = subject_of(explore, limits.answer_timeout)
+    map_class, rules = rules_for(subject, options)
+    if edges is None and vertices is None:
+        edges = DEFAULT_EDGES
+    extent = Extent(map_class, edges, vertices)
+    scope = Scope(extent, rules, a_schedule(schedules), a_shard(shard))
+    if scope.schedules == "all" and not subject.takes_choices:
+        raise InputError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
+    chosen = engine_for(engine, scope, subject)
+    directory = None if corpus is None else UserCorpus(a_path("corpus", corpus))
+    listener = listener or Silent()
+    job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice)
+    return _Check(job, chosen, listener, directory).run()
+
+
+def _positive(name: str, value: object) -> int:
+    number = an_integer(name, value)
+    if number < 1:
+        raise InputError(f"{name} {number} is not positive and finite")
+    return number
+
+
+class _Check:
+    """One check on its way."""
+
+    def __init__(
+        self, job: Job, engine: Engine, listener: Listener, corpus: UserCorpus | None
+    ) -> None:
+        self._job, self._engine = job, engine
+        self._scope, self._subject = job.scope, job.subject
+        self._listener, self._corpus = listener, corpus
+        self._tally = Tally(job.keep)
+        self._levels: list[int] = []
+        self._gate: list[Cell] = []
+
+    def run(self) -> Report:
+        try:
+            ending = self._tried()
+        except KeyboardInterrupt:
+            ending = Interrupted()
+        report = self._report(ending)
+        if report.runs and not self._tally.traversals and report.verdict is Verdict.HOLDS:
+            self._listener.notice("every run holds, and none of them has walked an edge")
+        return report
+
+    def _report(self, ending: Ending) -> Report:
+        return Report(
+            self._subject.name,
+            self._engine.name,
+            self._scope,
+            self._tally,
+            tuple(self._levels),
+            ending,
+            tuple(self._gate),
+            self._corpus,
+            self._engine.symmetry,
+        )
+
+    def _tried(self) -> Ending:
+        """Past findings first; then the scope, and what it shows is confirmed and kept."""
+        job, corpus = self._job, self._corpus
+        if corpus is not None:
+            self._tally.findings = corpus.retry(job.subject, job.limits)[: job.keep]
+            if len(self._tally.findings) >= job.keep:
+                return Stopped("past findings stand")
+        ending = self._examined()
+        self._tally.findings = [
+            found if corpus and corpus.holds(found) else self._confirmed(found)
+            for found in self._tally.findings
+        ]
+        if corpus is not None:
+            corpus.write(self._tally.findings)
+        return ending
+
+    def _confirmed(self, finding: Finding) -> Finding:
+        """The finding, confirmed; past the time limit as it is."""
+        job = self._job
+        if job.deadline is not None and time.monotonic() > job.deadline:
+            return finding
+        return confirmed(finding, job.subject, job.limits, self._scope.schedules)
+
+    def _examined(self) -> Ending:
+        try:
+            way = self._engine.ready(self._job)
+            with way.transport:
+                return self._all_levels(way)
+        except TimeIsUp:
+            return Stopped(f"the time limit of {self._job.limits.time_limit:g} s was reached")
+        except EnginesDisagree as error:
+            return Disagreed(str(error))
+
+    def _all_levels(self, way: Way) -> Ending:
+        extent, keep = self._scope.extent, self._job.keep
+        for edges in extent.levels:
+            self._level(way, edges)
+            self._levels.append(edges)
+            if not all(cell.agrees for cell in self._gate):
+                return Disagreed("the count gate: the enumeration and its source disagree")
+            found = len(self._tally.findings)
+            if found >= keep and edges != extent.levels[-1]:
+                return Stopped(f"{found} findings in finished levels")
+        if not self._scope.whole:
+            return Completed()
+        return Completed(missing_witnesses(extent, self._subject, self._tally.witnesses))
+
+    def _level(self, way: Way, edges: int) -> None:
+        """One level, whole: its counts stand in the report only if it is finished."""
+        scope, extent = self._scope, self._scope.extent
+        shards = scope.coverage.count if isinstance(scope.coverage, Shard) else 1
+        self._listener.level(edges, level_size(extent, edges) // shards)
+        tally = Tally(self._job.keep)
+        finished = False
+        try:
+            gather(way.transport, way.engine, scope.units(edges), tally, self._listener)
+            finished = True
+        finally:
+            minimal = finished and scope.whole
+            tally.findings = [replace(found, minimal=minimal) for found in tally.findings]
+            if finished:
+                self._tally.add(tally)
+            else:
+                for found in tally.findings:
+                    self._tally.find(found)
+        if scope.whole:
+            self._gate += count_gate(extent, edges, tally)

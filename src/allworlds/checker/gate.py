@@ -1,0 +1,63 @@
+"""What a complete check must have met: every world that there is, and certain events."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from allworlds.maps.classes import Extent
+from allworlds.maps.counting import source_for
+from allworlds.runs import Tally
+from allworlds.subjects import Subject
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """One comparison of the count gate.
+
+    Attributes:
+        edges, vertices: the size.
+        enumerated: the rooted maps that were visited.
+        counted: those that there are according to ``source``.
+    """
+
+    edges: int
+    vertices: int
+    enumerated: int
+    counted: int
+    source: str
+
+    @property
+    def agrees(self) -> bool:
+        """Nothing speaks against the enumeration."""
+        return self.counted == self.enumerated
+
+
+def count_gate(extent: Extent, edges: int, tally: Tally) -> list[Cell]:
+    """What was enumerated on a level beside what an independent source counts."""
+    source = source_for(extent.map_class)
+    counted = source.cells(edges)
+    cells = []
+    for vertices in range(1, extent.vertex_limit(edges) + 1):
+        row = tally.rows.get((edges, vertices))
+        enumerated = row.worlds if row else 0
+        known = counted.get(vertices, 0)
+        if enumerated or known:
+            cells.append(Cell(edges, vertices, enumerated, known, source.name))
+    return cells
+
+
+def missing_witnesses(extent: Extent, subject: Subject, seen: Mapping[str, int]) -> tuple[str, ...]:
+    """The events that a check of the whole extent must have seen and has not."""
+    simple, last = extent.map_class.simple, extent.levels[-1]
+    required = {} if simple else {"loop-edge": (1, 1), "parallel-edge": (2, 1)}
+    for event, least in subject.witnesses.items():
+        if (size := least[simple]) is not None:
+            required[event] = size
+    return tuple(
+        sorted(
+            event
+            for event, (edges, vertices) in required.items()
+            if edges <= last and vertices <= extent.vertex_limit(last) and not seen.get(event)
+        )
+    )

@@ -1,0 +1,57 @@
+"""The options that ``check``, ``fuzz`` and ``run`` share, each declared once."""
+
+from __future__ import annotations
+
+from allworlds.findings import Rules, RulesOptions, make_rules
+from allworlds.maps.classes import MapClass
+from allworlds.subjects import Subject
+from allworlds.work import EffortOptions
+
+
+class RunOptions(RulesOptions, total=False):
+    """What ``run`` takes beside the rules.
+
+    Attributes:
+        answer_timeout: seconds of silence after which the explorer is killed (default 10).
+    """
+
+    answer_timeout: float
+
+
+class ManyRunsOptions(RulesOptions, EffortOptions, total=False):
+    """What ``check`` and ``fuzz`` take beside the rules and the effort.
+
+    Attributes:
+        map_class: ``maps`` (default), ``simple``, ``planar`` or ``planar-simple``.
+        lighthouse: ``KIND[:key=value,...]``; None (default) takes the explorer's own, which is
+            ``directional`` unless a built-in explorer is written for another.
+    """
+
+    map_class: str
+    lighthouse: str | None
+
+
+def refuse_others(function: str, options: object, legal: type) -> None:
+    """Nothing, if these keywords are all legal; Python lets every one pass where they are packed.
+
+    Raises:
+        TypeError: as Python does, naming the first that is none.
+    """
+    assert isinstance(options, dict)
+    for key in options:
+        if key not in legal.__annotations__:
+            raise TypeError(f"{function}() got an unexpected keyword argument {key!r}")
+
+
+def rules_for(subject: Subject, options: ManyRunsOptions) -> tuple[MapClass, Rules]:
+    """The class of maps, and the rules under which the explorer is run in it.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
+    map_class = MapClass.named(options.get("map_class", "maps"))
+    lighthouse = options.get("lighthouse")
+    if lighthouse is None:
+        lighthouse = subject.lighthouse
+    own_bound = subject.bound_under(lighthouse)
+    return map_class, make_rules(options, lighthouse, own_bound, promised=map_class.planar)

@@ -1,0 +1,72 @@
+"""The verb ``check``."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from allworlds.cli import options as opt
+from allworlds.cli.files import Files, ensure_directory
+from allworlds.cli.output import Progress, emit
+from allworlds.cli.values import shard_numbers
+
+
+def check(
+    explorer: opt.Explorer = None,
+    *,
+    command: opt.Exec = None,
+    bounds: opt.Bounds,
+    lighthouse: opt.LighthouseName = None,
+    shard: Annotated[
+        str, opt.option(opt.SCOPE, "K/N", "Only every N-th part, from the K-th.")
+    ] = "0/1",
+    schedules: Annotated[
+        str,
+        opt.option(
+            opt.RULES,
+            "one|all",
+            "all: every sequence of choices, for an explorer that takes choices.",
+        ),
+    ] = "one",
+    rules: opt.Rules,
+    engine: Annotated[str, opt.option(opt.EFFORT, "auto|python|kernel", "Which engine.")] = "auto",
+    max_findings: Annotated[
+        int, opt.number(opt.EFFORT, "K", "Stop after K findings of whole levels.")
+    ] = 1,
+    effort: opt.Effort,
+    corpus: Annotated[
+        str | None,
+        opt.option(
+            opt.EFFORT,
+            "DIR",
+            "A directory of findings: tried first, and new ones are written to it.",
+            show_default=False,
+        ),
+    ] = None,
+    files: Files,
+    output: opt.Output,
+) -> int:
+    """Example: allworlds check my_explorer.py:explore --edges 4
+
+    Run an explorer (default: Algorithm 1 of the paper) on every start and every marker
+    orientation of every map of a class.  Exit code 0: holds, 1: refuted, 3: inconclusive,
+    4: vacuous.
+    """
+    import allworlds
+
+    files.ensure_writable()
+    ensure_directory(corpus)
+    with Progress(quiet=output.quiet) as progress:
+        report = allworlds.check(
+            opt.explorer_name(explorer, command),
+            edges=bounds.edges,
+            vertices=bounds.vertices,
+            schedules=schedules,
+            shard=shard_numbers(shard),
+            max_findings=max_findings,
+            engine=engine,
+            corpus=corpus,
+            listener=progress,
+            **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
+        )
+    files.write(report)
+    return emit(report, "check", output)

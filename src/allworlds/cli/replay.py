@@ -1,0 +1,45 @@
+"""The verb ``replay``."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from allworlds.cli import options as opt
+from allworlds.cli.output import complain, emit
+from allworlds.inputs import read_text
+
+
+def replay(
+    file: opt.FindingFile,
+    *,
+    explorer: Annotated[
+        str | None, opt.option(opt.SCOPE, "E", "In place of the recorded explorer.")
+    ] = None,
+    command: Annotated[
+        str | None,
+        opt.option(
+            opt.SCOPE,
+            "COMMAND",
+            "In place of the recorded explorer: a program that speaks JSON lines.",
+            "--exec",
+        ),
+    ] = None,
+    answer_timeout: opt.AnswerTimeout = 10.0,
+    output: opt.Output,
+) -> int:
+    """Example: allworlds replay finding.json --explorer mended.py:explore
+
+    Run a recorded finding again.  Exit code 0: reproduced, 5: fixed.  The recorded explorer
+    repeats the recorded choices as far as they fit.
+    """
+    import allworlds
+    from allworlds.findings import Finding
+
+    another = None
+    if explorer is not None or command is not None:
+        another = opt.explorer_name(explorer, command)
+    finding = Finding.from_json(read_text(file))
+    replayed = allworlds.replay(finding, another, answer_timeout=answer_timeout)
+    if replayed.notice:
+        complain(replayed.notice)
+    return emit(replayed, "replay", output)

@@ -1,0 +1,96 @@
+"""The verb ``run``."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from allworlds.cli import options as opt
+from allworlds.cli.output import emit
+from allworlds.cli.values import index_list
+from allworlds.inputs import InputError, show
+from allworlds.subjects import names_explorer
+
+
+def run(
+    arguments: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[EXPLORER] WORLD",
+            help="WORLD: inline JSON, @file, or a name such as k4, wheel-4, theta-torus; "
+            "left out with --family.",
+            show_default=False,
+        ),
+    ] = None,
+    *,
+    command: opt.Exec = None,
+    family: Annotated[
+        str | None,
+        opt.option(opt.SCOPE, "F", "In place of WORLD: lattice:RxC, dense:N, cycle:N or random:M."),
+    ] = None,
+    holes: Annotated[
+        str | None,
+        opt.option(
+            opt.SCOPE,
+            "P%",
+            "Share of a family's edges to remove [default: none].",
+            show_default=False,
+        ),
+    ] = None,
+    seed: Annotated[int, opt.number(opt.SCOPE, "S", "For a random family, or for the holes.")] = 0,
+    choices: Annotated[
+        str | None,
+        opt.option(
+            opt.RULES,
+            "I,I,...",
+            "Answers to the first choices, by index; then the policy goes on.",
+        ),
+    ] = None,
+    rules: opt.Rules,
+    output: opt.Output,
+) -> int:
+    """Example: allworlds run algorithm1 theta
+
+    Run an explorer once in one world, tell it step by step, and judge it.
+    """
+    import allworlds
+    from allworlds.subjects import own_lighthouse
+    from allworlds.world import World, world_of_family
+
+    explorer, place = explorer_and_world(
+        list(arguments or []), family=family is not None, program=command is not None
+    )
+    name = opt.explorer_name(explorer, command)
+    world: World | str = place
+    if family is not None:
+        world = world_of_family(family, holes, seed, own_lighthouse(name))
+    elif holes is not None:
+        raise InputError(f"holes {holes} has no effect without --family")
+    told = allworlds.run(name, world, choices=index_list(choices), **rules.options())
+    return emit(told, "run", output)
+
+
+_WORLDS = "a WORLD is inline JSON, @file, or a name such as k4, wheel-4, theta-torus"
+
+
+def explorer_and_world(words: list[str], *, family: bool, program: bool) -> tuple[str | None, str]:
+    """The EXPLORER and the WORLD among the arguments of ``run``, where they are given.
+
+    With a family there is no WORLD: it is the empty text.
+    """
+    wanted = 0 if family else 1
+    if not wanted <= len(words) <= wanted + (not program):
+        given = " ".join(words) or "nothing"
+        raise InputError(f"run takes [EXPLORER] and a WORLD or --family, not {show(given)}")
+    explorer = words[0] if len(words) > wanted else None
+    world = "" if family else words[-1]
+    if names_explorer(world):
+        if explorer is None:
+            raise InputError(f"WORLD is missing: {show(world)} is an explorer; {_WORLDS}")
+        if not names_explorer(explorer):
+            raise InputError(
+                f"{show(world)} is an explorer and stands in the place of WORLD; EXPLORER comes "
+                "first, then WORLD"
+            )
+    return explorer, world

@@ -1,0 +1,25 @@
+"""The verb ``twins``."""
+
+from __future__ import annotations
+
+from allworlds.cli import options as opt
+from allworlds.cli.output import emit
+
+
+def twins(
+    a: opt.WorldText,
+    b: opt.WorldText,
+    *,
+    lighthouse: opt.LighthouseOfWorld = "position",
+    output: opt.Output,
+) -> int:
+    """Example: allworlds twins fig1-left fig1-right
+
+    Can any motion tell two worlds apart?  The answer comes with the shortest motions that do,
+    or with classes of darts that prove that none does.
+    """
+    import allworlds
+    from allworlds.world import world_named
+
+    result = allworlds.twins(world_named(a, lighthouse), world_named(b, lighthouse))
+    return emit(result, "twins", output)

@@ -1,0 +1,190 @@
+"""A refuting run as a value: enough to replay it with nothing else."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from allworlds.findings.rules import Rules
+from allworlds.inputs import InputError, parse_json, show
+from allworlds.judge import PRECEDENCE
+from allworlds.maps.canonical import Code, numbering, rooted_code
+from allworlds.protocol import Transcript
+from allworlds.subjects import EXEC, own_bound
+from allworlds.world import World
+
+VERSION = 1
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A world, an explorer, what it did there, and the law that it broke.
+
+    Attributes:
+        explorer: its name.
+        law: the broken law.
+        world: in canonical numbering: the start is dart 0.
+        place: the lighthouse's place among those of the rooted map.
+        rules: how the run was played and judged.
+        choices: the index taken at each choice.
+        transcript: the log, up to the end of the run.
+        expected, seen: rooted maps for map and pose, integers for bound, else a sentence.
+        detail: a traceback or the tail of a program's stderr; may be empty.
+        step: the number of steps before the checkpoint that breaks the law; None where none does.
+        confirmed: a fresh process has repeated it from the recorded percepts alone.
+        minimal: no smaller world of the scope is refuting.
+        traced: its walk is known; a run that has killed its worker is traced when it is reported.
+    """
+
+    explorer: str
+    law: str
+    world: World
+    place: int
+    rules: Rules
+    choices: tuple[int, ...]
+    transcript: Transcript
+    expected: Any
+    seen: Any
+    detail: str = ""
+    step: int | None = None
+    confirmed: bool = False
+    minimal: bool = False
+    traced: bool = True
+
+    @cached_property
+    def key(self) -> tuple[int, int, Code, int, tuple[int, ...]]:
+        """The order of findings: edges, vertices, canonical code, place, choices."""
+        map_ = self.world.map
+        code = rooted_code(map_.sigma, map_.alpha, self.world.start)
+        return (map_.edge_count, map_.vertex_count, code, self.place, self.choices)
+
+    @property
+    def reproduce(self) -> str:
+        """A shell command that runs the explorer in this world again."""
+        command = ["allworlds", "run"]
+        if self.explorer.startswith(EXEC):
+            command += ["--exec", self.explorer.removeprefix(EXEC)]
+        else:
+            command += [self.explorer]
+        command += [json.dumps(self.world.to_json(), separators=(",", ":"))]
+        if self.rules.policy != "fifo":
+            command += ["--policy", self.rules.policy]
+        if any(self.choices) or (self.choices and self.rules.policy != "fifo"):
+            command += ["--choices", ",".join(map(str, self.choices))]
+        if self.rules.bound and self.rules.bound != self.rules.default_bound:
+            command += ["--bound", self.rules.bound]
+        if self.rules.step_budget is not None:
+            command += ["--step-budget", str(self.rules.step_budget)]
+        given = Rules(self.rules.lighthouse, bound=self.rules.bound, own_bound=self.rules.own_bound)
+        if self.rules.applying != given.applying:
+            command += ["--laws", ",".join(self.rules.applying)]
+        return shlex.join(command)
+
+    def to_json(self) -> dict[str, Any]:
+        """The document of a finding."""
+        document = {
+            "version": VERSION,
+            "explorer": self.explorer,
+            "law": self.law,
+            "world": self.world.to_json(),
+            "options": self.rules.to_json(),
+            "choices": list(self.choices),
+            "transcript": self.transcript.to_json(),
+            "expected": self.expected,
+            "seen": self.seen,
+            "confirmed": self.confirmed,
+            "minimal": self.minimal,
+            "reproduce": self.reproduce,
+        }
+        if self.step is not None:
+            document["step"] = self.step
+        if self.detail:
+            document["detail"] = self.detail
+        return document
+
+    @classmethod
+    def from_json(cls, document: str | Mapping[str, Any]) -> Finding:
+        """The finding of :meth:`to_json`'s document, or of its text.
+
+        Of a report of ``check`` it is the first finding, of a report of ``run`` its finding.
+
+        Raises:
+            InputError: naming the offending value and what would be legal.
+        """
+        if isinstance(document, str):
+            document = parse_json(document)
+        document = _of_report(document)
+        if isinstance(document, Mapping) and "sigma" in document:
+            raise InputError("this is a world or a map, not a finding; see run")
+        if not isinstance(document, Mapping):
+            raise InputError(f"a finding is an object, not {show(document)}")
+        if document.get("version") != VERSION:
+            raise InputError(
+                f"finding of version {show(document.get('version'))}; this program reads {VERSION}"
+            )
+        explorer, law = document.get("explorer"), document.get("law")
+        if not isinstance(explorer, str):
+            raise InputError(f"a finding names its explorer, not {show(explorer)}")
+        if law not in PRECEDENCE:
+            raise InputError(f"law {show(law)} is none of {', '.join(PRECEDENCE)}")
+        world = World.from_json(document.get("world", {}))
+        options, choices = document.get("options", {}), document.get("choices", [])
+        if not isinstance(options, Mapping):
+            raise InputError(f"options must be an object, not {show(options)}")
+        if not isinstance(choices, list) or not all(type(i) is int and i >= 0 for i in choices):
+            raise InputError(f"choices must be a list of integers from 0 on, not {show(choices)}")
+        step = document.get("step")
+        if step is not None and (type(step) is not int or step < 0):
+            raise InputError(f"step must be an integer from 0 on, not {show(step)}")
+        try:
+            transcript = Transcript.from_json(document.get("transcript"))
+        except ValueError as error:
+            raise InputError(str(error)) from None
+        return cls(
+            explorer,
+            law,
+            world,
+            place_of(world),
+            Rules.from_json(options, world, own_bound(explorer, world.lighthouse.kind)),
+            tuple(choices),
+            transcript,
+            document.get("expected"),
+            document.get("seen"),
+            document.get("detail", ""),
+            step,
+            confirmed=document.get("confirmed") is True,
+            minimal=document.get("minimal") is True,
+        )
+
+
+def _of_report(document: Any) -> Any:
+    """The finding inside a report; anything else as it is."""
+    match document:
+        case {"schema": 1, "findings": [first, *_]}:
+            return first
+        case {"schema": 1, "finding": {} as finding}:
+            return finding
+        case {"schema": 1, "verdict": verdict}:
+            raise InputError(f"the report, with the verdict {show(verdict)}, holds no finding")
+        case _:
+            return document
+
+
+def place_of(world: World) -> int:
+    """The number of the lighthouse's place among those of the rooted map."""
+    places = type(world.lighthouse).places(world.map, world.start)
+    # A compass with darts of one's own in a large map stands at none of the numbered places.
+    numbered = (i for i, lighthouse in enumerate(places) if lighthouse == world.lighthouse)
+    return next(numbered, 0)
+
+
+def canonical_world(world: World) -> World:
+    """The same world in canonical numbering: its start is dart 0."""
+    names = [0] * len(world.map.sigma)
+    for number, dart in enumerate(numbering(world.map.sigma, world.map.alpha, world.start)):
+        names[dart] = number
+    return world.relabelled(names)

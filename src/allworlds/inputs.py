@@ -1,0 +1,121 @@
+"""What comes from outside: the checks of a value, and the one error that is the user's to mend."""
+
+from __future__ import annotations
+
+import json
+import operator
+import os
+import signal
+import sys
+from pathlib import Path
+from typing import Any
+
+SHOWN = 200
+"""The number of characters of a value that are shown."""
+
+
+class InputError(ValueError):
+    """Bad input: one line that names the offending value and what would be legal."""
+
+
+def let_users_interrupt(error: BaseException) -> None:
+    """Raise an interrupt again; where interrupts are ignored only an explorer raises one."""
+    ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    if isinstance(error, KeyboardInterrupt) and not ignored:
+        raise error
+
+
+def show(value: object) -> str:
+    """A short text for any object, also for one whose repr fails."""
+    try:
+        text = str.__str__(repr(value))
+    except BaseException as error:  # noqa: BLE001  # repr may be anybody's code
+        let_users_interrupt(error)
+        return f"an object of type {type(value).__name__} whose repr fails"
+    return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
+
+
+def integer(value: object) -> int:
+    """``value`` as a plain ``int`` if it is an integer and no boolean.
+
+    Raises:
+        TypeError: for booleans, floats, strings and everything else.
+    """
+    if isinstance(value, bool):
+        raise TypeError(f"{value!r} is a boolean, not an integer")
+    index = operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer
+    return int.__index__(index)  # also for a subclass with operators of its own
+
+
+def an_integer(name: str, value: object) -> int:
+    """The value as an ``int``.
+
+    Raises:
+        InputError: naming it, for booleans and everything else that is no integer.
+    """
+    try:
+        return integer(value)
+    except TypeError:
+        raise InputError(f"{name} = {show(value)} is not an integer") from None
+
+
+def a_text(name: str, value: object) -> str:
+    """The value, if it is a text.
+
+    Raises:
+        InputError: naming it.
+    """
+    if not isinstance(value, str):
+        raise InputError(f"{name} = {show(value)} is not a text")
+    return value
+
+
+def a_path(name: str, value: object) -> Path:
+    """The value as a path.
+
+    Raises:
+        InputError: naming it, for what is no path, and for an empty text, which Python would
+            take for the current directory.
+    """
+    if value == "" or not isinstance(value, str | os.PathLike):
+        raise InputError(f"{name} = {show(value)} is no path, not even of the current directory")
+    return Path(value)
+
+
+def parse_json(text: str, kind: type[InputError] = InputError) -> Any:
+    """The value of a JSON text.
+
+    Raises:
+        InputError: of the kind that was asked for, if it is none, or if an object has a key
+            twice: which value is meant cannot be told.
+    """
+
+    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        found = dict(pairs)
+        if len(found) < len(pairs):
+            keys = [key for key, _ in pairs]
+            twice = next(key for key in keys if keys.count(key) > 1)
+            raise kind(f"the key {show(twice)} stands twice in one object")
+        return found
+
+    try:
+        return json.loads(text, object_pairs_hook=once)
+    except InputError:
+        raise
+    except (ValueError, RecursionError) as error:
+        raise kind(f"not JSON: {show(str(error))[1:-1]}") from None
+
+
+def read_text(path: str) -> str:
+    """The text of a file that the user has named; of stdin for ``-``.
+
+    Raises:
+        InputError: naming the file and the reason why it cannot be read.
+    """
+    try:
+        if path == "-":
+            return sys.stdin.read()
+        return a_path("file", path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is no text"
+        raise InputError(f"file {show(path)} cannot be read: {reason}") from None

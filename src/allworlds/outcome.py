@@ -1,0 +1,63 @@
+"""What every verb hands back: a result with an exit code and a document."""
+
+from __future__ import annotations
+
+from enum import IntEnum, StrEnum
+from typing import Any, Protocol
+
+SCHEMA = 1
+"""The version of every JSON document."""
+
+
+class Exit(IntEnum):
+    """The exit codes of the command."""
+
+    HOLDS = 0
+    REFUTED = 1
+    USAGE = 2
+    INCONCLUSIVE = 3
+    VACUOUS = 4
+    FIXED = 5
+    INTERNAL = 70
+    INCOMPLETE = 75
+    INTERRUPTED = 130
+
+    ANSWERED = HOLDS
+    DISAGREES = INTERNAL
+
+
+class Verdict(StrEnum):
+    """What was found out about an explorer."""
+
+    HOLDS = "holds"
+    REFUTED = "refuted"
+    INCONCLUSIVE = "inconclusive"
+    VACUOUS = "vacuous"
+    ERROR = "error"
+    NOT_REFUTED = "not-refuted"
+
+    @property
+    def exit(self) -> Exit:
+        """Its exit code."""
+        return _EXITS[self]
+
+
+_EXITS = {
+    Verdict.HOLDS: Exit.HOLDS,
+    Verdict.NOT_REFUTED: Exit.HOLDS,
+    Verdict.REFUTED: Exit.REFUTED,
+    Verdict.INCONCLUSIVE: Exit.INCONCLUSIVE,
+    Verdict.VACUOUS: Exit.VACUOUS,
+    Verdict.ERROR: Exit.INTERNAL,
+}
+
+
+class Result(Protocol):
+    """What a verb hands back."""
+
+    @property
+    def exit_code(self) -> int:
+        """One of :class:`Exit`."""
+
+    def to_json(self) -> dict[str, Any]:
+        """The JSON document."""

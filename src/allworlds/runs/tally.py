@@ -1,0 +1,108 @@
+"""Counts that can be added up in any order, and the smallest findings."""
+
+from __future__ import annotations
+
+from bisect import insort
+from collections import Counter
+from dataclasses import dataclass, field
+
+from allworlds.findings import Finding
+
+
+@dataclass(slots=True)
+class Row:
+    """What was seen in the worlds with one number of edges and of vertices.
+
+    Attributes:
+        worlds: rooted maps.
+        runs: worlds x places.
+        episodes: runs x schedules.
+        traversals: summed over the episodes.
+        traversals_rooted: the same at the first place of each rooted map only.
+        max_cost: the largest cost of an episode.
+        bound: the largest bound of a run; None without a bound.
+    """
+
+    worlds: int = 0
+    runs: int = 0
+    episodes: int = 0
+    traversals: int = 0
+    traversals_rooted: int = 0
+    max_cost: int = 0
+    bound: int | None = None
+
+    def add(self, other: Row) -> None:
+        """Take in what was seen elsewhere."""
+        self.worlds += other.worlds
+        self.runs += other.runs
+        self.episodes += other.episodes
+        self.traversals += other.traversals
+        self.traversals_rooted += other.traversals_rooted
+        self.max_cost = max(self.max_cost, other.max_cost)
+        self.bound_of(other.bound)
+
+    def bound_of(self, run: int | None) -> None:
+        """Take in the bound of a run, which may be negative; None where it has none."""
+        if run is not None:
+            self.bound = run if self.bound is None else max(self.bound, run)
+
+
+@dataclass(slots=True)
+class Tally:
+    """Everything that a part of a check has seen.
+
+    Attributes:
+        keep: how many findings are kept.
+        rows: by (edges, vertices).
+        witnesses: how often each event occurred.
+        left_out: worlds without a place for the lighthouse.
+        checkpoints: how many were published.
+        findings: the smallest, ascending.
+    """
+
+    keep: int
+    rows: dict[tuple[int, int], Row] = field(default_factory=dict)
+    witnesses: Counter[str] = field(default_factory=Counter)
+    left_out: int = 0
+    checkpoints: int = 0
+    findings: list[Finding] = field(default_factory=list)
+
+    def row(self, edges: int, vertices: int) -> Row:
+        """The row of that size."""
+        return self.rows.setdefault((edges, vertices), Row())
+
+    def wants(self, edges: int, vertices: int) -> bool:
+        """Whether a finding of that size could be among the smallest."""
+        if len(self.findings) < self.keep:
+            return True
+        return (edges, vertices) <= self.findings[-1].key[:2]
+
+    def find(self, finding: Finding) -> None:
+        """Keep the finding if it is among the smallest."""
+        insort(self.findings, finding, key=lambda kept: kept.key)
+        del self.findings[self.keep :]
+
+    def add(self, other: Tally) -> None:
+        """Take in another part's tally."""
+        for (edges, vertices), row in other.rows.items():
+            self.row(edges, vertices).add(row)
+        self.witnesses.update(other.witnesses)
+        self.left_out += other.left_out
+        self.checkpoints += other.checkpoints
+        for finding in other.findings:
+            self.find(finding)
+
+    @property
+    def worlds(self) -> int:
+        """Rooted maps visited."""
+        return sum(row.worlds for row in self.rows.values())
+
+    @property
+    def runs(self) -> int:
+        """Worlds x places."""
+        return sum(row.runs for row in self.rows.values())
+
+    @property
+    def traversals(self) -> int:
+        """Summed over all episodes."""
+        return sum(row.traversals for row in self.rows.values())

@@ -1,0 +1,55 @@
+"""**The** table of the verbs: what each is called, what does it, and what it is for.
+
+The command line, the names of the package and the tests are derived from it.  A new verb is
+an entry here, the function that it names, a module of ``cli`` of its name, its text among
+:data:`allworlds.reports.TEXTS`, and its document.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Verb:
+    """A verb of the command line.
+
+    Attributes:
+        name: the words on the command line.
+        function: what does it, as ``module:name``; a verb of one word is a name of the package.
+        summary: one line of the help.
+    """
+
+    name: str
+    function: str
+    summary: str
+
+    @property
+    def group(self) -> str:
+        """The first of two words; empty for a verb of one."""
+        return self.name.partition(" ")[0] if " " in self.name else ""
+
+
+VERBS = (
+    Verb(
+        "check", "checker:check", "Every world of a class, one explorer, a verdict: the main job."
+    ),
+    Verb("run", "checker:run", "One world, told step by step."),
+    Verb("fuzz", "fuzzer:fuzz", "Random worlds beyond the exhaustive bound."),
+    Verb("replay", "checker:replay", "A finding once more: reproduced or fixed."),
+    Verb("explain", "explaining:explain", "A finding in plain words."),
+    Verb("mutants", "mutation:mutants", "What the checks are known to catch."),
+    Verb("count", "counter:count", "How many maps there are, counted twice."),
+    Verb("worst", "worst_case:worst", "Algorithm 1 at its worst and best, over every schedule."),
+    Verb("twins", "ambiguity:twins", "Can any motion tell two worlds apart?"),
+    Verb("search", "smt:search", "Worlds that no motion tells apart, by SMT."),
+    Verb("bench", "benching:bench", "This program and others side by side."),
+    Verb("ambiguity census", "ambiguity:census", "Which worlds of a class no motion tells apart."),
+    Verb("ambiguity class", "ambiguity:class_of", "Every world that no motion tells from a world."),
+)
+"""Every verb, in the order of the help."""
+
+GROUPS = {
+    "ambiguity": "What a robot that knows only its position cannot tell apart.",
+}
+"""The groups of verbs of two words, with what they are for."""

@@ -1,0 +1,50 @@
+"""Work that can be done piece by piece: what is done with a piece, and where.
+
+``work``
+    the words: a :class:`Unit` of work, an :class:`Engine` that does it, a :class:`Transport`
+    that says where, and the :class:`Part` of a result that comes back;
+``here``, ``threads``
+    two transports: this thread, and several;
+``levels``
+    the units into which all maps with one number of edges are cut;
+``effort``
+    what bounds the effort: workers, and time;
+``gather``
+    **the** loop: the units of a level through an engine by a transport, added up.
+"""
+
+from allworlds.work.effort import (
+    LEAST_TIMEOUT,
+    POLL,
+    EffortOptions,
+    Limits,
+    TimeIsUp,
+    check_deadline,
+)
+from allworlds.work.gather import gather
+from allworlds.work.here import Here, with_last
+from allworlds.work.levels import LevelUnit, cells_of_level, level_size, units_of_level
+from allworlds.work.threads import Threads
+from allworlds.work.work import Engine, Part, Sum, Transport, Unit
+
+__all__ = [
+    "LEAST_TIMEOUT",
+    "POLL",
+    "EffortOptions",
+    "Engine",
+    "Here",
+    "LevelUnit",
+    "Limits",
+    "Part",
+    "Sum",
+    "Threads",
+    "TimeIsUp",
+    "Transport",
+    "Unit",
+    "cells_of_level",
+    "check_deadline",
+    "gather",
+    "level_size",
+    "units_of_level",
+    "with_last",
+]

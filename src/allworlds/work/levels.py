@@ -1,0 +1,46 @@
+"""Levels: all rooted maps with one number of edges, and the pieces into which they are cut."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.counting import source_for
+from allworlds.maps.enumeration import prefixes, rooted_maps
+
+
+@dataclass(frozen=True, slots=True)
+class LevelUnit:
+    """All maps of a level whose history begins with ``prefix``."""
+
+    edges: int
+    prefix: tuple[int, ...]
+
+    @property
+    def key(self) -> str:
+        """``EDGES:DECISION,DECISION,...``."""
+        return f"{self.edges}:{','.join(map(str, self.prefix))}"
+
+    def maps(self, extent: Extent) -> Iterator[CombinatorialMap]:
+        """The maps, rooted at dart 0, in the order of the enumeration."""
+        return rooted_maps(self.edges, extent.map_class, extent.vertices, self.prefix)
+
+
+def units_of_level(extent: Extent, edges: int) -> Iterator[LevelUnit]:
+    """The pieces of a level; the same for any number of workers and shards."""
+    depth = 1 if edges < 4 else 3
+    for prefix in prefixes(edges, extent.map_class, extent.vertices, depth):
+        yield LevelUnit(edges, prefix)
+
+
+def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
+    """The rooted maps of a level by vertices, as the independent source counts them."""
+    cells = source_for(extent.map_class).cells(edges)
+    return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
+
+
+def level_size(extent: Extent, edges: int) -> int:
+    """Their sum."""
+    return sum(cells_of_level(extent, edges).values())

@@ -1,0 +1,90 @@
+"""The world of a text: inline JSON, a file, a name, or a family of maps."""
+
+from __future__ import annotations
+
+import re
+from difflib import get_close_matches
+from pathlib import Path
+
+from allworlds.corpora import own_corpus
+from allworlds.inputs import InputError, parse_json, read_text, show
+from allworlds.maps.build import NoSuchMap, named_map, named_maps
+from allworlds.maps.families import family
+from allworlds.world.lighthouses import Directional, lighthouse_from_json, lighthouse_named
+from allworlds.world.world import World
+
+
+def world_named(text: str, kind: str = Directional.kind) -> World:
+    """The world of inline JSON, of ``@file``, of the corpus, or of a named map.
+
+    Where no lighthouse is named it is of that kind, at its default place: at dart 0 of a
+    named map.
+    """
+    lighthouse_named(kind)
+    if text.startswith("@"):
+        return _world_of_json(read_text(text[1:]), kind)
+    if _is_json(text):
+        return _world_of_json(text, kind)
+    try:
+        map_ = named_map(text)
+    except NoSuchMap as error:
+        return _world_of_corpus(text, kind, error)
+    return World.from_json(map_.to_json(), missing=kind)
+
+
+def _world_of_corpus(name: str, kind: str, no_map: NoSuchMap) -> World:
+    corpus = own_corpus()
+    for entry in corpus.of_kind("world"):
+        if entry.name == name:
+            return World.from_json(corpus.document(entry), missing=kind)
+    if f"{name.rpartition('-')[0]}-N" in named_maps():
+        raise no_map
+    raise InputError(
+        f"world {show(name)} is neither JSON, nor @file, nor one of {', '.join(named_maps())}, "
+        f"nor a world of the corpus{_hint(name)}"
+    )
+
+
+def _is_json(text: str) -> bool:
+    if text.lstrip().startswith(("{", "[")):
+        return True
+    try:
+        parse_json(text)
+    except InputError:
+        return False
+    return True
+
+
+def _world_of_json(text: str, kind: str) -> World:
+    document = parse_json(text)
+    keys = document.keys() if isinstance(document, dict) else set()
+    if keys & {"findings", "finding", "law"} and not keys & {"sigma", "alpha"}:
+        raise InputError("this is a report or a finding, not a world; see replay and explain")
+    return World.from_json(document, missing=kind)
+
+
+def _hint(name: str) -> str:
+    """What may have been meant by a name that is none."""
+    if Path(name).suffix == ".json":
+        return f"; to read a file write {show('@' + name)}"
+    if ":" in name:
+        return f"; a family is given by --family {name}"
+    known = [*named_maps(), *(entry.name for entry in own_corpus().of_kind("world"))]
+    meant = get_close_matches(name.lower(), known, 1)
+    return f"; did you mean {meant[0]!r}?" if meant else ""
+
+
+def world_of_family(text: str, holes: str | None, seed: int, kind: str) -> World:
+    """The world of a family, started at dart 0, with a lighthouse at its default place."""
+    share = 0.0 if holes is None else _fraction(holes)
+    map_ = family(text, holes=share, seed=seed)
+    return World(map_, lighthouse_from_json(None, map_, 0, kind))
+
+
+def _fraction(text: str) -> float:
+    """``10%`` or ``0.1``."""
+    match = re.fullmatch(r"([0-9]+(?:\.[0-9]+)?)(%?)", text)
+    value = float(match[1]) / (100 if match[2] else 1) if match else -1.0
+    if not 0 <= value < 1:
+        raise InputError(f"holes {show(text)} is no share of the edges; 0% up to 99% are legal")
+    return value

@@ -1,0 +1,189 @@
+"""Record what every verb says: exit code, document on stdout, line on stderr.
+
+``python tests/recorded/record.py`` writes the records anew; what then differs is to be meant,
+and told in the commit.  ``test_recorded.py`` compares.  No record depends on the clock, on
+the machine, or on the number of workers.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+HERE = Path(__file__).parent
+RECORDS = HERE / "records"
+PATH_3 = '{"sigma":[0,2,1,3],"alpha":[1,0,3,2]}'
+HOSTILE = '{"sigma":[1,0],"alpha":[1,0],"start":5,"lighthouse":{"kind":"position","dart":0}}'
+
+# A name, and the words of the command; {tmp} is a directory that its commands share.
+COMMANDS = {
+    "check": "check --edges 4 --json",
+    "check-text": "check --edges 3",
+    "check-python": "check --edges 4 --engine python --json",
+    "check-kernel": "check --edges 6 --engine kernel --json",
+    "check-lifo": "check --edges 4 --policy lifo --json",
+    "check-random": "check --edges 3 --policy random:7 --json",
+    "check-schedules": "check --edges 2 --schedules all --json",
+    "check-simple": "check --class simple --vertices 4 --json",
+    "check-planar": "check --class planar --edges 3 --json",
+    "check-planar-simple": "check --class planar-simple --edges 5 --json",
+    "check-shard": "check --edges 4 --shard 1/3 --json",
+    "check-bound-1": "check --edges 3 --bound 1 --json",
+    "check-bound-text": "check --edges 3 --bound n+m",
+    "check-laws": "check --edges 3 --laws map,pose --json",
+    "check-cluster": "check algorithm1-cluster --edges 3 --json",
+    "check-cluster-all": "check algorithm1-cluster --lighthouse cluster --edges 3 --json",
+    "check-natural": "check algorithm1-natural --class simple --edges 6 --json",
+    "check-compass": "check explorers.py:stays --lighthouse compass --edges 3",
+    "check-none": "check explorers.py:stays --lighthouse none --edges 2 --json",
+    "check-position": "check explorers.py:first_edge --lighthouse position --edges 2 --json",
+    "check-first-edge": "check explorers.py:first_edge --edges 3 --max-findings 4 --json",
+    "check-first-edge-text": "check explorers.py:first_edge --edges 3",
+    "check-crash": "check explorers.py:crashes --edges 3 --json",
+    "check-nonsense": "check explorers.py:says_nonsense --edges 2 --json",
+    "check-for-ever": "check explorers.py:walks_for_ever --edges 2 --step-budget 20 --json",
+    "check-chooses": "check explorers.py:chooses --edges 2 --schedules all --json",
+    "check-exec": ["check", "--exec", "{python} program.py", "--edges", "2", "--json"],
+    "check-vacuous": "check --class simple --edges 1 --lighthouse cluster --json",
+    "check-corpus": "check explorers.py:first_edge --edges 3 --corpus {tmp}/corpus --json",
+    "check-corpus-again": "check explorers.py:first_edge --edges 3 --corpus {tmp}/corpus --json",
+    "check-corpus-mended": "check algorithm1 --edges 3 --corpus {tmp}/corpus",
+    "check-junit": "check explorers.py:first_edge --edges 3 --junit /dev/stderr -q",
+    "run": "run algorithm1 theta-torus --json",
+    "run-text": "run algorithm1 k4",
+    "run-wrong": "run explorers.py:first_edge theta",
+    "run-json-world": ["run", "explorers.py:first_edge", PATH_3, "--json"],
+    "run-family": "run algorithm1 --family lattice:3x3 --holes 10% --seed 3 --json",
+    "run-choices": "run algorithm1 theta --policy lifo --choices 1,0 --json",
+    "run-cluster": "run algorithm1-cluster k4 --json",
+    "fuzz": "fuzz algorithm1 --edges 8 --runs 30 --json",
+    "fuzz-wrong": "fuzz explorers.py:first_edge --edges 8 --runs 30 --seed 2 --json",
+    "count": "count --edges 4 --json",
+    "count-simple-text": "count --class simple --vertices 4",
+    "count-compiled": "count --edges 7 --json",
+    "worst": "worst --edges 3 --json",
+    "worst-shortest": "worst --edges 4 --transit shortest",
+    "worst-planar": "worst --edges 4 --class planar --json",
+    "replay": "replay {tmp}/finding.json --json",
+    "replay-text": "replay {tmp}/finding.json",
+    "replay-fixed": "replay {tmp}/finding.json --explorer algorithm1",
+    "explain": "explain {tmp}/finding.json --json",
+    "explain-text": "explain {tmp}/finding.json",
+    "explain-crash": "explain {tmp}/crash.json",
+    "ambiguity-census": "ambiguity census --edges 4 --json",
+    "ambiguity-census-text": "ambiguity census --class simple --vertices 4",
+    "ambiguity-class": "ambiguity class wheel-4 --json",
+    "ambiguity-class-text": "ambiguity class k4 --class simple --limit 2",
+    "twins-apart": "twins k4 wheel-4",
+    "twins-alike": "twins fig1-left fig1-right --json",
+    "search-sat": "search --lighthouse position --vertices 1 --edges 2 --out {tmp}/sat --json",
+    "search-unsat": "search --lighthouse directional --vertices 3 --edges 2 --out {tmp}/un --json",
+    "search-none": "search --lighthouse none --class simple --vertices 3 --edges 3 --json",
+    "mutants": "mutants --edges 3 --json",
+    "mutants-text": "mutants --edges 2",
+    "refused-verb": "chekc",
+    "refused-option": "check --egdes 3",
+    "refused-class": "check --class planr",
+    "refused-explorer": "check algorthm1",
+    "refused-lighthouse": "check --lighthouse lamp",
+    "refused-world": ["run", "algorithm1", HOSTILE],
+    "refused-law": "check --laws mpa",
+    "refused-bound": "check --bound n+",
+    "refused-file": "replay missing.json",
+    "version": "--version",
+    "help": "--help",
+    "help-check": "check --help",
+}
+
+# What must be there before a command: the report of another one, in a file.
+FILES = {
+    "finding.json": "check explorers.py:first_edge --edges 3 --json",
+    "crash.json": "check explorers.py:crashes --edges 3 --json",
+}
+
+# What a run depends on, and its meaning not; in text too.
+VOLATILE = ("made_by", "seconds")
+
+
+def words(command: str | list[str], tmp: str) -> list[str]:
+    names = {"tmp": tmp, "python": sys.executable}
+    given = command if isinstance(command, list) else command.split()
+    return [
+        re.sub(r"\{(\w+)\}", lambda found: names.get(found[1], found[0]), word) for word in given
+    ]
+
+
+def run(command: str | list[str], tmp: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "allworlds", *words(command, tmp)],
+        cwd=HERE,
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, "COLUMNS": "100", "PYTHONDONTWRITEBYTECODE": "1", "TERM": "dumb"},
+    )
+
+
+def steady(value: object) -> object:
+    """The document without what is volatile."""
+    if isinstance(value, dict):
+        return {key: steady(inner) for key, inner in value.items() if key not in VOLATILE}
+    if isinstance(value, list):
+        return [steady(inner) for inner in value]
+    return value
+
+
+def record(command: str | list[str], tmp: str) -> str:
+    """One command's record: the command, its exit code, stderr, then stdout."""
+    done = run(command, tmp)
+    try:
+        told = json.dumps(steady(json.loads(done.stdout)), indent=1)
+    except ValueError:
+        told = done.stdout
+    errors = [line for line in done.stderr.splitlines() if "compiling" not in line]
+    shown = command if isinstance(command, str) else json.dumps(command)
+    text = "\n".join([f"$ allworlds {shown}", f"exit code {done.returncode}", *errors, told])
+    text = text.replace(tmp, "{tmp}").replace(sys.executable, "{python}")
+    return re.sub(r"\b\d+\.\d\d\b(?= +\S+\.cnf)", "0.00", text.rstrip()) + "\n"
+
+
+def prepare(tmp: str) -> None:
+    """The files that commands read."""
+    for name, command in FILES.items():
+        (Path(tmp) / name).write_text(run(command, tmp).stdout, encoding="utf-8")
+
+
+def records(names: list[str]) -> dict[str, str]:
+    """The records of these commands, those that share a directory one after the other."""
+    with tempfile.TemporaryDirectory() as tmp, ThreadPoolExecutor(2) as threads:
+        prepare(tmp)
+        corpus = [name for name in names if "corpus" in name]
+        others = {
+            name: threads.submit(record, COMMANDS[name], tmp)
+            for name in names
+            if name not in corpus
+        }
+        told = {name: record(COMMANDS[name], tmp) for name in corpus}
+        told |= {name: future.result() for name, future in others.items()}
+    return told
+
+
+def main() -> None:
+    names = sys.argv[1:] or [*COMMANDS]
+    told = records(names)
+    if not sys.argv[1:]:
+        shutil.rmtree(RECORDS, ignore_errors=True)
+    RECORDS.mkdir(exist_ok=True)
+    for name, text in told.items():
+        (RECORDS / f"{name}.txt").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
