@@ -49,7 +49,18 @@ VERBS = (
 )
 """Every verb, in the order of the help."""
 
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Verbs of two words that begin with the same one."""
+
+    example: str
+    summary: str
+
+
 GROUPS = {
-    "ambiguity": "What a robot that knows only its position cannot tell apart.",
+    "ambiguity": Group(
+        "allworlds ambiguity class wheel-4",
+        "What a robot that knows only its position cannot tell apart.",
+    ),
 }
-"""The groups of verbs of two words, with what they are for."""
+"""The groups of verbs of two words, by the first."""

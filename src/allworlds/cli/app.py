@@ -53,9 +53,10 @@ def _command(verb: Verb) -> Callable[..., int]:
 
 def _add_verbs() -> None:
     groups = {}
-    for name, summary in GROUPS.items():
-        group = groups[name] = typer.Typer(name=name, help=summary)
-        group.callback(invoke_without_command=True)(_help)
+    for name, known in GROUPS.items():
+        help_ = f"Example: {known.example}\n\n{known.summary}"
+        groups[name] = typer.Typer(name=name, help=help_, short_help=known.summary)
+        groups[name].callback(invoke_without_command=True)(_help)
     for verb in VERBS:
         home = groups[verb.group] if verb.group else app
         home.command(name=verb.name.rpartition(" ")[2], short_help=verb.summary)(_command(verb))

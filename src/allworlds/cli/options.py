@@ -36,12 +36,8 @@ Explorer = Annotated[
         show_default=False,
     ),
 ]
-WorldText = Annotated[
-    str,
-    typer.Argument(
-        metavar="WORLD", help="Inline JSON, @file, or a name such as k4, wheel-4, fig1-left."
-    ),
-]
+WORLD = "Inline JSON, @file, or a name such as k4, wheel-4, fig1-left."
+WorldText = Annotated[str, typer.Argument(metavar="WORLD", help=WORLD)]
 FindingFile = Annotated[
     str, typer.Argument(metavar="FILE", help="A finding, or a check's report; - for stdin.")
 ]

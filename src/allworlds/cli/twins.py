@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
+import typer
+
 from allworlds.cli import options as opt
 from allworlds.cli.output import emit
 
 
 def twins(
-    a: opt.WorldText,
-    b: opt.WorldText,
+    a: Annotated[str, typer.Argument(metavar="A", help=opt.WORLD)],
+    b: Annotated[str, typer.Argument(metavar="B", help="Another one.")],
     *,
     lighthouse: opt.LighthouseOfWorld = "position",
     output: opt.Output,
