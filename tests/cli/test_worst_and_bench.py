@@ -2,6 +2,8 @@ import json
 
 import pytest
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 
 def test_worst_prints_one_document(cli):
     code, out, _ = cli("worst", "--edges", 3, "--transit", "shortest", "--json", "-q")

@@ -16,13 +16,16 @@ from allworlds.reports.html import layout as layouts
 from allworlds.reports.html.mesh import mesh, place
 from allworlds.reports.html.planar import planar
 from allworlds.reports.html.svg import Scene, in_words, picture
+from small import slow
 
 NS = "{http://www.w3.org/2000/svg}"
 SMALL = [world.map for world in worlds(edges=3)]
+FEW = [*SMALL[:12], *SMALL[12::5]]  # all with one or two edges, and some with three
 NAMED = [named_map(name) for name in ("k4-torus", "theta-torus", "cube", "fig1-left")]
 # One vertex and four loops, each opposite to itself: genus 2.
 GENUS_2 = CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3))
-MAPS = [*SMALL, *NAMED, GENUS_2, family("random:12", holes=0, seed=1)]
+MAPS = [*FEW, *NAMED, GENUS_2, family("random:12", holes=0, seed=1)]
+EACH = [*MAPS, *(slow(map_) for map_ in SMALL if map_ not in FEW)]
 
 
 def drawn(map_, **shown):
@@ -79,7 +82,8 @@ def going_round_gives_sigma(map_):
             assert map_.sigma[dart] == after
 
 
-@pytest.mark.parametrize("map_", MAPS, ids=str)
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_", EACH, ids=str)
 def test_going_round_a_vertex_by_angle_gives_sigma(map_):
     going_round_gives_sigma(map_)
 
@@ -96,7 +100,8 @@ def test_another_cyclic_order_would_be_seen():
     assert any(GENUS_2.sigma[a] != b for a, b in pairwise(around))
 
 
-@pytest.mark.parametrize("map_", MAPS, ids=str)
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_", EACH, ids=str)
 def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
     svg = drawn(map_)
     beginnings = stubs(svg)
@@ -109,7 +114,7 @@ def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
     assert sorted(seen) == list(map_.darts)
 
 
-@pytest.mark.parametrize("map_", MAPS, ids=str)
+@pytest.mark.parametrize("map_", EACH, ids=str)
 def test_every_dart_and_every_vertex_is_named_once(map_):
     svg = drawn(map_)
     texts = [text.text for text in svg.iter(f"{NS}text")]
@@ -149,7 +154,7 @@ def crossings(map_):
 
 def test_planar_maps_are_drawn_without_crossings():
     flat_ones = [map_ for map_ in MAPS if map_.genus == 0]
-    assert len(flat_ones) > 60
+    assert len(flat_ones) > 20
     assert [map_ for map_ in flat_ones if crossings(map_)] == []
 
 
