@@ -165,6 +165,12 @@ def test_the_findings_are_the_smallest(explorers, wrong, name, keep):
     assert all(finding.minimal and not finding.confirmed for finding in report.findings)
 
 
+def test_unless_more_are_asked_for_a_check_ends_with_its_first_finding(explorers):
+    (first,) = check(explorers("everywhere"), edges=3).findings
+    second = check(explorers("everywhere"), edges=3, max_findings=2).findings
+    assert (len(second), second[0].key) == (2, first.key)
+
+
 @pytest.mark.parametrize(("edges", "keep"), [(3, 3), slow(4, 12)])
 @pytest.mark.parametrize("name", ["everywhere", "here_of_another"])
 def test_one_worker_and_three_say_the_same(wrong, name, edges, keep):

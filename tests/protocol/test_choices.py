@@ -39,6 +39,13 @@ def test_nearest_takes_the_first_of_the_cheapest_edges_and_the_first_of_all_else
     assert picked == ("b" if kind == "edge" else "a")
 
 
+@pytest.mark.parametrize("nearest", range(4))
+def test_the_nearest_edge_may_be_any_of_them(nearest):
+    cost = [5 - (i == nearest) for i in range(4)]
+    picked = Choices(policy_named("nearest")).pick(range(4), of="edge", cost=cost)
+    assert picked == nearest
+
+
 @pytest.mark.parametrize("cost", [None, ()])
 def test_nearest_takes_the_first_where_no_cost_is_known(cost):
     assert Choices(policy_named("nearest")).pick("abc", of="edge", cost=cost) == "a"

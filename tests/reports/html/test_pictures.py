@@ -1,8 +1,9 @@
 """The pictures of maps, read back from the SVG."""
 
 import re
-from cmath import phase
+from cmath import exp, phase
 from itertools import combinations, pairwise
+from math import inf, tau
 from xml.etree import ElementTree as ET
 
 import pytest
@@ -185,6 +186,35 @@ def test_no_triangle_of_the_mesh_is_turned_over(map_):
         for one, other in zip(link, [*link[1:], link[0]], strict=True):
             a, b = where[one] - where[point], where[other] - where[point]
             assert (a.conjugate() * b).imag > 0
+
+
+def strain(net, where, point, at):
+    """How far the triangles round a point are from being alike, if it lay there.
+
+    By the formula of the docstring, with areas and sides by their definition: S/A + 1/A + A for
+    a triangle with area A/2 and squares of sides of sum S, and for one with a corner on the ring
+    a twentieth of 1/A alone.
+    """
+    total = 0.0
+    for one, other in pairwise([*net.links[point], net.links[point][0]]):
+        corners = [at, where[one], where[other]]
+        area = ((corners[1] - at).conjugate() * (corners[2] - at)).imag
+        if area <= 0:
+            return inf
+        squares = sum(abs(p - q) ** 2 for p, q in combinations(corners, 2))
+        on_the_ring = one in net.ring or other in net.ring
+        total += 0.05 / area if on_the_ring else (squares + 1) / area + area
+    return total
+
+
+@pytest.mark.parametrize("name", ["edge", "theta", "k4", "theta-torus"])
+def test_no_point_of_the_mesh_would_lie_better_a_little_aside(name):
+    net = mesh(planar(named_map(name)))
+    where = place(net)
+    for point, at in enumerate(where[: len(net.links)]):
+        aside = [at + 0.02 * exp(1j * tau * k / 8) for k in range(8)]
+        here = strain(net, where, point, at)
+        assert here < min(strain(net, where, point, there) for there in aside)
 
 
 def test_everything_drawn_lies_in_the_box():
