@@ -15,7 +15,7 @@ from allworlds.reports.worst_text import worst_text
 from allworlds.runs import Examiner
 from allworlds.subjects import load
 from allworlds.world import Directional, World
-from allworlds.worst_case import EverySchedule, search, worst
+from allworlds.worst_case import EverySchedule, dearest, worst
 from allworlds.worst_case.one_world import WrongTest
 
 pytestmark = pytest.mark.usefixtures("compiled")
@@ -154,13 +154,13 @@ def test_a_replay_that_costs_something_else_is_an_internal_error(report):
 
 
 def test_a_wrong_kernel_is_found_out_by_the_replay(monkeypatch):
-    honest = search._joined
+    honest = dearest._joined
 
     def damaged(a, b):
         merged = honest(a, b)
         return replace(merged, worst=merged.worst + 1)
 
-    monkeypatch.setattr(search, "_joined", damaged)
+    monkeypatch.setattr(dearest, "_joined", damaged)
     assert worst(edges=3).exit_code == 70
 
 

@@ -49,6 +49,7 @@ VERBS = (
 )
 """Every verb, in the order of the help."""
 
+
 @dataclass(frozen=True, slots=True)
 class Group:
     """Verbs of two words that begin with the same one."""

@@ -6,7 +6,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from allworlds.checker import check
-from allworlds.cli.files import ensure_writable, write_reports
+from allworlds.cli.files import Files
 from allworlds.fuzzer import fuzz
 from allworlds.inputs import InputError
 from allworlds.reports.html import page
@@ -78,16 +78,15 @@ def test_a_file_that_cannot_be_written_is_refused_before_the_run(
 def test_asking_whether_a_file_can_be_written_leaves_it_as_it_is(tmp_path):
     there, not_there = tmp_path / "there", tmp_path / "not-there"
     there.write_text("kept")
-    ensure_writable(str(there))
-    ensure_writable(str(not_there))
-    ensure_writable(None)
+    Files(junit=str(there), html=str(not_there)).ensure_writable()
+    Files().ensure_writable()
     assert there.read_text() == "kept"
     assert not not_there.exists()
 
 
 def test_without_a_file_nothing_is_written(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    write_reports(check(edges=1), junit=None, html=None)
+    Files().write(check(edges=1))
     assert list(tmp_path.iterdir()) == []
 
 
@@ -95,4 +94,4 @@ def test_without_a_file_nothing_is_written(tmp_path, monkeypatch):
 @pytest.mark.parametrize("named", [("/dev/full", None), (None, "/dev/full")])
 def test_a_full_disk_is_bad_input(named):
     with pytest.raises(InputError, match="/dev/full"):
-        write_reports(check(edges=1), junit=named[0], html=named[1])
+        Files(*named).write(check(edges=1))

@@ -11,8 +11,8 @@ from allworlds.checker import check
 from allworlds.checker.gate import Cell
 from allworlds.fuzzer import fuzz
 from allworlds.mutation.explorers import WRONG_EXPLORERS
-from allworlds.reports import finding_text
 from allworlds.reports.junit import junit
+from allworlds.reports.run_text import finding_text
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
 SUITE = {"name", "tests", "failures", "inputs", "skipped"}

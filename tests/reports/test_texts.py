@@ -7,7 +7,9 @@ from allworlds.checker import check, replay, run
 from allworlds.counter import CountRow, count
 from allworlds.fuzzer import fuzz
 from allworlds.maps.build import named_map
-from allworlds.reports import check_text, count_text, finding_text, replay_text, run_text
+from allworlds.reports.check_text import check_text
+from allworlds.reports.count_text import count_text
+from allworlds.reports.run_text import finding_text, replay_text, run_text
 from allworlds.world import Directional, World
 
 

@@ -178,7 +178,7 @@ DOCUMENTS = {
     ),
 }
 # Keys that may be missing, and objects whose keys are data.
-OPTIONAL = {"detail", "labelled"}
+OPTIONAL = {"detail", "labelled", "step"}
 TABLES = {"witnesses", "by_vertices", "by_genus", "labelled", "expected"}
 
 

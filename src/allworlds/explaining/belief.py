@@ -60,4 +60,7 @@ class Belief:
 def _answer(seen: object) -> Estimate:
     if not isinstance(seen, Mapping):
         raise InputError(f"seen = {show(seen)} is no rooted map, but the law is about the answer")
-    return Estimate.from_json(seen)
+    try:
+        return Estimate.from_json(seen)
+    except InputError as error:
+        raise InputError(f"seen.{error}") from None

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from base64 import b64encode
 from collections import Counter
+from dataclasses import replace
 from html.parser import HTMLParser
 
 import pytest
@@ -206,8 +207,7 @@ def test_whatever_an_explorer_says_is_text():
         raise ValueError(HOSTILE)
         yield
 
-    report = check(explore, edges=1)
-    report.explorer = HOSTILE
+    report = replace(check(explore, edges=1), explorer=HOSTILE)
     text = page(report)
     text.encode("utf-8")
     assert not re.search("[\0\x1b\ud800\ufffe]", text)
@@ -278,7 +278,7 @@ def test_a_check_that_holds_has_a_page_without_findings():
 
 def test_a_mismatch_of_the_count_gate_is_told():
     report = check(edges=1)
-    report.gate.append(Cell(1, 1, 3, 99, "somebody"))
+    report = replace(report, gate=(*report.gate, Cell(1, 1, 3, 99, "somebody")))
     assert "counts 99" in read(page(report)).one(class_="scope").text
 
 
