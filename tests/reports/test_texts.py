@@ -163,7 +163,7 @@ def test_the_time_for_the_text_of_a_huge_answer_grows_no_faster_than_the_answer(
 
 def test_the_text_of_a_run_has_a_row_for_every_step():
     told = run("algorithm1", World(named_map("theta-torus"), Directional(0)))
-    walk = run_text(told, 100).partition("\nthe walk\n")[2].split("\n\n")[1]
+    walk = run_text(told, 100).partition("\nthe walk\n\n")[2].split("\n\n")[0]
     percepts = told.outcome.episode.transcript.percepts
     rows = walk.splitlines()[1:]
     assert [row.split()[0] for row in rows] == [str(i) for i in range(len(percepts))]
