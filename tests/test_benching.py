@@ -7,6 +7,8 @@ from allworlds.benching import bench, peer
 from allworlds.inputs import InputError
 from allworlds.reports.bench_text import bench_text
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 SLEEP = "python3 -c 'import time; time.sleep(0.05)'"
 
 

@@ -11,7 +11,6 @@ from typing import get_args, get_type_hints
 
 import pytest
 import typer
-from allworlds.explaining.tellers import TELLERS
 
 import allworlds
 from allworlds import documents, strategies
@@ -20,6 +19,7 @@ from allworlds.checker.engines import COMPILED_LAWS
 from allworlds.checker.options import ManyRunsOptions, RunOptions
 from allworlds.cli import options as opt
 from allworlds.cli.app import app
+from allworlds.explaining.tellers import TELLERS
 from allworlds.explorers import BUILT_IN
 from allworlds.findings import Rules, RulesOptions, make_rules
 from allworlds.fuzzer.sample import GENERATORS, batches

@@ -6,8 +6,10 @@ import pytest
 import typer
 
 from allworlds import check
-from allworlds.cli.app import app, call
+from allworlds.cli.app import app
 from recorded.record import LEAST, least
+
+pytestmark = pytest.mark.usefixtures("without_workers")
 
 EDGE = '{"sigma": [0, 1], "alpha": [1, 0]}'
 ENOUGH = {verb: words.split() for verb, words in LEAST.items()}
@@ -27,20 +29,6 @@ OPTIONS = [
     for param in command.params
     if param.param_type_name == "option" and not param.is_flag
 ]
-
-
-@pytest.fixture
-def refused(capsys):
-    """The one line with which these arguments are refused."""
-
-    def line(*arguments):
-        code = call([str(argument) for argument in arguments])
-        out, err = capsys.readouterr()
-        assert (code, out) == (2, ""), err
-        assert err.count("\n") == 1, err
-        return err
-
-    return line
 
 
 @pytest.mark.parametrize(
@@ -96,10 +84,9 @@ def test_an_option_without_effect_is_refused(refused, arguments, said):
         ["check", "--edges", "1", "--schedules", "all", "--policy", "lifo"],
     ],
 )
-def test_what_may_be_named_in_every_run_is_legal_where_it_changes_nothing(arguments, capsys):
+def test_what_may_be_named_in_every_run_is_legal_where_it_changes_nothing(arguments, cli):
     """A seed, a policy, the bound that is the default: scripts pass them always."""
-    assert call(arguments) == 0
-    capsys.readouterr()
+    assert cli(*arguments)[0] == 0
 
 
 @pytest.mark.parametrize(
@@ -173,11 +160,13 @@ def test_a_choice_that_was_not_asked_for_is_counted_rightly(refused, tmp_path):
     assert "only 2 were asked for" in refused("run", f"{file}:explore", "theta", "--choices=0,0,0")
 
 
-def test_the_scope_says_no_bound_where_none_was_checked(capsys):
+def test_the_scope_says_no_bound_where_none_was_checked(cli):
     for verb in (["check"], ["fuzz", "--runs", "3"]):
-        assert call([*verb, "--edges", "2", "--laws", "map,pose", "--json"]) == 0
-        document = json.loads(capsys.readouterr().out)
+        code, out, _ = cli(*verb, "--edges", "2", "--laws", "map,pose", "--json")
+        assert code == 0
+        document = json.loads(out)
         assert document["scope"]["bound"] == "none"
         assert {row["bound"] for row in document["rows"]} == {None}
-    assert call(["check", "--edges", "2", "--bound", "none", "--json"]) == 0
-    assert "bound" not in json.loads(capsys.readouterr().out)["scope"]["laws"]
+    code, out, _ = cli("check", "--edges", "2", "--bound", "none", "--json")
+    assert code == 0
+    assert "bound" not in json.loads(out)["scope"]["laws"]

@@ -12,6 +12,7 @@ from allworlds.findings import Finding
 from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap, automorphisms, unrooted_code
 from allworlds.world import World
+from small import slow
 
 CORPUS = own_corpus()
 
@@ -36,6 +37,7 @@ def test_algorithm_1_explores_a_named_world_at_the_known_cost(entry):
     assert told.outcome.cost == entry.expected["cost"]
 
 
+@pytest.mark.usefixtures("without_workers")
 @entries("finding")
 def test_a_finding_is_reproduced_by_its_mutant_to_the_letter(entry):
     finding = Finding.from_json(CORPUS.document(entry))
@@ -73,12 +75,15 @@ def test_a_pair_with_one_class_changed_is_no_longer_proved(entry):
         assert flaw(worlds, [changed, right]) is not None
 
 
+@pytest.mark.no_cover
+@pytest.mark.parametrize("most", [4, slow(6)])
 @entries("counts")
-def test_the_enumeration_gives_the_known_numbers(entry):
+def test_the_enumeration_gives_the_known_numbers(entry, most):
     known = CORPUS.document(entry)
-    census = count(edges=len(known["rooted"]), map_class=known["class"])
-    assert [row.rooted for row in census.rows] == known["rooted"]
-    assert [row.unrooted for row in census.rows][: len(known["unrooted"])] == known["unrooted"]
+    rooted, unrooted = known["rooted"][:most], known["unrooted"][:most]
+    census = count(edges=len(rooted), map_class=known["class"])
+    assert [row.rooted for row in census.rows] == rooted
+    assert [row.unrooted for row in census.rows][: len(unrooted)] == unrooted
 
 
 @pytest.fixture

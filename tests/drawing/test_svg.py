@@ -1,8 +1,9 @@
 """The pictures of maps, read back from the SVG."""
 
 import re
-from cmath import phase
+from cmath import exp, phase
 from itertools import combinations, pairwise
+from math import inf, tau
 from xml.etree import ElementTree as ET
 
 import pytest
@@ -16,13 +17,16 @@ from allworlds.maps import CombinatorialMap
 from allworlds.maps.build import named_map
 from allworlds.maps.combinatorial import cycles
 from allworlds.maps.families import family
+from small import slow
 
 NS = "{http://www.w3.org/2000/svg}"
 SMALL = [world.map for world in worlds(edges=3)]
+FEW = [*SMALL[:12], *SMALL[12::5]]  # all with one or two edges, and some with three
 NAMED = [named_map(name) for name in ("k4-torus", "theta-torus", "cube", "fig1-left")]
 # One vertex and four loops, each opposite to itself: genus 2.
 GENUS_2 = CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3))
-MAPS = [*SMALL, *NAMED, GENUS_2, family("random:12", holes=0, seed=1)]
+MAPS = [*FEW, *NAMED, GENUS_2, family("random:12", holes=0, seed=1)]
+EACH = [*MAPS, *(slow(map_) for map_ in SMALL if map_ not in FEW)]
 
 
 def drawn(map_, **shown):
@@ -79,7 +83,8 @@ def going_round_gives_sigma(map_):
             assert map_.sigma[dart] == after
 
 
-@pytest.mark.parametrize("map_", MAPS, ids=str)
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_", EACH, ids=str)
 def test_going_round_a_vertex_by_angle_gives_sigma(map_):
     going_round_gives_sigma(map_)
 
@@ -96,7 +101,8 @@ def test_another_cyclic_order_would_be_seen():
     assert any(GENUS_2.sigma[a] != b for a, b in pairwise(around))
 
 
-@pytest.mark.parametrize("map_", MAPS, ids=str)
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_", EACH, ids=str)
 def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
     svg = drawn(map_)
     beginnings = stubs(svg)
@@ -109,7 +115,7 @@ def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
     assert sorted(seen) == list(map_.darts)
 
 
-@pytest.mark.parametrize("map_", MAPS, ids=str)
+@pytest.mark.parametrize("map_", EACH, ids=str)
 def test_every_dart_and_every_vertex_is_named_once(map_):
     svg = drawn(map_)
     texts = [text.text for text in svg.iter(f"{NS}text")]
@@ -149,7 +155,7 @@ def crossings(map_):
 
 def test_planar_maps_are_drawn_without_crossings():
     flat_ones = [map_ for map_ in MAPS if map_.genus == 0]
-    assert len(flat_ones) > 60
+    assert len(flat_ones) > 20
     assert [map_ for map_ in flat_ones if crossings(map_)] == []
 
 
@@ -180,6 +186,35 @@ def test_no_triangle_of_the_mesh_is_turned_over(map_):
         for one, other in zip(link, [*link[1:], link[0]], strict=True):
             a, b = where[one] - where[point], where[other] - where[point]
             assert (a.conjugate() * b).imag > 0
+
+
+def strain(net, where, point, at):
+    """How far the triangles round a point are from being alike, if it lay there.
+
+    By the formula of the docstring, with areas and sides by their definition: S/A + 1/A + A for
+    a triangle with area A/2 and squares of sides of sum S, and for one with a corner on the ring
+    a twentieth of 1/A alone.
+    """
+    total = 0.0
+    for one, other in pairwise([*net.links[point], net.links[point][0]]):
+        corners = [at, where[one], where[other]]
+        area = ((corners[1] - at).conjugate() * (corners[2] - at)).imag
+        if area <= 0:
+            return inf
+        squares = sum(abs(p - q) ** 2 for p, q in combinations(corners, 2))
+        on_the_ring = one in net.ring or other in net.ring
+        total += 0.05 / area if on_the_ring else (squares + 1) / area + area
+    return total
+
+
+@pytest.mark.parametrize("name", ["edge", "theta", "k4", "theta-torus"])
+def test_no_point_of_the_mesh_would_lie_better_a_little_aside(name):
+    net = mesh(planar(named_map(name)))
+    where = place(net)
+    for point, at in enumerate(where[: len(net.links)]):
+        aside = [at + 0.02 * exp(1j * tau * k / 8) for k in range(8)]
+        here = strain(net, where, point, at)
+        assert here < min(strain(net, where, point, there) for there in aside)
 
 
 def test_everything_drawn_lies_in_the_box():

@@ -4,17 +4,13 @@ from dataclasses import replace
 
 import pytest
 
-from allworlds import CombinatorialMap
 from allworlds.checker import run
 from allworlds.explaining import explain
 from allworlds.explaining.tellers import TELLERS
 from allworlds.inputs import InputError
 from allworlds.judge import PRECEDENCE
 from allworlds.world import Directional, World
-
-EDGE = CombinatorialMap([0, 1], [1, 0])
-PATH = CombinatorialMap([0, 2, 1, 3], [1, 0, 3, 2])
-
+from small import EDGE, LASSO, PATH
 
 # ---------------------------------------------------------------- the run ended too early
 
@@ -69,8 +65,7 @@ def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
 
 def test_a_robot_at_another_vertex_is_told_so(explained, answering):
     # A vertex of degree 3 with a loop and a leaf: no symmetry.
-    lollipop = CombinatorialMap([1, 2, 0, 3], [1, 0, 3, 2])
-    explanation = explained(lollipop, answering(lollipop, 3, 0))
+    explanation = explained(LASSO, answering(LASSO, 3, 0))
     assert explanation.law == "pose"
     assert "it believes to stand at v1, dart 3, which is another vertex" in explanation.sentences[1]
 

@@ -9,10 +9,7 @@ import pytest
 
 from allworlds.inputs import InputError
 from allworlds.judge.bounds import Bound, bound_named, paper_bound
-from allworlds.maps.combinatorial import CombinatorialMap
-
-# Vertex 0 of degree 1, vertex 1 of degree 3 with a loop: n = 2, m = 2.
-LOLLIPOP = CombinatorialMap((0, 2, 3, 1), (1, 0, 3, 2))
+from small import LOLLIPOP
 
 
 def printed(m, n):

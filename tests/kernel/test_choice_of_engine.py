@@ -4,6 +4,8 @@ from allworlds import check
 from allworlds.inputs import InputError
 from allworlds.outcome import Verdict
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 
 class Stopper:
     """A listener that presses Ctrl-C, or only listens."""

@@ -7,6 +7,8 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import rooted_of_genus
 from allworlds.maps.enumeration import prefixes
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 
 @pytest.mark.parametrize("vertices", [None, 2, 4])
 @pytest.mark.parametrize("edges", [1, 2, 3, 4, 5])

@@ -60,6 +60,7 @@ def test_rooted_maps_by_genus_are_the_published_numbers():
         assert sum(computed.values()) == ROOTED[m - 1]
 
 
+@pytest.mark.no_cover
 def test_trees_are_counted_by_catalan_numbers_in_every_class():
     assert [catalan(n) for n in range(9)] == CATALAN
     for map_class in CLASSES:
@@ -224,6 +225,7 @@ def test_simple_rooted_maps_by_vertices_are_the_known_numbers(rooted):
     assert totals == [1, 3, 32, 3965]
 
 
+@pytest.mark.no_cover
 def test_labelling_vertices_and_rooting_count_the_same_simple_maps():
     for n in range(2, 7):
         assert labelled(n, rooted_simple) == labelled(n, rooted_simple_by_degrees)
@@ -263,12 +265,14 @@ def test_simple_planar_maps_by_edges_are_the_published_numbers():
     assert totals == SIMPLE_PLANAR
 
 
+@pytest.mark.no_cover
 def test_simple_planar_maps_with_the_most_edges_are_tuttes_triangulations():
     most = [rooted_planar_simple_by_substitution(3 * n - 6)[n] for n in range(3, 9)]
     assert most == TRIANGULATIONS
     assert [rooted_planar_simple(3 * n - 6)[n] for n in range(3, 6)] == TRIANGULATIONS[:3]
 
 
+@pytest.mark.no_cover
 def test_simple_planar_maps_never_have_more_than_3n_minus_6_edges():
     for m in range(2, 16):
         for known in (rooted_planar_simple(m), rooted_planar_simple_by_substitution(m)):

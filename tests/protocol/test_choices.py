@@ -1,14 +1,11 @@
 from itertools import product
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from allworlds.inputs import InputError
 from allworlds.protocol.choices import KINDS, Choices, Schedules, policy_named
-
-settings.register_profile("laws", deadline=None, database=None)
-settings.load_profile("laws")
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:7"]
 widths = st.lists(st.integers(1, 5), max_size=12)
@@ -40,6 +37,13 @@ def test_lifo_takes_the_last_edge_and_the_first_of_all_else(kind):
 def test_nearest_takes_the_first_of_the_cheapest_edges_and_the_first_of_all_else(kind):
     picked = Choices(policy_named("nearest")).pick("abcd", of=kind, cost=[3, 1, 2, 1])
     assert picked == ("b" if kind == "edge" else "a")
+
+
+@pytest.mark.parametrize("nearest", range(4))
+def test_the_nearest_edge_may_be_any_of_them(nearest):
+    cost = [5 - (i == nearest) for i in range(4)]
+    picked = Choices(policy_named("nearest")).pick(range(4), of="edge", cost=cost)
+    assert picked == nearest
 
 
 @pytest.mark.parametrize("cost", [None, ()])

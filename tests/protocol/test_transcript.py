@@ -3,14 +3,11 @@ from dataclasses import FrozenInstanceError
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from allworlds.protocol import Drop, ExplorerFault, Move, Percept, Pick, Transcript
 from allworlds.protocol.transcript import action_from_json, percept_from_json
-
-settings.register_profile("laws", deadline=None, database=None)
-settings.load_profile("laws")
 
 FIRST = {"degree": 2, "marks": 1, "bearing": 0}
 percepts = st.integers(1, 9).flatmap(

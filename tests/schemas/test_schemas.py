@@ -13,7 +13,6 @@ from referencing import Registry, Resource
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
 from allworlds.checker import Interrupted, check, replay, run, worlds
-from allworlds.cli.app import call
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
@@ -27,6 +26,8 @@ from allworlds.world import LIGHTHOUSES, Directional, Position, World
 from allworlds.worst_case import worst
 from recorded.record import least
 from schemas.rules import RULES, broken
+
+pytestmark = pytest.mark.usefixtures("compiled")
 
 SCHEMAS = {
     file.name.removesuffix(".schema.json"): json.loads(file.read_text(encoding="utf-8"))
@@ -225,6 +226,7 @@ def spoilt(value, path=()):
                 yield where, [*value[:i], inner, *value[i + 1 :]]
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_a_missing_misspelt_or_odd_key_is_refused(name):
     reference, found = document(name)
@@ -362,11 +364,12 @@ def test_a_transcript_that_is_read_needs_its_actions_and_percepts():
 # ---------------------------------------------------------------- completeness
 
 
+@pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("verb", VERBS, ids=lambda verb: verb.name)
-def test_what_the_command_line_prints_keeps_its_schema(verb, capsys, tmp_path):
-    code = call([*least(verb.name, str(tmp_path)), "--json"])
+def test_what_the_command_line_prints_keeps_its_schema(verb, cli, tmp_path):
+    code, out, _ = cli(*least(verb.name, str(tmp_path)), "--json")
     assert code == (1 if verb.name == "mutants" else 0)
-    document = json.loads(capsys.readouterr().out)
+    document = json.loads(out)
     assert wrongs(whole(verb.document), document) == []
     assert complaints(whole("made-by"), document["made_by"]) == []
     assert complaints(whole(verb.document), {**document, "made_by": {}})

@@ -21,6 +21,7 @@ from allworlds.smt.pair import forbid_other_start, pair_formula
 from allworlds.smt.question import Sizes, question
 from allworlds.smt.witness import bisimulation, code, same_world_from
 from allworlds.world import Compass, Directional, Nothing, Position, World
+from small import slow
 
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 needs_python_sat = pytest.mark.skipif(
@@ -55,9 +56,12 @@ def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class
     ("lighthouse", "map_class", "edges"),
     [
         ("position", "maps", 1),
-        ("position", "simple", 5),
-        ("position", "planar-simple", 5),
-        ("directional", "maps", 4),
+        ("position", "simple", 4),
+        ("position", "planar-simple", 4),
+        ("directional", "maps", 3),
+        slow("position", "simple", 5),
+        slow("position", "planar-simple", 5),
+        slow("directional", "maps", 4),
         pytest.param("directional", "maps", 5, marks=pytest.mark.slow),
     ],
 )
@@ -76,6 +80,7 @@ def test_where_there_is_no_pair_every_level_has_a_checked_proof(
         assert read_dimacs(found.formula)[1] == clauses
 
 
+@pytest.mark.slow
 def test_the_caption_of_fig_1_is_found_and_replays_from_every_start(tmp_path):
     bounds = {"vertices": 9, "edges": 14, "map_class": "planar-simple", "out": tmp_path}
     result = allworlds.search(

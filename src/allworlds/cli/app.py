@@ -6,6 +6,7 @@ import signal
 import sys
 import traceback
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
 from itertools import pairwise
 from keyword import iskeyword
@@ -98,7 +99,7 @@ def call(arguments: list[str]) -> int:
     """Run a verb in this process; its exit code, whatever happens."""
     try:
         with beginning(arguments):
-            code = app(args=arguments, standalone_mode=False)
+            code = _verbs()(args=arguments, standalone_mode=False)
     except InputError as error:
         return _refuse(str(error))
     except _ClickError as error:
@@ -116,6 +117,12 @@ def call(arguments: list[str]) -> int:
         complain("internal error; the lines above say where")
         return Exit.INTERNAL
     return int(code or 0)
+
+
+@cache
+def _verbs() -> Callable[..., int | None]:
+    """All verbs as click sees them; Typer needs longer to make them than a small verb runs."""
+    return typer.main.get_command(app)
 
 
 def _complaint(error: Exception, arguments: list[str]) -> str:
