@@ -47,8 +47,8 @@ def measured(question: dict[str, Any], solver: str | None) -> str:
         start = time.perf_counter()
         result = allworlds.search(max_vertices=9, out=out, solver=solver, **question)
         seconds = time.perf_counter() - start
-    solving = sum(level.seconds for level in result.levels)
-    proofs = sum(level.proof is not None for level in result.levels)
+    solving = sum(searched.seconds for searched in result.searched)
+    proofs = sum(searched.proof is not None for searched in result.searched)
     return f"{result.status:<7} {seconds:8.1f} {solving:8.1f} {proofs:7}"
 
 

@@ -19,13 +19,14 @@ from typing import Any
 
 from allworlds import search
 from allworlds.maps import from_cycles, from_rotation
-from allworlds.smt.witness import MarkedMap, bisimulation, same_world_from
+from allworlds.smt.witness import bisimulation, same_world_from
+from allworlds.world import Natural, Position, World
 
 HERE = Path(__file__).resolve().parent
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 
 
-def searched(folder: Path, prefix: str, solver: str | None, **bounds: Any) -> list[MarkedMap]:
+def searched(folder: Path, prefix: str, solver: str | None, **bounds: Any) -> list[World]:
     """The pair of a search, or none and for every level formula and proof in the folder."""
     with tempfile.TemporaryDirectory() as out:
         result = search(out=out, solver=solver, **bounds)
@@ -33,11 +34,11 @@ def searched(folder: Path, prefix: str, solver: str | None, **bounds: Any) -> li
             return list(result.pair)
         if result.certificate is None:
             raise SystemExit(f"no certificate: {result.notices}")
-        for level in result.levels:
-            name = f"{prefix}m{level.level.two.edges}"
-            _compress(level.formula, folder / f"{name}.cnf.xz")
-            assert level.proof is not None
-            _compress(level.proof, folder / f"{name}.lrat.xz")
+        for decided in result.searched:
+            name = f"{prefix}m{decided.sizes.two.edges}"
+            _compress(decided.formula, folder / f"{name}.cnf.xz")
+            assert decided.proof is not None
+            _compress(decided.proof, folder / f"{name}.lrat.xz")
     return []
 
 
@@ -45,7 +46,7 @@ def _compress(source: Path, target: Path) -> None:
     target.write_bytes(lzma.compress(source.read_bytes(), preset=9 | lzma.PRESET_EXTREME))
 
 
-def entry(worlds: list[MarkedMap]) -> dict[str, Any]:
+def entry(worlds: list[World]) -> dict[str, Any]:
     """A pair and its bisimulation, as the checkers read them."""
     classes = bisimulation(*worlds)
     if classes is None:
@@ -87,14 +88,14 @@ def fig1(solver: str | None) -> None:
     write(folder / "pairs.json", {"planar-simple": entry(found), "wheel": entry(wheels())})
 
 
-def wheels() -> list[MarkedMap]:
+def wheels() -> list[World]:
     """The wheel with four spokes in the plane, and the first drawing of it that looks alike."""
     rims = [[0, (i - 2) % 4 + 1, i % 4 + 1] for i in range(1, 5)]
-    plane = MarkedMap("position", from_rotation([[1, 2, 3, 4], *rims]), 0, (0,))
+    plane = World(from_rotation([[1, 2, 3, 4], *rims]), Position(0))
     for hub in permutations([2, 3, 4]):
         for turned in product((1, -1), repeat=4):
             around = [rim[::turn] for rim, turn in zip(rims, turned, strict=True)]
-            drawn = MarkedMap("position", from_rotation([[1, *hub], *around]), 0, (0,))
+            drawn = World(from_rotation([[1, *hub], *around]), Position(0))
             if bisimulation(plane, drawn) and same_world_from(plane, drawn) is None:
                 return [plane, drawn]
     raise SystemExit("no drawing of the wheel looks like another")
@@ -104,11 +105,8 @@ def natural_lighthouse(_solver: str | None) -> None:
     """v1 with rotation p0 x0 y0 p1 x1 y1; x0 meets y0 (plane) or y1 (torus)."""
     plane = from_cycles(["pq", "pxxqyy"])
     torus = from_cycles(["pq", "pxyqyx"])
-    worlds = [MarkedMap("none", map_, 0, ()) for map_ in (plane, torus)]
-    document = entry(worlds)
-    for world in document["pair"]:
-        world["lighthouse"] = {"kind": "natural", "dart": 0}
-    write(HERE / "natural-lighthouse" / "pair.json", document)
+    worlds = [World(map_, Natural(0)) for map_ in (plane, torus)]
+    write(HERE / "natural-lighthouse" / "pair.json", entry(worlds))
 
 
 def write_manifest() -> None:

@@ -1,6 +1,110 @@
-"""What all tests share: drawn examples are the same every time, on every machine."""
+"""What all tests share: drawn examples that are the same every time, and the command line."""
 
+import fcntl
+import os
+import subprocess
+import sys
+from contextlib import contextmanager
+
+import pytest
+from coverage import Coverage
 from hypothesis import settings
 
-settings.register_profile("same-every-time", derandomize=True, deadline=None, max_examples=60)
+from allworlds.cli.app import call
+from allworlds.isolation.workers import ThisProcess
+from allworlds.runs import Examiner
+
+COMPILE = """
+import allworlds
+
+allworlds.worst(edges=1)
+allworlds.bench(edges=4, rounds=1)
+"""
+
+settings.register_profile(
+    "same-every-time", derandomize=True, database=None, deadline=None, max_examples=60
+)
 settings.load_profile("same-every-time")
+
+
+@pytest.fixture
+def cli(capsys):
+    """The command line, called in this process: exit code, stdout and stderr."""
+
+    def run(*arguments):
+        code = call([str(argument) for argument in arguments])
+        return code, *capsys.readouterr()
+
+    return run
+
+
+@pytest.fixture
+def refused(cli):
+    """The one line with which these arguments are refused."""
+
+    def run(*arguments):
+        code, out, err = cli(*arguments)
+        assert (code, out) == (2, ""), err
+        assert err.startswith("allworlds: ")
+        assert err.count("\n") == 1, err
+        return err
+
+    return run
+
+
+@pytest.fixture
+def without_workers(monkeypatch):
+    """Checks and runs are done in this process: no worker has to start, and all else is the same.
+
+    Only the confirmation of a finding takes a fresh process still.
+    """
+
+    class Here(ThisProcess):
+        def __exit__(self, *_):
+            if self.subject.program:
+                self.subject.program.close()
+
+    def examine(subject, rules, world, script, _limits):
+        examiner = Examiner(subject, rules)
+        name = examiner.name_run(world)
+        with subject.running():
+            return examiner.examine(world, rules.choices(name, script), name)
+
+    monkeypatch.setattr(
+        "allworlds.isolation.workers.Workers",
+        lambda subject, _limits, deadline: Here(subject, deadline),
+    )
+    monkeypatch.setattr("allworlds.checker.single.examine_apart", examine)
+
+
+@pytest.fixture(scope="session")
+def compiled(tmp_path_factory):
+    """The kernel, compiled once, by a process that nothing traces, whoever needs it first."""
+    base = tmp_path_factory.getbasetemp()
+    common = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+    with (common / "compiled").open("a") as done:
+        fcntl.flock(done, fcntl.LOCK_EX)  # the other workers of pytest wait
+        if os.fstat(done.fileno()).st_size == 0:
+            subprocess.run([sys.executable, "-c", COMPILE], check=True)
+            done.write("done")
+
+
+@pytest.fixture(scope="session")
+def untraced():
+    """A context in which coverage is not measured, for a fixture that goes through many worlds.
+
+    Tracing makes Python four times as slow; for a test there is the mark ``no_cover``.
+    """
+
+    @contextmanager
+    def paused():
+        measured = Coverage.current()
+        if measured:
+            measured.stop()
+        try:
+            yield
+        finally:
+            if measured:
+                measured.start()
+
+    return paused

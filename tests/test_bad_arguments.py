@@ -3,11 +3,12 @@
 import pytest
 
 import allworlds
+import small
 from allworlds import strategies
 from allworlds.inputs import InputError
 from allworlds.world import Directional, World
 
-EDGE = World(allworlds.CombinatorialMap([0, 1], [1, 0]), Directional(0))
+EDGE = World(small.EDGE, Directional(0))
 
 
 def check(**options):

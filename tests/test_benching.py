@@ -7,6 +7,8 @@ from allworlds.benching import bench, peer
 from allworlds.inputs import InputError
 from allworlds.reports.bench_text import bench_text
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 SLEEP = "python3 -c 'import time; time.sleep(0.05)'"
 
 
@@ -39,11 +41,9 @@ def test_ratios_are_taken_within_a_round(report):
     assert ratio["ratio"]["highest"] == round(max(both), 4)
 
 
-def test_the_document_says_where_and_what(report):
+def test_the_document_says_what_was_measured(report):
     document = json.loads(json.dumps(report.to_json()))
     assert document["schema"] == 1
-    assert {"system", "processor", "cores", "python", "numba"} <= set(document["machine"])
-    assert document["version"]
     assert "commit" in document
     assert document["rounds"] == 2
     assert 10 < document["peak_mb"] < 100_000  # of this process, whatever else it has run

@@ -147,16 +147,3 @@ def test_the_protocol_page_names_every_witness_that_is_required():
     witnesses = page.partition("## Witnesses")[2].partition("##")[0]
     named = set(re.findall(r"^\| `([a-z0-9A-Z-]+)` \|", witnesses, re.MULTILINE))
     assert named == {"loop-edge", "parallel-edge", *BUILT_IN["algorithm1"].witnesses}
-
-
-def test_the_pages_speak_of_every_key_of_a_report():
-    page = (ROOT / "docs" / "protocol.md").read_text(encoding="utf-8")
-    report = allworlds.check(wrong, edges=1).to_json()
-    (finding,) = report["findings"]
-    for document in (report, report["scope"], report["rows"][0], finding, finding["options"]):
-        for key in document:
-            assert re.search(rf"\b{key}\b", page), key
-
-
-def wrong(_first):
-    yield allworlds.Move(0)

@@ -20,6 +20,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Schedules
 from allworlds.world import Directional, World
+from small import EDGE, LOOP, TORUS
 
 OF_CLASS = {
     MapClass.MAPS: strategies.maps,
@@ -55,12 +56,14 @@ def smallest(strategy, condition):
 # ---------------------------------------------------------------- maps
 
 
+@pytest.mark.no_cover
 @CLASSES
 def test_every_map_of_at_most_three_edges_is_drawn(map_class):
     expected = {m for edges in (1, 2, 3) for m in all_rooted_maps(edges, map_class)}
     assert set(sample(map_class, 3)) == expected
 
 
+@pytest.mark.no_cover
 @CLASSES
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])
 def test_every_way_to_grow_ends_in_a_map_and_every_map_can_be_grown(map_class, edges):
@@ -81,6 +84,7 @@ def test_one_that_never_draws_a_handle_would_be_noticed():
     assert set(sample(MapClass.PLANAR, 3)) < set(sample(MapClass.MAPS, 3))
 
 
+@pytest.mark.no_cover
 @CLASSES
 @pytest.mark.parametrize("edges", [6, 14])
 def test_what_is_drawn_is_a_valid_map_of_the_class_in_canonical_numbering(map_class, edges):
@@ -91,6 +95,7 @@ def test_what_is_drawn_is_a_valid_map_of_the_class_in_canonical_numbering(map_cl
         assert rooted_code(map_.sigma, map_.alpha, 0) == (map_.sigma, map_.alpha)
 
 
+@pytest.mark.no_cover
 @CLASSES
 def test_every_size_is_drawn_and_nothing_in_vain(map_class):
     sizes = {(m.edge_count, m.vertex_count) for m in sample(map_class, 6)}
@@ -103,6 +108,7 @@ def test_every_size_is_drawn_and_nothing_in_vain(map_class):
     assert {edges for edges, _ in sizes} == set(range(1, 7))
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("strategy", OF_CLASS.values())
 def test_the_number_of_edges_is_kept_between_its_bounds(strategy):
     assert {m.edge_count for m in drawn(strategy(3, 5))} == {3, 4, 5}
@@ -123,21 +129,17 @@ def test_impossible_bounds_are_refused_at_once(strategy, least, most, message):
 
 # ---------------------------------------------------------------- shrinking
 
-LOOP = CombinatorialMap((1, 0), (1, 0))
-LINK = CombinatorialMap((0, 1), (1, 0))
-TORUS = CombinatorialMap((1, 2, 3, 0), (2, 3, 0, 1))
-
 
 @pytest.mark.parametrize(
     ("strategy", "condition", "expected"),
     [
         (strategies.maps(), lambda _: True, LOOP),
         (strategies.maps(), lambda m: m.loop_count, LOOP),
-        (strategies.maps(), lambda m: m.vertex_count > 1, LINK),
+        (strategies.maps(), lambda m: m.vertex_count > 1, EDGE),
         (strategies.maps(), lambda m: m.genus == 1, TORUS),
-        (strategies.simple_maps(), lambda _: True, LINK),
+        (strategies.simple_maps(), lambda _: True, EDGE),
         (strategies.planar_maps(), lambda _: True, LOOP),
-        (strategies.planar_simple_maps(), lambda _: True, LINK),
+        (strategies.planar_simple_maps(), lambda _: True, EDGE),
     ],
 )
 def test_the_smallest_example_is_the_smallest_map(strategy, condition, expected):
@@ -169,6 +171,7 @@ def test_examples_shrink_to_the_least_edges_and_then_to_the_least_vertices(
 # ---------------------------------------------------------------- worlds
 
 
+@pytest.mark.no_cover
 def test_every_start_and_every_bearing_of_a_small_map_is_drawn():
     found = {
         (world.map, world.start, world.lighthouse.dart)
@@ -218,6 +221,7 @@ def test_every_answer_is_one_of_the_options_and_is_recorded(choices):
     assert choices.record == answers
 
 
+@pytest.mark.no_cover
 def test_every_short_run_of_answers_is_drawn():
     found = {tuple(asked(choices, 2, 3)) for choices in drawn(strategies.choices())}
     assert found == {(a, b) for a in range(2) for b in range(3)}
@@ -267,7 +271,7 @@ def violation(world, choices, kind=Algorithm1):
         episode.ending.estimate,
         bound,
     )
-    return getattr(judge(case, LAWS.values()), "law", None)
+    return getattr(judge(case, [law.check for law in LAWS.values()]), "law", None)
 
 
 @given(strategies.worlds(strategies.maps(max_edges=10)), strategies.choices())

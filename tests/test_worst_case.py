@@ -18,6 +18,8 @@ from allworlds.world import Directional, World
 from allworlds.worst_case import EverySchedule, dearest, worst
 from allworlds.worst_case.one_world import WrongTest
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 
 def twin(edges, transit, map_class=MapClass.MAPS):
     """{vertices: (worst, best)} by the readable twin."""
@@ -38,11 +40,13 @@ def report(request):
     return worst(edges=5, transit=request.param, workers=2)
 
 
+@pytest.mark.no_cover
 def test_the_compiled_program_agrees_with_its_twin(report):
     for edges in (1, 2, 3, 4):
         assert rows_of(report, edges) == twin(edges, report.transit)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", ["simple", "planar", "planar-simple"])
 def test_other_classes_agree_with_the_twin(map_class):
     report = worst(edges=4, map_class=map_class)
@@ -51,6 +55,7 @@ def test_other_classes_agree_with_the_twin(map_class):
     assert report.exit_code == 0
 
 
+@pytest.mark.no_cover
 def test_in_each_world_every_run_of_the_python_engine_costs_what_the_twin_says():
     examiner = Examiner(load("algorithm1"), Rules())
     for edges in (1, 2, 3):

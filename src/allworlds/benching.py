@@ -6,8 +6,6 @@ the machine does then befalls both sides.
 
 from __future__ import annotations
 
-import os
-import platform
 import re
 import resource
 import shlex
@@ -15,10 +13,9 @@ import subprocess
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from statistics import median
-from typing import Any
+from typing import TYPE_CHECKING
 
 from allworlds.checker import ENGINES, Job
 from allworlds.episode import default_step_budget
@@ -32,9 +29,11 @@ from allworlds.outcome import SCHEMA, Exit
 from allworlds.progress import Silent
 from allworlds.runs import Examiner, Scope, Tally
 from allworlds.subjects import load
-from allworlds.version import __version__
 from allworlds.work import Limits, gather
 from allworlds.world import Directional, World
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 REFERENCE = "kernel"
 """The contender to whose rate all others are compared."""
@@ -77,7 +76,7 @@ class Measured:
         """Worlds a second in each round."""
         return [self.contender.worlds / seconds for seconds in self.seconds]
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.Contender:
         """One row of the document."""
         return {
             "name": self.contender.name,
@@ -108,7 +107,7 @@ class BenchReport:
         """0: measured."""
         return Exit.ANSWERED
 
-    def ratios(self) -> list[dict[str, Any]]:
+    def ratios(self) -> list[documents.Ratio]:
         """How many times the rate of each other contender the reference's is."""
         reference = self.measured[0]
         return [
@@ -122,13 +121,11 @@ class BenchReport:
             for other in self.measured[1:]
         ]
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.BenchReport:
         """The document of ``bench --json``."""
         return {
             "schema": SCHEMA,
-            "version": __version__,
             "commit": commit(),
-            "machine": machine(),
             "edges": self.edges,
             "rounds": len(self.measured[0].seconds),
             "peak_mb": self.peak_mb,
@@ -250,26 +247,6 @@ def _python(edges: int) -> None:
         examiner.examine(World(map_, Directional(0), 0), rules.choices(""))
 
 
-def machine() -> dict[str, Any]:
-    """What the measurements were made on."""
-    model = platform.processor()
-    info = Path("/proc/cpuinfo")
-    if info.exists():
-        found = re.search(
-            r"^model name\s*:\s*(.+)$", info.read_text(encoding="utf-8"), re.MULTILINE
-        )
-        model = found[1] if found else model
-    return {
-        "system": platform.system(),
-        "machine": platform.machine(),
-        "processor": model,
-        "cores": os.cpu_count(),
-        "load": round(os.getloadavg()[0], 2),
-        "python": platform.python_version(),
-        "numba": version("numba"),
-    }
-
-
 def commit() -> str | None:
     """The commit of the sources; None outside a checkout."""
     try:
@@ -285,7 +262,7 @@ def commit() -> str | None:
     return said.stdout.strip()
 
 
-def _spread(values: Sequence[float], digits: int) -> dict[str, float]:
+def _spread(values: Sequence[float], digits: int) -> documents.Spread:
     return {
         "median": round(median(values), digits),
         "lowest": round(min(values), digits),

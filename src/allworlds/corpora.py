@@ -22,10 +22,6 @@ MANIFEST = "manifest.json"
 SCHEMA = 1
 
 
-class CorpusError(InputError):
-    """A corpus that is not what its manifest says."""
-
-
 @dataclass(frozen=True, slots=True)
 class Entry:
     """One thing that is kept.
@@ -65,12 +61,12 @@ class Corpus:
         """The entry of that name.
 
         Raises:
-            CorpusError: naming those that there are.
+            InputError: naming those that there are.
         """
         for entry in self.entries:
             if entry.name == name:
                 return entry
-        raise CorpusError(
+        raise InputError(
             f"corpus entry {name!r} is none of {', '.join(entry.name for entry in self.entries)}"
         )
 
@@ -78,39 +74,39 @@ class Corpus:
         """The JSON document of an entry.
 
         Raises:
-            CorpusError: naming the entry, if its file is missing or is not what it was.
+            InputError: naming the entry, if its file is missing or is not what it was.
         """
         try:
             content = (self.directory / entry.file).read_bytes()
         except OSError as error:
-            raise CorpusError(f"corpus entry {entry.name!r}: {error.strerror}") from None
+            raise InputError(f"corpus entry {entry.name!r}: {error.strerror}") from None
         digest = hashlib.sha256(content).hexdigest()
         if digest != entry.sha256:
-            raise CorpusError(
+            raise InputError(
                 f"corpus entry {entry.name!r}: {entry.file} has the digest {digest[:12]}..., "
                 f"but its manifest says {entry.sha256[:12]}..."
             )
-        return parse_json(content.decode(), CorpusError)
+        return parse_json(content.decode())
 
 
 def load_corpus(directory: Path) -> Corpus:
     """The corpus of a directory.
 
     Raises:
-        CorpusError: if there is no manifest, or naming the entry that is none.
+        InputError: if there is no manifest, or naming the entry that is none.
     """
     try:
         text = (directory / MANIFEST).read_text(encoding="utf-8")
     except OSError as error:
-        raise CorpusError(f"corpus {directory}: {MANIFEST}: {error.strerror}") from None
-    manifest = parse_json(text, CorpusError)
+        raise InputError(f"corpus {directory}: {MANIFEST}: {error.strerror}") from None
+    manifest = parse_json(text)
     if not isinstance(manifest, dict) or manifest.get("schema") != SCHEMA:
-        raise CorpusError(f"corpus {directory}: {MANIFEST} is not of schema {SCHEMA}")
+        raise InputError(f"corpus {directory}: {MANIFEST} is not of schema {SCHEMA}")
     entries = [_entry(row) for row in manifest.get("entries", [])]
     names = [entry.name for entry in entries]
     for name in names:
         if names.count(name) > 1:
-            raise CorpusError(f"corpus entry {name!r} occurs twice")
+            raise InputError(f"corpus entry {name!r} occurs twice")
     return Corpus(directory, tuple(entries))
 
 
@@ -133,7 +129,7 @@ def _entry(row: object) -> Entry:
             "expected": dict(expected),
         } if kind in KINDS:
             return Entry(name, kind, file, digest, provenance, expected)
-    raise CorpusError(
+    raise InputError(
         "a corpus entry has name, kind (world, finding, pair or counts), file, sha256, provenance "
         f"and expected, not {show(row)}"
     )

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field
 from math import factorial
-from typing import Any
+from typing import TYPE_CHECKING
 
 from allworlds.maps.canonical import automorphisms
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
 from allworlds.outcome import SCHEMA, Exit
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
@@ -43,9 +46,9 @@ class CountRow:
         """The enumeration and its source give the same count for every number of vertices."""
         return dict(self.by_vertices) == {n: count for n, count in self.counted.items() if count}
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.CountRow:
         """One row of the document."""
-        row: dict[str, Any] = {
+        row: documents.CountRow = {
             "edges": self.edges,
             "rooted": self.rooted,
             "unrooted": self.unrooted,
@@ -78,7 +81,7 @@ class Census:
             return Exit.DISAGREES
         return Exit.ANSWERED if any(row.rooted for row in self.rows) else Exit.VACUOUS
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.CountReport:
         """The document of ``count --json``."""
         return {
             "schema": SCHEMA,
@@ -98,7 +101,7 @@ def count(
     Args:
         edges: the largest number of edges.
         vertices: the largest number of vertices; alone only for the simple classes.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
 
     Raises:
         InputError: naming the offending option and what would be legal.

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import IntEnum, StrEnum
-from typing import Any, Protocol
+from typing import Any, Final, Protocol
 
-SCHEMA = 1
-"""The version of every JSON document."""
+SCHEMA: Final = 1
+"""The version of every document that a verb writes, and of a corpus's manifest."""
 
 
 class Exit(IntEnum):
@@ -59,5 +60,5 @@ class Result(Protocol):
     def exit_code(self) -> int:
         """One of :class:`Exit`."""
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> Mapping[str, Any]:
         """The JSON document."""

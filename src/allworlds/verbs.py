@@ -1,8 +1,8 @@
 """**The** table of the verbs: what each is called, what does it, and what it is for.
 
 The command line, the names of the package and the tests are derived from it.  A new verb is
-an entry here, the function that it names, a module of ``cli`` of its name, its text among
-:data:`allworlds.reports.TEXTS`, and its document.
+an entry here, the function, the text and the document that it names, and a module of ``cli``
+of its name.
 """
 
 from __future__ import annotations
@@ -17,11 +17,15 @@ class Verb:
     Attributes:
         name: the words on the command line.
         function: what does it, as ``module:name``; a verb of one word is a name of the package.
+        text: what tells its result, as ``module:name`` of :mod:`allworlds.reports`.
+        document: the schema of its document, one of :data:`allworlds.documents.PAGES`.
         summary: one line of the help.
     """
 
     name: str
     function: str
+    text: str
+    document: str
     summary: str
 
     @property
@@ -32,20 +36,96 @@ class Verb:
 
 VERBS = (
     Verb(
-        "check", "checker:check", "Every world of a class, one explorer, a verdict: the main job."
+        "check",
+        "checker:check",
+        "check_text:check_text",
+        "check",
+        "Every world of a class, one explorer, a verdict: the main job.",
     ),
-    Verb("run", "checker:run", "One world, told step by step."),
-    Verb("fuzz", "fuzzer:fuzz", "Random worlds beyond the exhaustive bound."),
-    Verb("replay", "checker:replay", "A finding once more: reproduced or fixed."),
-    Verb("explain", "explaining:explain", "A finding in plain words."),
-    Verb("mutants", "mutation:mutants", "What the checks are known to catch."),
-    Verb("count", "counter:count", "How many maps there are, counted twice."),
-    Verb("worst", "worst_case:worst", "Algorithm 1 at its worst and best, over every schedule."),
-    Verb("twins", "ambiguity:twins", "Can any motion tell two worlds apart?"),
-    Verb("search", "smt:search", "Worlds that no motion tells apart, by SMT."),
-    Verb("bench", "benching:bench", "This program and others side by side."),
-    Verb("ambiguity census", "ambiguity:census", "Which worlds of a class no motion tells apart."),
-    Verb("ambiguity class", "ambiguity:class_of", "Every world that no motion tells from a world."),
+    Verb(
+        "run",
+        "checker:run",
+        "run_text:run_text",
+        "run",
+        "One world, told step by step.",
+    ),
+    Verb(
+        "fuzz",
+        "fuzzer:fuzz",
+        "check_text:check_text",
+        "check",
+        "Random worlds beyond the exhaustive bound.",
+    ),
+    Verb(
+        "replay",
+        "checker:replay",
+        "run_text:replay_text",
+        "replay",
+        "A finding once more: reproduced or fixed.",
+    ),
+    Verb(
+        "explain",
+        "explaining:explain",
+        "explain_text:explain_text",
+        "explain",
+        "A finding in plain words.",
+    ),
+    Verb(
+        "mutants",
+        "mutation:mutants",
+        "mutants_text:mutants_text",
+        "mutants",
+        "What the checks are known to catch.",
+    ),
+    Verb(
+        "count",
+        "counter:count",
+        "count_text:count_text",
+        "count",
+        "How many maps there are, counted twice.",
+    ),
+    Verb(
+        "worst",
+        "worst_case:worst",
+        "worst_text:worst_text",
+        "worst",
+        "Algorithm 1 at its worst and best, over every schedule.",
+    ),
+    Verb(
+        "twins",
+        "ambiguity:twins",
+        "ambiguity_text:twins_text",
+        "twins",
+        "Can any motion tell two worlds apart?",
+    ),
+    Verb(
+        "search",
+        "smt:search",
+        "search_text:search_text",
+        "search",
+        "Worlds that no motion tells apart, by SMT.",
+    ),
+    Verb(
+        "bench",
+        "benching:bench",
+        "bench_text:bench_text",
+        "bench",
+        "This program and others side by side.",
+    ),
+    Verb(
+        "ambiguity census",
+        "ambiguity:census",
+        "ambiguity_text:census_text",
+        "ambiguity-census",
+        "Which worlds of a class no motion tells apart.",
+    ),
+    Verb(
+        "ambiguity class",
+        "ambiguity:class_of",
+        "ambiguity_text:class_text",
+        "ambiguity-class",
+        "Every world that no motion tells from a world.",
+    ),
 )
 """Every verb, in the order of the help."""
 

@@ -1,14 +1,14 @@
 """The walk in an answer, traced back from its end."""
 
-from allworlds import CombinatorialMap, Move, Percept
+from allworlds import Move, Percept
 from allworlds.findings import believed_percepts, believed_trail, true_trail
 from allworlds.maps import named_map
 from allworlds.protocol import Transcript
 from allworlds.world import Directional, World
 from allworlds.world.lighthouses import Compass
+from small import EDGE, LOOP, TRIANGLE
 
 THETA = named_map("theta")
-EDGE = CombinatorialMap([0, 1], [1, 0])
 
 
 def walk(world, *motions):
@@ -39,11 +39,10 @@ def test_an_answer_without_a_place_for_the_marker_expects_nothing():
 def test_a_compass_is_believed_where_it_was_first_sensed():
     # Round a triangle, which the answer takes for a loop: the first bearing is 1, so north is
     # the other dart than the one faced, and both arrivals are by that dart.
-    triangle = CombinatorialMap([1, 0, 3, 2, 5, 4], [2, 5, 0, 4, 3, 1])
-    world = World(triangle, Compass((1, 2, 5)), 0)
+    world = World(TRIANGLE, Compass((1, 2, 5)), 0)
     log = walk(world, 0, 1)
     assert [log.first.bearing, *(percept.bearing for _, percept in log.steps)] == [1, 0, 1]
-    expected = believed_percepts(world, CombinatorialMap([1, 0], [1, 0]), 1, log)
+    expected = believed_percepts(world, LOOP, 1, log)
     assert [percept.bearing for percept in expected] == [1, 0, 0]
 
 

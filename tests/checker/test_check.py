@@ -11,7 +11,6 @@ import pytest
 from allworlds import checker
 from allworlds.checker import run, worlds
 from allworlds.inputs import InputError
-from allworlds.isolation.workers import ThisProcess
 from allworlds.maps.bruteforce import rooted_maps as every_rooted_map
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import MapClass
@@ -22,6 +21,8 @@ from allworlds.outcome import Verdict
 from allworlds.progress import Silent
 from allworlds.protocol import Estimate, Move
 from allworlds.world import Directional, World
+from processes import PATIENCE
+from small import slow
 
 pytestmark = pytest.mark.usefixtures("no_orphans")
 check = partial(checker.check, engine="python")
@@ -46,31 +47,39 @@ def test_algorithm_1_holds_in_all_small_worlds():
     assert all(cell.agrees and cell.source for cell in report.gate)
 
 
+@pytest.mark.slow
 def test_the_default_job_has_8954_worlds():
     report = check(workers=2)
     assert (report.worlds, report.runs, report.verdict) == (8954, 50727, Verdict.HOLDS)
 
 
-def test_vertices_alone_bound_the_simple_classes():
-    report = check(map_class="simple", vertices=5, workers=2)
+@pytest.mark.parametrize("vertices", [4, slow(5)])
+def test_vertices_alone_bound_the_simple_classes(vertices):
+    report = check(map_class="simple", vertices=vertices, workers=2)
     # Rooted simple maps on 2..5 vertices: 1, 3, 32, 3965; with a bearing: 1, 5, 79, 14239.
-    rows = {n: [0, 0] for n in range(2, 6)}
+    rows = {n: [0, 0] for n in range(2, vertices + 1)}
     for row in report.rows():
         rows[row["vertices"]][0] += row["worlds"]
         rows[row["vertices"]][1] += row["runs"]
-    assert rows == {2: [1, 1], 3: [3, 5], 4: [32, 79], 5: [3965, 14239]}
+    counted = {2: [1, 1], 3: [3, 5], 4: [32, 79], 5: [3965, 14239]}
+    assert rows == {n: counted[n] for n in rows}
     assert report.verdict is Verdict.HOLDS
 
 
-@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1", "random:2", "random:3"])
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
-    ("map_class", "most"), [("maps", 3), ("planar", 4), ("simple", 5), ("planar-simple", 5)]
+    "policy", ["fifo", "random:1", *map(slow, ("lifo", "nearest", "random:2", "random:3"))]
 )
-def test_no_witness_is_asked_for_that_cannot_occur(algorithm1, policy, map_class, most):
+@pytest.mark.parametrize(
+    ("map_class", "most"),
+    [("maps", 3), ("planar", 3), slow("planar", 4), ("simple", 5), ("planar-simple", 5)],
+)
+def test_no_witness_is_asked_for_that_cannot_occur(policy, map_class, most):
     for edges in range(1, most + 1):
         for vertices in (None, *range(2, edges + 1)):
             options = {"edges": edges, "vertices": vertices, "map_class": map_class}
-            report = check(algorithm1, policy=policy, **options)
+            report = check(policy=policy, **options)
             if not report.runs:
                 assert report.verdict is Verdict.VACUOUS, options
                 continue
@@ -78,16 +87,7 @@ def test_no_witness_is_asked_for_that_cannot_occur(algorithm1, policy, map_class
             assert report.verdict is Verdict.HOLDS, options
 
 
-@pytest.fixture
-def algorithm1(monkeypatch):
-    """Algorithm 1 with its witnesses, in this process, because it is asked for so often."""
-    monkeypatch.setattr(
-        "allworlds.isolation.workers.Workers",
-        lambda subject, _limits, deadline: ThisProcess(subject, deadline),
-    )
-    return "algorithm1"
-
-
+@pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("edges", [4, 5])
 def test_the_witnesses_of_algorithm_1_occur(edges):
     # Simple worlds with 4 edges know no mismatch of the direction under every policy.
@@ -95,7 +95,8 @@ def test_the_witnesses_of_algorithm_1_occur(edges):
     assert bool(seen["case-2"]) == (edges == 5)
 
 
-def test_a_missing_witness_is_no_success(monkeypatch, algorithm1):
+@pytest.mark.usefixtures("without_workers")
+def test_a_missing_witness_is_no_success(monkeypatch):
     explorers = importlib.import_module("allworlds.explorers")
     built_in = explorers.BUILT_IN["algorithm1"]
     forgetful = explorers.BuiltIn(
@@ -148,6 +149,7 @@ def brute_force(name, edges):
     return found
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("name", ["everywhere", "here_of_another"])
 @pytest.mark.parametrize("keep", [1, 2, 7, 40, 1000])
 def test_the_findings_are_the_smallest(explorers, wrong, name, keep):
@@ -163,46 +165,58 @@ def test_the_findings_are_the_smallest(explorers, wrong, name, keep):
     assert all(finding.minimal and not finding.confirmed for finding in report.findings)
 
 
+def test_unless_more_are_asked_for_a_check_ends_with_its_first_finding(explorers):
+    (first,) = check(explorers("everywhere"), edges=3).findings
+    second = check(explorers("everywhere"), edges=3, max_findings=2).findings
+    assert (len(second), second[0].key) == (2, first.key)
+
+
+@pytest.mark.parametrize(("edges", "keep"), [(3, 3), slow(4, 12)])
 @pytest.mark.parametrize("name", ["everywhere", "here_of_another"])
-def test_one_worker_and_three_say_the_same(wrong, name):
-    reports = [check(wrong(name), edges=4, workers=workers, max_findings=12) for workers in (1, 3)]
+def test_one_worker_and_three_say_the_same(wrong, name, edges, keep):
+    reports = [
+        check(wrong(name), edges=edges, workers=workers, max_findings=keep) for workers in (1, 3)
+    ]
     assert document(reports[0]) == document(reports[1])
     assert reports[0].exit_code == 1
     assert all(finding.minimal for finding in reports[0].findings)
 
 
-def test_one_worker_and_three_say_the_same_of_algorithm_1():
-    assert document(check(edges=4, workers=3)) == document(check(edges=4))
+@pytest.mark.parametrize("edges", [3, slow(4)])
+def test_one_worker_and_three_say_the_same_of_algorithm_1(edges):
+    assert document(check(edges=edges, workers=3)) == document(check(edges=edges))
 
 
-@pytest.fixture
-def planted(explorers, monkeypatch):
-    """A world with 4 edges in which the explorer ``planted`` is wrong, and in no other."""
+@pytest.fixture(params=[(3, 309, 271), slow((4, 3684, 2718))])
+def planted(request, explorers, monkeypatch):
+    """A world in which the explorer ``planted`` is wrong, and in no other; edges and runs."""
     import wrong
 
+    edges, runs, number = request.param
     explorers("planted")
-    every = list(worlds(edges=4, places="all"))
-    assert len(every) == 3684
-    world = every[2718]
+    every = list(worlds(edges=edges, places="all"))
+    assert len(every) == runs
+    world = every[number]
     transcript = run(
         lambda first: (yield from wrong.right(first)), world
     ).outcome.episode.transcript
     log = [(None, transcript.first), *((move.k, seen) for move, seen in transcript.steps)]
     assert all(type(move) is Move for move, _ in transcript.steps)
     monkeypatch.setenv("PLANTED", wrong.signature(log))
-    return world
+    return world, edges, runs
 
 
 def test_an_explorer_that_is_wrong_in_one_run_is_refuted_there(planted, wrong):
-    reports = [check(wrong("planted"), edges=4, workers=workers) for workers in (1, 3)]
+    world, edges, runs = planted
+    reports = [check(wrong("planted"), edges=edges, workers=workers) for workers in (1, 3)]
     assert document(reports[0]) == document(reports[1])
-    assert (reports[0].runs, reports[0].complete) == (3684, True)
+    assert (reports[0].runs, reports[0].complete) == (runs, True)
     (finding,) = reports[0].findings
     assert (finding.law, finding.confirmed, finding.minimal) == ("map", True, True)
-    told = run(wrong("planted"), planted)
+    told = run(wrong("planted"), world)
     assert told.finding.world == finding.world
     # The walk determines the world: no other run has the same log.
-    assert check(wrong("planted"), edges=4, workers=3, max_findings=2).findings == [finding]
+    assert check(wrong("planted"), edges=edges, workers=3, max_findings=2).findings == [finding]
 
 
 @pytest.mark.parametrize("policy", ["fifo", "nearest"])
@@ -212,10 +226,11 @@ def test_a_folding_explorer_of_somebody_else_holds(folding, policy):
     assert [row["bound"] for row in report.rows()] == [None] * len(report.rows())
 
 
-def test_a_program_of_somebody_else_holds(program):
-    report = check(program("right"), edges=4, workers=3)
-    assert (report.verdict, report.worlds, report.runs) == (Verdict.HOLDS, 792, 3684)
-    ours = check(edges=4)
+@pytest.mark.parametrize(("edges", "all_worlds", "runs"), [(3, 86, 309), slow(4, 792, 3684)])
+def test_a_program_of_somebody_else_holds(program, edges, all_worlds, runs):
+    report = check(program("right"), edges=edges, workers=3)
+    assert (report.verdict, report.worlds, report.runs) == (Verdict.HOLDS, all_worlds, runs)
+    ours = check(edges=edges)
     # First in, first out: it is the same walk in every world.
     assert report.rows() == ours.rows()
 
@@ -238,10 +253,14 @@ def test_a_shell_script_can_be_an_explorer():
     assert report.runs == 3
 
 
-@pytest.mark.parametrize("shards", [1, 2, 5])
-def test_the_shards_make_the_whole(algorithm1, shards):
-    whole = check(edges=4)
-    parts = [check(edges=4, shard=(k, shards)) for k in range(shards)]
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize(
+    ("edges", "shards"), [(3, 1), (3, 2), (3, 5), slow(4, 1), slow(4, 2), slow(4, 5)]
+)
+def test_the_shards_make_the_whole(edges, shards):
+    whole = check(edges=edges)
+    parts = [check(edges=edges, shard=(k, shards)) for k in range(shards)]
     assert sum(part.runs for part in parts) == whole.runs
     assert sum(part.tally.traversals for part in parts) == whole.tally.traversals
     assert sum((part.tally.witnesses for part in parts), whole.tally.witnesses.__class__()) == (
@@ -250,6 +269,7 @@ def test_the_shards_make_the_whole(algorithm1, shards):
     assert all(part.missing == () for part in parts)
 
 
+@pytest.mark.usefixtures("without_workers")
 def test_every_schedule_of_algorithm_1():
     report = check(edges=2, schedules="all")
     assert report.verdict is Verdict.HOLDS
@@ -277,6 +297,7 @@ def test_one_wrong_schedule_of_many_is_found(wrong):
     assert len(report.findings) == len(begins)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("broken", ["drop", "duplicate"])
 @pytest.mark.parametrize("victim", [0, 50])
 def test_the_gate_notices_a_broken_enumerator(explorers, monkeypatch, broken, victim):
@@ -304,7 +325,8 @@ def test_the_gate_notices_a_class_that_is_mixed_up(explorers, monkeypatch):
     assert check(explorers("right"), edges=4, map_class="planar").exit_code == 70
 
 
-def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch, algorithm1):
+@pytest.mark.usefixtures("without_workers")
+def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch):
     source = Source("abacus", lambda edges: {1: 1, 2: 2})
     monkeypatch.setattr("allworlds.checker.gate.source_for", lambda _class: source)
     report = check(edges=2)
@@ -323,19 +345,23 @@ def test_the_time_limit_leaves_unfinished_levels_out(workers):
     assert report.to_json()["scope"]["complete"] is False
 
 
-def test_a_finding_of_an_unfinished_level_is_not_called_minimal(wrong):
-    report = check(wrong("hang"), edges=3, answer_timeout=0.3, time_limit=2.5, max_findings=6)
-    assert (report.exit_code, report.complete) == (1, False)
+def test_a_finding_of_an_unfinished_level_is_not_called_minimal(wrong, clock):
+    # It hangs in 1, 2 and 10 runs with 1, 2 and 3 edges, and is given time for five of them.
+    limits = {"answer_timeout": PATIENCE, "time_limit": 5.5 * clock.LEAP}
+    report = check(wrong("hang"), edges=3, max_findings=6, **limits)
+    assert (report.exit_code, report.complete, report.levels) == (1, False, (1, 2))
     minimal = [found.minimal for found in report.findings]
     assert minimal == [found.key[0] in report.levels for found in report.findings]
     assert not all(minimal)
 
 
+@pytest.mark.usefixtures("without_workers")
 def test_a_bound_without_a_value_is_bad_input():
     with pytest.raises(InputError, match=r"divides by zero at n=.* m=2"):
         check(edges=2, bound="9 // (2 - m)")
 
 
+@pytest.mark.usefixtures("without_workers")
 def test_the_bound_is_a_law():
     report = check(edges=2, bound="m - 1")
     (finding,) = report.findings
@@ -343,12 +369,14 @@ def test_the_bound_is_a_law():
     assert check(edges=2, bound="m*n").verdict is Verdict.HOLDS
 
 
+@pytest.mark.usefixtures("without_workers")
 def test_a_negative_bound_is_reported_as_it_is():
     report = check(edges=1, bound="n - m - 3")
     assert [row["bound"] for row in report.rows()] == [-3, -2]
     assert report.findings[0].expected == -3
 
 
+@pytest.mark.usefixtures("without_workers")
 def test_an_explorer_that_tampers_with_percepts_deceives_nobody(explorers):
     def kept(percept):
         own = replace(percept)
@@ -372,6 +400,7 @@ def test_an_explorer_that_tampers_with_percepts_deceives_nobody(explorers):
         assert told == run("algorithm1", world).outcome.episode.transcript
 
 
+@pytest.mark.usefixtures("without_workers")
 def test_that_nothing_was_walked_is_told():
     class Listener(Silent):
         told = ()
@@ -391,6 +420,7 @@ def test_that_nothing_was_walked_is_told():
     assert "walked an edge" in telling.told[0]
 
 
+@pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(("budget", "law"), [(1, None), (4, None), (3, "budget")])
 def test_reaching_the_budget_is_legal_and_passing_it_is_not(budget, law):
     edges = 1 if budget == 1 else 2

@@ -1,5 +1,6 @@
 import dataclasses
 import json
+from pathlib import Path
 
 import pytest
 
@@ -8,6 +9,9 @@ from allworlds.findings import Finding, canonical_world, place_of
 from allworlds.inputs import InputError
 from allworlds.maps.build import named_map
 from allworlds.world import Directional, World
+from processes import PATIENCE
+
+EXPLORERS = Path(__file__).parents[1] / "explorers_for_tests"
 
 
 def lazy(first):
@@ -23,6 +27,12 @@ def algorithm(first):
 @pytest.fixture(scope="module")
 def finding():
     return check(lambda first: (yield from lazy(first)), edges=1).findings[0]
+
+
+@pytest.fixture(scope="module")
+def one_schedule():
+    """The finding of an explorer that one schedule of four makes wrong."""
+    return check(f"{EXPLORERS / 'wrong.py'}:one_schedule", schedules="all", edges=1).findings[0]
 
 
 def test_a_finding_survives_its_json(finding):
@@ -67,12 +77,11 @@ def test_a_document_that_is_no_finding_is_refused(finding, change, named):
         Finding.from_json({**finding.to_json(), **change})
 
 
-def test_the_recorded_choices_are_honoured(wrong):
-    report = check(wrong("one_schedule"), schedules="all", edges=1)
-    again = replay(Finding.from_json(report.findings[0].to_json()))
+def test_the_recorded_choices_are_honoured(one_schedule, wrong):
+    again = replay(Finding.from_json(one_schedule.to_json()))
     assert (again.outcome, again.again.outcome.choices) == ("reproduced", (1, 0))
-    assert replay(report.findings[0], wrong("right")).outcome == "fixed"
-    assert replay(report.findings[0], algorithm).exit_code == 5
+    assert replay(one_schedule, wrong("right")).outcome == "fixed"
+    assert replay(one_schedule, algorithm).exit_code == 5
 
 
 @pytest.mark.parametrize(
@@ -83,10 +92,10 @@ def test_the_recorded_choices_are_honoured(wrong):
         ((1, 5), "the recorded choice 1 is 5, but there are fewer options"),
     ],
 )
-def test_recorded_choices_that_do_not_fit_are_told(wrong, choices, notice):
-    finding = check(wrong("one_schedule"), schedules="all", edges=1).findings[0]
-    assert replay(dataclasses.replace(finding, choices=choices)).notice.startswith(notice)
-    assert not replay(dataclasses.replace(finding, choices=choices), wrong("right")).notice
+def test_recorded_choices_that_do_not_fit_are_told(one_schedule, choices, notice):
+    finding = dataclasses.replace(one_schedule, choices=choices)
+    assert replay(finding).notice.startswith(notice)
+    assert not replay(finding, algorithm).notice
 
 
 def test_choices_of_an_explorer_that_takes_none_are_refused_unless_it_is_named(wrong):
@@ -105,10 +114,10 @@ def test_a_report_of_one_run_is_a_finding_too(finding):
     assert Finding.from_json(report).key == finding.key
 
 
-def test_all_zero_choices_are_told_where_another_policy_would_choose_otherwise(wrong):
+def test_all_zero_choices_are_told_where_another_policy_would_choose_otherwise(wrong, clock):
     world = next(worlds(edges=1))
     told = run(
-        wrong("hang_after_choices"), world, policy="lifo", choices=[0, 0], answer_timeout=0.3
+        wrong("hang_after_choices"), world, policy="lifo", choices=[0, 0], answer_timeout=PATIENCE
     )
     assert told.finding.choices == (0, 0)
     assert "--choices 0,0" in told.finding.reproduce

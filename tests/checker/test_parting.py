@@ -1,10 +1,7 @@
 """Where two walks part."""
 
-from allworlds import CombinatorialMap
 from allworlds.findings import Parting, find_parting
-
-EDGE = CombinatorialMap([0, 1], [1, 0])
-PATH = CombinatorialMap([0, 2, 1, 3], [1, 0, 3, 2])
+from small import EDGE, PATH
 
 
 def test_a_walk_does_not_part_from_itself():

@@ -6,12 +6,13 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from allworlds.checker import check
-from allworlds.cli.app import call
 from allworlds.cli.files import Files
 from allworlds.fuzzer import fuzz
 from allworlds.inputs import InputError
 from allworlds.reports.html import page
 from allworlds.reports.junit import junit
+
+pytestmark = pytest.mark.usefixtures("without_workers")
 
 QUICK = ["check", "--edges", "1", "--workers", "1", "-q"]
 WRITERS = pytest.mark.parametrize(("option", "written"), [("--junit", junit), ("--html", page)])
@@ -19,59 +20,58 @@ OPTIONS = pytest.mark.parametrize("option", ["--junit", "--html"])
 
 
 @WRITERS
-def test_the_file_holds_the_report(option, written, tmp_path, capsys):
+def test_the_file_holds_the_report(option, written, tmp_path, cli):
     file = tmp_path / "report"
-    assert call([*QUICK, option, str(file)]) == 0
+    code, out, _ = cli(*QUICK, option, file)
+    assert code == 0
     assert file.read_text(encoding="utf-8") == written(check(edges=1))
-    assert "HOLDS" in capsys.readouterr().out
+    assert "HOLDS" in out
 
 
 @WRITERS
-def test_an_older_file_is_replaced_whole(option, written, tmp_path):
+def test_an_older_file_is_replaced_whole(option, written, tmp_path, cli):
     file = tmp_path / "report"
     file.write_text("x" * 100_000)
-    assert call([*QUICK, option, str(file)]) == 0
+    assert cli(*QUICK, option, file)[0] == 0
     assert file.read_text(encoding="utf-8") == written(check(edges=1))
 
 
-def test_both_are_written_of_one_check(tmp_path):
+def test_both_are_written_of_one_check(tmp_path, cli):
     files = [tmp_path / "junit.xml", tmp_path / "page.html"]
-    assert call([*QUICK, "--junit", str(files[0]), "--html", str(files[1])]) == 0
+    assert cli(*QUICK, "--junit", files[0], "--html", files[1])[0] == 0
     assert ET.parse(files[0]).getroot().tag == "testsuites"
     assert files[1].read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
 @OPTIONS
-def test_a_refuted_check_is_written_too(option, tmp_path, capsys):
+def test_a_refuted_check_is_written_too(option, tmp_path, cli):
     file = tmp_path / "report"
     explorer = tmp_path / "answers_nothing.py"
     explorer.write_text("def explore(first):\n    return None\n    yield\n")
-    assert call([*QUICK, f"{explorer}:explore", option, str(file)]) == 1
+    code, out, _ = cli(*QUICK, f"{explorer}:explore", option, file)
+    assert code == 1
     assert "no-estimate" in file.read_text(encoding="utf-8")
-    assert "no-estimate" in capsys.readouterr().out
+    assert "no-estimate" in out
 
 
 @WRITERS
-def test_fuzz_writes_them_too(option, written, tmp_path, capsys):
+def test_fuzz_writes_them_too(option, written, tmp_path, cli):
     file = tmp_path / "report"
     sample = ["--edges", "4", "--runs", "3", "--workers", "1", "-q"]
-    assert call(["fuzz", *sample, option, str(file)]) == 0
+    code, out, _ = cli("fuzz", *sample, option, file)
+    assert code == 0
     assert file.read_text(encoding="utf-8") == written(fuzz(edges=4, runs=3))
-    assert "NOT-REFUTED" in capsys.readouterr().out
+    assert "NOT-REFUTED" in out
 
 
 @OPTIONS
 @pytest.mark.parametrize("name", ["no/such/directory", "", ".", "\0", "a\ud800"])
 def test_a_file_that_cannot_be_written_is_refused_before_the_run(
-    option, name, tmp_path, monkeypatch, capsys
+    option, name, tmp_path, monkeypatch, refused
 ):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("allworlds.checker.check", lambda *_args, **_options: 1 / 0)
-    assert call([*QUICK, option, name]) == 2
-    out, err = capsys.readouterr()
-    assert out == ""
-    assert err.count("\n") == 1
-    assert "cannot be written" in err
+    assert "cannot be written" in refused(*QUICK, option, name)
     assert list(tmp_path.iterdir()) == []
 
 

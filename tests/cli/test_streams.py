@@ -3,8 +3,13 @@
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
+
+from printed import without_made_by
+from processes import PATIENCE
+from small import slow
 
 
 def shell(words):
@@ -13,7 +18,7 @@ def shell(words):
         ["/bin/sh", "-c", f"{sys.executable} -m allworlds {words}"],
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
         check=False,
     )
     return done.returncode, done.stdout, done.stderr
@@ -25,10 +30,12 @@ def test_bad_input_is_exit_code_2_and_no_output_whatever_becomes_of_stderr(stder
 
 
 @pytest.mark.parametrize("stderr", ["2>/dev/full", "2>&-"])
-def test_without_stderr_the_report_is_the_same(stderr):
-    code, out, err = shell("check --edges 2 --workers 1 --json")
+def test_without_stderr_the_report_is_the_same(cli, stderr):
+    code, out, err = cli("check", "--edges", 2, "--workers", 1, "--json")
     assert (code, err) == (0, "")
-    assert shell(f"check --edges 2 --workers 1 --json {stderr}") == (code, out, "")
+    code, again, err = shell(f"check --edges 2 --workers 1 --json {stderr}")
+    assert (code, err) == (0, "")
+    assert without_made_by(again) == without_made_by(out)
 
 
 @pytest.mark.parametrize("stderr", ["2>&-", "2>/dev/full", "2>&1 >{0} | true; cat {0}"])
@@ -45,10 +52,29 @@ def test_without_stderr_an_explorer_prints_into_the_void(stderr, tmp_path):
     assert json.loads(out)["verdict"] == "holds"
 
 
+VERBS = ["check --edges 2", "check --edges 2 --json", "count --edges 2", "run theta", "--help"]
+
+
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("verb", VERBS)
+def test_a_stdout_that_is_full_is_one_line_and_exit_code_70(cli, monkeypatch, verb):
+    with Path("/dev/full").open("w") as full:
+        monkeypatch.setattr(sys, "stdout", full)
+        code, _, err = cli(*verb.split())
+    assert code == 70
+    assert err.count("\n") == 1, err
+    assert err.startswith("allworlds: ")
+
+
 @pytest.mark.parametrize(
-    "verb", ["check --edges 2", "check --edges 2 --json", "count --edges 2", "run theta", "--help"]
+    ("verb", "stdout"),
+    [
+        ("run theta", ">/dev/full"),
+        ("count --edges 2", ">&-"),
+        ("--help", ">&- <&-"),
+        *(slow(verb, to) for verb in VERBS for to in (">/dev/full", ">&-", ">&- <&-")),
+    ],
 )
-@pytest.mark.parametrize("stdout", [">/dev/full", ">&-", ">&- <&-"])
 def test_a_stdout_that_is_full_or_closed_is_one_line_and_exit_code_70(verb, stdout):
     code, out, err = shell(f"{verb} {stdout}")
     assert (code, out) == (70, "")
@@ -72,19 +98,18 @@ def test_a_reader_that_has_gone_is_no_error():
     assert shell("count --edges 2 | true; echo $?")[1] == "0\n"
 
 
-def test_the_words_of_an_explorer_give_no_orders_to_a_terminal(tmp_path):
+def test_the_words_of_an_explorer_give_no_orders_to_a_terminal(cli, refused, tmp_path):
     file = tmp_path / "rude.py"
     file.write_text(
         "def explore(first):\n    raise ValueError('\\x1b[2J\\x00\\x9b7m\\x7f\\r')\n    yield\n"
     )
-    for verb in ("check --edges 1 --workers 1", "run"):
-        code, out, err = shell(f"{verb} {file}:explore {'theta' if verb == 'run' else ''}")
+    for verb in (["check", "--edges", 1, "--workers", 1], ["run", "theta"]):
+        code, out, err = cli(*verb[:1], f"{file}:explore", *verb[1:])
         assert code == 1, err
         assert r"\x1b[2J\x00\x9b7m\x7f" in out
         assert all(c.isprintable() or c in "\n\t" for c in out)
         assert not err
     file.write_text("raise ValueError('\\x1b[2J')\n")
-    code, out, err = shell(f"check {file}:explore --edges 1")
-    assert (code, out) == (2, "")
+    err = refused("check", f"{file}:explore", "--edges", 1)
     assert r"\x1b[2J" in err
     assert "\x1b" not in err

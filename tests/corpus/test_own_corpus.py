@@ -4,13 +4,15 @@ import shutil
 import pytest
 
 from allworlds.ambiguity import twins
-from allworlds.ambiguity.certificate import flaw
+from allworlds.bisimulation import flaw
 from allworlds.checker import replay, run
-from allworlds.corpora import MANIFEST, CorpusError, load_corpus, own_corpus
+from allworlds.corpora import MANIFEST, load_corpus, own_corpus
 from allworlds.counter import count
 from allworlds.findings import Finding
+from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap, automorphisms, unrooted_code
 from allworlds.world import World
+from small import slow
 
 CORPUS = own_corpus()
 
@@ -35,6 +37,7 @@ def test_algorithm_1_explores_a_named_world_at_the_known_cost(entry):
     assert told.outcome.cost == entry.expected["cost"]
 
 
+@pytest.mark.usefixtures("without_workers")
 @entries("finding")
 def test_a_finding_is_reproduced_by_its_mutant_to_the_letter(entry):
     finding = Finding.from_json(CORPUS.document(entry))
@@ -72,12 +75,15 @@ def test_a_pair_with_one_class_changed_is_no_longer_proved(entry):
         assert flaw(worlds, [changed, right]) is not None
 
 
+@pytest.mark.no_cover
+@pytest.mark.parametrize("most", [4, slow(6)])
 @entries("counts")
-def test_the_enumeration_gives_the_known_numbers(entry):
+def test_the_enumeration_gives_the_known_numbers(entry, most):
     known = CORPUS.document(entry)
-    census = count(edges=len(known["rooted"]), map_class=known["class"])
-    assert [row.rooted for row in census.rows] == known["rooted"]
-    assert [row.unrooted for row in census.rows][: len(known["unrooted"])] == known["unrooted"]
+    rooted, unrooted = known["rooted"][:most], known["unrooted"][:most]
+    census = count(edges=len(rooted), map_class=known["class"])
+    assert [row.rooted for row in census.rows] == rooted
+    assert [row.unrooted for row in census.rows][: len(unrooted)] == unrooted
 
 
 @pytest.fixture
@@ -93,14 +99,14 @@ def test_an_entry_with_a_flipped_digit_is_refused_by_name(entry, copy):
     text = path.read_text()
     i = next(i for i, c in enumerate(text) if c in "01234")
     path.write_text(text[:i] + str(int(text[i]) + 1) + text[i + 1 :])
-    with pytest.raises(CorpusError, match=entry.name):
+    with pytest.raises(InputError, match=entry.name):
         load_corpus(copy).document(entry)
 
 
 def test_an_entry_whose_file_is_missing_is_refused_by_name(copy):
     entry = CORPUS.entries[0]
     (copy / entry.file).unlink()
-    with pytest.raises(CorpusError, match=entry.name):
+    with pytest.raises(InputError, match=entry.name):
         load_corpus(copy).document(entry)
 
 
@@ -112,7 +118,7 @@ def test_a_manifest_with_a_wrong_entry_is_refused(copy, key, value):
     manifest = json.loads((copy / MANIFEST).read_text())
     manifest["entries"][0][key] = value
     (copy / MANIFEST).write_text(json.dumps(manifest))
-    with pytest.raises(CorpusError, match="a corpus entry has"):
+    with pytest.raises(InputError, match="a corpus entry has"):
         load_corpus(copy)
 
 
@@ -120,24 +126,24 @@ def test_a_manifest_with_a_name_twice_is_refused(copy):
     manifest = json.loads((copy / MANIFEST).read_text())
     manifest["entries"].append(manifest["entries"][0])
     (copy / MANIFEST).write_text(json.dumps(manifest))
-    with pytest.raises(CorpusError, match="twice"):
+    with pytest.raises(InputError, match="twice"):
         load_corpus(copy)
 
 
 @pytest.mark.parametrize("text", ["{", "[]", '{"schema": 2}'])
 def test_a_manifest_of_another_form_is_refused(copy, text):
     (copy / MANIFEST).write_text(text)
-    with pytest.raises(CorpusError):
+    with pytest.raises(InputError):
         load_corpus(copy)
 
 
 def test_a_directory_without_a_manifest_is_no_corpus(tmp_path):
-    with pytest.raises(CorpusError, match=MANIFEST):
+    with pytest.raises(InputError, match=MANIFEST):
         load_corpus(tmp_path)
 
 
 def test_an_unknown_name_is_refused_with_the_known_ones():
-    with pytest.raises(CorpusError, match="theta"):
+    with pytest.raises(InputError, match="theta"):
         CORPUS.named("atlantis")
 
 

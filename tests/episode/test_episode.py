@@ -20,9 +20,8 @@ from allworlds.protocol import (
     Pick,
 )
 from allworlds.world import Directional, World
+from small import EDGE, PATH
 
-EDGE = CombinatorialMap((0, 1), (1, 0))
-PATH = CombinatorialMap((0, 2, 1, 3), (1, 0, 3, 2))  # degrees 1, 2, 1
 WORLD = World(PATH, Directional(0))
 HUGE = 10**5000  # more digits than Python turns into text by default
 BUDGET = 7

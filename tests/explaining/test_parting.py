@@ -2,11 +2,7 @@
 
 from allworlds import CombinatorialMap
 from allworlds.maps import from_cycles
-
-EDGE = CombinatorialMap([0, 1], [1, 0])
-LOOP = CombinatorialMap([1, 0], [1, 0])
-PATH = CombinatorialMap([0, 2, 1, 3], [1, 0, 3, 2])
-TRIANGLE = CombinatorialMap([1, 0, 3, 2, 5, 4], [2, 5, 0, 4, 3, 1])
+from small import EDGE, LOOP, PATH, TRIANGLE
 
 
 def test_a_known_place_taken_for_a_new_vertex_is_where_they_part(told):

@@ -1,27 +1,13 @@
 import networkx as nx
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from allworlds.explorers.partial_map import PartialMap
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol import Checkpoint, Percept
-
-settings.register_profile("laws", deadline=None, database=None)
-settings.load_profile("laws")
-
-
-@st.composite
-def maps(draw, most=6):
-    darts = range(2 * draw(st.integers(1, most)))
-    sigma = draw(st.permutations(darts))
-    paired = draw(st.permutations(darts))
-    alpha = [0] * len(darts)
-    for a, b in zip(paired[::2], paired[1::2], strict=True):
-        alpha[a], alpha[b] = b, a
-    assume(nx.is_connected(nx.Graph([*enumerate(sigma), *enumerate(alpha)])))
-    return CombinatorialMap(sigma, alpha)
+from small import maps
 
 
 def sensed(world, dart, pointed):

@@ -15,6 +15,7 @@ import threading
 import time
 from contextlib import suppress
 from itertools import count
+from pathlib import Path
 
 from allworlds import Choices, CombinatorialMap, Estimate, Move
 from allworlds.explorers import algorithm1
@@ -22,6 +23,7 @@ from allworlds.explorers import algorithm1
 EDGE = CombinatorialMap((0, 1), (1, 0))
 KEPT = []
 TURN = count()
+MANY = 5000  # choices: more than are kept, with all that the pipe of a worker holds
 
 
 def right(first):
@@ -89,8 +91,20 @@ def _module_level(name, misbehave):
     globals()[name] = explore
 
 
+def _hung():
+    """Tell the test, where it asks, that this process has nothing more to say."""
+    if file := os.environ.get("HUNG"):
+        with Path(file).open("a") as pids:
+            pids.write(f"{os.getpid()}\n")
+
+
 def _sleep():
     time.sleep(1000)
+
+
+def _hang():
+    _hung()
+    _sleep()
 
 
 def _segfault():
@@ -120,9 +134,9 @@ def _raise():
     raise ZeroDivisionError("on purpose\nin two lines")
 
 
-_module_level("hang", _sleep)
-_module_level("hang_gil", lambda: 10**10**8)
-_module_level("hang_regex", lambda: re.match(r"(a+)+$", "a" * 64 + "b"))
+_module_level("hang", _hang)
+_module_level("hang_gil", lambda: (_hung(), 10**10**8))
+_module_level("hang_regex", lambda: (_hung(), re.match(r"(a+)+$", "a" * 64 + "b")))
 _module_level("os_exit", lambda: os._exit(0))
 _module_level("segfault", _segfault)
 _module_level("memory", _memory)
@@ -144,6 +158,7 @@ _module_level("thread", lambda: threading.Thread(target=_sleep, daemon=True).sta
 def hang_in_the_middle(first):
     if first.degree == 1:
         yield Move(0)
+        _hung()
         while True:
             pass
     return (yield from algorithm1(first))
@@ -154,7 +169,7 @@ def hang_after_choices(first, *, choices):
         choices.pick("abc", of="edge")
         yield Move(0)
         choices.pick("abc", of="path")
-        time.sleep(1000)
+        _hang()
     return (yield from algorithm1(first))
 
 
@@ -162,7 +177,9 @@ def chooses_for_ever(first, *, choices):
     if first.degree == 1:
         choices.pick("ab", of="edge")
         yield Move(0)
-        while True:
+        for turn in count():
+            if turn == MANY:
+                _hung()
             choices.pick("ab", of="edge")
     return (yield from algorithm1(first))
 
@@ -171,7 +188,9 @@ def chooses_for_ever_whatever_is_raised(first, *, choices):
     if first.degree == 1:
         choices.pick("ab", of="edge")
         yield Move(0)
-        while True:
+        for turn in count():
+            if turn == MANY:
+                _hung()
             with suppress(BaseException):
                 choices.pick("ab", of="edge")
     return (yield from algorithm1(first))

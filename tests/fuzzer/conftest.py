@@ -4,23 +4,26 @@ from allworlds.explorers import algorithm1
 from allworlds.protocol import Estimate
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def planted():
-    """Algorithm 1, but its pose is wrong from 9 edges on if a vertex has degree 6 or more."""
+    """Algorithm 1, but its pose is wrong from so many edges on if a vertex has that degree."""
 
-    def explore(first, *, choices):
-        right = yield from algorithm1(first, choices=choices)
-        map_ = right.map
-        if map_.edge_count >= 9 and max(map_.degrees) >= 6:
-            return Estimate(map_, map_.sigma[right.here])
-        return right
+    def from_size(edges, degree):
+        def explore(first, *, choices):
+            right = yield from algorithm1(first, choices=choices)
+            map_ = right.map
+            if map_.edge_count >= edges and max(map_.degrees) >= degree:
+                return Estimate(map_, map_.sigma[right.here])
+            return right
 
-    return explore
+        return explore
+
+    return from_size
 
 
 @pytest.fixture
 def planted_file(tmp_path):
-    """The same from other sizes on, as a file that worker processes can import."""
+    """The same as a file that worker processes can import."""
 
     def write(edges, degree):
         path = tmp_path / "planted.py"

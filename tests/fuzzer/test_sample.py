@@ -26,6 +26,7 @@ def drawn(map_class, edges, runs, seed=0):
     return [placed for batch in parts for placed in batch.placed(extent, Directional)]
 
 
+@pytest.mark.no_cover
 @CLASSES
 def test_a_sample_is_a_function_of_its_seed(map_class):
     assert drawn(map_class, 10, 100, seed=7) == drawn(map_class, 10, 100, seed=7)
@@ -55,6 +56,7 @@ def test_every_number_of_edges_and_every_bearing_comes(map_class):
     assert {places[0][0] for map_, places in sample if map_.degree_at[0] == 3} == {0, 1, 2}
 
 
+@pytest.mark.no_cover
 @CLASSES
 def test_every_generator_comes_in_turn_and_makes_what_the_class_can_use(map_class):
     for generator in GENERATORS[map_class]:
@@ -71,6 +73,7 @@ def test_a_sample_of_plain_maps_has_loops_handles_and_planes():
         assert any(getattr(map_, has) for map_ in sample)
 
 
+@pytest.mark.no_cover
 def test_random_maps_are_uniform_among_all_rooted_maps_with_two_edges():
     random = Random(2026)
     draws = 5000
@@ -81,6 +84,7 @@ def test_random_maps_are_uniform_among_all_rooted_maps_with_two_edges():
     assert all(abs(count - draws / 10) < 100 for count in counted.values())
 
 
+@pytest.mark.no_cover
 def test_gluing_at_random_is_not_uniform():
     random = Random(2026)
     glue = GENERATORS[MapClass.PLANAR][0]

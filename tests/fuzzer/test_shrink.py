@@ -12,11 +12,16 @@ from allworlds.maps.surgery import contracted, deleted
 from allworlds.protocol import Estimate
 from allworlds.runs import Scope
 from allworlds.world import Directional, World
+from small import slow
 
 
-@pytest.fixture(scope="module")
-def shrunk(planted):
-    return fuzz(planted, edges=12, runs=60, seed=1)
+@pytest.fixture(scope="module", params=[(5, 4), slow((9, 6))])
+def shrunk(request, planted, untraced):
+    """An explorer whose error begins at that size, how many edges these are, and the sample."""
+    edges, degree = request.param
+    explore = planted(edges, degree)
+    with untraced():
+        return explore, edges, fuzz(explore, edges=edges + 3, runs=60, seed=1)
 
 
 def refuted(explore, map_):
@@ -29,34 +34,39 @@ def refuted(explore, map_):
     )
 
 
-def test_an_error_that_begins_at_nine_edges_is_shrunk_to_nine_edges_and_one_vertex(shrunk):
-    (finding,) = shrunk.findings
+def test_an_error_that_begins_at_so_many_edges_is_shrunk_to_these_and_one_vertex(shrunk):
+    _, edges, report = shrunk
+    (finding,) = report.findings
     map_ = finding.world.map
     assert finding.law == "pose"
-    assert (map_.edge_count, map_.vertex_count) == (9, 1)
+    assert (map_.edge_count, map_.vertex_count) == (edges, 1)
     assert finding.world.start == 0
     assert finding.place == 0
     assert rooted_code(map_.sigma, map_.alpha, 0) == (map_.sigma, map_.alpha)
 
 
-def test_what_is_found_is_refuted_and_nothing_with_one_edge_less_is(shrunk, planted):
-    (finding,) = shrunk.findings
+@pytest.mark.no_cover
+def test_what_is_found_is_refuted_and_nothing_with_one_edge_less_is(shrunk):
+    explore, _, report = shrunk
+    (finding,) = report.findings
     map_ = finding.world.map
-    assert allworlds.run(planted, finding.world).finding.law == "pose"
+    assert allworlds.run(explore, finding.world).finding.law == "pose"
     smaller = [change(map_, dart) for dart, _ in map_.edges for change in (deleted, contracted)]
     smaller = {rooted_code(m.sigma, m.alpha, 0): m for m in smaller if m}
     assert smaller
-    assert not any(refuted(planted, other) for other in smaller.values())
+    assert not any(refuted(explore, other) for other in smaller.values())
 
 
-def test_shrinking_stays_in_its_class(planted):
-    # The smallest plane simple maps with nine edges and a vertex of degree 6 have 7 vertices:
-    # the wheel's hub, its rim without three of the six edges.
-    report = fuzz(planted, edges=14, runs=100, map_class="planar-simple")
+@pytest.mark.no_cover
+@pytest.mark.parametrize(("edges", "degree"), [(5, 4), slow(9, 6)])
+def test_shrinking_stays_in_its_class(planted, edges, degree):
+    # The smallest plane simple maps with so many edges and a vertex of that degree: a wheel's
+    # hub with all of its spokes, and some edges of its rim.
+    report = fuzz(planted(edges, degree), edges=edges + 5, runs=100, map_class="planar-simple")
     (finding,) = report.findings
     map_ = finding.world.map
     assert MapClass.PLANAR_SIMPLE.includes(map_)
-    assert (map_.edge_count, map_.vertex_count) == (9, 7)
+    assert (map_.edge_count, map_.vertex_count) == (edges, degree + 1)
 
 
 class Recorder:

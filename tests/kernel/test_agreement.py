@@ -27,6 +27,8 @@ from allworlds.runs import Examiner
 from allworlds.subjects import load
 from allworlds.world import Directional, World
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 POLICIES = ["fifo", "lifo", "nearest"]
 
 

@@ -13,6 +13,8 @@ from allworlds.maps.enumeration import prefixes
 from allworlds.outcome import Verdict
 from allworlds.runs import Scope
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 WHOLE = compiled.level_tables
 
 

@@ -45,17 +45,20 @@ def judged(truth, dart, estimate, here):
     return Case(truth, dart, Transcript(Percept(1)), (), Estimate(estimate, here)).answer
 
 
+@pytest.mark.no_cover
 @settings(max_examples=200)
 @given(answers())
 def test_both_judges_say_the_same_of_every_answer(answer):
     assert judged(*answer) == verdict(*answer)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("outcome", ["right", "pose", "map"])
 def test_every_outcome_is_drawn(outcome):
     assert verdict(*find(answers(), lambda a: judged(*a) == outcome, settings=MANY)) == outcome
 
 
+@pytest.mark.no_cover
 def test_a_judge_that_takes_mirror_images_for_the_same_would_be_noticed():
     def soft(truth, dart, estimate, here):
         said = judged(truth, dart, estimate, here)

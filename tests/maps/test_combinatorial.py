@@ -5,17 +5,13 @@ from itertools import product
 import networkx as nx
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from allworlds.inputs import InputError, integer
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles
+from small import EDGE, LOOP, joined, labelled_pairs, maps
 
-settings.register_profile("laws", deadline=None, database=None)
-settings.load_profile("laws")
-
-EDGE = CombinatorialMap((0, 1), (1, 0))
-LOOP = CombinatorialMap((1, 0), (1, 0))
 HUGE = 10**5000  # more digits than Python turns into text by default
 
 
@@ -38,31 +34,6 @@ class Contrary(int):
 class Indexed:
     def __index__(self):
         return 1
-
-
-@st.composite
-def labelled_pairs(draw, most=6):
-    """A permutation and a pairing of the same darts, connected or not."""
-    darts = range(2 * draw(st.integers(1, most)))
-    sigma = draw(st.permutations(darts))
-    paired = draw(st.permutations(darts))
-    alpha = [0] * len(darts)
-    for a, b in zip(paired[::2], paired[1::2], strict=True):
-        alpha[a], alpha[b] = b, a
-    return sigma, alpha
-
-
-def joined(sigma, alpha):
-    graph = nx.Graph(list(enumerate(sigma)))
-    graph.add_edges_from(enumerate(alpha))
-    return graph
-
-
-@st.composite
-def maps(draw, most=6):
-    sigma, alpha = draw(labelled_pairs(most))
-    assume(nx.is_connected(joined(sigma, alpha)))
-    return CombinatorialMap(sigma, alpha)
 
 
 def multigraph(map_):

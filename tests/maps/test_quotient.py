@@ -115,6 +115,7 @@ def test_relabelling_the_darts_keeps_the_quotient(seed):
         assert mine.classes == tuple(theirs.classes[name] for name in names)
 
 
+@pytest.mark.no_cover
 def test_rooted_quotients_are_equal_exactly_if_the_roots_share_a_class_of_the_union():
     some = list(labelled_maps(3))
     for one in some:

@@ -192,7 +192,7 @@ def test_two_encoders_that_share_no_code_write_the_same_formulas(
                 for motion, percept in zip(asked.walk.motions, asked.walk.percepts, strict=True)
             ),
         )
-        for level in asked.levels():
+        for level in asked.sizes():
             sizes = tuple(world.size_of(mine, s.edges, asked.vertices) for s in level)
             assert [(s.edges, s.fewest, s.most) for s in sizes] == [
                 (s.edges, s.fewest, s.most) for s in level

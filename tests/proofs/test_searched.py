@@ -7,7 +7,7 @@ import sys
 import pytest
 
 import allworlds
-from allworlds.smt import solvers, twin_search
+from allworlds.smt import searching, solvers
 
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 WALK = tuple((k, int(p[0]), p[1] == "P") for k, p in zip(*CAPTION.values(), strict=True))
@@ -78,13 +78,13 @@ def wrong_dimacs(path):
     return variables, [() for _ in clauses]
 
 
-READ_DIMACS = twin_search.read_dimacs
+READ_DIMACS = searching.read_dimacs
 
 
 @needs_python_sat
 def test_a_producer_that_reads_every_clause_as_empty_is_found_out(checkers, tmp_path, monkeypatch):
     """Its own checker would not notice: it is handed the same clauses."""
-    monkeypatch.setattr(twin_search, "read_dimacs", wrong_dimacs)
+    monkeypatch.setattr(searching, "read_dimacs", wrong_dimacs)
     result = allworlds.search(lighthouse="directional", vertices=3, edges=2, out=tmp_path)
     assert result.certificate == tmp_path
     said = refusal(checkers, tmp_path, asked(checkers, "directional"), 3, 2)

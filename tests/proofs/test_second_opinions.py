@@ -150,12 +150,14 @@ def answers(opinions, questions, seconds):
         ]
 
 
+@pytest.mark.slow
 def test_z3_proves_every_statement_and_no_statement_is_vacuous(proofs):
     code, said = run(proofs, "--solver", "z3")
     assert code == 0, said
     assert "31 of 31 statements as expected, by z3\n" in said
 
 
+@pytest.mark.slow
 @needs_cvc5
 def test_cvc5_proves_every_statement_and_no_statement_is_vacuous(proofs):
     code, said = run(proofs, "--solver", "cvc5")
@@ -180,6 +182,7 @@ def damaged_statements(opinions, folder):
             yield path, opinions.header(text)[1]
 
 
+@pytest.mark.slow
 def test_z3_proves_no_damaged_statement(opinions, tmp_path):
     damaged = list(damaged_statements(opinions, tmp_path))
     questions = [("z3", path, expected) for path, expected in damaged]
@@ -188,6 +191,7 @@ def test_z3_proves_no_damaged_statement(opinions, tmp_path):
         assert answer in {other, "unknown", "timeout"}, path.name
 
 
+@pytest.mark.slow
 @needs_cvc5
 def test_cvc5_refutes_every_damaged_statement_by_a_finite_model(opinions, tmp_path):
     damaged = list(damaged_statements(opinions, tmp_path))

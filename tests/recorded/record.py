@@ -17,12 +17,32 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from allworlds.corpora import own_corpus
+
 HERE = Path(__file__).parent
+FINDINGS = own_corpus().directory / "findings"
 RECORDS = HERE / "records"
 PATH_3 = '{"sigma":[0,2,1,3],"alpha":[1,0,3,2]}'
 HOSTILE = '{"sigma":[1,0],"alpha":[1,0],"start":5,"lighthouse":{"kind":"position","dart":0}}'
 
-# A name, and the words of the command; {tmp} is a directory that its commands share.
+# The fewest words with which each verb does something; {tmp} is shared by all commands.
+LEAST = {
+    "check": "--edges 1",
+    "run": "theta",
+    "fuzz": "--edges 1 --runs 1",
+    "replay": "{findings}/lucky-guess.json",
+    "explain": "{findings}/lucky-guess.json",
+    "mutants": "--edges 1",
+    "count": "--edges 1",
+    "worst": "--edges 1",
+    "twins": "k4 k4",
+    "search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
+    "bench": "--edges 4 --rounds 1",
+    "ambiguity census": "--edges 1",
+    "ambiguity class": "k4",
+}
+
+# What every command says is recorded under a name.
 COMMANDS = {
     "check": "check --edges 4 --json",
     "check-text": "check --edges 3",
@@ -85,7 +105,9 @@ COMMANDS = {
     "twins-alike": "twins fig1-left fig1-right --json",
     "search-sat": "search --lighthouse position --vertices 1 --edges 2 --out {tmp}/sat --json",
     "search-unsat": "search --lighthouse directional --vertices 3 --edges 2 --out {tmp}/un --json",
-    "search-none": "search --lighthouse none --class simple --vertices 3 --edges 3 --json",
+    "search-none": (
+        "search --lighthouse none --class simple --vertices 4 --edges 4 --out {tmp}/none --json"
+    ),
     "mutants": "mutants --edges 3 --json",
     "mutants-text": "mutants --edges 2",
     "refused-verb": "chekc",
@@ -108,12 +130,14 @@ FILES = {
     "crash.json": "check explorers.py:crashes --edges 3 --json",
 }
 
-# What a run depends on, and its meaning not; in text too.
-VOLATILE = ("made_by", "seconds")
+
+def least(verb: str, tmp: str) -> list[str]:
+    """A command of that verb that soon does something."""
+    return [*verb.split(), *words(LEAST[verb], tmp)]
 
 
 def words(command: str | list[str], tmp: str) -> list[str]:
-    names = {"tmp": tmp, "python": sys.executable}
+    names = {"tmp": tmp, "python": sys.executable, "findings": str(FINDINGS)}
     given = command if isinstance(command, list) else command.split()
     return [
         re.sub(r"\{(\w+)\}", lambda found: names.get(found[1], found[0]), word) for word in given
@@ -131,20 +155,13 @@ def run(command: str | list[str], tmp: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-def steady(value: object) -> object:
-    """The document without what is volatile."""
-    if isinstance(value, dict):
-        return {key: steady(inner) for key, inner in value.items() if key not in VOLATILE}
-    if isinstance(value, list):
-        return [steady(inner) for inner in value]
-    return value
-
-
 def record(command: str | list[str], tmp: str) -> str:
     """One command's record: the command, its exit code, stderr, then stdout."""
     done = run(command, tmp)
     try:
-        told = json.dumps(steady(json.loads(done.stdout)), indent=1)
+        document = json.loads(done.stdout)
+        del document["made_by"]
+        told = json.dumps(document, indent=1)
     except ValueError:
         told = done.stdout
     errors = [line for line in done.stderr.splitlines() if "compiling" not in line]

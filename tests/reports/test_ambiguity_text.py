@@ -58,15 +58,15 @@ def test_worlds_that_differ_at_the_start_need_no_motion():
     assert "by 0 motions, and by no fewer: none: the first percepts differ" in text
 
 
-def test_a_compass_and_a_directional_marker_are_drawn():
-    norths = twins_text(twins(named("cycle-3", "compass"), named("cycle-4", "compass")), 80)
-    assert "N north of its vertex" in norths
-    assert "0N" in norths
-    apart = twins_text(twins(named("k4", "compass"), named("k4-torus", "compass")), 80)
-    assert apart.startswith("TOLD APART")
-    assert " N " in apart
-    pointed = twins_text(twins(named("k4", "directional"), named("k4-torus", "directional")), 80)
-    assert "▲ marker points along this dart" in pointed
+@pytest.mark.parametrize("kind", ["compass", "directional"])
+def test_the_darts_that_bearings_count_to_are_drawn(kind):
+    pairs = [("cycle-3", "cycle-4"), ("k4", "k4-torus")]
+    for pair in pairs:
+        worlds = [named(name, kind) for name in pair]
+        drawn = twins_text(twins(*worlds), 80).split("world A")[1].split("world B")
+        for world, text in zip(worlds, drawn, strict=True):
+            assert text.count("▲") == len(world.lighthouse.references(world.map)) + 1  # the legend
+            assert "▲ pointed dart (bearing 0)" in text
 
 
 def test_a_class_is_drawn_and_explained():

@@ -4,10 +4,11 @@ import pytest
 
 from allworlds import CombinatorialMap, Estimate
 from allworlds.checker import check, run
+from allworlds.drawing import draw
 from allworlds.explaining import explain
 from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.reports.explain_text import explain_text
-from allworlds.reports.picture import answer_picture, world_picture
+from allworlds.reports.scenes import walk_in_answer, walk_in_world
 from allworlds.world import Directional, World
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
@@ -22,9 +23,9 @@ def explanation_of(name):
 def test_a_wrong_answer_is_drawn_beside_the_world(name, width):
     explanation = explanation_of(name)
     text = explain_text(explanation, width)
-    assert world_picture(explanation.world, explanation.robot, width) in text
-    answer = explanation.answer
-    assert answer_picture(answer.map, answer.here, width) in text
+    walk = explanation.finding.transcript
+    assert draw(walk_in_world(explanation.world, walk), width) in text
+    assert draw(walk_in_answer(explanation.world, explanation.answer, walk), width) in text
 
 
 def test_without_an_answer_only_the_world_is_drawn():

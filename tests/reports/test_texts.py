@@ -161,6 +161,16 @@ def test_the_time_for_the_text_of_a_huge_answer_grows_no_faster_than_the_answer(
     assert calls(8000) < 2.5 * calls(4000)
 
 
+def test_the_text_of_a_run_has_a_row_for_every_step():
+    told = run("algorithm1", World(named_map("theta-torus"), Directional(0)))
+    walk = run_text(told, 100).partition("\nthe walk\n\n")[2].split("\n\n")[0]
+    percepts = told.outcome.episode.transcript.percepts
+    rows = walk.splitlines()[1:]
+    assert [row.split()[0] for row in rows] == [str(i) for i in range(len(percepts))]
+    for row, percept in zip(rows, percepts, strict=True):
+        assert str(percept) in row
+
+
 def test_of_many_choices_both_ends_are_told():
     def explore(first, *, choices):
         for _ in range(1000):

@@ -6,7 +6,7 @@ from allworlds.maps.classes import MapClass
 from allworlds.smt.formula import Formula
 from allworlds.smt.one_world import Degrees, Size, one_world
 from allworlds.smt.pair import forbid_other_start, pair_formula
-from allworlds.smt.question import Level, question
+from allworlds.smt.question import Sizes, question
 from allworlds.smt.solvers import Clock, solve_with_z3
 
 ANY = Degrees()
@@ -93,8 +93,8 @@ def solved(path, formula):
 def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(tmp_path):
     # Planar simple, 6 edges: one map has two starts that look alike; nothing else does.
     asked = question("position", "planar-simple", 6, 6)
-    level = list(asked.levels())[-1]
-    formula, pair = pair_formula(asked, level)
+    sizes = list(asked.sizes())[-1]
+    formula, pair = pair_formula(asked, sizes)
     assert solved(tmp_path / "f.cnf", formula) == "sat"
     for start in range(1, 12):
         forbid_other_start(formula, pair, start)
@@ -103,7 +103,7 @@ def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(t
 
 def test_excluding_other_starts_keeps_a_pair_of_different_worlds(tmp_path):
     asked = question("position", "maps", 3, 2)
-    formula, pair = pair_formula(asked, Level(Size(2, 1, 3), Size(2, 1, 3)))
+    formula, pair = pair_formula(asked, Sizes(Size(2, 1, 3), Size(2, 1, 3)))
     for start in range(1, 4):
         forbid_other_start(formula, pair, start)
     assert solved(tmp_path / "f.cnf", formula) == "sat"
@@ -111,7 +111,7 @@ def test_excluding_other_starts_keeps_a_pair_of_different_worlds(tmp_path):
 
 def test_a_file_says_what_its_variables_and_clauses_mean(tmp_path):
     asked = question("directional", "maps", 3, 2)
-    formula, _ = pair_formula(asked, next(asked.levels()))
+    formula, _ = pair_formula(asked, next(asked.sizes()))
     formula.write(tmp_path / "f.cnf")
     lines = (tmp_path / "f.cnf").read_text().splitlines()
     assert lines[0].startswith("c Two different worlds that no motion tells apart")

@@ -1,17 +1,15 @@
 import json
-import subprocess
-import sys
+from functools import partial
 
 import pytest
 
 
-def search(*words):
-    command = [sys.executable, "-m", "allworlds", "search", *words]
-    ran = subprocess.run(command, capture_output=True, text=True, check=False)
-    return ran.returncode, ran.stdout, ran.stderr
+@pytest.fixture
+def search(cli):
+    return partial(cli, "search")
 
 
-def test_a_pair_is_one_json_document_on_stdout(tmp_path):
+def test_a_pair_is_one_json_document_on_stdout(search, tmp_path):
     code, out, _ = search(
         *("--lighthouse", "position", "--vertices", "3", "--edges", "2"),
         *("--out", str(tmp_path), "--json"),
@@ -22,7 +20,7 @@ def test_a_pair_is_one_json_document_on_stdout(tmp_path):
     assert document["certificate"] == str(tmp_path / "pair.json")
 
 
-def test_the_text_draws_both_worlds_and_says_why(tmp_path):
+def test_the_text_draws_both_worlds_and_says_why(search, tmp_path):
     code, out, _ = search(
         *("--lighthouse", "compass", "--class", "simple", "--vertices", "4"),
         *("--edges", "4", "--out", str(tmp_path)),
@@ -33,7 +31,7 @@ def test_the_text_draws_both_worlds_and_says_why(tmp_path):
     assert "take every class to one class" in " ".join(out.split())
 
 
-def test_that_there_is_none_names_the_proofs(tmp_path):
+def test_that_there_is_none_names_the_proofs(search, tmp_path):
     bounds = ["--vertices", "3", "--edges", "2", "--out", str(tmp_path)]
     code, out, _ = search("--lighthouse", "directional", *bounds)
     assert code == 0
@@ -52,7 +50,7 @@ def test_that_there_is_none_names_the_proofs(tmp_path):
         (("--time-limit", "0.000001"), 3, "undecided"),
     ],
 )
-def test_exit_codes_say_what_kind_of_answer_it_is(tmp_path, words, code, said):
+def test_exit_codes_say_what_kind_of_answer_it_is(search, tmp_path, words, code, said):
     bounds = ["--vertices", "3", "--edges", "2", "--out", str(tmp_path)]
     seen, out, err = search("--lighthouse", "position", *bounds, *words)
     assert seen == code

@@ -8,6 +8,7 @@ import pytest
 from allworlds.inputs import InputError
 from allworlds.protocol import Checkpoint, ExplorerFault, Move, Percept
 from allworlds.subjects import Program
+from processes import PATIENCE
 
 SCRIPT = """
 import sys, json, os
@@ -67,6 +68,24 @@ def test_a_new_process_begins_after_an_episode_that_was_broken_off(program):
     walk.close()
     assert episode(program)[1].here != first.here
     assert json.dumps(first.map.to_json())
+
+
+def test_of_a_message_two_hundred_characters_are_shown(tmp_path):
+    script = tmp_path / "long.py"
+    script.write_text(
+        "import json\n"
+        "length = json.loads(input())['percept']['degree']\n"
+        "print(json.dumps({'estimate': {'x': 'a' * (length - len('{\"x\": \"\"}'))}}))\n"
+        "input()\n"
+    )
+    seen = {}
+    for length in (200, 201):
+        long = Program(f"{sys.executable} {script}", PATIENCE)
+        with pytest.raises(ExplorerFault) as fault:
+            next(long.explore(Percept(length)))
+        _, _, seen[length] = fault.value.seen.partition(": ")
+    assert seen[200] == json.dumps({"x": "a" * 191})
+    assert seen[201] == seen[200][:197] + "..."
 
 
 def test_a_file_that_cannot_be_executed_is_a_crash(tmp_path):

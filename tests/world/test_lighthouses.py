@@ -1,11 +1,11 @@
-"""What each level of information perceives, and where each lighthouse may stand."""
+"""What is sensed of each lighthouse, and where each lighthouse may stand."""
 
 from math import prod
 from random import Random
 
 import pytest
 
-from allworlds.maps import CombinatorialMap, named_map
+from allworlds.maps import named_map
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Percept
 from allworlds.world import (
@@ -20,18 +20,14 @@ from allworlds.world import (
     lighthouse_from_json,
     lighthouse_named,
 )
+from small import PATH, all_maps
 
-PATH = CombinatorialMap((0, 2, 1, 3), (1, 0, 3, 2))  # degrees 1, 2, 1
 KINDS = {"none": Nothing, "position": Position, "compass": Compass, "directional": Directional}
 POOR = [Nothing, Position, Compass]  # lighthouses that do not settle where one is
 
 
-def maps(largest=3):
-    return [map_ for m in range(1, largest + 1) for map_ in rooted_maps(m)]
-
-
 def worlds(kind, largest=3):
-    return [World(map_, place) for map_ in maps(largest) for place in kind.places(map_, 0)]
+    return [World(map_, place) for map_ in all_maps(largest) for place in kind.places(map_, 0)]
 
 
 def turns(map_, dart, goal):
@@ -103,14 +99,14 @@ def test_more_than_the_degree_is_sensed_where_the_level_says_and_nowhere_else(ki
 
 @pytest.mark.parametrize("kind", [Nothing, Position])
 def test_without_a_direction_there_is_one_place(kind):
-    for map_ in maps():
+    for map_ in all_maps(3):
         for start in map_.darts:
             (place,) = kind.places(map_, start)
             World(map_, place, start)
 
 
 def test_up_to_three_edges_every_choice_of_reference_darts_is_a_place_of_a_compass():
-    for map_ in maps():
+    for map_ in all_maps(3):
         places = list(Compass.places(map_, 0))
         assert len(set(places)) == len(places) == prod(map_.degrees)
 
@@ -124,7 +120,7 @@ def test_beyond_three_edges_a_compass_has_one_place():
 @pytest.mark.parametrize("largest", [3, 4])
 def test_places_have_the_same_order_whatever_the_darts_are_called(kind, largest):
     random = Random(largest)
-    for map_ in maps(largest)[::5]:
+    for map_ in all_maps(largest)[::5]:
         names = list(map_.darts)
         random.shuffle(names)
         renamed = [place.relabelled(names) for place in kind.places(map_, 0)]

@@ -5,9 +5,8 @@ from random import Random
 
 import pytest
 
-from allworlds.maps import CombinatorialMap, named_map
+from allworlds.maps import named_map
 from allworlds.maps.build import from_cycles
-from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Drop, Percept
 from allworlds.world import (
     Cluster,
@@ -17,21 +16,15 @@ from allworlds.world import (
     World,
     lighthouse_named,
 )
+from small import LASSO, PATH, all_maps
 
 SINGLE = lighthouse_named("cluster:single=true")
 KINDS = [Cluster, SINGLE, Natural]
-PATH = CombinatorialMap((0, 2, 1, 3), (1, 0, 3, 2))  # degrees 1, 2, 1
-# A loop and an edge at v0, clockwise: loop, loop, edge.
-LOLLIPOP = CombinatorialMap((1, 2, 0, 3), (1, 0, 3, 2))
 DOUBLE = named_map("theta")
 
 
-def maps(largest=4):
-    return [map_ for m in range(1, largest + 1) for map_ in rooted_maps(m)]
-
-
 def worlds(kind, largest=4):
-    return [World(map_, place) for map_ in maps(largest) for place in kind.places(map_, 0)]
+    return [World(map_, place) for map_ in all_maps(largest) for place in kind.places(map_, 0)]
 
 
 def graph(map_):
@@ -56,14 +49,14 @@ def alone(degrees, vertex):
 
 
 def test_a_cluster_has_a_place_for_each_dart_that_leads_away_from_v0():
-    for map_ in maps():
+    for map_ in all_maps(4):
         _, _, beyond = graph(map_)
         places = list(Cluster.places(map_, 0))
         assert len(set(places)) == len(places) == beyond.total()
 
 
 def test_a_single_cluster_has_a_place_for_each_neighbour_that_one_edge_joins_to_v0():
-    for map_ in maps():
+    for map_ in all_maps(4):
         owner, _, beyond = graph(map_)
         places = list(SINGLE.places(map_, 0))
         reached = [owner[map_.alpha[place.dart]] for place in places]
@@ -72,7 +65,7 @@ def test_a_single_cluster_has_a_place_for_each_neighbour_that_one_edge_joins_to_
 
 
 def test_a_natural_lighthouse_has_a_place_for_each_neighbour_if_both_degrees_are_unique():
-    for map_ in maps():
+    for map_ in all_maps(4):
         owner, degrees, beyond = graph(map_)
         wanted = [v for v in beyond if alone(degrees, owner[0]) and alone(degrees, v)]
         places = list(Natural.places(map_, 0))
@@ -82,7 +75,7 @@ def test_a_natural_lighthouse_has_a_place_for_each_neighbour_if_both_degrees_are
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_places_come_clockwise_from_the_start(kind):
-    for map_ in maps(3):
+    for map_ in all_maps(3):
         for start in map_.darts:
             bearings = [map_.offset(start, p.dart) for p in kind.places(map_, start)]
             assert bearings == sorted(set(bearings))
@@ -99,7 +92,7 @@ def test_a_natural_lighthouse_stands_at_the_first_dart_to_its_neighbour():
 @pytest.mark.parametrize("kind", KINDS)
 def test_places_have_the_same_order_whatever_the_darts_are_called(kind):
     random = Random(4)
-    for map_ in maps()[::5]:
+    for map_ in all_maps(4)[::5]:
         names = list(map_.darts)
         random.shuffle(names)
         renamed = [place.relabelled(names) for place in kind.places(map_, 0)]
@@ -157,7 +150,7 @@ def test_no_marker_can_be_taken_or_laid():
 
 @pytest.mark.parametrize("kind", ["cluster", "cluster:single=true", "natural"])
 def test_without_a_dart_a_lighthouse_stands_at_its_first_place(kind):
-    document = LOLLIPOP.to_json()
+    document = LASSO.to_json()
     assert World.from_json(document, missing=kind).lighthouse.dart == 2
     assert World.from_json({**document, "lighthouse": {"kind": kind}}).lighthouse.dart == 2
 
@@ -218,12 +211,12 @@ def test_an_option_that_is_none_is_named(text, named):
 @pytest.mark.parametrize(
     ("map_", "lighthouse", "named"),
     [
-        (LOLLIPOP, {"kind": "cluster", "dart": 0}, "leads back to the start's .* legal are 2"),
-        (LOLLIPOP, {"kind": "natural", "dart": 1}, "leads back to the start's .* legal are 2"),
-        (LOLLIPOP, {"kind": "cluster", "dart": 3}, "dart 3, which is not at the start's vertex"),
-        (LOLLIPOP, {"kind": "natural", "dart": 9}, "dart 9, which is not at the start's vertex"),
-        (LOLLIPOP, {"kind": "cluster", "dart": "0"}, "lighthouse.dart = '0' is not an integer"),
-        (LOLLIPOP, {"kind": "natural", "dart": True}, "lighthouse.dart = True is not an integer"),
+        (LASSO, {"kind": "cluster", "dart": 0}, "leads back to the start's .* legal are 2"),
+        (LASSO, {"kind": "natural", "dart": 1}, "leads back to the start's .* legal are 2"),
+        (LASSO, {"kind": "cluster", "dart": 3}, "dart 3, which is not at the start's vertex"),
+        (LASSO, {"kind": "natural", "dart": 9}, "dart 9, which is not at the start's vertex"),
+        (LASSO, {"kind": "cluster", "dart": "0"}, "lighthouse.dart = '0' is not an integer"),
+        (LASSO, {"kind": "natural", "dart": True}, "lighthouse.dart = True is not an integer"),
         (named_map("loop"), {"kind": "cluster", "dart": 0}, "legal are none"),
         (PATH, {"kind": "natural", "dart": 0}, "start's vertex has degree 1, .* 2 vertices"),
         (
@@ -242,9 +235,9 @@ def test_a_lighthouse_that_does_not_fit_is_named(map_, lighthouse, named):
 
 
 def test_a_world_that_says_single_is_the_world_without_that_word():
-    document = {**LOLLIPOP.to_json(), "lighthouse": {"kind": "cluster", "dart": 2, "single": True}}
+    document = {**LASSO.to_json(), "lighthouse": {"kind": "cluster", "dart": 2, "single": True}}
     world = World.from_json(document)
-    assert world == World(LOLLIPOP, Cluster(2))
+    assert world == World(LASSO, Cluster(2))
     assert "single" not in world.to_json()["lighthouse"]
 
 

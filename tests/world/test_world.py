@@ -3,7 +3,7 @@ from random import Random
 
 import pytest
 
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.maps.combinatorial import InvalidMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Drop, Move, Percept, Pick
 from allworlds.world import (
@@ -15,9 +15,8 @@ from allworlds.world import (
     lighthouse_from_json,
     lighthouse_named,
 )
+from small import EDGE, PATH
 
-EDGE = CombinatorialMap((0, 1), (1, 0))
-PATH = CombinatorialMap((0, 2, 1, 3), (1, 0, 3, 2))  # degrees 1, 2, 1
 DOCUMENT = {"sigma": [0, 2, 1, 3], "alpha": [1, 0, 3, 2]}
 HUGE = 10**5000  # more digits than Python turns into text by default
 

@@ -12,16 +12,15 @@ pose hypothesis
     A member of the class and a dart in it, up to automorphisms, at which the robot can be.
 bisimulation
     Classes of darts that prove that no motion tells two worlds apart
-    (:mod:`allworlds.ambiguity.certificate`).
+    (:mod:`allworlds.bisimulation`).
 separation
     Motions that tell them apart.
 """
 
 from allworlds.ambiguity.census import AmbiguityCensus, CensusRow, census
-from allworlds.ambiguity.certificate import flaw
+from allworlds.ambiguity.comparison import Bisimulation, Comparison, Separation, twins
 from allworlds.ambiguity.criterion import Disagreement, class_size, is_ambiguous, pose_count
 from allworlds.ambiguity.members import DEFAULT_LIMIT, AmbiguityClass, class_of, projection_of
-from allworlds.ambiguity.twins import Bisimulation, Comparison, Separation, twins
 
 __all__ = [
     "DEFAULT_LIMIT",
@@ -35,7 +34,6 @@ __all__ = [
     "census",
     "class_of",
     "class_size",
-    "flaw",
     "is_ambiguous",
     "pose_count",
     "projection_of",

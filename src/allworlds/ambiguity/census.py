@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from allworlds.ambiguity.criterion import Disagreement, class_size, is_ambiguous
 from allworlds.ambiguity.marked import is_least_rooting
@@ -18,6 +18,9 @@ from allworlds.outcome import SCHEMA, Exit
 from allworlds.progress import Listener, Silent
 from allworlds.work import Here, LevelUnit, gather, level_size, units_of_level
 from allworlds.world import Position, World
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 BATCH = 200
 """Maps after which a part of a unit is handed over."""
@@ -59,7 +62,7 @@ class CensusRow:
         """The members of the largest one; 0 if there is none."""
         return max(self.sizes, default=0)
 
-    def to_json(self) -> dict[str, int]:
+    def to_json(self) -> documents.CensusRow:
         """One row of the document."""
         return {
             "edges": self.edges,
@@ -96,7 +99,7 @@ class AmbiguityCensus:
             return Exit.DISAGREES
         return Exit.ANSWERED if any(row.marked_worlds for row in self.rows) else Exit.VACUOUS
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.AmbiguityCensusReport:
         """The document of ``ambiguity census --json``."""
         return {
             "schema": SCHEMA,
@@ -121,7 +124,7 @@ def census(
     Args:
         edges: the largest number of edges.
         vertices: the largest number of vertices; alone only for the simple classes.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         listener: told how far it is.
 
     Raises:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 from allworlds.ambiguity.criterion import Disagreement, class_size, is_ambiguous, pose_count
 from allworlds.ambiguity.lifting import lifts
@@ -16,6 +16,9 @@ from allworlds.maps.quotient import Labelled, Projection, Quotient, project
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Percept
 from allworlds.world import Directional, Position, World
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 DEFAULT_LIMIT = 1000
 """The largest class whose members are all made, unless another limit is named."""
@@ -58,7 +61,7 @@ class AmbiguityClass:
         """The exit code of the command: a question was answered."""
         return Exit.ANSWERED
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.AmbiguityClassReport:
         """The document of ``ambiguity class --json``."""
         return {
             "schema": SCHEMA,
@@ -75,7 +78,7 @@ class AmbiguityClass:
         }
 
 
-def quotient_to_json(quotient: Quotient) -> dict[str, list[int]]:
+def quotient_to_json(quotient: Quotient) -> documents.Quotient:
     """``{"sigma", "alpha", "degree", "marks"}``; ``alpha[q] == q`` is a semi-edge."""
     marks = []
     for label in quotient.labels:

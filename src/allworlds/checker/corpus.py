@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from allworlds.findings import Finding, kept_findings, write_finding
 from allworlds.isolation import confirmed, workers_for
@@ -13,6 +14,9 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.runs import Examination, GivenWorlds, Scope
 from allworlds.subjects import Subject
 from allworlds.work import Limits
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(slots=True)
@@ -60,7 +64,7 @@ class UserCorpus:
             if not self.holds(finding):
                 self.written.append(write_finding(self.directory, finding))
 
-    def to_json(self) -> dict[str, object]:
+    def to_json(self) -> documents.Corpus:
         """As it stands in a report."""
         return {
             "directory": str(self.directory),

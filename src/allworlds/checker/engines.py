@@ -19,6 +19,9 @@ FROM_EDGES = 6
 TO_EDGES = 12
 """The greatest bound that the compiled engine has room for."""
 
+COMPILED_LAWS = ("map", "pose", "invariant-1", "invariant-2", "variant", "folding", "bound")
+"""The laws that the compiled engine checks, all together."""
+
 
 class EnginesDisagree(Exception):
     """Two engines say different things about one world."""
@@ -117,6 +120,8 @@ class Compiled:
             return "walks one schedule (see worst for all of them)"
         if rules.laws:
             return "checks all laws together, not a choice of them"
+        if unknown := [law for law in rules.applying if law not in COMPILED_LAWS]:
+            return f"does not check the law {unknown[0]!r}"
         if rules.step_budget is not None:
             return "knows only the default step budget"
         if not rules.the_bound.variables <= {"n", "m"}:

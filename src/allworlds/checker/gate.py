@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from allworlds.maps import named_map
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting import source_for
 from allworlds.runs import Tally
@@ -47,17 +48,16 @@ def count_gate(extent: Extent, edges: int, tally: Tally) -> list[Cell]:
     return cells
 
 
+SMALLEST = {"loop-edge": "loop", "parallel-edge": "dipole-2"}
+"""For each event that needs no explorer the smallest map in which it occurs."""
+
+
 def missing_witnesses(extent: Extent, subject: Subject, seen: Mapping[str, int]) -> tuple[str, ...]:
     """The events that a check of the whole extent must have seen and has not."""
     simple, last = extent.map_class.simple, extent.levels[-1]
-    required = {} if simple else {"loop-edge": (1, 1), "parallel-edge": (2, 1)}
+    required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}
     for event, least in subject.witnesses.items():
-        if (size := least[simple]) is not None:
-            required[event] = size
-    return tuple(
-        sorted(
-            event
-            for event, (edges, vertices) in required.items()
-            if edges <= last and vertices <= extent.vertex_limit(last) and not seen.get(event)
-        )
-    )
+        match least[simple]:
+            case (edges, vertices) if edges <= last and vertices <= extent.vertex_limit(last):
+                required.add(event)
+    return tuple(sorted(event for event in required if not seen.get(event)))

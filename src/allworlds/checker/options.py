@@ -22,7 +22,7 @@ class ManyRunsOptions(RulesOptions, EffortOptions, total=False):
     """What ``check`` and ``fuzz`` take beside the rules and the effort.
 
     Attributes:
-        map_class: ``maps`` (default), ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass` (default ``maps``).
         lighthouse: ``KIND[:key=value,...]``; None (default) takes the explorer's own, which is
             ``directional`` unless a built-in explorer is written for another.
     """
@@ -54,4 +54,4 @@ def rules_for(subject: Subject, options: ManyRunsOptions) -> tuple[MapClass, Rul
     if lighthouse is None:
         lighthouse = subject.lighthouse
     own_bound = subject.bound_under(lighthouse)
-    return map_class, make_rules(options, lighthouse, own_bound, promised=map_class.planar)
+    return map_class, make_rules(options, lighthouse, own_bound, promised=map_class.promises)

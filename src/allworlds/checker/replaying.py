@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from allworlds.checker.single import SingleRun, single_run, unused_choice
 from allworlds.findings import Finding, recorded_trail
 from allworlds.inputs import InputError, show
 from allworlds.isolation import subject_of
 from allworlds.outcome import SCHEMA, Exit
+from allworlds.protocol import ANSWER_TIMEOUT
 from allworlds.work import Limits
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +34,7 @@ class Replay:
     notice: str = ""
 
     @property
-    def outcome(self) -> str:
+    def outcome(self) -> Literal["reproduced", "fixed"]:
         """``reproduced`` if the run still breaks a law, ``fixed`` if it breaks none."""
         return "reproduced" if self.again.finding else "fixed"
 
@@ -39,7 +43,7 @@ class Replay:
         """The exit code of the command."""
         return Exit.FIXED if self.outcome == "fixed" else Exit.ANSWERED
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.ReplayReport:
         """The document of ``replay --json``."""
         return {
             "schema": SCHEMA,
@@ -56,7 +60,7 @@ def replay(
     finding: Finding,
     explore: str | Callable[..., Any] | None = None,
     *,
-    answer_timeout: float = 10.0,
+    answer_timeout: float = ANSWER_TIMEOUT,
 ) -> Replay:
     """Run a finding's world again under its rules, with ``explore`` in place of its explorer.
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, TypeAlias, assert_never
+from typing import TYPE_CHECKING, TypeAlias, assert_never
 
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.gate import Cell
 from allworlds.findings import Finding
 from allworlds.outcome import SCHEMA, Exit, Verdict
 from allworlds.runs import Sample, Scope, Shard, Tally, Whole
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +153,7 @@ class Report:
             raise KeyboardInterrupt
         return self
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.CheckReport:
         """The document of ``check --json``."""
         return {
             "schema": SCHEMA,
@@ -169,11 +172,11 @@ class Report:
             "witnesses": dict(sorted(self.tally.witnesses.items())),
             "missing_witnesses": list(self.missing),
             "remarks": self.remarks,
-            "corpus": self.corpus and self.corpus.to_json(),
+            "corpus": self.corpus.to_json() if self.corpus else None,
             "findings": [finding.to_json() for finding in self.findings],
         }
 
-    def rows(self) -> list[dict[str, Any]]:
+    def rows(self) -> list[documents.CheckRow]:
         """One row for each (edges, vertices), ascending."""
         return [
             {
@@ -190,11 +193,15 @@ class Report:
             for (edges, vertices), row in sorted(self.tally.rows.items())
         ]
 
-    def _scope_json(self) -> dict[str, Any]:
+    def _scope_json(self) -> documents.Scope:
         scope, rules, coverage = self.scope, self.scope.rules, self.scope.coverage
-        sample = None
+        sample: documents.Sample | None = None
         if isinstance(coverage, Sample):
-            sample = {"edges": scope.extent.edges, "runs": coverage.runs, "seed": coverage.seed}
+            sample = {
+                "edges": scope.extent.levels[-1],
+                "runs": coverage.runs,
+                "seed": coverage.seed,
+            }
         return {
             "class": scope.extent.map_class.value,
             "edges": scope.extent.edges,
@@ -214,7 +221,7 @@ class Report:
             "stopped": self.ending.reason or None,
         }
 
-    def _gate_json(self) -> list[dict[str, Any]] | str:
+    def _gate_json(self) -> documents.Checked:
         match self.scope.coverage:
             case Sample():
                 return "absent"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, Unpack
+from typing import TYPE_CHECKING, Any, Literal, Unpack
 
 from allworlds.checker.options import RunOptions, refuse_others
 from allworlds.episode import Answered
@@ -14,10 +14,14 @@ from allworlds.isolation import examine_apart, subject_of
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.outcome import SCHEMA, Exit, Verdict
+from allworlds.protocol import ANSWER_TIMEOUT
 from allworlds.runs import DEFAULT_EDGES, Examiner, Outcome, Referee, name_run
 from allworlds.subjects import Subject
 from allworlds.work import Limits
 from allworlds.world import Lighthouse, World, lighthouse_named, world_named
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 def worlds(
@@ -33,7 +37,7 @@ def worlds(
     Args:
         edges: the largest number of edges (default: one that takes seconds).
         vertices: the largest number of vertices.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         lighthouse: the kind of lighthouse.
         places: ``first``: one world a rooted map, as reports count worlds; ``all``: one for
             every place of the lighthouse, as reports count runs.
@@ -87,7 +91,7 @@ class SingleRun:
         """The exit code of the command."""
         return self.verdict.exit
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.RunReport:
         """The document of ``run --json``."""
         ending = self.outcome.episode.ending
         return {
@@ -132,7 +136,7 @@ def run(
     """
     refuse_others("run", options, RunOptions)
     script = _indices(choices)
-    limits = Limits(answer_timeout=options.get("answer_timeout", Limits().answer_timeout))
+    limits = Limits(answer_timeout=options.get("answer_timeout", ANSWER_TIMEOUT))
     subject = subject_of(explore, limits)
     if isinstance(world, str):
         world = world_named(world, subject.lighthouse)

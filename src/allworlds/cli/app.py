@@ -6,6 +6,7 @@ import signal
 import sys
 import traceback
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
 from itertools import pairwise
 from keyword import iskeyword
@@ -14,6 +15,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from allworlds.cli.groups import grouped
+from allworlds.cli.made_by import beginning
 from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable
 from allworlds.inputs import InputError, show
 from allworlds.outcome import Exit
@@ -96,7 +98,8 @@ def main() -> NoReturn:
 def call(arguments: list[str]) -> int:
     """Run a verb in this process; its exit code, whatever happens."""
     try:
-        code = app(args=arguments, standalone_mode=False)
+        with beginning(arguments):
+            code = _verbs()(args=arguments, standalone_mode=False)
     except InputError as error:
         return _refuse(str(error))
     except _ClickError as error:
@@ -114,6 +117,12 @@ def call(arguments: list[str]) -> int:
         complain("internal error; the lines above say where")
         return Exit.INTERNAL
     return int(code or 0)
+
+
+@cache
+def _verbs() -> Callable[..., int | None]:
+    """All verbs as click sees them; Typer needs longer to make them than a small verb runs."""
+    return typer.main.get_command(app)
 
 
 def _complaint(error: Exception, arguments: list[str]) -> str:

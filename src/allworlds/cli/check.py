@@ -69,4 +69,4 @@ def check(
             **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
         )
     files.write(report)
-    return emit(report, "check", output)
+    return emit(report, "check", output, workers=effort.count)

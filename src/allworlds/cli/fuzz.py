@@ -41,4 +41,4 @@ def fuzz(
             **opt.many_runs(map_class, lighthouse, rules, effort),
         )
     files.write(report)
-    return emit(report, "fuzz", output)
+    return emit(report, "fuzz", output, workers=effort.count)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -9,12 +10,22 @@ import typer
 
 from allworlds.cli.values import integer, law_names, seconds, worker_count
 from allworlds.inputs import InputError
+from allworlds.judge import LAWS
+from allworlds.maps.classes import MapClass
+from allworlds.protocol import ANSWER_TIMEOUT, DEFAULT_POLICY, POLICIES, SEEDED
 from allworlds.subjects import EXEC
+from allworlds.world import LIGHTHOUSES
 
 if TYPE_CHECKING:
     from allworlds.checker import ManyRunsOptions, RunOptions
 
 SCOPE, RULES, EFFORT, OUTPUT = "What is checked", "How it is judged", "Effort", "Output"
+
+
+def one_of(names: Iterable[str]) -> str:
+    """The names of a table, as a help says them: ``a, b or c``."""
+    *others, last = names
+    return f"{', '.join(others)} or {last}"
 
 
 def option(panel: str, metavar: str, help_: str, *names: str, **more: Any) -> Any:
@@ -46,9 +57,7 @@ Exec = Annotated[
     option(SCOPE, "COMMAND", "In place of EXPLORER: a program that speaks JSON lines.", "--exec"),
 ]
 Workers = Annotated[str, option(EFFORT, "N|auto", "Processes, or threads.")]
-MapClassName = Annotated[
-    str, option(SCOPE, "CLASS", "maps, simple, planar or planar-simple.", "--class")
-]
+MapClassName = Annotated[str, option(SCOPE, "CLASS", f"{one_of(MapClass)}.", "--class")]
 LighthouseName = Annotated[
     str | None,
     option(
@@ -64,8 +73,7 @@ LighthouseOfWorld = Annotated[
     option(
         SCOPE,
         "KIND",
-        "The lighthouse of a WORLD that names none: none, position, compass, directional, cluster "
-        "or natural.",
+        f"The lighthouse of a WORLD that names none: {one_of(LIGHTHOUSES)}.",
     ),
 ]
 TimeLimit = Annotated[float | None, option(EFFORT, "S", "Seconds for everything.", parser=seconds)]
@@ -95,9 +103,9 @@ class Rules:
         option(
             RULES,
             "POLICY",
-            "Who answers the explorer's choices: fifo, lifo, nearest or random:SEED.",
+            f"Who answers the explorer's choices: {one_of([*POLICIES, SEEDED])}.",
         ),
-    ] = "fifo"
+    ] = DEFAULT_POLICY
     bound: Annotated[
         str | None,
         option(
@@ -114,8 +122,7 @@ class Rules:
         option(
             RULES,
             "LAWS",
-            "Of map, pose, invariant-1, invariant-2, variant, folding, bound, with commas "
-            "(default: all that apply).",
+            f"Of {', '.join(LAWS)}, with commas (default: all that apply).",
             show_default=False,
         ),
     ] = None
@@ -128,7 +135,7 @@ class Rules:
             show_default=False,
         ),
     ] = None
-    answer_timeout: AnswerTimeout = 10.0
+    answer_timeout: AnswerTimeout = ANSWER_TIMEOUT
 
     def options(self) -> RunOptions:
         """As ``run`` takes them."""
@@ -152,6 +159,11 @@ class Effort:
         number(EFFORT, "MB", "Address space of each worker process; the kernel engine has none."),
     ] = None
 
+    @property
+    def count(self) -> int:
+        """The number of workers."""
+        return worker_count(self.workers)
+
 
 def many_runs(
     map_class: str, lighthouse: str | None, rules: Rules, effort: Effort
@@ -161,7 +173,7 @@ def many_runs(
         **rules.options(),
         "map_class": map_class,
         "lighthouse": lighthouse,
-        "workers": worker_count(effort.workers),
+        "workers": effort.count,
         "time_limit": effort.time_limit,
         "memory": effort.memory,
     }

@@ -9,8 +9,9 @@ import re
 import shutil
 import sys
 from contextlib import suppress
-from typing import Any, Self
+from typing import Any, Self, Unpack
 
+from allworlds.cli.made_by import Effort, made_by
 from allworlds.cli.options import Output
 from allworlds.outcome import Result
 from allworlds.reports import text
@@ -32,15 +33,17 @@ def printable(text: str) -> str:
     return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", lambda found: f"\\x{ord(found[0]):02x}", text)
 
 
-def emit(result: Result, verb: str, output: Output) -> int:
+def emit(result: Result, verb: str, output: Output, **effort: Unpack[Effort]) -> int:
     """Print a verb's result in the form that was asked for; its exit code.
+
+    In a document all that can differ from run to run stands under the key ``made_by``.
 
     Raises:
         OSError: saying that it is stdout that cannot be written.
     """
     try:
         if output.as_json:
-            print(json.dumps(result.to_json(), indent=2))
+            print(json.dumps({**result.to_json(), "made_by": made_by(effort)}, indent=2))
         else:
             print(printable(text(verb, result, width())))
         sys.stdout.flush()

@@ -7,6 +7,7 @@ from typing import Annotated
 from allworlds.cli import options as opt
 from allworlds.cli.output import complain, emit
 from allworlds.inputs import read_text
+from allworlds.protocol import ANSWER_TIMEOUT
 
 
 def replay(
@@ -24,7 +25,7 @@ def replay(
             "--exec",
         ),
     ] = None,
-    answer_timeout: opt.AnswerTimeout = 10.0,
+    answer_timeout: opt.AnswerTimeout = ANSWER_TIMEOUT,
     output: opt.Output,
 ) -> int:
     """Example: allworlds replay finding.json --explorer mended.py:explore

@@ -82,4 +82,5 @@ def search(
     with Progress(quiet=output.quiet) as progress:
         for notice in result.notices:
             progress.notice(notice)
-    return emit(result, "search", output)
+    seconds = [searched.seconds for searched in result.searched]
+    return emit(result, "search", output, level_seconds=seconds)

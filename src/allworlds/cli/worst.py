@@ -34,12 +34,13 @@ def worst(
     """
     import allworlds
 
+    threads = worker_count(workers)
     with Progress(quiet=output.quiet) as progress:
         report = allworlds.worst(
             edges=edges,
             map_class=map_class,
             transit=transit,
-            workers=worker_count(workers),
+            workers=threads,
             listener=progress,
         )
-    return emit(report, "worst", output)
+    return emit(report, "worst", output, workers=threads)

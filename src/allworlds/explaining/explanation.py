@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
-from allworlds.explaining.laws import teller_of
 from allworlds.explaining.story import Story
+from allworlds.explaining.tellers import teller_of
 from allworlds.findings import Finding
 from allworlds.inputs import InputError, show
 from allworlds.maps.combinatorial import Dart
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Estimate
 from allworlds.world import World
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,30 +25,41 @@ class Explanation:
     Vertices and darts are those of the world, in the numbering of the finding.
 
     Attributes:
-        law: the broken law.
+        finding: what is explained.
         sentences: in plain words.
         step: the first step at which belief and truth part; 0 is the start, None where they
             part at none.
-        explorer: its name.
-        world: where it happened.
         robot: its dart at the end of the walk.
         answer: the wrong answer; None where the finding holds none.
     """
 
-    law: str
+    finding: Finding
     sentences: tuple[str, ...]
     step: int | None
-    explorer: str
-    world: World
     robot: Dart
     answer: Estimate | None
+
+    @property
+    def explorer(self) -> str:
+        """Its name."""
+        return self.finding.explorer
+
+    @property
+    def law(self) -> str:
+        """The broken law."""
+        return self.finding.law
+
+    @property
+    def world(self) -> World:
+        """Where it happened."""
+        return self.finding.world
 
     @property
     def exit_code(self) -> Exit:
         """The exit code of the command: a question was answered."""
         return Exit.ANSWERED
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.ExplainReport:
         """The document of ``explain --json``."""
         answer = self.answer
         return {
@@ -71,11 +85,5 @@ def explain(finding: Finding) -> Explanation:
     story = Story(finding)
     telling = teller_of(finding.law)(story)
     return Explanation(
-        finding.law,
-        tuple(telling.sentences),
-        telling.step,
-        finding.explorer,
-        finding.world,
-        story.walked[-1],
-        telling.answer,
+        finding, tuple(telling.sentences), telling.step, story.walked[-1], telling.answer
     )

@@ -1,10 +1,14 @@
-"""Where belief and truth part, in sentences."""
+"""Where belief and truth part, and what the log leaves open, in sentences."""
 
 from __future__ import annotations
 
-from allworlds.explaining.belief import Belief
-from allworlds.explaining.open_darts import tell_open_darts
+from collections import Counter
+
+from allworlds.explaining.story import Belief, Story
 from allworlds.findings import Parting
+from allworlds.judge import fold
+from allworlds.maps.combinatorial import cycles
+from allworlds.words import darts
 
 
 def tell_parting(belief: Belief) -> list[str]:
@@ -58,3 +62,41 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
 def _say_misfit(belief: Belief, step: int) -> str:
     expected, sensed = belief.expected[step], belief.story.sensed[step]
     return f"it sensed '{sensed}', where the answer makes expect '{expected}'"
+
+
+def tell_open_darts(story: Story) -> list[str]:
+    """The darts that the folded log leaves open, and the vertices that it has several times.
+
+    Nothing where it leaves none open, or where the lighthouse allows no folding.
+    """
+    if not story.world.lighthouse.folds:
+        return []
+    folded, map_ = fold(story.transcript), story.map
+    image = {0: story.world.start}
+    for x in (queue := [0]):
+        for y, true in ((folded.sigma[x], map_.sigma), (folded.alpha[x], map_.alpha)):
+            if y not in image:
+                image[y] = true[image[x]]
+                queue.append(y)
+    unsettled = sorted({image[x] for x, y in enumerate(folded.alpha) if x == y})
+    if not unsettled:
+        return []
+    at: dict[str, list[str]] = {}
+    for dart in unsettled:
+        at.setdefault(story.vertex(dart), []).append(str(dart))
+    names = "; ".join(f"{vertex}: {darts(open_)}" for vertex, open_ in at.items())
+    leads = [
+        f"dart {d} to dart {map_.alpha[d]} of {story.vertex(map_.alpha[d])}" for d in unsettled
+    ]
+    sentences = [
+        f"It was never settled where these darts lead: {names}.",
+        f"In the world they lead as follows: {', '.join(leads)}.",
+    ]
+    copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
+    for vertex, count in sorted(copies.items()):
+        if count > 1:
+            sentences.append(
+                f"The robot came to {vertex} in {count} ways of which the log does not tell that "
+                "they lead to one vertex."
+            )
+    return sentences

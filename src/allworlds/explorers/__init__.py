@@ -29,12 +29,14 @@ class BuiltIn:
             been tried.
         bound: the name of the bound that it keeps under that kind of lighthouse, if it is not
             the lighthouse's own.
+        about: what it is, in a sentence of the page on the protocol.
     """
 
     explore: Callable[..., Any]
     lighthouse: str
     witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
     bound: str | None = None
+    about: str = ""
 
 
 BUILT_IN: dict[str, BuiltIn] = {
@@ -52,6 +54,7 @@ BUILT_IN: dict[str, BuiltIn] = {
             # no dart of v0 is open when the robot comes back to it.
             "v0-hypothesis": ((1, 1), None),
         },
+        about="Algorithm 1 of the paper; the default",
     ),
     "algorithm1-cluster": BuiltIn(
         algorithm1_cluster,
@@ -66,6 +69,8 @@ BUILT_IN: dict[str, BuiltIn] = {
             "v0-hypothesis": ((2, 2), None),
         },
         "two-vertices",
+        "first it tries the darts of v0, there and back, until one leads to v1; a test that has "
+        "come to v0 ends with a *query*: leave by the dart that should lead to v1, look, come back",
     ),
     "algorithm1-natural": BuiltIn(
         algorithm1_natural,
@@ -79,6 +84,7 @@ BUILT_IN: dict[str, BuiltIn] = {
             "v0-hypothesis": ((2, 2), None),
         },
         "two-vertices",
+        "as `algorithm1-cluster`, with the degrees of v0 and v1 for marks",
     ),
 }
 """The built-in explorers by the names they have on the command line."""

@@ -7,17 +7,20 @@ import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any, Final
 
 from allworlds.findings.rules import Rules
 from allworlds.inputs import InputError, parse_json, show
 from allworlds.judge import PRECEDENCE
 from allworlds.maps.canonical import Code, numbering, rooted_code
-from allworlds.protocol import Transcript
+from allworlds.protocol import DEFAULT_POLICY, Transcript
 from allworlds.subjects import EXEC, own_bound
 from allworlds.world import World
 
-VERSION = 1
+if TYPE_CHECKING:
+    from allworlds import documents
+
+VERSION: Final = 1
 
 
 @dataclass(frozen=True)
@@ -48,8 +51,8 @@ class Finding:
     rules: Rules
     choices: tuple[int, ...]
     transcript: Transcript
-    expected: Any
-    seen: Any
+    expected: documents.Value
+    seen: documents.Value
     detail: str = ""
     step: int | None = None
     confirmed: bool = False
@@ -73,9 +76,9 @@ class Finding:
         else:
             command += [self.explorer]
         command += [json.dumps(self.world.to_json(), separators=(",", ":"))]
-        if self.rules.policy != "fifo":
+        if self.rules.policy != DEFAULT_POLICY:
             command += ["--policy", self.rules.policy]
-        if any(self.choices) or (self.choices and self.rules.policy != "fifo"):
+        if any(self.choices) or (self.choices and self.rules.policy != DEFAULT_POLICY):
             command += ["--choices", ",".join(map(str, self.choices))]
         if self.rules.bound and self.rules.bound != self.rules.default_bound:
             command += ["--bound", self.rules.bound]
@@ -86,9 +89,9 @@ class Finding:
             command += ["--laws", ",".join(self.rules.applying)]
         return shlex.join(command)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.Finding:
         """The document of a finding."""
-        document = {
+        document: documents.Finding = {
             "version": VERSION,
             "explorer": self.explorer,
             "law": self.law,
@@ -154,13 +157,18 @@ class Finding:
             Rules.from_json(options, world, own_bound(explorer, world.lighthouse.kind)),
             tuple(choices),
             transcript,
-            document.get("expected"),
-            document.get("seen"),
+            _value(document.get("expected")),
+            _value(document.get("seen")),
             document.get("detail", ""),
             step,
             confirmed=document.get("confirmed") is True,
             minimal=document.get("minimal") is True,
         )
+
+
+def _value(given: Any) -> documents.Value:
+    """What is told of what was expected, or seen; a finding may leave it out."""
+    return "not recorded" if given is None else given
 
 
 def _of_report(document: Any) -> Any:
@@ -178,10 +186,7 @@ def _of_report(document: Any) -> Any:
 
 def place_of(world: World) -> int:
     """The number of the lighthouse's place among those of the rooted map."""
-    places = type(world.lighthouse).places(world.map, world.start)
-    # A compass with darts of one's own in a large map stands at none of the numbered places.
-    numbered = (i for i, lighthouse in enumerate(places) if lighthouse == world.lighthouse)
-    return next(numbered, 0)
+    return world.lighthouse.number(world.map, world.start)
 
 
 def canonical_world(world: World) -> World:

@@ -5,22 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypedDict
+from typing import TYPE_CHECKING, Any, TypedDict
 
 from allworlds.episode import default_step_budget
 from allworlds.inputs import InputError, a_text, an_integer, show
 from allworlds.judge import LAWS, Bound, Setting, bound_named, paper_bound
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.protocol import Choices, policy_named
+from allworlds.protocol import DEFAULT_POLICY, Choices, policy_named
 from allworlds.world import Lighthouse, World, lighthouse_named
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 class RulesOptions(TypedDict, total=False):
     """Options of every verb that plays and judges runs.
 
     Attributes:
-        policy: answers the explorer's choices: ``fifo`` (default), ``lifo``, ``nearest`` or
-            ``random:SEED``.
+        policy: answers the explorer's choices: one of :data:`allworlds.protocol.POLICIES`
+            (default ``fifo``), or ``random:SEED``.
         bound: on the traversals: ``paper``, ``two-vertices``, ``none``, an expression or an
             integer; None (default) takes the explorer's own, else the lighthouse's.
         laws: those to check; None (default) takes all that apply.
@@ -47,7 +50,7 @@ class Rules:
     """
 
     lighthouse: str = "directional"
-    policy: str = "fifo"
+    policy: str = DEFAULT_POLICY
     bound: str | None = None
     laws: tuple[str, ...] | None = None
     step_budget: int | None = None
@@ -121,7 +124,7 @@ class Rules:
         """Fresh choices for the run of that name, which a random policy draws anew for."""
         return Choices(policy_named(self.policy, name), script)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.Options:
         """The options as they stand in a finding."""
         return {
             "policy": self.policy,
@@ -161,7 +164,7 @@ class Rules:
                 bound = None
         return make_rules(
             {
-                "policy": options.get("policy", "fifo"),
+                "policy": options.get("policy", DEFAULT_POLICY),
                 "bound": bound,
                 "laws": laws,
                 "step_budget": budget,
@@ -190,7 +193,7 @@ def make_rules(
         laws = _names("laws", laws)
     return Rules(
         lighthouse,
-        options.get("policy", "fifo"),
+        options.get("policy", DEFAULT_POLICY),
         bound,
         laws,
         options.get("step_budget"),

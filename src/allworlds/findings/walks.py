@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import islice
-
-from allworlds.findings.finding import place_of
 from allworlds.inputs import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Move, Percept, Transcript
-from allworlds.world import Cluster, Compass, IllegalAction, Lighthouse, Natural, World
+from allworlds.world import BelievedWalk, IllegalAction, World
 
 
 def true_trail(world: World, transcript: Transcript) -> list[Dart]:
@@ -61,34 +57,12 @@ def believed_percepts(
 ) -> list[Percept] | None:
     """The percepts, first one included, of the same walk in the estimated map.
 
-    The lighthouse is put where the walk must have begun, as in the true world; a compass's
-    reference darts are those that were sensed when the robot first came to a vertex.  None
-    where the estimated start has no such place.  What marks v0 and v1 is put there even where a
-    wrong answer breaks what it needs, such as degrees that are unique.
+    The lighthouse stands where the robot must believe it; None where the answer has no such place.
     """
     trail = believed_trail(estimate, here, transcript)
-    lighthouse: Lighthouse | None
-    match world.lighthouse:
-        case Compass():
-            lighthouse = _believed_compass(estimate, trail, transcript)
-        case Cluster(dart) | Natural(dart) as true:
-            bearing = world.map.offset(world.start, dart)
-            lighthouse = type(true)(estimate.turn(trail[0], bearing))
-        case _:
-            places = type(world.lighthouse).places(estimate, trail[0])
-            lighthouse = next(islice(places, place_of(world), None), None)
+    walk = BelievedWalk(estimate, trail, transcript.percepts)
+    lighthouse = world.lighthouse.believed(world.map, world.start, walk)
     if lighthouse is None:
         return None
     percepts = lighthouse.percepts(estimate)
     return [percepts[dart] for dart in trail]
-
-
-def _believed_compass(
-    estimate: CombinatorialMap, trail: Sequence[Dart], transcript: Transcript
-) -> Compass:
-    north = {vertex: darts[0] for vertex, darts in enumerate(estimate.vertices)}
-    sensed = transcript.percepts
-    for dart, percept in reversed([*zip(trail, sensed, strict=True)]):
-        assert percept.bearing is not None
-        north[estimate.vertex_of[dart]] = estimate.turn(dart, percept.bearing)
-    return Compass(tuple(sorted(north.values())))

@@ -44,7 +44,7 @@ class Batch:
         Under a class every map that is none of it is drawn again.
         """
         map_class, edges = extent.map_class, extent.levels[-1]
-        generators = GENERATORS[map_class]
+        generators = GENERATORS.get(map_class, (glued(map_class),))
         for run in range(self.first, self.last):
             random = Random(f"{self.seed}/{run}")  # noqa: S311  # reproducible, not secret
             generator = generators[run % len(generators)]
@@ -132,4 +132,4 @@ GENERATORS: dict[MapClass, tuple[Generator, ...]] = {
     MapClass.SIMPLE: (glued(MapClass.SIMPLE), a_lattice, glued(MapClass.PLANAR_SIMPLE)),
     MapClass.PLANAR_SIMPLE: (glued(MapClass.PLANAR_SIMPLE), a_lattice),
 }
-"""The generators of each class, taken in turn."""
+"""The generators of a class, taken in turn; of one that has none here, its random histories."""

@@ -5,7 +5,7 @@ inside of a world nor any explorer.  Each law is a function from a :class:`Case`
 :class:`Violation` or None; the table :data:`LAWS` names them in the order of precedence.
 """
 
-from allworlds.judge.bounds import Bound, BoundError, bound_named, paper_bound
+from allworlds.judge.bounds import Bound, bound_named, paper_bound
 from allworlds.judge.case import Case, Violation
 from allworlds.judge.folding import Folded, fold
 from allworlds.judge.laws import (
@@ -24,7 +24,6 @@ __all__ = [
     "LAWS",
     "PRECEDENCE",
     "Bound",
-    "BoundError",
     "Case",
     "Check",
     "Checks",

@@ -16,10 +16,6 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 VARIABLES = ("n", "m", "d0", "D")
 
 
-class BoundError(InputError):
-    """An expression that is none, or that has no value for some world."""
-
-
 @cache
 def paper_bound(vertices: int, edges: int) -> int:
     """(1) + (2) of Section VI, summed exactly.
@@ -76,7 +72,7 @@ def bound_named(text: str) -> Bound:
     exactly.
 
     Raises:
-        BoundError: naming the part that is none of these.
+        InputError: naming the part that is none of these.
     """
     if text == "paper":
         return Bound(text, lambda n, m, _d0, _largest: paper_bound(n, m), frozenset("nm"))
@@ -90,25 +86,25 @@ def bound_named(text: str) -> Bound:
         plain = text.isascii() and not re.search("[0-9]_", text)
         tree = ast.parse(text if plain else "", mode="eval")
     except (SyntaxError, ValueError, MemoryError, RecursionError):
-        raise BoundError(
+        raise InputError(
             f"bound {show(text)} is none of paper, two-vertices, none or an expression"
         ) from None
     try:
         evaluate = _compile(tree.body, text)
     except RecursionError:
-        raise BoundError(f"bound of {len(text)} characters is nested too deeply") from None
+        raise InputError(f"bound of {len(text)} characters is nested too deeply") from None
 
     def value(n: int, m: int, d0: int, largest: int) -> int:
         try:
             result = evaluate({"n": n, "m": m, "d0": d0, "D": largest})
         except ZeroDivisionError:
-            raise BoundError(
+            raise InputError(
                 f"bound {show(text)} divides by zero at n={n} m={m} d0={d0} D={largest}"
             ) from None
         except RecursionError:
-            raise BoundError(f"bound of {len(text)} characters is nested too deeply") from None
+            raise InputError(f"bound of {len(text)} characters is nested too deeply") from None
         if result.bit_length() > _LARGEST_BITS:
-            raise BoundError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
+            raise InputError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
         return result
 
     names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
@@ -147,7 +143,7 @@ def _compile(node: ast.expr, text: str) -> _Evaluate:
             function = _FUNCTIONS[name]
             return lambda names: function(part(names) for part in parts)
     part = ast.get_source_segment(text, node) or text
-    raise BoundError(
+    raise InputError(
         f"{show(part)} in bound {show(text)} is none of integers, {', '.join(VARIABLES)}, "
         "+ - * // **, min(,), max(,) and parentheses"
     )
@@ -159,19 +155,19 @@ def _binary(op: ast.operator, left: _Evaluate, right: _Evaluate, text: str) -> _
         def power(names: dict[str, int]) -> int:
             base, exponent = left(names), right(names)
             if not 0 <= exponent <= _LARGEST_POWER:
-                raise BoundError(
+                raise InputError(
                     f"bound {show(text)} raises to the power {show(exponent)}; "
                     f"legal are 0..{_LARGEST_POWER}"
                 )
             if base.bit_length() * exponent > _LARGEST_BITS:
-                raise BoundError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
+                raise InputError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
             result: int = base**exponent
             return result
 
         return power
     if type(op) not in _OPERATORS:
         sign = {ast.Div: "/", ast.Mod: "%"}.get(type(op), type(op).__name__)
-        raise BoundError(f"{sign} in bound {show(text)} is none of + - * // **")
+        raise InputError(f"{sign} in bound {show(text)} is none of + - * // **")
     apply: Any = _OPERATORS[type(op)]
     result: _Evaluate = lambda names: apply(left(names), right(names))  # noqa: E731
     return result

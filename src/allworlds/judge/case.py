@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 from allworlds.maps.canonical import carries, numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Checkpoint, Estimate, Move, Transcript
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True)
@@ -73,6 +76,6 @@ class Violation:
     """
 
     law: str
-    expected: Any
-    seen: Any
+    expected: documents.Value
+    seen: documents.Value
     step: int | None = None

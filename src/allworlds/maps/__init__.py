@@ -30,11 +30,14 @@ canonical code
     the root (see :mod:`allworlds.maps.canonical`).  Of a map: the least code of its
     rootings.
 class
-    Which maps are meant: ``maps``, ``simple`` (no loop, no two edges with the same ends),
-    ``planar`` (genus 0), ``planar-simple``.
+    Which maps are meant: one of :class:`allworlds.maps.classes.MapClass`.
 
 Inside this package a map in a hot place is a bare pair of tuples or lists; everywhere
 else it is a :class:`CombinatorialMap`.
+
+The names below are for programs of one's own, too: some of them, such as ``dual`` of a map,
+:func:`from_planar_embedding` and :func:`rooted_isomorphism`, this package itself uses nowhere
+but in its tests.
 """
 
 from allworlds.maps.build import (

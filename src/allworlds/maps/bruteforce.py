@@ -1,4 +1,7 @@
-"""All small maps by trying every permutation: slow, short, and the yardstick of the fast ones."""
+"""All small maps by trying every permutation: slow, short, and the yardstick of the fast ones.
+
+It is public: whoever makes maps in another way can hold them against these.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +29,7 @@ def rooted_maps(edges: int, map_class: str = "maps") -> tuple[CombinatorialMap, 
 
     Args:
         edges: m, from 1 to 5.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
 
     Raises:
         ValueError: for a number of edges out of range, or an unknown class.

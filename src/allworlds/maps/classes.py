@@ -1,4 +1,4 @@
-"""The four classes of maps, and the extent that makes one of them finite."""
+"""**The** table of the classes of maps, and the extent that makes one of them finite."""
 
 from __future__ import annotations
 
@@ -29,6 +29,11 @@ class MapClass(StrEnum):
         return cls(text)
 
     @property
+    def summary(self) -> str:
+        """Which maps these are, in a few words."""
+        return _SUMMARIES[self]
+
+    @property
     def simple(self) -> bool:
         """Loops and parallel edges are excluded."""
         return self in (MapClass.SIMPLE, MapClass.PLANAR_SIMPLE)
@@ -38,9 +43,22 @@ class MapClass(StrEnum):
         """Only genus 0."""
         return self in (MapClass.PLANAR, MapClass.PLANAR_SIMPLE)
 
+    @property
+    def promises(self) -> bool:
+        """Its maps keep a promise that can make an explorer right without folding its log."""
+        return self.planar
+
     def includes(self, map_: CombinatorialMap) -> bool:
         """Whether a map belongs to the class, by the map's own derived properties."""
         return (not self.simple or map_.is_simple) and (not self.planar or map_.is_planar)
+
+
+_SUMMARIES = {
+    MapClass.MAPS: "loops and parallel edges are allowed, and any genus",
+    MapClass.SIMPLE: "no loop, no two edges with the same ends",
+    MapClass.PLANAR: "of genus 0",
+    MapClass.PLANAR_SIMPLE: "of genus 0, no loop, no two edges with the same ends",
+}
 
 
 @dataclass(frozen=True, slots=True)

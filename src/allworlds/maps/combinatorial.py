@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from allworlds.inputs import InputError, integer, parse_json, show
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 Dart: TypeAlias = int
 """A dart: an integer in ``0..2m-1``."""
@@ -190,7 +193,7 @@ class CombinatorialMap:
         sigma, alpha = self.sigma, self.alpha
         return CombinatorialMap.trusted([sigma[alpha[d]] for d in self.darts], alpha)
 
-    def to_json(self) -> dict[str, list[int]]:
+    def to_json(self) -> documents.Map:
         """``{"sigma": [...], "alpha": [...]}``."""
         return {"sigma": list(self.sigma), "alpha": list(self.alpha)}
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from allworlds.checker import check, worlds
-from allworlds.episode import Answered, play
+from allworlds.episode import Answered, default_step_budget, play
 from allworlds.findings import canonical_world
 from allworlds.inputs import InputError, an_integer
 from allworlds.judge import LAWS, Case, judge, paper_bound
@@ -23,6 +23,9 @@ from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Choices
 from allworlds.subjects import subject_here
 from allworlds.world import Directional, World
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 LARGEST_LEVEL = 4
 """The dumb enumerator, which some mutants need, goes no further in reasonable time."""
@@ -42,7 +45,7 @@ class Kill:
     """
 
     mutant: str
-    kind: str
+    kind: documents.MutantKind
     breaks: str
     killed_by: str = ""
     world: World | None = None
@@ -53,7 +56,7 @@ class Kill:
         """Killed if it must be, alive if it is equivalent."""
         return bool(self.killed_by) != bool(self.equivalent)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.Kill:
         """The row as it stands in the document."""
         return {
             "mutant": self.mutant,
@@ -87,7 +90,7 @@ class KillMatrix:
         """1 if a mutant survived."""
         return Exit.REFUTED if self.survivors else Exit.HOLDS
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.MutantsReport:
         """The document of ``mutants --json``."""
         return {
             "schema": SCHEMA,
@@ -162,7 +165,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, Wor
             continue
         bound = paper_bound(world.map.vertex_count, level)
         for name, player in players:
-            episode = play(world, player, Choices(), 8 * bound + 100)
+            episode = play(world, player, Choices(), default_step_budget(bound))
             if isinstance(episode.ending, Answered):
                 case = Case(
                     world.map,

@@ -3,25 +3,34 @@
 An explorer is a **generator function** ``explore(first)``.  It gets percepts, yields actions
 and returns an answer; it never holds a world.  Turning is free and has no action of its own:
 it is folded into the next :class:`Move`, or into ``here`` of the answer.
+
+:class:`Drop`, :class:`Pick` and :class:`Ambiguous` are reserved: no lighthouse gives markers
+yet, and no law judges such an answer.
 """
 
 from allworlds.protocol.actions import Action, Drop, Move, Pick, action_numbered, number_of
 from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
 from allworlds.protocol.choices import (
+    DEFAULT_POLICY,
     KINDS,
+    POLICIES,
+    SEEDED,
     Choices,
     Kind,
     Policy,
-    PolicyError,
     Schedules,
     policy_named,
 )
-from allworlds.protocol.faults import ExplorerFault
+from allworlds.protocol.faults import ANSWER_TIMEOUT, ExplorerFault
 from allworlds.protocol.percept import Percept
 from allworlds.protocol.transcript import Transcript, action_from_json
 
 __all__ = [
+    "ANSWER_TIMEOUT",
+    "DEFAULT_POLICY",
     "KINDS",
+    "POLICIES",
+    "SEEDED",
     "Action",
     "Ambiguous",
     "Answer",
@@ -35,7 +44,6 @@ __all__ = [
     "Percept",
     "Pick",
     "Policy",
-    "PolicyError",
     "Schedules",
     "Transcript",
     "action_from_json",

@@ -16,15 +16,27 @@ class Move:
 
     k: int
 
+    def __str__(self) -> str:
+        """For example ``move 2``."""
+        return f"move {self.k}"
+
 
 @dataclass(frozen=True, slots=True)
 class Drop:
     """Lay down one marker here; free.  Legal only where the lighthouse gives markers."""
 
+    def __str__(self) -> str:
+        """``drop``."""
+        return "drop"
+
 
 @dataclass(frozen=True, slots=True)
 class Pick:
     """Take up one marker from here; free.  Legal only where the lighthouse gives markers."""
+
+    def __str__(self) -> str:
+        """``pick``."""
+        return "pick"
 
 
 Action: TypeAlias = Move | Drop | Pick

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from allworlds.inputs import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +24,7 @@ class Estimate:
     map: CombinatorialMap
     here: int
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.Rooted:
         """The rooted map ``{"sigma", "alpha", "here"}``."""
         return {**self.map.to_json(), "here": self.here}
 

@@ -22,10 +22,6 @@ path that tests a hypothesis, the next dart on the way to the dart to be explore
 KINDS: tuple[Kind, ...] = get_args(Kind)
 
 
-class PolicyError(InputError):
-    """A policy's name that is none."""
-
-
 class Policy(Protocol):
     """Answers choices.  It sees how many options there are, their kind and their costs."""
 
@@ -71,8 +67,22 @@ class Seeded:
         return self._random.randrange(len(options))
 
 
+POLICIES: dict[str, type[Fifo | Lifo | Nearest]] = {
+    "fifo": Fifo,
+    "lifo": Lifo,
+    "nearest": Nearest,
+}
+"""Every policy that has no seed, by its name."""
+
+SEEDED = "random:SEED"
+"""How the one that has a seed is written."""
+
+DEFAULT_POLICY = "fifo"
+"""Answers where no policy is named."""
+
+
 def policy_named(name: str, run: str = "") -> Policy:
-    """The policy ``fifo``, ``lifo``, ``nearest`` or ``random:SEED``, fresh for one run.
+    """The policy of that name, fresh for one run.
 
     Args:
         name: as on the command line.
@@ -80,21 +90,15 @@ def policy_named(name: str, run: str = "") -> Policy:
             of the runs.
 
     Raises:
-        PolicyError: naming the legal policies.
+        InputError: naming the legal policies.
     """
     kind, _, seed = name.partition(":")
     if kind == "random" and seed.isascii() and seed.isdigit():
         return Seeded(f"{seed.lstrip('0') or '0'}/{run}")
-    plain: dict[str, type[Fifo | Lifo | Nearest]] = {
-        "fifo": Fifo,
-        "lifo": Lifo,
-        "nearest": Nearest,
-    }
-    if name not in plain:
-        raise PolicyError(
-            f"policy {name!r} is none of fifo, lifo, nearest, random:SEED (SEED = 0, 1, 2, ...)"
-        )
-    return plain[name]()
+    if name not in POLICIES:
+        legal = ", ".join([*POLICIES, SEEDED])
+        raise InputError(f"policy {name!r} is none of {legal} (SEED = 0, 1, 2, ...)")
+    return POLICIES[name]()
 
 
 class Choices:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Literal
 
+ANSWER_TIMEOUT = 10.0
+"""Seconds of silence that break the law ``timeout``, unless another time is named."""
+
 
 class ExplorerFault(Exception):
     """Raised by an adapter (a pipe to a foreign program) in place of an action.

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -11,7 +15,7 @@ class Percept:
 
     Attributes:
         degree: the number of darts of the vertex, at least 1.
-        marks: how many markers lie here (under ``labels`` the vertex's own number).
+        marks: how many markers lie here.
         bearing: the offset from the dart arrived by to the pointed dart, clockwise, in
             ``0..degree-1``; None where no direction is sensed.
     """
@@ -26,6 +30,6 @@ class Percept:
         bearing = "" if self.bearing is None else f", bearing {self.bearing}"
         return f"degree {self.degree}{marks}{bearing}"
 
-    def to_json(self) -> dict[str, int | None]:
+    def to_json(self) -> documents.Percept:
         """``{"degree", "marks", "bearing"}``."""
         return {"degree": self.degree, "marks": self.marks, "bearing": self.bearing}

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, assert_never
+from typing import TYPE_CHECKING, assert_never
 
 from allworlds.inputs import integer
 from allworlds.protocol.actions import Action, Drop, Move, Pick
 from allworlds.protocol.percept import Percept
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True)
@@ -37,14 +40,9 @@ class Transcript:
         """What was done, step by step."""
         return tuple(action for action, _ in self.steps)
 
-    def to_json(self) -> list[dict[str, Any]]:
+    def to_json(self) -> documents.Transcript:
         """``[{"percept": P}, {"move": k, "percept": P}, ...]``."""
-        rows: list[dict[str, Any]] = [{"percept": self.first.to_json()}]
-        rows += [
-            {**action_to_json(action), "percept": percept.to_json()}
-            for action, percept in self.steps
-        ]
-        return rows
+        return [{"percept": self.first.to_json()}, *(_step(*step) for step in self.steps)]
 
     @classmethod
     def from_json(cls, rows: object) -> Transcript:
@@ -64,15 +62,15 @@ class Transcript:
         return cls(_percept(0, rows[0]), tuple(steps))
 
 
-def action_to_json(action: Action) -> dict[str, Any]:
-    """``{"move": k}``, ``{"drop": true}`` or ``{"pick": true}``."""
+def _step(action: Action, percept: Percept) -> documents.Step:
+    """``{"move": k}``, ``{"drop": true}`` or ``{"pick": true}``, each with its percept."""
     match action:
         case Move(k):
-            return {"move": k}
+            return {"move": k, "percept": percept.to_json()}
         case Drop():
-            return {"drop": True}
+            return {"drop": True, "percept": percept.to_json()}
         case Pick():
-            return {"pick": True}
+            return {"pick": True, "percept": percept.to_json()}
         case _:
             assert_never(action)
 

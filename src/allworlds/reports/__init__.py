@@ -1,12 +1,12 @@
 """Results as people and other programs read them; each report is loaded when it is asked for.
 
-``TEXTS``
-    **the** table of the texts, by verb: a function from a result and a width to a text;
+A verb's text is a function from a result and a width, which the table of the verbs names.
+
 ``FORMATS``
     **the** table of the files that a report of ``check`` or ``fuzz`` can be written to, by the
     option of the same name: a function from a report to a text.
 
-A new report is a module here, and an entry of one of the tables.
+A new report is a module here, and an entry of one of the two tables.
 """
 
 from __future__ import annotations
@@ -15,22 +15,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
-TEXTS = {
-    "ambiguity census": "ambiguity_text:census_text",
-    "ambiguity class": "ambiguity_text:class_text",
-    "bench": "bench_text:bench_text",
-    "check": "check_text:check_text",
-    "count": "count_text:count_text",
-    "explain": "explain_text:explain_text",
-    "fuzz": "check_text:check_text",
-    "mutants": "mutants_text:mutants_text",
-    "replay": "run_text:replay_text",
-    "run": "run_text:run_text",
-    "search": "search_text:search_text",
-    "twins": "ambiguity_text:twins_text",
-    "worst": "worst_text:worst_text",
-}
-"""Where the text of each verb is made: module and function."""
+from allworlds.verbs import VERBS
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,9 +40,12 @@ FORMATS = {
 """Every kind of file by the name of its option."""
 
 
+_TEXTS = {verb.name: verb.text for verb in VERBS}
+
+
 def text(verb: str, result: Any, width: int) -> str:
     """The text of a verb's result for a terminal with so many columns."""
-    made: str = _load(TEXTS[verb])(result, width)
+    made: str = _load(_TEXTS[verb])(result, width)
     return made
 
 
@@ -72,4 +60,4 @@ def _load(home: str) -> Any:
     return getattr(import_module(f"allworlds.reports.{module}"), function)
 
 
-__all__ = ["FORMATS", "TEXTS", "Format", "text", "written"]
+__all__ = ["FORMATS", "Format", "text", "written"]

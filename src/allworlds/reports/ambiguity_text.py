@@ -11,11 +11,11 @@ from allworlds.ambiguity import (
     Separation,
     projection_of,
 )
-from allworlds.drawing import draw
+from allworlds.drawing import draw, scene_of
 from allworlds.maps.quotient import Quotient
-from allworlds.reports.layout import entry, number, plural, table
-from allworlds.reports.picture import markers
-from allworlds.world import Compass, Directional, World
+from allworlds.reports.layout import entry, table
+from allworlds.words import number, plural
+from allworlds.world import World
 
 DRAWN = 4
 """Of a larger class so many worlds are drawn."""
@@ -107,7 +107,7 @@ def _told_apart(comparison: Comparison, proof: Separation, width: int) -> list[s
     count = plural(len(proof.motions), "motion")
     lines = entry("TOLD APART", f"by {count}, and by no fewer: {motions}", width)
     for name, world in zip("AB", comparison.worlds, strict=True):
-        lines += ["", f"world {name}", "", _drawing(world, None, width)]
+        lines += ["", f"world {name}", "", draw(scene_of(world), width)]
     rows = [
         [str(i), str(motion), str(p), "=" if p == q else "≠", str(q)]
         for i, (motion, p, q) in enumerate(
@@ -134,22 +134,9 @@ def _why_alike(quotients: Sequence[Quotient]) -> str:
     )
 
 
-def _drawing(world: World, classes: Sequence[int] | None, width: int) -> str:
-    """The world; under each dart its class, and N where a compass points."""
-    lighthouse, map_ = world.lighthouse, world.map
-    norths = lighthouse.darts if isinstance(lighthouse, Compass) else ()
-    labels = [
-        ("" if classes is None else str(classes[d])) + "N" * (d in norths) for d in map_.darts
-    ]
-    text = draw(
-        map_,
-        start=world.start,
-        pointed=lighthouse.dart if isinstance(lighthouse, Directional) else None,
-        marked=markers(world),
-        labels=labels if any(labels) else None,
-        width=width,
-    )
-    return text + ("   N north of its vertex" if norths else "")
+def _drawing(world: World, classes: Sequence[int], width: int) -> str:
+    """The world; under each dart its class."""
+    return draw(scene_of(world, labels=[str(q) for q in classes]), width)
 
 
 def _quotient(quotient: Quotient) -> list[str]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from statistics import median
 
-from allworlds.benching import BenchReport, commit, machine
-from allworlds.reports.layout import entry, number, table
+from allworlds.benching import BenchReport, commit
+from allworlds.host import host
+from allworlds.reports.layout import entry, table
+from allworlds.words import number
 
 
 def bench_text(report: BenchReport, width: int) -> str:
@@ -29,7 +31,7 @@ def bench_text(report: BenchReport, width: int) -> str:
         )
     header = ["name", "edges", "seconds", "worlds/s", f"{reference} is", "spread", "does"]
     lines = table(header, rows, "lrrrrrl")
-    facts = machine()
+    facts = host()
     rounds = len(report.measured[0].seconds)
     lines += [""]
     lines += entry("rounds", f"{rounds}, in turns; medians", width)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from allworlds.checker import Report, UserCorpus
 from allworlds.findings import Finding
 from allworlds.outcome import Verdict
-from allworlds.reports.layout import number, plural, size
 from allworlds.runs import Sample, Shard
+from allworlds.words import number, plural, size
 
 
 def size_table(report: Report) -> tuple[list[str], list[list[str]]]:
@@ -20,8 +20,7 @@ def size_table(report: Report) -> tuple[list[str], list[list[str]]]:
         cells = [row["edges"], row["vertices"], row["worlds"], row["runs"]]
         cells += [row["episodes"]] if every else []
         cells += [row["traversals"], row["max_cost"]]
-        checked = "bound" in report.scope.rules.applying and row["bound"] is not None
-        bound = number(row["bound"]) if checked else "-"
+        bound = "-" if row["bound"] is None else number(row["bound"])
         rows.append([*map(number, cells), bound])
     return header, rows
 

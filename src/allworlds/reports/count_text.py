@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from allworlds.counter import Census
-from allworlds.reports.layout import entry, number, plural, table
+from allworlds.reports.layout import entry, table
+from allworlds.words import number, plural
 
 
 def count_text(census: Census, width: int) -> str:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from textwrap import wrap
 
+from allworlds.drawing import draw
 from allworlds.explaining import Explanation
-from allworlds.reports.picture import answer_picture, world_picture
+from allworlds.reports.scenes import ANSWER, walk_in_answer, walk_in_world
 
 
 def explain_text(explanation: Explanation, width: int) -> str:
@@ -13,8 +14,9 @@ def explain_text(explanation: Explanation, width: int) -> str:
     lines = [f"{explanation.explorer} breaks the law '{explanation.law}'", ""]
     for sentence in explanation.sentences:
         lines += wrap(sentence, width, break_on_hyphens=False)
-    lines += ["", "the world", "", world_picture(explanation.world, explanation.robot, width)]
+    world, transcript = explanation.world, explanation.finding.transcript
+    lines += ["", "the world", "", draw(walk_in_world(world, transcript), width)]
     if explanation.answer:
-        picture = answer_picture(explanation.answer.map, explanation.answer.here, width)
-        lines += ["", "the answer (S, R: the robot)", "", picture]
+        scene = walk_in_answer(world, explanation.answer, transcript)
+        lines += ["", ANSWER, "", draw(scene, width)]
     return "\n".join(lines)

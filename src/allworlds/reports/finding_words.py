@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from allworlds.findings import Finding
-from allworlds.protocol import Move
-from allworlds.reports.layout import number, plural
+from allworlds.words import number, plural
 
 LONGEST_LIST = 60
 """The choices of a longer list are told from both ends."""
@@ -25,11 +24,6 @@ def wrong(finding: Finding) -> str:
         "map": "the answer is not the same map as the world",
         "pose": "the answer is the same map, but 'here' is not the robot's dart",
     }.get(finding.law, "")
-
-
-def motion(action: object) -> str:
-    """An action as a step of a walk."""
-    return f"move {action.k}" if type(action) is Move else type(action).__name__.lower()
 
 
 def expected_words(finding: Finding) -> str:

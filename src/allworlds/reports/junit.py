@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 from xml.etree import ElementTree as ET
 
 from allworlds.checker import Disagreed, Report
 from allworlds.findings import Finding
 from allworlds.outcome import Verdict
-from allworlds.reports.layout import plural, size
 from allworlds.reports.run_text import finding_text
 from allworlds.runs import Sample
+from allworlds.words import plural, size
 
 WIDTH = 100
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -48,7 +48,7 @@ def junit(report: Report) -> str:
     )
     verb = "fuzz" if sampled else "check"
     totals = {"tests": str(len(cases))}
-    for result, name in (("failure", "failures"), ("error", "inputs"), ("skipped", "skipped")):
+    for result, name in (("failure", "failures"), ("error", "errors"), ("skipped", "skipped")):
         totals[name] = str(sum(case.result == result for case in cases))
     root = ET.Element("testsuites", {"name": f"allworlds {verb}", **totals})
     suite = ET.SubElement(root, "testsuite", {"name": _legal(report.explorer), **totals})
@@ -68,7 +68,7 @@ def junit(report: Report) -> str:
 
 def _properties(suite: ET.Element, report: Report) -> None:
     """Verdict and scope, which no result is worth anything without."""
-    document = report.to_json()
+    document: Mapping[str, Any] = report.to_json()
     named = ("verdict", "exit_code", "engine", "worlds", "runs", "traversals")
     told = {name: document[name] for name in named}
     told |= {f"scope.{name}": value for name, value in document["scope"].items()}

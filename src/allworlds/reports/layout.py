@@ -1,4 +1,4 @@
-"""Small things that all texts share."""
+"""Tables and named paragraphs."""
 
 from __future__ import annotations
 
@@ -25,18 +25,3 @@ def entry(name: str, text: str, width: int) -> list[str]:
     indent = 11
     lines = wrap(text, max(width - indent, 30), break_on_hyphens=False) or [""]
     return [(f"{name} " if i == 0 else "").ljust(indent) + line for i, line in enumerate(lines)]
-
-
-def number(value: int) -> str:
-    """With thousands separated."""
-    return f"{value:,}"
-
-
-def size(edges: int, vertices: int) -> str:
-    """``1 edge and 2 vertices``."""
-    return f"{plural(edges, 'edge')} and {plural(vertices, 'vertex', 'vertices')}"
-
-
-def plural(count: int, one: str, many: str = "") -> str:
-    """``1 world``, ``2 worlds``."""
-    return f"{number(count)} {one if count == 1 else many or one + 's'}"

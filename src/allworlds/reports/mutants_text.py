@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from allworlds.mutation import Kill, KillMatrix
-from allworlds.reports.layout import entry, plural, table
+from allworlds.reports.layout import entry, table
+from allworlds.words import plural
 
 
 def mutants_text(matrix: KillMatrix, width: int) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from textwrap import wrap
 
 from allworlds.checker import Replay, SingleRun
+from allworlds.drawing import draw
 from allworlds.episode import Answered
 from allworlds.findings import Finding, believed_percepts, true_trail
 from allworlds.protocol import Estimate, Percept, Transcript
@@ -13,13 +14,13 @@ from allworlds.reports.finding_words import (
     choices_words,
     expected_words,
     headline,
-    motion,
     remarks,
     seen_words,
     wrong,
 )
-from allworlds.reports.layout import entry, plural, table
-from allworlds.reports.picture import answer_picture, world_picture
+from allworlds.reports.layout import entry, table
+from allworlds.reports.scenes import ANSWER, walk_in_answer, walk_in_world
+from allworlds.words import plural
 from allworlds.world import World
 
 LONGEST_WALK = 60
@@ -34,10 +35,9 @@ def finding_text(finding: Finding, width: int, origin: str = "") -> str:
 
 def _refutation(finding: Finding, width: int, remarks: list[str]) -> str:
     world = finding.world
-    robot = true_trail(world, finding.transcript)[-1]
     answer = Estimate.from_json(finding.seen) if isinstance(finding.seen, Mapping) else None
     lines = wrap(f"FINDING: {headline(finding)}", width, break_long_words=False)
-    lines += ["", "the world", "", world_picture(world, robot, width)]
+    lines += ["", "the world", "", draw(walk_in_world(world, finding.transcript), width)]
     lines += ["", *_walk(world, finding.transcript, answer)]
     lines += ["", *_broken(finding, answer, width)]
     if finding.choices:
@@ -57,11 +57,9 @@ def run_text(run: SingleRun, width: int) -> str:
     ending = episode.ending
     assert isinstance(ending, Answered)
     transcript, estimate = episode.transcript, ending.estimate
-    trail = true_trail(world, transcript)
-    lines = ["the world", "", world_picture(world, trail[-1], width), ""]
+    lines = ["the world", "", draw(walk_in_world(world, transcript), width), ""]
     lines += _walk(world, transcript, estimate)
-    lines += ["", "the answer", ""]
-    lines += [answer_picture(estimate.map, estimate.here, width), ""]
+    lines += ["", ANSWER, "", draw(walk_in_answer(world, estimate, transcript), width), ""]
     bound = "" if run.outcome.bound is None else f" of at most {run.outcome.bound}"
     cost = plural(transcript.cost, "traversal")
     laws = ", ".join(run.rules.applying)
@@ -88,7 +86,7 @@ def _walk(world: World, transcript: Transcript, answer: Estimate | None) -> list
     believed = None
     if answer is not None:
         believed = believed_percepts(world, answer.map, answer.here, transcript)
-    motions = ["start", *(motion(action) for action in transcript.actions)]
+    motions = ["start", *(str(action) for action in transcript.actions)]
     header = ["step", "motion", "arrives at", "sensed", "", "expected by the answer"]
     rows = []
     for i, (dart, percept) in enumerate(zip(trail, sensed, strict=True)):
@@ -119,11 +117,5 @@ def _broken(finding: Finding, answer: Estimate | None, width: int) -> list[str]:
             *entry("seen", seen_words(finding), width),
         ]
     lines = entry("law", f"{finding.law}: {wrong(finding)}", width)
-    return [
-        *lines,
-        "",
-        "the answer (S, R: the robot)",
-        "",
-        answer_picture(answer.map, answer.here, width),
-        "",
-    ]
+    scene = walk_in_answer(finding.world, answer, finding.transcript)
+    return [*lines, "", ANSWER, "", draw(scene, width), ""]

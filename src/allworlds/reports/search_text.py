@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-from allworlds.drawing import draw
-from allworlds.reports.layout import entry, plural, table
-from allworlds.smt import MarkedMap, SearchResult
+from allworlds.drawing import draw, scene_of
+from allworlds.reports.layout import entry, table
+from allworlds.smt import SearchResult
+from allworlds.words import plural
 
 
 def search_text(result: SearchResult, width: int) -> str:
-    """The answer, the levels it rests on, and where the certificate is."""
+    """The answer, the sizes it rests on, and where the certificate is."""
     lines = {"sat": _found, "unsat": _none, "unknown": _undecided}[result.status](result, width)
     rows = [
         [
-            searched.level.name,
+            searched.sizes.name,
             searched.status,
             f"{searched.seconds:.2f}",
             searched.formula.name,
             "-" if searched.proof is None else searched.proof.name,
         ]
-        for searched in result.levels
+        for searched in result.searched
     ]
     if rows:
-        lines += ["", *table(["level", "status", "seconds", "formula", "proof"], rows, "llr"), ""]
+        lines += ["", *table(["sizes", "status", "seconds", "formula", "proof"], rows, "llr"), ""]
     lines += entry("files", str(result.directory), width)
     return "\n".join(lines)
 
@@ -36,7 +37,8 @@ def _found(result: SearchResult, width: int) -> list[str]:
             f"{plural(world.map.vertex_count, 'vertex', 'vertices')}, genus {world.map.genus}"
         )
         lines += ["", f"world {name} ({size}); under each dart its class", ""]
-        lines.append(_drawing(world, [f"c{k}" for k in classes], width))
+        scene = scene_of(world, labels=[f"c{k}" for k in classes])
+        lines.append(draw(scene, width))
     home = result.classes[0][result.pair[0].start]
     why = (
         f"the two starts are in class c{home}, sigma and alpha take every class to one class, and "
@@ -49,25 +51,14 @@ def _found(result: SearchResult, width: int) -> list[str]:
     return lines
 
 
-def _drawing(world: MarkedMap, labels: list[str], width: int) -> str:
-    marked = {world.map.vertex_of[world.start]: 1} if world.kind == "position" else None
-    pointed = world.darts[0] if world.kind == "directional" else None
-    if world.kind == "compass":
-        labels = [f"{text}*" if d in world.darts else text for d, text in enumerate(labels)]
-    text = draw(
-        world.map, start=world.start, pointed=pointed, marked=marked, labels=labels, width=width
-    )
-    return text + ("   * reference dart" if world.kind == "compass" else "")
-
-
 def _none(result: SearchResult, width: int) -> list[str]:
     if result.vacuous:
         return entry("VACUOUS", f"{result.question.describes}: there is no world at all.", width)
     lines = entry("NONE", f"{result.question.describes}: there are none.", width)
     if result.certificate is None:
-        return lines + entry("proof", "no certificate for every level; the notices say why", width)
+        return lines + entry("proof", "no certificate for all sizes; the notices say why", width)
     text = (
-        f"{result.certificate}: a formula and an LRAT proof for every level, each proof checked "
+        f"{result.certificate}: a formula and an LRAT proof for all sizes, each proof checked "
         "by a program that is no solver"
     )
     return lines + entry("proof", text, width)

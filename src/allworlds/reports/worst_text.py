@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from allworlds.reports.layout import entry, number, plural, size, table
+from allworlds.reports.layout import entry, table
+from allworlds.words import number, plural, size
 from allworlds.worst_case import WorstReport
 
 

@@ -1,9 +1,21 @@
 """Search by solvers for worlds that no motion tells apart; the only importer of z3 and pysat.
 
-What comes out are plain values: maps, numbers and the paths of files.
+``question``
+    what is searched for;
+``formula``, ``one_world``, ``pair``
+    a formula with names and meanings, and the two that are solved: one world, and twins;
+``solvers``, ``cadical_child``
+    who solves them;
+``decode``, ``witness``
+    a model as two worlds, and what these must be whatever the formula says;
+``rup``, ``lrat``
+    proofs that there are none, and their checker;
+``searching``, ``result``
+    the search, and what it has found: plain values.
 """
 
-from allworlds.smt.twin_search import Searched, SearchResult, search
-from allworlds.smt.witness import MarkedMap
+from allworlds.smt.question import SEARCHED
+from allworlds.smt.result import Searched, SearchResult, Twins
+from allworlds.smt.searching import search
 
-__all__ = ["MarkedMap", "SearchResult", "Searched", "search"]
+__all__ = ["SEARCHED", "SearchResult", "Searched", "Twins", "search"]

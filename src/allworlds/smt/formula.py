@@ -114,3 +114,14 @@ class Formula:
                 lines.append(f"c clauses {start + 1}..{end}: {text}")
             lines += [" ".join(map(str, clause)) + " 0" for clause in self.clauses[start:end]]
         path.write_text("\n".join(lines) + "\n", encoding="ascii")
+
+
+def read_dimacs(path: Path) -> tuple[int, list[Clause]]:
+    """The number of variables and the clauses of a DIMACS file that :class:`Formula` wrote."""
+    variables, clauses = 0, []
+    for line in path.read_text(encoding="ascii").splitlines():
+        if line.startswith("p cnf "):
+            variables = int(line.split()[2])
+        elif not line.startswith("c"):
+            clauses.append(tuple(map(int, line.split()[:-1])))
+    return variables, clauses

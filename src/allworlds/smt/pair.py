@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 from allworlds.smt.formula import Block, Formula
 from allworlds.smt.one_world import OneWorld, Size, one_world
-from allworlds.smt.question import Level, Question, Sensed
+from allworlds.smt.question import Question, Sensed, Sizes
 from allworlds.world import Sensing, Where
 
 
@@ -35,14 +35,14 @@ class Pair:
     pointed: tuple[Block, Block] | None
 
 
-def pair_formula(question: Question, level: Level) -> tuple[Formula, Pair]:
+def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
     """The formula 'two different worlds of these sizes that no motion tells apart'.
 
     Cost: O(N^3) clauses for N darts in each world: some 300,000 for N = 28.
     """
-    formula = Formula(_title(question, level))
-    one = _world(formula, "1", question, level.one)
-    two = _world(formula, "2", question, level.two)
+    formula = Formula(_title(question, sizes))
+    one = _world(formula, "1", question, sizes.one)
+    two = _world(formula, "2", question, sizes.two)
     pointed = None
     if question.sensing.bearing:
         pointed = (
@@ -63,20 +63,20 @@ def pair_formula(question: Question, level: Level) -> tuple[Formula, Pair]:
     return formula, pair
 
 
-def world_formula(question: Question, level: Level) -> tuple[Formula, OneWorld]:
-    """The formula 'one world of the level's second size, with the walk': is there any?"""
-    formula = Formula(_title(question, level))
-    world = _world(formula, "1", question, level.two)
+def world_formula(question: Question, sizes: Sizes) -> tuple[Formula, OneWorld]:
+    """The formula 'one world of the second size, with the walk': is there any?"""
+    formula = Formula(_title(question, sizes))
+    world = _world(formula, "1", question, sizes.two)
     _walk(formula, question, world)
     return formula, world
 
 
-def _title(question: Question, level: Level) -> list[str]:
-    sizes = [
+def _title(question: Question, sizes: Sizes) -> list[str]:
+    worlds = [
         f"world {i}: {s.edges} edges, {s.fewest} to {s.most} vertices"
-        for i, s in enumerate(level, 1)
+        for i, s in enumerate(sizes, 1)
     ]
-    return [f"{question.describes}.", *sizes]
+    return [f"{question.describes}.", *worlds]
 
 
 def _world(formula: Formula, name: str, question: Question, size: Size) -> OneWorld:

@@ -3,17 +3,32 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from allworlds.inputs import InputError, a_text, an_integer, show
 from allworlds.maps.classes import MapClass
+from allworlds.maps.combinatorial import Dart
 from allworlds.smt.one_world import Degrees, Size
-from allworlds.world import LIGHTHOUSES, Sensing
+from allworlds.words import plural
+from allworlds.world import (
+    LIGHTHOUSES,
+    Compass,
+    Directional,
+    Lighthouse,
+    Nothing,
+    Position,
+    Sensing,
+)
 
-SEARCHED = ("none", "position", "directional", "compass")
-"""The lighthouses of which there are formulas."""
+SEARCHED: Mapping[str, Callable[[Sequence[Dart]], Lighthouse]] = {
+    Nothing.kind: lambda _: Nothing(),
+    Position.kind: lambda _: Position(0),
+    Directional.kind: lambda darts: Directional(darts[0]),
+    Compass.kind: lambda darts: Compass(tuple(darts)),
+}
+"""The lighthouses of which there are formulas, with start 0 and the darts that they point to."""
 
 ANY = Degrees()
 """Nothing is required of degrees."""
@@ -68,7 +83,7 @@ def percept_named(text: str) -> Sensed:
     return Sensed(int(match[1]), match[2] == "P")
 
 
-class Level(NamedTuple):
+class Sizes(NamedTuple):
     """One formula's worth of pairs: the sizes of the two worlds."""
 
     one: Size
@@ -126,8 +141,8 @@ class Question:
         """What is sensed besides the degree."""
         return LIGHTHOUSES[self.lighthouse].sensing
 
-    def levels(self) -> Iterator[Level]:
-        """The sizes that are to be searched, the smaller first.
+    def sizes(self) -> Iterator[Sizes]:
+        """The pairs of sizes that are to be searched, the smaller first.
 
         Where a vertex is marked, worlds that look alike have equally many edges: exactly one
         dart class lies over each dart of v0's quotient, and its size is the same for all.
@@ -138,7 +153,7 @@ class Question:
         for two in sizes:
             for one in sizes:
                 if one.edges == two.edges or (one.edges < two.edges and not self.sensing.marks_v0):
-                    yield Level(one, two)
+                    yield Sizes(one, two)
 
     def _size(self, edges: int) -> Size | None:
         numbers = [n for n in range(1, self.vertices + 1) if self._possible(edges, n)]
@@ -164,8 +179,8 @@ class Question:
     def describes(self) -> str:
         """The question as a sentence, for comments in files."""
         extra = [
-            f"at most {self.vertices} {'vertex' if self.vertices == 1 else 'vertices'}",
-            f"at most {self.edges} {'edge' if self.edges == 1 else 'edges'}",
+            f"at most {plural(self.vertices, 'vertex', 'vertices')}",
+            f"at most {plural(self.edges, 'edge')}",
         ]
         if self.degrees.root is not None:
             extra.append(f"degree {self.degrees.root} at the start's vertex")

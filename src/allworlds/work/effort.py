@@ -8,6 +8,7 @@ from math import inf
 from typing import Any, TypedDict, cast
 
 from allworlds.inputs import InputError, an_integer, show
+from allworlds.protocol import ANSWER_TIMEOUT
 
 LEAST_TIMEOUT = 0.1
 """Seconds; explorers are not looked at more often."""
@@ -42,7 +43,7 @@ class Limits:
     """
 
     workers: int = 1
-    answer_timeout: float = 10.0
+    answer_timeout: float = ANSWER_TIMEOUT
     time_limit: float | None = None
     memory: int | None = None
 

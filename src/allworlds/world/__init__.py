@@ -10,6 +10,7 @@
 
 from allworlds.world.lighthouses import (
     LIGHTHOUSES,
+    BelievedWalk,
     Cluster,
     Compass,
     Directional,
@@ -28,6 +29,7 @@ from allworlds.world.world import IllegalAction, World
 
 __all__ = [
     "LIGHTHOUSES",
+    "BelievedWalk",
     "Cluster",
     "Compass",
     "Directional",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from allworlds.inputs import integer, parse_json, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
@@ -17,6 +17,9 @@ from allworlds.world.lighthouses import (
     lighthouse_from_json,
     refuse_other_keys,
 )
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 class IllegalAction(ValueError):
@@ -82,7 +85,7 @@ class World:
         """The mirror image, marker and start included."""
         return World(self.map.mirrored(), self.lighthouse, self.start)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.World:
         """``{"sigma", "alpha", "start", "lighthouse": {"kind", ...}}``."""
         return {
             **self.map.to_json(),

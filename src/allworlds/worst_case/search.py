@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, get_args
 
 from allworlds.checker import run
 from allworlds.episode import Answered, default_step_budget, play
@@ -20,6 +20,7 @@ from allworlds.world import Directional, World
 from allworlds.worst_case.one_world import EverySchedule, Planned, Transit
 
 if TYPE_CHECKING:
+    from allworlds import documents
     from allworlds.kernel import Dearest
 
 DEFAULT_EDGES = 5
@@ -62,7 +63,7 @@ class WorstRow:
         """The count and the replay say the same as the compiled engine."""
         return self.worlds == self.counted and (bool(self.wrong) or self.replayed == self.worst)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.WorstRow:
         """One row of the document."""
         return {
             "edges": self.edges,
@@ -111,14 +112,14 @@ class WorstReport:
             return Exit.REFUTED
         return Exit.ANSWERED if self.rows else Exit.VACUOUS
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.WorstReport:
         """The document of ``worst --json``."""
         return {
             "schema": SCHEMA,
             "exit_code": self.exit_code,
             "explorer": "algorithm1",
             "class": self.extent.map_class.value,
-            "edges": self.extent.edges,
+            "edges": self.extent.levels[-1],
             "transit": self.transit,
             "schedules": "all",
             "symmetry": "one world for each start vertex: every choice of dart is tried, so the "
@@ -140,7 +141,7 @@ def worst(
 
     Args:
         edges: the largest number of edges (default: one that takes a second).
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         transit: ``shortest`` or ``simple``: how the robot goes through S in line 4.
         workers: threads.
         listener: is told of the progress.

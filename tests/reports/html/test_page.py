@@ -20,9 +20,9 @@ from allworlds.explaining import explain
 from allworlds.findings import Finding
 from allworlds.fuzzer import fuzz
 from allworlds.maps.build import named_map
+from allworlds.markup import legal
 from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.reports.html import page
-from allworlds.reports.html.elements import document, legal, raw, record, tag
 
 VOID = {"meta", "br", "link", "img", "input", "hr"}
 HOSTILE = (
@@ -220,27 +220,6 @@ def test_whatever_an_explorer_says_is_text():
     finding = json.loads(root.one(id="finding-1-json").text)
     assert finding == report.findings[0].to_json()
     assert HOSTILE in finding["detail"]
-
-
-def test_characters_that_html_does_not_allow_are_replaced_and_others_kept():
-    forbidden = "\0\x08\x0b\x1f\x7f\x85\ud800\udfff\ufdd0\ufdef\ufffe\uffff\U0001ffff\U0010fffe"
-    assert legal(forbidden) == "\N{REPLACEMENT CHARACTER}" * len(forbidden)
-    kept = "\t\n az~\xa0é\u202e漢\ufdcf\ufdf0\ufffd\U0001f600\U0010fffd"
-    assert legal(kept) == kept
-
-
-def test_a_script_that_would_end_itself_is_no_element():
-    with pytest.raises(ValueError, match="would end it"):
-        raw("script", "'</script>'")
-    block = record({"x": "</script><!--&"}, id="x")
-    assert json.loads(block.text) == {"x": "</script><!--&"}
-
-
-def test_text_and_attributes_are_escaped():
-    text = document(tag("p", "<i>", tag("b", "&"), "</p>", title="\"'<>"))
-    node = Reader(text).root.one("p")
-    assert node.text.rstrip() == "<i>&</p>"
-    assert node.attributes == {"title": "\"'<>"}
 
 
 @pytest.mark.parametrize("name", [m.name for m in WRONG_EXPLORERS])

@@ -11,7 +11,7 @@ value 0 says that there is no such map, a missing key that the source does not k
 ============================  ===========================================================
 all maps                      pairs of permutations, the recurrences of Carrell and Chapuy
                               and of Walsh and Lehman
-planar maps                   the same two recurrences at genus 0; Tutte's closed form
+planar maps                   the same two recurrences at genus 0
 simple maps                   degree sequences; for up to 7 vertices the graph atlas
 simple planar maps            substitution into planar maps; for up to 7 vertices and few
                               rotations the graph atlas
@@ -30,11 +30,9 @@ from dataclasses import dataclass
 from allworlds.maps.counting.any_genus import (
     catalan,
     rooted_maps,
-    rooted_maps_by_genus,
     rooted_of_genus,
     rooted_of_genus_by_contraction,
     rooted_planar,
-    rooted_planar_total,
 )
 from allworlds.maps.counting.arithmetic import vertex_counts
 from allworlds.maps.counting.atlas import (
@@ -43,7 +41,7 @@ from allworlds.maps.counting.atlas import (
     rooted_planar_simple,
     rooted_simple,
 )
-from allworlds.maps.counting.degrees import labelled_simple, rooted_simple_by_degrees
+from allworlds.maps.counting.degrees import rooted_simple_by_degrees
 from allworlds.maps.counting.substitution import rooted_planar_simple_by_substitution
 
 __all__ = [
@@ -51,15 +49,12 @@ __all__ = [
     "ROTATIONS_LIMIT",
     "Source",
     "catalan",
-    "labelled_simple",
     "rooted_maps",
-    "rooted_maps_by_genus",
     "rooted_of_genus",
     "rooted_of_genus_by_contraction",
     "rooted_planar",
     "rooted_planar_simple",
     "rooted_planar_simple_by_substitution",
-    "rooted_planar_total",
     "rooted_simple",
     "rooted_simple_by_degrees",
     "source_for",

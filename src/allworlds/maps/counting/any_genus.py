@@ -70,32 +70,12 @@ def rooted_of_genus(edges: int, genus: int) -> dict[int, int]:
     return cells(edges, carrell_chapuy(edges, genus))
 
 
-def rooted_maps_by_genus(edges: int) -> dict[int, int]:
-    """``{genus: rooted maps}`` with that many edges; genus ``0..m//2``, all that occur.
-
-    Raises: ValueError for edges < 1.  Source: as :func:`rooted_of_genus`.
-    """
-    check_edges(edges)
-    return {g: sum(carrell_chapuy(edges, g)) for g in range(edges // 2 + 1)}
-
-
 def rooted_planar(edges: int) -> dict[int, int]:
     """``{vertices: rooted planar maps}`` with that many edges.
 
     Raises: ValueError for edges < 1.  Source: as :func:`rooted_of_genus`.
     """
     return rooted_of_genus(edges, 0)
-
-
-def rooted_planar_total(edges: int) -> int:
-    """Rooted planar maps with that many edges: ``2 * 3^m C(2m, m) / ((m+1)(m+2))``.
-
-    Raises: ValueError for edges < 1.
-    Source: W. T. Tutte, A census of planar maps, Canad. J. Math. 15 (1963).
-    """
-    check_edges(edges)
-    power: int = 3**edges
-    return 2 * power * comb(2 * edges, edges) // ((edges + 1) * (edges + 2))
 
 
 @cache

@@ -27,16 +27,6 @@ def rooted_simple_by_degrees(edges: int) -> dict[int, int]:
     }
 
 
-def labelled_simple(vertices: int) -> int:
-    """Rotation systems of the connected simple graphs on that many labelled vertices.
-
-    Raises: ValueError for vertices < 1.
-    """
-    if vertices < 1:
-        raise ValueError(f"a graph has at least 1 vertex, not {vertices}")
-    return sum(_connected_rotations(vertices, m) for m in range(comb(vertices, 2) + 1))
-
-
 @cache
 def _connected_rotations(vertices: int, edges: int) -> int:
     """Rotation systems of connected simple graphs on labelled vertices, with m >= 1 edges."""

@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.etree import ElementTree as ET
 
+from allworlds.drawing import Scene, picture
 from allworlds.explaining import Belief, Story, explain
 from allworlds.findings import Finding
+from allworlds.markup import Child, record, tag
 from allworlds.reports.finding_words import (
     choices_words,
     expected_words,
     headline,
-    motion,
     remarks,
     seen_words,
     wrong,
 )
-from allworlds.reports.html.elements import Child, record, tag
-from allworlds.reports.html.svg import Scene, picture
 from allworlds.reports.html.walk import walk
+from allworlds.reports.scenes import walk_in_answer, walk_in_world
 
 
 def finding_section(finding: Finding, number: int, origin: str = "") -> ET.Element:
@@ -48,9 +48,11 @@ def _sentences(sentences: tuple[str, ...]) -> Iterator[Child]:
 
 def _viewer(story: Story, belief: Belief | None, parting: int | None, name: str) -> ET.Element:
     """The pictures and the walk along which keys step in all of them."""
-    figures = [_figure("The world", _world(story), f"{name}-world", "robot")]
+    world, transcript = story.world, story.transcript
+    figures = [_figure("The world", walk_in_world(world, transcript), f"{name}-world", "robot")]
     if belief:
-        figures.append(_figure("The answer", _answer(belief), f"{name}-answer", "believed"))
+        scene = walk_in_answer(world, belief.answer, transcript)
+        figures.append(_figure("The answer", scene, f"{name}-answer", "believed"))
     keys = "Left and right arrow, Home and End step along the walk."
     return tag(
         "div",
@@ -95,42 +97,6 @@ def _figure(title: str, scene: Scene, name: str, follows: str) -> ET.Element:
     )
 
 
-def _world(story: Story) -> Scene:
-    world = story.world
-    percepts = world.percepts
-    return Scene(
-        world.map,
-        world.start,
-        story.walked[-1],
-        _arrivals(story, story.walked),
-        [dart for dart in world.map.darts if percepts[dart].bearing == 0],
-        {world.map.vertex_of[d]: p.marks for d, p in enumerate(percepts) if p.marks},
-    )
-
-
-def _answer(belief: Belief) -> Scene:
-    """The answer with what it makes expect on the walk."""
-    map_, believed = belief.answer.map, belief.believed
-    expected = [*zip(believed, belief.expected, strict=True)]
-    return Scene(
-        map_,
-        believed[0],
-        believed[-1],
-        _arrivals(belief.story, believed),
-        {map_.turn(dart, p.bearing) for dart, p in expected if p.bearing is not None},
-        {map_.vertex_of[dart]: p.marks for dart, p in expected if p.marks},
-    )
-
-
-def _arrivals(story: Story, trail: list[int]) -> set[int]:
-    """The darts by which an edge was walked; before the first motion there is none."""
-    return {
-        dart
-        for dart, (action, _) in zip(trail[1:], story.transcript.steps, strict=True)
-        if motion(action).startswith("move")
-    }
-
-
 def _facts(finding: Finding, origin: str) -> Iterator[ET.Element]:
     about = wrong(finding)
     facts = [("law", f"{finding.law}: {about}" if about else finding.law)]
@@ -158,7 +124,7 @@ def _again(finding: Finding, name: str) -> Iterator[ET.Element]:
         yield _text(finding.detail, f"{name}-detail")
     transcript = finding.transcript
     lines = [f"start: {transcript.first}"]
-    lines += [f"{motion(action)}: {percept}" for action, percept in transcript.steps]
+    lines += [f"{action}: {percept}" for action, percept in transcript.steps]
     summary = tag("summary", "The transcript, as it was recorded")
     yield tag("details", summary, _text("\n".join(lines), f"{name}-transcript"))
     copier = _copier("Copy the finding as JSON, for replay and explain", f"{name}-json")

@@ -9,8 +9,8 @@ from importlib.resources import files
 from xml.etree import ElementTree as ET
 
 from allworlds.checker import Report
+from allworlds.markup import document, raw, record, tag
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
-from allworlds.reports.html.elements import document, raw, record, tag
 from allworlds.reports.html.findings import finding_section
 from allworlds.runs import Sample
 
@@ -36,8 +36,7 @@ def page(report: Report) -> str:
         tag("title", f"{title}: {word}, {report.explorer}"),
         raw("style", style),
     )
-    summary = report.to_json()
-    del summary["findings"]
+    summary = {key: told for key, told in report.to_json().items() if key != "findings"}
     body = tag(
         "body",
         tag(

@@ -5,9 +5,8 @@ from __future__ import annotations
 from xml.etree import ElementTree as ET
 
 from allworlds.explaining import Belief, Story
+from allworlds.markup import tag
 from allworlds.protocol import Move
-from allworlds.reports.finding_words import motion
-from allworlds.reports.html.elements import tag
 
 
 def walk(story: Story, belief: Belief | None, parting: int | None, name: str) -> ET.Element:
@@ -29,7 +28,7 @@ def _step(story: Story, belief: Belief | None, i: int, name: str, parts: bool) -
     item = tag(
         "li",
         tag("a", str(i), href=f"#{name}", class_="step", aria_label=f"step {i}"),
-        tag("span", motion(action) if action else "start", class_="motion"),
+        tag("span", str(action) if action else "start", class_="motion"),
         tag("span", f"at {story.place(robot)}", class_="place"),
         tag("span", f"sensed: {story.sensed[i]}", class_="sensed"),
         id=name,

@@ -10,7 +10,12 @@ from collections.abc import Mapping
 
 from allworlds.inputs import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, refuse_other_keys
+from allworlds.world.lighthouses.base import (
+    BelievedWalk,
+    InvalidWorld,
+    Lighthouse,
+    refuse_other_keys,
+)
 from allworlds.world.lighthouses.cluster import Cluster
 from allworlds.world.lighthouses.compass import Compass
 from allworlds.world.lighthouses.directional import Directional
@@ -65,6 +70,7 @@ def lighthouse_from_json(
 
 __all__ = [
     "LIGHTHOUSES",
+    "BelievedWalk",
     "Cluster",
     "Compass",
     "Directional",

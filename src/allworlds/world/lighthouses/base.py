@@ -4,16 +4,34 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, ClassVar
+from itertools import islice
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from allworlds.inputs import InputError, integer, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Percept
 from allworlds.world.lighthouses.sensing import Sensing
 
+if TYPE_CHECKING:
+    from allworlds import documents
+
 
 class InvalidWorld(InputError):
     """A map, a start and a lighthouse that do not make a world."""
+
+
+class BelievedWalk(NamedTuple):
+    """The walk of a robot in its own answer.
+
+    Attributes:
+        map: the answered map.
+        trail: its darts there at the start and after each step.
+        sensed: what it sensed there.
+    """
+
+    map: CombinatorialMap
+    trail: Sequence[Dart]
+    sensed: Sequence[Percept]
 
 
 class Lighthouse(ABC):
@@ -66,7 +84,7 @@ class Lighthouse(ABC):
         """The same place after dart ``d`` has been renamed to ``names[d]``."""
 
     @abstractmethod
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.Lighthouse:
         """``{"kind": ...}`` and where it stands."""
 
     @classmethod
@@ -75,6 +93,21 @@ class Lighthouse(ABC):
         cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart
     ) -> Lighthouse:
         """The lighthouse of :meth:`to_json`'s document; it may leave out where it stands."""
+
+    def number(self, map_: CombinatorialMap, start: Dart) -> int:
+        """Its place's number among the places of the rooted map; 0 for one that is none of them."""
+        places = enumerate(type(self).places(map_, start))
+        return next((i for i, place in places if place == self), 0)
+
+    def believed(
+        self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk
+    ) -> Lighthouse | None:
+        """Where a robot must believe that it stands: at the place of the same number.
+
+        None where the answer has no such place.
+        """
+        places = type(self).places(walk.map, walk.trail[0])
+        return next(islice(places, self.number(map_, start), None), None)
 
     def told(self, map_: CombinatorialMap) -> int | None:  # noqa: ARG002  # for kinds that need it
         """What the explorer is told before the start; nothing, unless a kind says otherwise."""

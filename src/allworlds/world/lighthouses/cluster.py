@@ -5,17 +5,21 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.inputs import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
+    BelievedWalk,
     InvalidWorld,
     Lighthouse,
     check_leads_away,
     no_place,
 )
 from allworlds.world.lighthouses.sensing import Sensing, Where
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,11 +68,15 @@ class Cluster(Lighthouse):
         """The two ends of the dart's edge."""
         return (self.dart, map_.alpha[self.dart])
 
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Cluster:
+        """Seen from the start in the same direction, even where the answer breaks what it needs."""
+        return Cluster(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
+
     def relabelled(self, names: Sequence[Dart]) -> Cluster:
         """At the renamed dart."""
         return Cluster(names[self.dart])
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.AtDart:
         """``{"kind": "cluster", "dart": d}``."""
         return {"kind": self.kind, "dart": self.dart}
 

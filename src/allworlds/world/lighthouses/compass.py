@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice, product
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.inputs import integer, show
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse
+from allworlds.world.lighthouses.base import BelievedWalk, InvalidWorld, Lighthouse
 from allworlds.world.lighthouses.sensing import Sensing, Where
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 ALL_CHOICES = 3
 """The largest number of edges for which every choice of reference darts is a place."""
@@ -71,11 +74,20 @@ class Compass(Lighthouse):
         """The dart of each vertex."""
         return self.darts
 
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Compass:  # noqa: ARG002  # sensed
+        """The reference dart that was sensed when the robot first came to a vertex."""
+        answer = walk.map
+        north = {vertex: darts[0] for vertex, darts in enumerate(answer.vertices)}
+        for dart, percept in reversed([*zip(walk.trail, walk.sensed, strict=True)]):
+            assert percept.bearing is not None
+            north[answer.vertex_of[dart]] = answer.turn(dart, percept.bearing)
+        return Compass(tuple(sorted(north.values())))
+
     def relabelled(self, names: Sequence[Dart]) -> Compass:
         """The renamed reference darts."""
         return Compass(tuple(sorted(names[dart] for dart in self.darts)))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.AtDarts:
         """``{"kind": "compass", "darts": [...]}``."""
         return {"kind": self.kind, "darts": list(self.darts)}
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import Lighthouse, check_at_start
 from allworlds.world.lighthouses.sensing import Sensing, Where
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +47,7 @@ class Directional(Lighthouse):
         """Pointing to the renamed dart."""
         return Directional(names[self.dart])
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.AtDart:
         """``{"kind": "directional", "dart": d}``."""
         return {"kind": self.kind, "dart": self.dart}
 

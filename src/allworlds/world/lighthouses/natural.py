@@ -5,16 +5,20 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
+    BelievedWalk,
     InvalidWorld,
     Lighthouse,
     check_leads_away,
     no_place,
 )
 from allworlds.world.lighthouses.sensing import Sensing, Where
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,11 +71,15 @@ class Natural(Lighthouse):
         """The degree of v1."""
         return map_.degree_at[map_.alpha[self.dart]]
 
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Natural:
+        """Seen from the start in the same direction, even where the answer breaks what it needs."""
+        return Natural(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
+
     def relabelled(self, names: Sequence[Dart]) -> Natural:
         """At the renamed dart."""
         return Natural(names[self.dart])
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.AtDart:
         """``{"kind": "natural", "dart": d}``."""
         return {"kind": self.kind, "dart": self.dart}
 

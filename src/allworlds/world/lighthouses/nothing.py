@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.sensing import Sensing, Where
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +47,7 @@ class Nothing(Lighthouse):
         """The same."""
         return self
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.Lighthouse:
         """``{"kind": "none"}``."""
         return {"kind": self.kind}
 

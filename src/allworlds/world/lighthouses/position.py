@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import Lighthouse, check_at_start
 from allworlds.world.lighthouses.sensing import Sensing, Where
+
+if TYPE_CHECKING:
+    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +51,7 @@ class Position(Lighthouse):
         """At the renamed dart."""
         return Position(names[self.dart])
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> documents.AtDart:
         """``{"kind": "position", "dart": d}``."""
         return {"kind": self.kind, "dart": self.dart}
 

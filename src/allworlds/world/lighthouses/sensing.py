@@ -1,4 +1,4 @@
-"""What each level of information senses: the one definition, for worlds and for formulas."""
+"""What is sensed of each kind of lighthouse: the one definition, for worlds and for formulas."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Where(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Sensing:
-    """A level of information: what a robot senses besides the degree.
+    """What a robot senses of a lighthouse, besides the degree.
 
     Attributes:
         where: at which vertices anything is.

@@ -1,0 +1,69 @@
+"""Who made a document, where, when and how fast: all of it that differs from run to run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from time import perf_counter
+from typing import TYPE_CHECKING, TypedDict
+
+from allworlds.version import __version__
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+
+class Effort(TypedDict, total=False):
+    """What only the verb knows of its effort.
+
+    Attributes:
+        workers: processes or threads; left out by a verb that takes none.
+        level_seconds: of each level, where each is timed.
+    """
+
+    workers: int
+    level_seconds: Sequence[float]
+
+
+@dataclass(frozen=True, slots=True)
+class _Begun:
+    """A command at its beginning."""
+
+    command: tuple[str, ...]
+    started: datetime
+    clock: float
+
+
+_COMMAND: ContextVar[_Begun] = ContextVar("command")
+
+
+@contextmanager
+def beginning(command: Sequence[str]) -> Iterator[None]:
+    """The context of a command, which begins now."""
+    begun = _Begun(tuple(command), datetime.now(UTC), perf_counter())
+    token = _COMMAND.set(begun)
+    try:
+        yield
+    finally:
+        _COMMAND.reset(token)
+
+
+def made_by(effort: Effort) -> documents.MadeBy:
+    """Who makes a document, if it is written now."""
+    from allworlds.host import host
+
+    begun = _COMMAND.get()
+    document: documents.MadeBy = {
+        "version": __version__,
+        "command": list(begun.command),
+        "workers": effort.get("workers"),
+        "host": host(),
+        "started": begun.started.strftime("%Y-%m-%dT%H:%M:%SZ"),
+        "seconds": round(perf_counter() - begun.clock, 3),
+    }
+    if "level_seconds" in effort:
+        document["level_seconds"] = [round(seconds, 3) for seconds in effort["level_seconds"]]
+    return document

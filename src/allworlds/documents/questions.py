@@ -1,0 +1,255 @@
+"""What is written about maps, worlds and engines; and the manifest of a corpus."""
+
+from typing import Annotated, Literal, NotRequired, TypedDict
+
+from allworlds.documents.common import Extent, Gate, OfClass, Report
+from allworlds.documents.words import (
+    Dart,
+    Figure,
+    Keywords,
+    Named,
+    Natural,
+    Numeral,
+    Positive,
+    Seconds,
+    Some,
+    Text,
+    Two,
+    Version,
+    code,
+)
+from allworlds.documents.worlds import Percept, World
+from allworlds.outcome import Exit
+
+
+class CountRow(TypedDict):
+    """The maps with one number of edges."""
+
+    edges: Positive
+    rooted: Annotated[Natural, "rooted maps"]
+    unrooted: Annotated[
+        Natural | None, "maps up to orientation-preserving isomorphism; null beyond 6 edges"
+    ]
+    by_vertices: Annotated[dict[Numeral, Natural], "rooted maps by vertices"]
+    by_genus: Annotated[dict[Numeral, Natural], "rooted maps by genus"]
+    labelled: NotRequired[
+        Annotated[
+            dict[Numeral, Natural],
+            "in simple classes: rotation systems on labelled vertices, by vertices",
+        ]
+    ]
+
+
+class CountReport(Report, Extent):
+    """Report of 'count'."""
+
+    gate: Annotated[Gate, "the comparison of every row with an independent source"]
+    rows: Annotated[list[CountRow], "one a number of edges, ascending"]
+
+
+class WorstRow(TypedDict):
+    """What every schedule can cost in the worlds of one size."""
+
+    edges: Positive
+    vertices: Positive
+    worlds: Annotated[Positive, "rooted maps"]
+    worst: Annotated[Natural, "the largest cost of a schedule"]
+    best: Annotated[Natural, "the largest, over the worlds, of the cost of the cheapest schedule"]
+    bound: Annotated[Natural, "(1) + (2)"]
+    tests: Annotated[Natural, "different tests of false hypotheses"]
+    wrong_tests: Annotated[Natural, "those that confirmed one"]
+    world: Annotated[World, "the least one that attains `worst`"]
+    choices: Annotated[list[Natural], "that attain it there"]
+    replayed: Annotated[
+        Natural | None,
+        "what they cost in the Python engine; null: it did not keep every law",
+    ]
+
+
+class WorstReport(Report, OfClass):
+    """Report of 'worst'."""
+
+    exit_code: Annotated[int, code(Exit.ANSWERED, Exit.REFUTED, Exit.VACUOUS, Exit.DISAGREES)]
+    explorer: Literal["algorithm1"]
+    edges: Annotated[Positive, "at most so many"]
+    transit: Annotated[
+        Literal["shortest", "simple"], "the paths by which the robot goes to the next edge"
+    ]
+    schedules: Literal["all"]
+    symmetry: Annotated[Text, "why one world stands for every direction"]
+    gate: Annotated[Gate, "counts, and replays in the Python engine"]
+    rows: Annotated[list[WorstRow], "one for each (edges, vertices), ascending"]
+
+
+class Quotient(TypedDict):
+    """A rooted quotient: its dart 0 is that of the start."""
+
+    sigma: Annotated[list[Dart], Some, "for each class of darts the next one clockwise"]
+    alpha: Annotated[
+        list[Dart], Some, "for each class the one at the other end; itself for a semi-edge"
+    ]
+    degree: Annotated[list[Positive], Some, "what is sensed at each class"]
+    marks: Annotated[list[Natural], Some, "what is sensed at each class"]
+
+
+class CensusRow(TypedDict):
+    """The marked maps with one number of edges."""
+
+    edges: Positive
+    marked_worlds: Annotated[Natural, "maps with one marked vertex, up to isomorphism"]
+    ambiguous_worlds: Annotated[Natural, "those with a twin inside the class of maps"]
+    classes: Annotated[Natural, "ambiguity classes with two members there, or more"]
+    largest_class: Annotated[Natural, "the members of the largest; 0: there is none"]
+
+
+class AmbiguityCensusReport(Report, Extent):
+    """Report of 'ambiguity census'."""
+
+    lighthouse: Annotated[str, Keywords(const="position")]
+    gate: Annotated[Gate, "the comparison of the rooted maps with an independent source"]
+    rows: Annotated[list[CensusRow], "one a number of edges, ascending"]
+
+
+class AmbiguityClassReport(Report, OfClass):
+    """Report of 'ambiguity class'."""
+
+    world: Annotated[World, "as it was understood"]
+    ambiguous: Annotated[bool, "whether there is another one that looks alike"]
+    size: Annotated[Positive, "how many worlds there are in the ambiguity class"]
+    poses: Annotated[Positive, "how many pairs of a world and a dart where the robot can be"]
+    sheets: Annotated[Positive, "of the world as a cover of its quotient"]
+    listed: Annotated[Positive, "how many worlds are listed"]
+    notice: Annotated[Text | None, "what is left out, where anything is"]
+    worlds: Annotated[
+        list[World],
+        Some,
+        "the given one first; each with start 0, where the robot could be",
+    ]
+    quotient: Annotated[Quotient, "what a robot can know"]
+
+
+class TwinsReport(Report):
+    """Report of 'twins'."""
+
+    worlds: Annotated[list[World], Two, "the two, as they were understood"]
+    relation: Annotated[
+        Literal["same", "same-map", "different"],
+        "`same`: one world; `same-map`: one world entered at two darts; `different`",
+    ]
+    distinguishable: Annotated[bool, "whether any motion tells them apart"]
+    twins: Annotated[bool, "different, and not distinguishable"]
+    motions: NotRequired[
+        Annotated[list[Natural], "if distinguishable: the shortest motions that tell them apart"]
+    ]
+    percepts: NotRequired[
+        Annotated[
+            list[Annotated[list[Percept], Some]],
+            Two,
+            "with them: for each world what is sensed at the start and after each motion",
+        ]
+    ]
+    bisimulation: NotRequired[
+        Annotated[
+            list[Annotated[list[Natural], Keywords(minItems=2)]],
+            Two,
+            "if not: for each world the class of each dart",
+        ]
+    ]
+
+
+class SearchLevel(TypedDict):
+    """One level of a search."""
+
+    edges: Annotated[list[Positive], Two, "of each world"]
+    vertices: Annotated[
+        list[Annotated[list[Positive], Two]], Two, "for each world the fewest and the most"
+    ]
+    status: Literal["sat", "unsat", "unknown"]
+    formula: Annotated[Text, "the path of the DIMACS file"]
+    proof: Annotated[Text | None, "the path of the LRAT proof; null: there is none"]
+
+
+class SearchReport(Report, OfClass):
+    """Report of 'search'."""
+
+    status: Annotated[
+        Literal["sat", "unsat", "unknown"], "`sat`: a pair; `unsat`: there is none in the bounds"
+    ]
+    exit_code: Annotated[int, code(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS)]
+    pair: Annotated[
+        Annotated[list[World], Two] | None, "two worlds that look alike; null unless `sat`"
+    ]
+    bisimulation: Annotated[
+        Annotated[list[Annotated[list[Natural], Keywords(minItems=2)]], Two] | None,
+        "for each of them the class of each dart; null unless `sat`",
+    ]
+    certificate: Annotated[
+        Text | None, "the path of what proves the answer; null: see [answers](search.md#answers)"
+    ]
+    vacuous: Annotated[bool, "not even one world exists within the bounds"]
+    lighthouse: Annotated[str, Named("smt:SEARCHED")]
+    vertices: Annotated[Positive, "at most so many"]
+    edges: Annotated[Positive, "at most so many"]
+    directory: Annotated[Text, "where the formulas are"]
+    levels: Annotated[list[SearchLevel], "in the order of the search"]
+    same_map: Annotated[
+        list[Annotated[list[World], Two]],
+        "pairs that look alike but are one map with two starts",
+    ]
+    notices: Annotated[list[Text], "sentences for the reader"]
+
+
+class Spread(TypedDict):
+    """A figure over the rounds."""
+
+    median: Figure
+    lowest: Figure
+    highest: Figure
+
+
+class Contender(TypedDict):
+    """A contender and what was measured of it."""
+
+    name: Annotated[Text, "what it is called"]
+    does: Annotated[Text, "what it does, in words, or its command"]
+    edges: Annotated[Positive, "the level that it walks"]
+    worlds: Annotated[Positive, "the rooted maps of that level"]
+    seconds: Annotated[list[Seconds], Some, "of each round"]
+    worlds_per_second: Annotated[Spread, "over the rounds"]
+
+
+class Ratio(TypedDict):
+    """Two rates side by side."""
+
+    of: Annotated[Text, "the kernel on one thread"]
+    to: Annotated[Text, "another contender"]
+    ratio: Annotated[Spread, "the rate of the one divided by that of the other"]
+
+
+class BenchReport(Report):
+    """Report of 'bench'."""
+
+    commit: Annotated[Text | None, "of the sources; null outside a checkout"]
+    edges: Annotated[int, Keywords(minimum=4, maximum=10), "the level of the compiled engines"]
+    rounds: Positive
+    peak_mb: Annotated[Natural, "the largest memory that the process has had"]
+    contenders: Annotated[list[Contender], Some, "the reference first"]
+    ratios: Annotated[list[Ratio], "the reference to each other one"]
+
+
+class Entry(TypedDict):
+    """One thing that a corpus keeps."""
+
+    name: Annotated[Text, "unique in the corpus"]
+    kind: Annotated[Literal["world", "finding", "pair", "counts"], "what the file holds"]
+    file: Annotated[Text, "where it stands, below the corpus"]
+    sha256: Annotated[str, Keywords(pattern="^[0-9a-f]{64}$"), "of the file"]
+    provenance: Annotated[Text, "where it comes from"]
+    expected: Annotated[dict[str, object], "what must come out when it is tried"]
+
+
+class Manifest(TypedDict):
+    """Manifest of a corpus."""
+
+    schema: Version
+    entries: Annotated[list[Entry], "what is kept, in the order in which it is told"]

@@ -1,0 +1,164 @@
+"""Maps, worlds, and what is done and sensed in them."""
+
+from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
+
+from allworlds.documents.words import Begins, Dart, Keywords, KindsOf, Natural, Positive, Some, Text
+
+Permutation = Annotated[list[Dart], Keywords(minItems=2)]
+
+
+class Map(TypedDict):
+    """Map."""
+
+    sigma: Annotated[Permutation, "for each dart the next one clockwise round its vertex"]
+    alpha: Annotated[Permutation, "for each dart the other one of its edge"]
+
+
+class Rooted(Map):
+    """Rooted map.
+
+    A map, and where the robot is in it.
+    """
+
+    here: Annotated[Dart, "the robot's dart"]
+
+
+class Lighthouse(TypedDict):
+    """A lighthouse that stands nowhere."""
+
+    kind: Annotated[str, "its name"]
+
+
+class AtDart(Lighthouse):
+    """A lighthouse that stands at one dart."""
+
+    dart: Annotated[Dart, "where it stands"]
+
+
+class AtDarts(Lighthouse):
+    """A lighthouse that stands at several darts."""
+
+    darts: Annotated[list[Dart], Some, "where it stands, ascending"]
+
+
+class World(Map):
+    """World.
+
+    A map, a start and a lighthouse, as they are written.
+    """
+
+    start: Annotated[Dart, "the dart that the robot faces"]
+    lighthouse: Annotated[
+        Lighthouse,
+        KindsOf("world:LIGHTHOUSES"),
+        "its `kind`, and where it stands: see [the lighthouses](protocol.md#words)",
+    ]
+
+
+class LighthouseRead(TypedDict):
+    """A lighthouse as it is read."""
+
+    kind: Annotated[Text, "its name"]
+    dart: NotRequired[Annotated[Dart, "where it stands; else at the first place"]]
+    darts: NotRequired[
+        Annotated[list[Dart], "the same of a compass; else the smallest of each vertex"]
+    ]
+    single: NotRequired[Annotated[bool, "of a cluster: exactly one edge joins v0 and v1"]]
+
+
+class WorldRead(Map):
+    """World, as it is read.
+
+    Any other key is refused.
+    """
+
+    start: NotRequired[Annotated[Dart, "the dart that the robot faces; else 0"]]
+    lighthouse: NotRequired[
+        Annotated[LighthouseRead, "else the explorer's own, or a directional one"]
+    ]
+
+
+class Percept(TypedDict):
+    """Percept.
+
+    What is sensed at a vertex.
+    """
+
+    degree: Annotated[Positive, "the number of darts"]
+    marks: Annotated[Natural, "the number of markers that lie here"]
+    bearing: Annotated[
+        Natural | None,
+        "the offset clockwise from the dart arrived by to the pointed dart; null where no "
+        "direction is sensed",
+    ]
+
+
+class Start(TypedDict):
+    """The first row of a transcript."""
+
+    percept: Annotated[Percept, "what was sensed before any motion"]
+
+
+class Moved(TypedDict):
+    """A motion."""
+
+    move: Annotated[Natural, "by how many darts clockwise the robot turned before it left"]
+    percept: Annotated[Percept, "what was sensed then"]
+
+
+class Dropped(TypedDict):
+    """A marker laid down."""
+
+    drop: Literal[True]
+    percept: Annotated[Percept, "what was sensed then"]
+
+
+class Picked(TypedDict):
+    """A marker taken up."""
+
+    pick: Literal[True]
+    percept: Annotated[Percept, "what was sensed then"]
+
+
+Step: TypeAlias = Moved | Dropped | Picked
+Transcript = Annotated[list[Start | Moved | Dropped | Picked], Some, Begins(Start)]
+
+
+class PerceptRead(TypedDict):
+    """Percept, as it is read.
+
+    Other keys are ignored.
+    """
+
+    degree: Annotated[Positive, "the number of darts"]
+    marks: NotRequired[Annotated[Natural, "else 0"]]
+    bearing: NotRequired[Annotated[Natural | None, "else null"]]
+
+
+class StartRead(TypedDict):
+    """The first row of a transcript as it is read."""
+
+    percept: Annotated[PerceptRead, "what was sensed then"]
+
+
+class MovedRead(StartRead):
+    """A motion as it is read."""
+
+    move: Annotated[int, "of any size"]
+
+
+class DroppedRead(StartRead):
+    """A marker laid down, as it is read."""
+
+    drop: Literal[True]
+
+
+class PickedRead(StartRead):
+    """A marker taken up, as it is read."""
+
+    pick: Literal[True]
+
+
+TranscriptRead = Annotated[
+    list[StartRead | MovedRead | DroppedRead | PickedRead], Some, Begins(StartRead)
+]

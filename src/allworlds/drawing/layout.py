@@ -1,0 +1,132 @@
+"""Where a map's vertices, darts and edges are drawn: sigma is clockwise round every vertex."""
+
+from __future__ import annotations
+
+from cmath import exp
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import combinations
+from math import tau
+
+from allworlds.drawing.mesh import mesh, place
+from allworlds.drawing.planar import planar
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
+
+MOST_DARTS = 200
+"""Larger drawings, ends at crossings counted, are made in the plain way."""
+
+STUB, NUMBER, GAP, NARROWEST, WIDEST = 23.0, 46.0, 15.0, 130.0, 900.0
+"""In pixels: the straight beginning of an edge, the way from a vertex to a dart's number and that
+from number to number, at least; the whole drawing, at least and at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """A drawing in pixels, y downwards.
+
+    Attributes:
+        vertices: the centre of each vertex.
+        ways: for each dart the points that its edge is drawn towards, from the dart's vertex to
+            the other end's.  Between the middles of two successive pieces it is a parabola that
+            touches both pieces; its first half piece and its last are straight.
+    """
+
+    vertices: tuple[complex, ...]
+    ways: tuple[tuple[complex, ...], ...]
+
+    def stub(self, dart: Dart) -> complex:
+        """Where the straight beginning of the dart ends."""
+        start, towards, *_ = self.ways[dart]
+        return (start + towards) / 2
+
+    def label(self, dart: Dart) -> complex:
+        """The point of the edge at which the dart's number stands."""
+        a, b, c, *_ = self.ways[dart]
+        return (a + 6 * b + c) / 8
+
+    def box(self, margin: float) -> tuple[float, float, float, float]:
+        """Left, top, width and height of a box that holds the drawing."""
+        points = [*self.vertices, *(p for way in self.ways for p in _drawn(way))]
+        left, top = (min(xs) - margin for xs in _coordinates(points))
+        right, bottom = (max(xs) + margin for xs in _coordinates(points))
+        return left, top, right - left, bottom - top
+
+
+@lru_cache(maxsize=256)
+def layout(map_: CombinatorialMap, root: Dart) -> Layout:
+    """The drawing of a map of any genus, the root's vertex to the left.
+
+    No two edges of a planar map cross, and those of another as seldom as was found.  Only in
+    the plain way, round a circle, edges cross needlessly and may run under a vertex.
+    """
+    drawn = planar(map_)
+    if len(drawn.sigma) > MOST_DARTS:
+        return _finished(map_, root, _round_a_circle(map_))
+    net = mesh(drawn)
+    points = place(net)
+    centres = {
+        dart: points[net.first_vertex + i]
+        for i, vertex in enumerate(cycles(drawn.sigma))
+        for dart in vertex
+    }
+    ways = []
+    for dart in map_.darts:
+        way = drawn.way(dart)
+        towards = [centres[dart]]
+        for near, far in zip(way[::2], way[1::2], strict=True):
+            towards += [points[near], points[far], centres[far]]
+        ways.append(towards)
+    return _finished(map_, root, ways)
+
+
+def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
+    """The vertices on a circle, the darts round each at equal angles, the first outwards."""
+    outwards = [exp(1j * tau * i / map_.vertex_count) for i in range(map_.vertex_count)]
+    radius = map_.vertex_count + 1
+    centre, end = [], []
+    for dart in map_.darts:
+        vertex = map_.vertex_of[dart]
+        place = map_.vertices[vertex].index(dart)
+        centre.append(radius * outwards[vertex])
+        turn = exp(1j * tau * place / map_.degree_at[dart])
+        end.append(centre[-1] + outwards[vertex] * turn)
+    return [
+        [centre[dart], end[dart], end[other], centre[other]]
+        for dart, other in enumerate(map_.alpha)
+    ]
+
+
+def _finished(map_: CombinatorialMap, root: Dart, ways: Sequence[Sequence[complex]]) -> Layout:
+    """The drawing turned, and as large as the numbers of the darts need."""
+    rough = Layout(tuple(ways[v[0]][0] for v in map_.vertices), tuple(map(tuple, ways)))
+    origin = ways[root][0]
+    others = rough.vertices if map_.vertex_count > 1 else [rough.label(d) for d in map_.darts]
+    # Rounded, for among equals the first is to be taken whatever the last bits are.
+    far = max(others, key=lambda point: round(abs(point - origin), 6)) - origin
+    stub = min(abs(rough.stub(d) - ways[d][0]) for d in map_.darts)
+    number = min(abs(rough.label(d) - ways[d][0]) for d in map_.darts)
+    gap = min(
+        abs(rough.label(d) - rough.label(e))
+        for vertex in map_.vertices
+        for d, e in [*combinations(vertex, 2), *((d, map_.alpha[d]) for d in vertex)]
+    )
+    size = max(max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in _drawn(way)]))
+    scale = min(max(STUB / stub, NUMBER / number, GAP / gap, NARROWEST / size), WIDEST / size)
+    turn = far.conjugate() / abs(far) * scale
+    return Layout(
+        tuple((point - origin) * turn for point in rough.vertices),
+        tuple(tuple((point - origin) * turn for point in way) for way in rough.ways),
+    )
+
+
+def _drawn(way: Sequence[complex]) -> list[complex]:
+    """Points of the curve: its ends, and the tops of its parabolas with where they meet."""
+    points = [way[0], way[-1]]
+    for a, b, c in zip(way, way[1:], way[2:], strict=False):
+        points += [(a + b) / 2, (a + 6 * b + c) / 8, (b + c) / 2]
+    return points
+
+
+def _coordinates(points: Sequence[complex]) -> tuple[list[float], list[float]]:
+    return [point.real for point in points], [point.imag for point in points]

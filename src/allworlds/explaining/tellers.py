@@ -1,0 +1,209 @@
+"""The explanation of each law by the law's name.
+
+``TELLERS`` is **the** table.  A new law is explained by a function from a :class:`Story` to a
+:class:`Telling` beside its kin here, and an entry of the table.
+"""
+
+from __future__ import annotations
+
+from allworlds.explaining.parting import tell_open_darts, tell_parting
+from allworlds.explaining.story import Belief, Story, Teller, Telling
+from allworlds.inputs import InputError
+from allworlds.maps.canonical import carries, numbering
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol import Move
+from allworlds.words import plural, size
+
+# ---------------------------------------------------------------- the run ended too early
+
+
+def ending(how: str) -> Teller:
+    """Tells how the run ended, in that sentence, then its last step and what was seen."""
+
+    def tell(story: Story) -> Telling:
+        return Telling(
+            [how, _say_last_step(story), *story.expected_and_seen(), *_last_line(story)],
+        )
+
+    return tell
+
+
+def _say_last_step(story: Story) -> str:
+    steps, place = story.transcript.steps, story.place(story.walked[-1])
+    if not steps:
+        return f"It made no step: it stood at the start, {place}, and sensed '{story.sensed[0]}'."
+    action, percept = steps[-1]
+    return (
+        f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{percept}'."
+    )
+
+
+def _last_line(story: Story) -> list[str]:
+    """The last line of the finding's detail, where it has one."""
+    detail = story.finding.detail
+    lines = detail.split("\n") if detail else []
+    last = next((line.strip() for line in reversed(lines) if line.strip()), "")
+    return (
+        [f"The last line of its traceback, or of what it wrote to stderr: {last}"] if last else []
+    )
+
+
+# ---------------------------------------------------------------- the answer is wrong
+
+
+def tell_map(story: Story) -> Telling:
+    """How large both maps are, and where the walks in them part."""
+    belief = Belief(story)
+    sizes = (
+        f"The world has {_size(story.map)}; the answer has {_size(belief.answer.map)} and is "
+        "another map."
+    )
+    return Telling([sizes, *tell_parting(belief)], belief.step, belief.answer)
+
+
+def _size(map_: CombinatorialMap) -> str:
+    return size(map_.edge_count, map_.vertex_count)
+
+
+def tell_pose(story: Story) -> Telling:
+    """Where the robot is and where it believes to be, and where the walks to there part."""
+    belief = Belief(story)
+    images = _images(belief)
+    alike = len(images) - 1
+    symmetry = f"The map is symmetric: {plural(alike, 'other dart')} would do as well."
+    sentences = [
+        "The map is right, but the robot is not where the answer says.",
+        _say_where(story, images),
+        *([symmetry] if alike else []),
+        *tell_parting(belief),
+    ]
+    return Telling(sentences, belief.step, belief.answer)
+
+
+def _images(belief: Belief) -> list[Dart]:
+    """The darts of the world that ``here`` can stand for: one, or more by symmetry."""
+    answer, map_ = belief.answer, belief.story.map
+    sigma, alpha = answer.map.sigma, answer.map.alpha
+    order = numbering(sigma, alpha, answer.here)
+    images = [d for d in map_.darts if carries(sigma, alpha, order, map_.sigma, map_.alpha, d)]
+    if not images:
+        raise InputError("the finding's answer is not the map of its world, so its law is not pose")
+    return images
+
+
+def _say_where(story: Story, images: list[Dart]) -> str:
+    map_, robot = story.map, story.walked[-1]
+    stands = f"The robot stands at {story.place(robot)}; it believes to stand at "
+    near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
+    if not near:
+        return f"{stands}{story.place(images[0])}, which is another vertex."
+    believed = min(near, key=lambda d: map_.offset(d, robot))
+    turned, degree = map_.offset(believed, robot), map_.degree_at[robot]
+    return (
+        f"{stands}dart {believed} of the same vertex: in truth it is turned further by {turned} of "
+        f"{degree} darts clockwise."
+    )
+
+
+# ---------------------------------------------------------------- a checkpoint is wrong
+
+
+def tell_invariant_1(story: Story) -> Telling:
+    """The checkpoint that shows a wrong S."""
+    broken = "What was published as S, the explored part, does not lie so in the world."
+    return Telling(_tell_checkpoint(broken, story), story.checkpoint)
+
+
+def tell_invariant_2(story: Story) -> Telling:
+    """The checkpoint that shows a wrong U."""
+    broken = "What was published as U, the unexplored darts, holds one that is explored."
+    return Telling(_tell_checkpoint(broken, story), story.checkpoint)
+
+
+def tell_variant(story: Story) -> Telling:
+    """The checkpoint that shows no progress; what it shows may be true, so nothing parts."""
+    broken = "A pass brought no progress: the edges missing in S did not get fewer, or not none."
+    return Telling(_tell_checkpoint(broken, story))
+
+
+def _tell_checkpoint(broken: str, story: Story) -> list[str]:
+    sentences = [broken]
+    step = story.checkpoint
+    if step is not None:
+        sentences.append(
+            f"The checkpoint came after step {step}, where the robot stood at "
+            f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
+        )
+    return sentences + story.expected_and_seen()
+
+
+# ---------------------------------------------------------------- the answer was guessed, or dear
+
+
+def tell_folding(story: Story) -> Telling:
+    """What the log leaves open."""
+    guessed = "The log does not determine the map, so the answer, right or not, was guessed."
+    return Telling([guessed, *tell_open_darts(story)])
+
+
+def tell_bound(story: Story) -> Telling:
+    """What the bound allows, and what the traversals were spent on."""
+    map_, cost, bound = story.map, story.transcript.cost, story.finding.expected
+    name = story.finding.rules.the_bound.name
+    back, first = _back_and_first(story)
+    out = cost - back
+    world = size(map_.edge_count, map_.vertex_count)
+    return Telling(
+        [
+            f"The world has {world}, for which the bound ({name}) allows {bound}.",
+            f"The robot made {plural(cost, 'traversal')}: {out} out, {back} to take one back.",
+            f"Of those out {first} went along an edge that was new.",
+        ]
+    )
+
+
+def _back_and_first(story: Story) -> tuple[int, int]:
+    """The traversals that take back the last one not yet taken back, and those of new edges."""
+    map_, back, first = story.map, 0, 0
+    path: list[Dart] = []
+    known: set[Dart] = set()
+    for (action, _), before, arrived in zip(
+        story.transcript.steps, story.walked, story.walked[1:], strict=False
+    ):
+        if type(action) is not Move:
+            continue
+        if path and map_.turn(before, action.k) == path[-1]:
+            path.pop()
+            back += 1
+        else:
+            path.append(arrived)
+        first += arrived not in known
+        known |= {arrived, map_.alpha[arrived]}
+    return back, first
+
+
+# ---------------------------------------------------------------- the table
+
+
+TELLERS: dict[str, Teller] = {
+    # A run that ended before it could be judged has one sentence of its own.
+    "crash": ending("The explorer crashed."),
+    "timeout": ending("The explorer was silent for too long."),
+    "illegal-action": ending("The explorer did what no robot can do here."),
+    "no-estimate": ending("The explorer ended without an answer that could be judged."),
+    "budget": ending("The explorer went on for longer than it may."),
+    "nondeterministic": ending("Exploring the same world again, the explorer did something else."),
+    "map": tell_map,
+    "pose": tell_pose,
+    "invariant-1": tell_invariant_1,
+    "invariant-2": tell_invariant_2,
+    "variant": tell_variant,
+    "folding": tell_folding,
+    "bound": tell_bound,
+}
+"""What each law of the judge has to tell, in the judge's order."""
+
+
+def teller_of(law: str) -> Teller:
+    """What the law has to tell; of a law that has no entry, no more than its name."""
+    return TELLERS.get(law) or ending(f"The law '{law}' is broken.")

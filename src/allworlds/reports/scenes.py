@@ -1,0 +1,40 @@
+"""A walk in a world, and the same walk in an answer, as every picture shows them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from allworlds.drawing import Scene, scene_of
+from allworlds.findings import believed_percepts, believed_trail, true_trail
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol import Estimate, Move, Transcript
+from allworlds.world import World
+
+ANSWER = "the answer (S is traced back from R)"
+"""The caption of an answer."""
+
+
+def walk_in_world(world: World, transcript: Transcript) -> Scene:
+    """The world with what is sensed in it, and the robot at the end of its walk."""
+    trail = true_trail(world, transcript)
+    return scene_of(world, robot=trail[-1], walked=_arrivals(trail, transcript))
+
+
+def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Scene:
+    """The answer with what it makes expect on the walk, which is traced back from ``here``."""
+    trail = believed_trail(answer.map, answer.here, transcript)
+    # Where the answer has no place for the lighthouse it says nothing of markers.
+    expected = believed_percepts(world, answer.map, answer.here, transcript) or []
+    return Scene.sensed(
+        answer.map,
+        trail[0],
+        zip(trail, expected, strict=False),
+        robot=answer.here,
+        walked=_arrivals(trail, transcript),
+    )
+
+
+def _arrivals(trail: Sequence[Dart], transcript: Transcript) -> set[Dart]:
+    """The darts by which an edge was walked; before the first motion there is none."""
+    steps = zip(trail[1:], transcript.actions, strict=True)
+    return {dart for dart, action in steps if type(action) is Move}

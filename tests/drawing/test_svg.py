@@ -1,0 +1,251 @@
+"""The pictures of maps, read back from the SVG."""
+
+import re
+from cmath import exp, phase
+from itertools import combinations, pairwise
+from math import inf, tau
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from allworlds import worlds
+from allworlds.drawing import Scene, in_words, picture
+from allworlds.drawing import layout as layouts
+from allworlds.drawing.mesh import mesh, place
+from allworlds.drawing.planar import planar
+from allworlds.maps import CombinatorialMap
+from allworlds.maps.build import named_map
+from allworlds.maps.combinatorial import cycles
+from allworlds.maps.families import family
+from small import slow
+
+NS = "{http://www.w3.org/2000/svg}"
+SMALL = [world.map for world in worlds(edges=3)]
+FEW = [*SMALL[:12], *SMALL[12::5]]  # all with one or two edges, and some with three
+NAMED = [named_map(name) for name in ("k4-torus", "theta-torus", "cube", "fig1-left")]
+# One vertex and four loops, each opposite to itself: genus 2.
+GENUS_2 = CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3))
+MAPS = [*FEW, *NAMED, GENUS_2, family("random:12", holes=0, seed=1)]
+EACH = [*MAPS, *(slow(map_) for map_ in SMALL if map_ not in FEW)]
+
+
+def drawn(map_, **shown):
+    return ET.fromstring(ET.tostring(picture(Scene(map_, 0, 0, **shown), "p", "a map")))
+
+
+def points(path):
+    """The points of a path, controls included."""
+    numbers = [float(x) for x in re.findall(r"-?[0-9.]+", path)]
+    return [complex(x, y) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
+
+
+def stubs(svg):
+    """For each dart the ends of its straight beginning."""
+    found = {}
+    for group in svg.iter(f"{NS}g"):
+        if "data-dart" in group.attrib:
+            dart = int(group.get("data-dart"))
+            assert dart not in found
+            (stub,) = [path for path in group if path.get("class") == "stub"]
+            found[dart] = points(stub.get("d"))
+    return found
+
+
+def edges(svg):
+    for path in svg.iter(f"{NS}path"):
+        if "data-darts" in path.attrib:
+            yield [int(dart) for dart in path.get("data-darts").split()], points(path.get("d"))
+
+
+def clockwise(darts, beginnings):
+    """The darts by growing angle; y grows downwards, so that is clockwise."""
+    return sorted(darts, key=lambda d: phase(beginnings[d][1] - beginnings[d][0]))
+
+
+@pytest.fixture
+def plain(monkeypatch):
+    """Every map is drawn in the plain way."""
+    monkeypatch.setattr(layouts, "MOST_DARTS", 0)
+    layouts.layout.cache_clear()
+    yield
+    layouts.layout.cache_clear()
+
+
+def going_round_gives_sigma(map_):
+    beginnings = stubs(drawn(map_))
+    assert set(beginnings) == set(map_.darts)
+    places = {beginnings[v[0]][0] for v in map_.vertices}
+    assert len(places) == map_.vertex_count
+    for vertex in map_.vertices:
+        assert len({beginnings[dart][0] for dart in vertex}) == 1
+        around = clockwise(vertex, beginnings)
+        for dart, after in zip(around, [*around[1:], around[0]], strict=True):
+            assert map_.sigma[dart] == after
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_", EACH, ids=str)
+def test_going_round_a_vertex_by_angle_gives_sigma(map_):
+    going_round_gives_sigma(map_)
+
+
+def test_so_it_does_in_the_plain_way(plain):
+    for map_ in MAPS:
+        going_round_gives_sigma(map_)
+
+
+def test_another_cyclic_order_would_be_seen():
+    beginnings = stubs(drawn(GENUS_2))
+    beginnings[0], beginnings[1] = beginnings[1], beginnings[0]
+    around = clockwise(range(8), beginnings)
+    assert any(GENUS_2.sigma[a] != b for a, b in pairwise(around))
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_", EACH, ids=str)
+def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
+    svg = drawn(map_)
+    beginnings = stubs(svg)
+    seen = []
+    for (dart, other), way in edges(svg):
+        assert map_.alpha[dart] == other
+        assert way[:2] == beginnings[dart]
+        assert way[:-3:-1] == beginnings[other]
+        seen += [dart, other]
+    assert sorted(seen) == list(map_.darts)
+
+
+@pytest.mark.parametrize("map_", EACH, ids=str)
+def test_every_dart_and_every_vertex_is_named_once(map_):
+    svg = drawn(map_)
+    texts = [text.text for text in svg.iter(f"{NS}text")]
+    names = [*map(str, map_.darts), *(f"v{v}" for v in range(map_.vertex_count))]
+    assert sorted(texts) == sorted(names)
+
+
+def flat(way):
+    """The curve as a polygon: straight, parabolas, straight.  No corner is where edges cross."""
+    corners = [way[0], way[1]]
+    for k in range(1, len(way) - 2, 2):
+        a, b, c = way[k : k + 3]
+        corners += [
+            (1 - t) ** 2 * a + 2 * t * (1 - t) * b + t * t * c for t in (i / 7 for i in range(1, 8))
+        ]
+    return [*corners, way[-1]]
+
+
+def meet(a, b, c, d):
+    """The segments ab and cd cross."""
+
+    def side(p, q, r):
+        return ((q - p).conjugate() * (r - p)).imag
+
+    return side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0
+
+
+def crossings(map_):
+    curves = [flat(way) for _, way in edges(drawn(map_))]
+    return sum(
+        meet(a, b, c, d)
+        for one, other in combinations(curves, 2)
+        for a, b in pairwise(one)
+        for c, d in pairwise(other)
+    )
+
+
+def test_planar_maps_are_drawn_without_crossings():
+    flat_ones = [map_ for map_ in MAPS if map_.genus == 0]
+    assert len(flat_ones) > 20
+    assert [map_ for map_ in flat_ones if crossings(map_)] == []
+
+
+def test_edges_that_must_cross_do():
+    for map_ in MAPS:
+        if map_.genus:
+            assert crossings(map_) >= 1
+            assert planar(map_).crossings >= map_.genus
+
+
+@pytest.mark.parametrize("map_", [*NAMED, GENUS_2], ids=str)
+def test_a_drawing_with_its_crossings_is_planar_and_keeps_sigma(map_):
+    plane = planar(map_)
+    assert CombinatorialMap(plane.sigma, plane.alpha).genus == 0
+    assert plane.sigma[: plane.own] == map_.sigma
+    for dart, other in map_.edges:
+        assert plane.way(dart)[-1] == other
+        assert plane.way(dart) == plane.way(other)[::-1]
+
+
+@pytest.mark.parametrize("map_", [*NAMED, GENUS_2], ids=str)
+def test_no_triangle_of_the_mesh_is_turned_over(map_):
+    net = mesh(planar(map_))
+    where = place(net)
+    assert len(cycles(planar(map_).sigma)) + net.first_vertex <= len(net.links)
+    for point, link in enumerate(net.links):
+        assert len(set(link)) == len(link) >= 3
+        for one, other in zip(link, [*link[1:], link[0]], strict=True):
+            a, b = where[one] - where[point], where[other] - where[point]
+            assert (a.conjugate() * b).imag > 0
+
+
+def strain(net, where, point, at):
+    """How far the triangles round a point are from being alike, if it lay there.
+
+    By the formula of the docstring, with areas and sides by their definition: S/A + 1/A + A for
+    a triangle with area A/2 and squares of sides of sum S, and for one with a corner on the ring
+    a twentieth of 1/A alone.
+    """
+    total = 0.0
+    for one, other in pairwise([*net.links[point], net.links[point][0]]):
+        corners = [at, where[one], where[other]]
+        area = ((corners[1] - at).conjugate() * (corners[2] - at)).imag
+        if area <= 0:
+            return inf
+        squares = sum(abs(p - q) ** 2 for p, q in combinations(corners, 2))
+        on_the_ring = one in net.ring or other in net.ring
+        total += 0.05 / area if on_the_ring else (squares + 1) / area + area
+    return total
+
+
+@pytest.mark.parametrize("name", ["edge", "theta", "k4", "theta-torus"])
+def test_no_point_of_the_mesh_would_lie_better_a_little_aside(name):
+    net = mesh(planar(named_map(name)))
+    where = place(net)
+    for point, at in enumerate(where[: len(net.links)]):
+        aside = [at + 0.02 * exp(1j * tau * k / 8) for k in range(8)]
+        here = strain(net, where, point, at)
+        assert here < min(strain(net, where, point, there) for there in aside)
+
+
+def test_everything_drawn_lies_in_the_box():
+    for map_ in MAPS:
+        svg = drawn(map_)
+        left, top, width, height = map(int, svg.get("viewBox").split())
+        for _, way in edges(svg):
+            for point in flat(way):
+                assert left <= point.real <= left + width
+                assert top <= point.imag <= top + height
+
+
+def test_a_picture_has_a_name_and_words_for_those_who_do_not_see_it():
+    map_ = named_map("theta-torus")
+    svg = drawn(map_)
+    named = {element.get("id"): element.text for element in svg}
+    title, words = (named[name] for name in svg.get("aria-labelledby").split())
+    assert (svg.get("role"), title, words) == ("img", "a map", in_words(Scene(map_, 0, 0)))
+    for dart, other in enumerate(map_.alpha):
+        assert f"{dart} to dart {other} of v{map_.vertex_of[other]}" in words
+
+
+def test_the_marker_points_along_its_dart():
+    svg = drawn(named_map("k4"), pointed=[2], marks={0: 1, 1: 2})
+    flags = [g.get("data-dart") for g in svg.iter(f"{NS}g") for p in g if p.get("class") == "flag"]
+    assert flags == ["2"]
+    (start, stub), (flag,) = (
+        stubs(svg)[2],
+        [points(path.get("d")) for path in svg.iter() if path.get("class") == "flag"],
+    )
+    assert abs(phase((flag[0] - start) / (stub - start))) < 0.02
+    marked = [g for g in svg.iter(f"{NS}g") if "marked" in g.get("class")]
+    assert [g.get("data-vertex") for g in marked] == ["0", "1"]
+    assert marked[1][-1].text == "\N{MULTIPLICATION SIGN}2"

@@ -1,0 +1,50 @@
+"""The processes of this machine, as a test has to look at them."""
+
+import time
+from pathlib import Path
+
+PATIENCE = 60.0
+"""Seconds that only a hang takes, on any machine and under any load."""
+
+
+def running():
+    """(pid, parent) of each process that has not ended."""
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdigit():
+            try:
+                state, parent, *_ = (entry / "stat").read_text().rpartition(")")[2].split()
+            except OSError:
+                continue
+            if state != "Z":
+                yield int(entry.name), int(parent)
+
+
+def children_of(pid):
+    """The processes that a process has started and that still run."""
+    return [child for child, parent in running() if parent == pid]
+
+
+def named(word):
+    """The processes with that word in their command line."""
+    found = []
+    for pid, _ in running():
+        try:
+            words = Path(f"/proc/{pid}/cmdline").read_bytes()
+        except OSError:
+            continue
+        if str(word).encode() in words:
+            found.append(pid)
+    return found
+
+
+def wait(until):
+    """What ``until()`` says when it is no longer false, or when patience is at its end."""
+    deadline = time.monotonic() + PATIENCE
+    while not (told := until()) and time.monotonic() < deadline:
+        time.sleep(0.02)
+    return told
+
+
+def end(which):
+    """Whether there comes a time when ``which()`` names no process any more."""
+    return wait(lambda: not which())

@@ -1,0 +1,390 @@
+"""Each table is one: what is said of its entries elsewhere is said of every one of them."""
+
+import ast
+import inspect
+import json
+import re
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+from typing import get_args, get_type_hints
+
+import pytest
+import typer
+
+import allworlds
+from allworlds import documents, strategies
+from allworlds.checker import ENGINES, engines
+from allworlds.checker.engines import COMPILED_LAWS
+from allworlds.checker.options import ManyRunsOptions, RunOptions
+from allworlds.cli import options as opt
+from allworlds.cli.app import app
+from allworlds.explaining.tellers import TELLERS
+from allworlds.explorers import BUILT_IN
+from allworlds.findings import Rules, RulesOptions, make_rules
+from allworlds.fuzzer.sample import GENERATORS, batches
+from allworlds.judge import LAWS, PRECEDENCE
+from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.counting import sources
+from allworlds.mutation.judges import WEAK_JUDGES
+from allworlds.outcome import Exit, Verdict
+from allworlds.protocol import POLICIES, SEEDED, Percept
+from allworlds.reports import FORMATS, text
+from allworlds.runs import Sample, Schedule, Scope
+from allworlds.smt import SEARCHED
+from allworlds.subjects import load
+from allworlds.verbs import GROUPS, VERBS
+from allworlds.work import EffortOptions, Limits
+from allworlds.world import LIGHTHOUSES, World, lighthouse_from_json
+from allworlds.worst_case.one_world import Transit
+from recorded.record import COMMANDS, LEAST
+
+ROOT = Path(__file__).parents[1]
+BY_NAME = {verb.name: verb for verb in VERBS}
+
+
+def page(name):
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def rows(text):
+    """The first cells of all rows of all tables of a page, where they are names."""
+    return re.findall(r"^\| `([^`]+)`", text, re.MULTILINE)
+
+
+def section(text, heading):
+    return text.partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
+
+
+PROTOCOL = page("docs/protocol.md")
+
+# ---------------------------------------------------------------- verbs
+
+
+def function_of(verb):
+    module, _, name = verb.function.partition(":")
+    return getattr(import_module(f"allworlds.{module}"), name)
+
+
+def command_of(verb):
+    """The verb as click has it."""
+    command = typer.main.get_command(app)
+    for word in verb.name.split():
+        command = command.commands[word]
+    return command
+
+
+@pytest.mark.parametrize("name", BY_NAME)
+def test_a_verb_is_a_function_of_the_package(name):
+    verb = BY_NAME[name]
+    first = name.partition(" ")[0]
+    assert first in allworlds.__all__
+    if verb.group:
+        assert verb.group in GROUPS
+        assert isinstance(getattr(allworlds, verb.group), ModuleType)
+    else:
+        assert getattr(allworlds, name) is function_of(verb)
+    assert inspect.getdoc(function_of(verb))
+
+
+def test_the_package_has_the_verbs_for_type_checkers_too():
+    told = ast.parse(Path(allworlds.__file__).read_text(encoding="utf-8"))
+    (block,) = [node for node in told.body if isinstance(node, ast.If)]
+    named = {
+        alias.name: node.module.removeprefix("allworlds.")
+        for node in block.body
+        for alias in node.names
+    }
+    homes = {
+        name: verb.function.partition(":")[0] for name, verb in BY_NAME.items() if not verb.group
+    }
+    assert named == {"worlds": "checker", **homes, **dict.fromkeys(GROUPS, "allworlds")}
+    assert {*named} == {name for name in allworlds.__all__ if name[0].islower()} - {"__version__"}
+
+
+@pytest.mark.parametrize("name", BY_NAME)
+def test_a_verb_has_its_module_of_the_command_line_its_text_and_its_document(name):
+    verb = BY_NAME[name]
+    module = import_module(f"allworlds.cli.{verb.group or name}")
+    assert name.replace(verb.group, "").strip().rstrip("_") in {n.rstrip("_") for n in vars(module)}
+    where, _, text = verb.text.partition(":")
+    told = getattr(import_module(f"allworlds.reports.{where}"), text)
+    assert [*inspect.signature(told).parameters][1:] == ["width"]
+    root = documents.PAGES[verb.document].root
+    result = get_type_hints(function_of(verb))["return"]
+    hints = get_type_hints(result.to_json, localns={"documents": documents})
+    assert hints["return"] is root
+    assert {"schema", "made_by"} < set(root.__annotations__)
+
+
+def test_no_document_of_a_verb_is_forgotten_or_left_over():
+    reports = {name for name in vars(documents) if name.endswith("Report") and name != "Report"}
+    assert reports == {documents.PAGES[verb.document].root.__name__ for verb in VERBS}
+
+
+def test_the_documents_page_has_a_row_for_every_verb_in_their_order():
+    told = rows(page("docs/documents.md"))
+    assert told[: len(VERBS)] == [*BY_NAME]
+
+
+@pytest.mark.parametrize("name", BY_NAME)
+def test_the_help_of_a_verb_begins_with_an_example_of_it(name):
+    command = command_of(BY_NAME[name])
+    assert command.help.startswith(f"Example: allworlds {name}")
+    assert command.short_help == BY_NAME[name].summary
+
+
+def test_what_every_verb_says_is_recorded():
+    said = {
+        name
+        for command in COMMANDS.values()
+        for name in BY_NAME
+        if (command if isinstance(command, str) else " ".join(command)).startswith(name)
+    }
+    assert [*LEAST] == [*BY_NAME]
+    assert said == {*BY_NAME} - {"bench"}, "bench says nothing but figures"
+
+
+# ---------------------------------------------------------------- options
+
+# What the command line has alone: how a result is printed, and what names worlds and explorers in
+# other words.  What a function takes alone: who listens, and values in place of their names.
+PRINTED = {"as_json", "quiet", "help", *FORMATS}
+ONLY_CLI = {
+    "check": {"explorer", "command"},
+    "fuzz": {"explorer", "command"},
+    "run": {"arguments", "command", "family", "holes", "seed"},
+    "replay": {"file", "explorer", "command"},
+    "explain": {"file"},
+    "twins": {"lighthouse"},
+    "ambiguity class": {"lighthouse"},
+    "bench": {"peer"},
+}
+ONLY_PYTHON = {
+    "check": {"explore"},
+    "fuzz": {"explore"},
+    "run": {"explore", "world"},
+    "replay": {"finding", "explore"},
+    "explain": {"finding"},
+    "bench": {"peers"},
+}
+
+
+def keywords_of(function):
+    """What a function takes, with the keywords that a typed dictionary packs."""
+    taken = set()
+    for name, parameter in inspect.signature(function).parameters.items():
+        if parameter.kind is parameter.VAR_KEYWORD:
+            (packed,) = get_args(get_type_hints(function)[name])
+            taken |= set(packed.__annotations__)
+        else:
+            taken.add(name)
+    return taken - {"listener"}
+
+
+@pytest.mark.parametrize("name", BY_NAME)
+def test_the_command_line_takes_what_the_function_takes(name):
+    shown = {param.name for param in command_of(BY_NAME[name]).params} - PRINTED
+    taken = keywords_of(function_of(BY_NAME[name]))
+    assert shown - taken == ONLY_CLI.get(name, set())
+    assert taken - shown == ONLY_PYTHON.get(name, set())
+
+
+def test_the_groups_of_options_are_those_of_the_functions():
+    assert set(opt.Rules().options()) == set(RunOptions.__annotations__)
+    many = opt.many_runs("maps", None, opt.Rules(), opt.Effort())
+    assert set(many) == set(ManyRunsOptions.__annotations__)
+    assert set(RunOptions.__annotations__) == {*RulesOptions.__annotations__, "answer_timeout"}
+    assert set(EffortOptions.__annotations__) <= set(many)
+
+
+def test_what_is_left_out_means_the_same_on_the_command_line_and_in_python():
+    many = opt.many_runs("maps", None, opt.Rules(), opt.Effort(workers="1"))
+    for options in ({}, opt.Rules().options(), many):
+        assert make_rules(options, "directional") == make_rules({}, "directional")
+    effort = {key: many[key] for key in EffortOptions.__annotations__}
+    assert Limits.of(effort) == Limits.of({}) == Limits()
+
+
+def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
+    assert set(documents.Options.__annotations__) == set(RulesOptions.__annotations__)
+    assert set(documents.OptionsRead.__annotations__) == set(RulesOptions.__annotations__)
+    assert set(RulesOptions.__annotations__) < set(documents.Scope.__annotations__)
+    others = {"policy": "lifo", "bound": "n", "laws": ("map",), "step_budget": 7}
+    assert set(others) == set(RulesOptions.__annotations__)
+    (finding,) = allworlds.check(silent(), edges=1).findings
+    for key, value in others.items():
+        object.__setattr__(finding, "rules", Rules(**{key: value}))
+        assert f"--{key.replace('_', '-')} " in finding.reproduce
+
+
+def silent():
+    """An explorer that answers nothing; a closure, so that it runs in this process."""
+
+    def stays(_first):
+        return None
+        yield
+
+    return stays
+
+
+def option(verb, name):
+    (found,) = [param for param in command_of(BY_NAME[verb]).params if param.name == name]
+    return found
+
+
+@pytest.mark.parametrize(
+    ("verb", "name", "table"),
+    [
+        ("check", "engine", ["auto", *ENGINES]),
+        ("check", "schedules", get_args(Schedule)),
+        ("worst", "transit", get_args(Transit)),
+    ],
+)
+def test_an_option_with_few_values_shows_them_all(verb, name, table):
+    assert option(verb, name).metavar == "|".join(table)
+
+
+@pytest.mark.parametrize(
+    ("verb", "name", "table"),
+    [
+        ("check", "laws", LAWS),
+        ("check", "policy", [*POLICIES, SEEDED]),
+        ("check", "map_class", MapClass),
+        ("twins", "lighthouse", LIGHTHOUSES),
+        ("search", "lighthouse", SEARCHED),
+    ],
+)
+def test_the_help_of_an_option_lists_every_name_of_its_table(verb, name, table):
+    words = re.findall(r"[\w:-]+", option(verb, name).help)
+    assert {*map(str, table)} <= {*words}
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_a_format_is_an_option_of_every_check_and_told_of(name):
+    for verb in ("check", "fuzz"):
+        assert option(verb, name).help == FORMATS[name].help
+    assert f"--{name}" in PROTOCOL + page("docs/trust.md") + page("README.md")
+
+
+# ---------------------------------------------------------------- laws
+
+
+def test_every_law_is_explained_and_told_in_the_order_of_precedence():
+    assert tuple(TELLERS) == PRECEDENCE
+    assert tuple(rows(section(PROTOCOL, "Laws"))) == PRECEDENCE
+    assert PRECEDENCE[-len(LAWS) :] == tuple(LAWS)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_every_law_of_finished_runs_has_its_mutants(law):
+    assert any(weak.law == law and weak.softer is None for weak in WEAK_JUDGES)
+    kept = page("tests/recorded/records/mutants.txt").partition("\n{")[2]
+    matrix = json.loads("{" + kept)["kill_matrix"]
+    assert law in {row["killed_by"] for row in matrix if row["kind"] == "explorer"}
+
+
+def test_the_compiled_engine_checks_no_law_that_is_none():
+    assert set(COMPILED_LAWS) <= set(LAWS)
+
+
+def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monkeypatch):
+    scope = Scope(Extent(MapClass.MAPS, 6), Rules())
+    assert engines.engine_for("auto", scope, load("algorithm1")).name == "kernel"
+    monkeypatch.setattr(engines, "COMPILED_LAWS", COMPILED_LAWS[1:])
+    assert "law 'map'" in ENGINES["kernel"].obstacle(scope, load("algorithm1"))
+    assert engines.engine_for("auto", scope, load("algorithm1")).name == "python"
+
+
+# ---------------------------------------------------------------- classes of maps
+
+
+@pytest.mark.parametrize("map_class", MapClass)
+def test_every_class_is_counted_enumerated_drawn_and_told(map_class):
+    assert map_class.summary
+    assert len(sources(map_class)) >= 2
+    assert all(map_class.includes(map_) for map_ in all_rooted_maps(2, map_class))
+    name = f"{map_class.value.replace('-', '_')}_maps" if map_class is not MapClass.MAPS else "maps"
+    assert name in strategies.__all__
+    assert f"| `{name}(" in page("docs/strategies.md")
+    assert f"| `{map_class}` | {map_class.summary} |" in page("docs/documents.md")
+
+
+@pytest.mark.parametrize("map_class", MapClass)
+def test_random_worlds_of_every_class_are_drawn(map_class):
+    (batch,) = batches(Sample(runs=6))
+    drawn = [map_ for map_, _ in batch.placed(Extent(map_class, 4), LIGHTHOUSES["directional"])]
+    assert len(drawn) == 6
+    assert all(map(map_class.includes, drawn))
+
+
+def test_a_class_without_generators_of_its_own_is_drawn_all_the_same(monkeypatch):
+    monkeypatch.delitem(GENERATORS, MapClass.SIMPLE)
+    test_random_worlds_of_every_class_are_drawn(MapClass.SIMPLE)
+
+
+# ---------------------------------------------------------------- lighthouses
+
+
+@pytest.mark.parametrize("kind", LIGHTHOUSES)
+def test_every_lighthouse_is_told(kind):
+    assert kind in rows(section(PROTOCOL, "Words"))
+
+
+@pytest.mark.parametrize("kind", LIGHTHOUSES)
+def test_every_lighthouse_is_written_and_read_as_its_schema_says(kind):
+    lighthouse = LIGHTHOUSES[kind]
+    read = set(documents.LighthouseRead.__annotations__)
+    assert {"kind", *lighthouse.keys} <= read
+    hints = get_type_hints(lighthouse.to_json, localns={"documents": documents})
+    tried = 0
+    for map_ in all_rooted_maps(3):
+        for placed in lighthouse.places(map_, 0):
+            document = placed.to_json()
+            assert set(document) == set(hints["return"].__annotations__)
+            assert document["kind"] == kind
+            assert lighthouse_from_json(document, map_, 0) == placed
+            tried += 1
+    assert tried > 0
+
+
+def test_every_key_of_a_lighthouse_that_is_read_is_one_of_some_kind():
+    keys = {key for lighthouse in LIGHTHOUSES.values() for key in lighthouse.keys}
+    assert {"kind", *keys} == set(documents.LighthouseRead.__annotations__)
+
+
+@pytest.mark.parametrize("kind", LIGHTHOUSES)
+def test_under_every_lighthouse_a_run_is_checked_told_and_explained(kind):
+    found = allworlds.check(silent(), edges=3, lighthouse=kind, max_findings=2).findings
+    assert found
+    for finding in found:
+        assert finding.world.lighthouse.kind == kind
+        assert World.from_json(finding.world.to_json()) == finding.world
+        assert text("explain", allworlds.explain(finding), 100)
+        assert text("run", allworlds.run(silent(), finding.world), 100)
+
+
+# ---------------------------------------------------------------- policies, explorers, exit codes
+
+
+def test_every_policy_is_told():
+    assert rows(section(PROTOCOL, "In Python"))[: len(POLICIES) + 1] == [*POLICIES, SEEDED]
+
+
+def test_every_built_in_explorer_is_told_and_runs_as_it_is_written_for():
+    assert [name for name in rows(PROTOCOL) if name in BUILT_IN] == [*BUILT_IN]
+    for name, own in BUILT_IN.items():
+        assert own.about
+        assert allworlds.check(name, edges=2, workers=1).scope.rules.lighthouse == own.lighthouse
+
+
+def test_every_exit_code_and_every_verdict_is_told():
+    told = set(re.findall(r"^\| (\d+) \|", page("README.md"), re.MULTILINE))
+    assert told == {str(int(code)) for code in Exit} - {"75"}, "75 is for a merge of shards"
+    named = set(rows(section(PROTOCOL, "Verdicts and exit codes")))
+    assert named == {verdict.value for verdict in Verdict}
+
+
+def test_what_is_sensed_has_one_shape_everywhere():
+    assert set(documents.Percept.__annotations__) == set(Percept.__slots__)
