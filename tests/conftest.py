@@ -12,7 +12,8 @@ from hypothesis import settings
 
 from allworlds.cli.app import call
 from allworlds.isolation.workers import ThisProcess
-from allworlds.runs import Examiner
+from allworlds.runs import PlayersHere
+from allworlds.subjects import load
 
 COMPILE = """
 import allworlds
@@ -56,7 +57,8 @@ def refused(cli):
 def without_workers(monkeypatch):
     """Checks and runs are done in this process: no worker has to start, and all else is the same.
 
-    Only the confirmation of a finding takes a fresh process still.
+    Only the confirmation of a finding takes a fresh process still, and the first look at an
+    explorer.
     """
 
     class Here(ThisProcess):
@@ -64,17 +66,22 @@ def without_workers(monkeypatch):
             if self.subject.program:
                 self.subject.program.close()
 
-    def examine(subject, rules, world, script, _limits):
-        examiner = Examiner(subject, rules)
-        name = examiner.name_run(world)
-        with subject.running():
-            return examiner.examine(world, rules.choices(name, script), name)
+    def loaded(subject, limits):
+        if not subject.elsewhere:
+            return subject
+        return load(subject.name, limits.answer_timeout, subject.source)
+
+    @contextmanager
+    def players(subject, limits):
+        here = loaded(subject, limits)
+        with here.running():
+            yield PlayersHere(here)
 
     monkeypatch.setattr(
         "allworlds.isolation.workers.Workers",
-        lambda subject, _limits, deadline: Here(subject, deadline),
+        lambda subject, limits, deadline: Here(loaded(subject, limits), deadline),
     )
-    monkeypatch.setattr("allworlds.checker.single.examine_apart", examine)
+    monkeypatch.setattr("allworlds.isolation.confirm._players", players)
 
 
 @pytest.fixture(scope="session")

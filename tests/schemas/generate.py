@@ -230,10 +230,12 @@ def main() -> None:
     """Write everything anew."""
     from reference import PROTOCOL, REFERENCE, page_text, with_tables
 
+    texts = {f"{name}.schema.json": schema_text(name) for name in PAGES}
     for file in SCHEMAS.iterdir():
-        file.unlink()
-    for name in PAGES:
-        (SCHEMAS / f"{name}.schema.json").write_text(schema_text(name), encoding="utf-8")
+        if file.name not in texts:
+            file.unlink()
+    for file, text in texts.items():
+        (SCHEMAS / file).write_text(text, encoding="utf-8")
     PROTOCOL.write_text(with_tables(PROTOCOL.read_text("utf-8")), "utf-8")
     REFERENCE.write_text(page_text({name: schema_of_page(name) for name in PAGES}), "utf-8")
 

@@ -42,10 +42,11 @@ def episode(program, told=None):
 
 
 def test_one_process_plays_many_episodes(program):
-    said, first = episode(program)
-    assert said == [Move(1), Checkpoint([0], [0], 0)]
-    said, second = episode(program)
-    assert said[0] == Move(2)
+    (one, checkpoint), first = episode(program)
+    assert checkpoint == Checkpoint([0], [0], 0)
+    (other, _), second = episode(program)
+    # It moves by the number of the episode, which tells nothing but that it is another one.
+    assert one != other
     assert first.here == second.here
 
 

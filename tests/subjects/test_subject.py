@@ -5,7 +5,7 @@ import pytest
 from allworlds.explorers import algorithm1
 from allworlds.inputs import InputError
 from allworlds.protocol import Choices, Percept
-from allworlds.subjects import Program, load, own_bound, own_lighthouse, subject_of
+from allworlds.subjects import Program, load, own_bound, own_lighthouse, subject_here
 
 
 def explore(first):
@@ -18,7 +18,7 @@ class Callable:
 
 
 def test_a_built_in_explorer_is_ours():
-    assert load("algorithm1") == subject_of(algorithm1) == subject_of("algorithm1")
+    assert load("algorithm1") == subject_here(algorithm1)
     assert not load("algorithm1").foreign
 
 
@@ -40,9 +40,9 @@ def test_a_file_does_not_take_the_place_of_a_module(tmp_path):
 
 
 def test_keywords_are_offered_to_those_who_take_them():
-    subject = subject_of(Callable())
+    subject = subject_here(Callable())
     assert subject.takes_choices
-    assert not subject.importable
+    assert not subject.elsewhere
     play = subject.player()
     choices = Choices()
     assert next(play(Percept(1), choices, 7)) == {"choices": choices, "told": 7}
@@ -51,11 +51,11 @@ def test_keywords_are_offered_to_those_who_take_them():
 @pytest.mark.parametrize("value", [3, None, print, int, lambda first: 1])
 def test_what_is_no_generator_function_is_no_explorer(value):
     with pytest.raises(InputError, match="no generator function"):
-        subject_of(value)
+        subject_here(value)
 
 
 def test_a_lambda_is_not_found_by_its_name():
-    assert not subject_of(lambda first: (yield)).importable
+    assert not subject_here(lambda first: (yield)).elsewhere
 
 
 def test_an_entry_point_that_does_not_load_is_bad_input(monkeypatch):

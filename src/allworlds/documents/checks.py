@@ -84,6 +84,10 @@ class Corpus(TypedDict):
 
     directory: Annotated[Text, "where it is"]
     reproduced: Annotated[list[Text], "the files whose findings still stand"]
+    beyond_scope: Annotated[
+        list[Text],
+        "of these the ones that this check could not have come upon; they refute nothing",
+    ]
     fixed: Annotated[list[Text], "those whose worlds are no longer refuting; they are kept"]
     written: Annotated[list[Text], "those that this check has added"]
 
@@ -115,6 +119,7 @@ class CheckReport(Report):
     missing_witnesses: Annotated[
         list[Text], Different, "those that must have occurred and have not"
     ]
+    remarks: Annotated[list[Text], "what happened to processes and refutes nothing, each said once"]
     corpus: Annotated[Corpus | None, "null without `--corpus`"]
     findings: Annotated[
         list[Finding], "ascending by (edges, vertices, canonical code, place, choices)"

@@ -133,7 +133,9 @@ class _Guardian:
             while os.getppid() == self._parent:
                 for key, _ in self._selector.select(LOOK):
                     assert isinstance(key.fileobj, socket.socket)
-                    self._serve(key.fileobj)
+                    # One that was ended by a request heard just before is heard no more.
+                    if key.fileobj in self._owned:
+                        self._serve(key.fileobj)
                 self._reap()
         self._end_all()
 

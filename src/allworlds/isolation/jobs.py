@@ -98,7 +98,7 @@ class Trace:
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """Answer to a :class:`Trace`: a new schedule (None), a choice, or an action with its percept."""
+    """Answer to a :class:`Trace`: a new schedule (None), a choice, or an action and its percept."""
 
     what: int | tuple[int, Percept] | None
 

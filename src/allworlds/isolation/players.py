@@ -63,33 +63,34 @@ def started(guardian: Guardian, casting: Casting) -> tuple[Process, Described]:
     """
     process = Process(guardian, "player", casting)
     try:
-        deadline = time.monotonic() + IMPORT_TIMEOUT
-        while not process.connection.poll(POLL):
-            if process.has_ended():
-                raise InputError(
-                    f"a process came to {process.death()[0]} when it imported {casting.name}"
-                    + _limit(casting)
-                )
-            if time.monotonic() > deadline:
-                raise InputError(
-                    f"{casting.name} does not import: it was at it for {IMPORT_TIMEOUT:g} s"
-                )
-        try:
-            described = process.receive()
-        except EOFError:
-            raise InputError(
-                f"a process came to {process.death()[0]} when it imported {casting.name}"
-                + _limit(casting)
-            ) from None
+        return process, _described(process, casting)
     except BaseException:
         process.close()
         raise
+
+
+def _described(process: Process, casting: Casting) -> Described:
+    deadline = time.monotonic() + IMPORT_TIMEOUT
+    while not process.connection.poll(POLL):
+        if process.has_ended():
+            raise _not_imported(process, casting)
+        if time.monotonic() > deadline:
+            raise InputError(
+                f"{casting.name} does not import: it was at it for {IMPORT_TIMEOUT:g} s"
+            )
+    try:
+        described = process.receive()
+    except EOFError:
+        raise _not_imported(process, casting) from None
     assert isinstance(described, Described)
-    return process, described
+    return described
 
 
-def _limit(casting: Casting) -> str:
-    return "" if casting.memory is None else f", with memory limited to {casting.memory} MB"
+def _not_imported(process: Process, casting: Casting) -> InputError:
+    limit = "" if casting.memory is None else f", with memory limited to {casting.memory} MB"
+    return InputError(
+        f"a process came to {process.death()[0]} when it imported {casting.name}{limit}"
+    )
 
 
 def hear(process: Process, casting: Casting, alive: Callable[[], None] = lambda: None) -> object:

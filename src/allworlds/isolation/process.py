@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import json
 import mmap
 import os
@@ -43,15 +44,15 @@ class Guardian:
         HarnessError: where there is none: it has been killed, or could not be started.
     """
 
-    def __init__(self, sock: socket.socket) -> None:
-        self._sock = sock
+    def __init__(self, sock: socket.socket, process: subprocess.Popen[bytes] | None = None) -> None:
+        self._sock, self._process = sock, process
         self._turn = threading.Lock()
 
     def spawn(self, role: str, descriptors: list[int]) -> int:
         """The number of a new process that has copies of these descriptors."""
         with suppress(OSError):
             sys.stderr.flush()
-        request = Spawn(role, os.getcwd(), child_path(), dict(os.environ))
+        request = Spawn(role, str(Path.cwd()), child_path(), dict(os.environ))
         pid = self._ask(request, [2, *descriptors])
         assert pid is not None
         return pid
@@ -65,8 +66,10 @@ class Guardian:
         return self._ask(Ask(pid), [])
 
     def close(self) -> None:
-        """Let it go, and end everything."""
+        """Let it go, which ends everything that it has started."""
         self._sock.close()
+        if self._process:
+            self._process.wait()
 
     def _ask(self, request: Request, descriptors: list[int]) -> int | None:
         with self._turn:
@@ -74,6 +77,7 @@ class Guardian:
                 send(self._sock, request, descriptors)
                 answer: int | None = receive(self._sock)[0]
             except (EOFError, OSError) as error:
+                forget(self)
                 raise HarnessError(f"the guardian of the processes has gone: {error}") from None
         return answer
 
@@ -87,7 +91,7 @@ def started(hash_seed: int) -> Guardian:
     """
     ours, theirs = socket.socketpair()
     environment = {**os.environ, "PYTHONHASHSEED": str(hash_seed)}
-    subprocess.Popen(  # noqa: S603  # our own module
+    process = subprocess.Popen(  # noqa: S603  # our own module
         [sys.executable, "-P", "-c", _START, json.dumps(child_path()), str(theirs.fileno())],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
@@ -97,7 +101,7 @@ def started(hash_seed: int) -> Guardian:
         env=environment,
     )
     theirs.close()
-    return Guardian(ours)
+    return Guardian(ours, process)
 
 
 _guardians: dict[tuple[int, int], Guardian] = {}
@@ -108,6 +112,7 @@ def guardian(hash_seed: int = 0) -> Guardian:
     key = (os.getpid(), hash_seed)
     if key not in _guardians:
         _guardians[key] = started(hash_seed)
+        atexit.register(forget, _guardians[key])
     return _guardians[key]
 
 

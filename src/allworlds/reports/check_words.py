@@ -77,16 +77,13 @@ def scope_words(report: Report) -> list[tuple[str, str]]:
     if report.tally.left_out:
         left = plural(report.tally.left_out, "world")
         words.append(("left out", f"{left} without a place for the lighthouse"))
+    words += [("remark", remark) for remark in report.remarks]
     return words
 
 
 def origin_words(report: Report, finding: Finding) -> str:
     """Where a finding comes from; empty where this check has come upon it by itself."""
-    if not report.corpus or not report.corpus.holds(finding):
-        return ""
-    bounds, kind = report.scope.extent, report.scope.rules.kind.kind
-    inside = bounds.include(finding.world.map) and finding.world.lighthouse.kind == kind
-    return "from the corpus" if inside else "from the corpus, beyond the scope"
+    return "from the corpus" if report.corpus and report.corpus.holds(finding) else ""
 
 
 def _which(report: Report) -> str:
@@ -106,6 +103,7 @@ def _corpus(past: UserCorpus) -> str:
         f"{len(names)} {what}" + (f" ({', '.join(names)})" if names else "")
         for what, names in (
             ("past findings reproduced", past.reproduced),
+            *([("still refuted, but beyond the scope", past.beyond)] if past.beyond else []),
             ("fixed and kept", past.fixed),
             ("written", past.written),
         )

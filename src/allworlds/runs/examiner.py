@@ -181,6 +181,7 @@ def difference_of(first: Log, second: Log) -> Violation | None:
 
 
 def nondeterministic(seen: str) -> Violation:
+    """The law that two plays which differ in this have broken."""
     return Violation(
         "nondeterministic",
         "the same walk and answer when the same world is explored again",

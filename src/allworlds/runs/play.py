@@ -105,7 +105,7 @@ class Stagehand:
             yield number, None
 
     def again(self, records: Sequence[Record], policy: str, order: int) -> list[Log]:
-        """The logs of these records, in their order, whatever the order in which they are played."""
+        """The logs of these records, in their order, whatever the order of their playing."""
         logs: dict[int, Log] = {}
         numbers = list(range(len(records)))
         Random(order).shuffle(numbers)  # noqa: S311  # as above

@@ -15,6 +15,7 @@ from typing import Any
 
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError, let_users_interrupt, read_text, show
+from allworlds.protocol import ANSWER_TIMEOUT
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
     EXEC,
@@ -54,7 +55,9 @@ def source_of(name: str) -> Source | None:
     return Source(str(file), read_text(str(file)))
 
 
-def load(name: str, answer_timeout: float = 10.0, source: Source | None = None) -> Subject:
+def load(
+    name: str, answer_timeout: float = ANSWER_TIMEOUT, source: Source | None = None
+) -> Subject:
     """The explorer of that name, ready to be played here.
 
     Args:

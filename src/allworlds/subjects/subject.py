@@ -16,7 +16,7 @@ from typing import Any
 from allworlds.episode import Player
 from allworlds.explorers import BUILT_IN, BuiltIn, Size, nobody
 from allworlds.inputs import InputError
-from allworlds.protocol import ANSWER_TIMEOUT, Choices, Percept
+from allworlds.protocol import Choices, Percept
 from allworlds.subjects.program import Program
 
 ENTRY_POINTS = "allworlds.explorers"
