@@ -213,7 +213,9 @@ def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
     assert set(RulesOptions.__annotations__) < set(documents.Scope.__annotations__)
     others = {"policy": "lifo", "bound": "n", "laws": ("map",), "step_budget": 7}
     assert set(others) == set(RulesOptions.__annotations__)
-    (finding,) = allworlds.check(silent(), edges=1).findings
+    report = allworlds.check(silent(), edges=1)
+    assert set(report.to_json()["scope"]) == set(documents.Scope.__annotations__)
+    (finding,) = report.findings
     for key, value in others.items():
         object.__setattr__(finding, "rules", Rules(**{key: value}))
         assert f"--{key.replace('_', '-')} " in finding.reproduce
@@ -324,6 +326,20 @@ def test_a_class_without_generators_of_its_own_is_drawn_all_the_same(monkeypatch
     test_random_worlds_of_every_class_are_drawn(MapClass.SIMPLE)
 
 
+@pytest.mark.parametrize("map_class", MapClass)
+def test_algorithm_1_holds_in_every_class(map_class):
+    report = allworlds.check("algorithm1", edges=3, map_class=map_class.value)
+    assert (report.verdict, report.missing) == (Verdict.HOLDS, ())
+
+
+@pytest.mark.parametrize("map_class", MapClass)
+def test_a_search_stays_in_its_class(map_class, tmp_path):
+    found = allworlds.search(
+        lighthouse="none", map_class=map_class.value, vertices=4, edges=4, out=tmp_path
+    )
+    assert all(map_class.includes(world.map) for world in found.pair or ())
+
+
 # ---------------------------------------------------------------- lighthouses
 
 
@@ -363,6 +379,43 @@ def test_under_every_lighthouse_a_run_is_checked_told_and_explained(kind):
         assert World.from_json(finding.world.to_json()) == finding.world
         assert text("explain", allworlds.explain(finding), 100)
         assert text("run", allworlds.run(silent(), finding.world), 100)
+
+
+# ---------------------------------------------------------------- where a new thing goes
+
+PACKAGE = Path(allworlds.__file__).parent
+PLACES = [
+    [cell.strip() for cell in re.split(r"(?<!\\)\|", row)[1:-1]]
+    for row in section(page("docs/ARCHITECTURE.md"), "Where a new thing goes").splitlines()
+    if row.startswith("| ") and not row.startswith("| new ")
+]
+
+
+@pytest.mark.parametrize("row", PLACES, ids=lambda row: row[0])
+def test_what_is_said_of_a_new_thing_is_so(row):
+    new, files, number, _, noticed = row
+    places = re.findall(r"`([^`]+)`", files)
+    assert len(places) + files.count("the function") + files.count("where it acts") == int(number)
+    assert all((PACKAGE / place).exists() for place in places)
+    assert all((PACKAGE / place).is_dir() == place.endswith("/") for place in places)
+    sources = [
+        source.read_text(encoding="utf-8")
+        for place in places
+        for source in ([PACKAGE / place / "__init__.py"] if place[-1] == "/" else [PACKAGE / place])
+    ]
+    for name in re.findall(r"`(\w+)`", new):
+        assert any(re.search(rf"\b{name}\b", source) for source in sources), name
+    tests = "".join(
+        test.read_text(encoding="utf-8") for test in (ROOT / "tests").rglob("test_*.py")
+    )
+    for name in re.findall(r"`([^`]+)`", noticed):
+        assert f"\ndef {name}(" in tests, name
+
+
+def test_every_table_says_where_a_new_entry_goes():
+    told = {name for new, *_ in PLACES for name in re.findall(r"`(\w+)`", new)}
+    assert {"BUILT_IN", "LIGHTHOUSES", "LAWS", "VERBS", "FORMATS", "ENGINES", "POLICIES"} <= told
+    assert {"RulesOptions", "EffortOptions", "MapClass", "Transport"} <= told
 
 
 # ---------------------------------------------------------------- policies, explorers, exit codes
