@@ -27,6 +27,7 @@ from allworlds.judge import LAWS, PRECEDENCE
 from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import sources
+from allworlds.maps.families import _FAMILIES
 from allworlds.mutation.judges import WEAK_JUDGES
 from allworlds.outcome import Exit, Verdict
 from allworlds.protocol import POLICIES, SEEDED, Percept
@@ -261,6 +262,12 @@ def test_an_option_with_few_values_shows_them_all(verb, name, table):
 def test_the_help_of_an_option_lists_every_name_of_its_table(verb, name, table):
     words = re.findall(r"[\w:-]+", option(verb, name).help)
     assert {*map(str, table)} <= {*words}
+
+
+def test_the_help_of_the_families_lists_every_one():
+    help_ = option("run", "family").help
+    assert _FAMILIES
+    assert all(f"{pattern.partition(':')[0]}:" in help_ for pattern, *_ in _FAMILIES)
 
 
 @pytest.mark.parametrize("name", FORMATS)
