@@ -271,7 +271,7 @@ def violation(world, choices, kind=Algorithm1):
         episode.ending.estimate,
         bound,
     )
-    return getattr(judge(case, LAWS.values()), "law", None)
+    return getattr(judge(case, [law.check for law in LAWS.values()]), "law", None)
 
 
 @given(strategies.worlds(strategies.maps(max_edges=10)), strategies.choices())

@@ -18,7 +18,8 @@ from allworlds.maps import named_map
 from allworlds.maps.build import from_cycles
 from allworlds.outcome import Verdict
 from allworlds.protocol import Move, Percept, Transcript
-from allworlds.reports import check_text, run_text
+from allworlds.reports.check_text import check_text
+from allworlds.reports.run_text import run_text
 from allworlds.world import Cluster, Natural, World
 from small import slow
 

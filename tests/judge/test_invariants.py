@@ -369,6 +369,7 @@ def test_a_checkpoint_shown_twice_breaks_the_variant():
                 "variant",
                 f"t = |E_G| - |E_S| below {t} after the next pass",
                 f"t = {t} at the checkpoint after step {again[0]}",
+                step=again[0],
             )
 
 

@@ -78,7 +78,7 @@ def test_a_time_limit_is_kept():
     assert report.verdict is Verdict.INCONCLUSIVE
     assert report.exit_code == 3
     assert "2.5 s" in report.ending.reason
-    assert report.levels[:5] == [1, 2, 3, 4, 5]
+    assert report.levels == tuple(range(1, len(report.levels) + 1))
 
 
 def test_threads_do_not_change_the_report():

@@ -7,7 +7,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from allworlds.checker import check
+from allworlds.checker import Completed, Disagreed, Interrupted, Stopped, check
 from allworlds.checker.gate import Cell
 from allworlds.fuzzer import fuzz
 from allworlds.mutation.explorers import WRONG_EXPLORERS
@@ -85,7 +85,7 @@ def test_a_finding_fails_its_level_and_the_unfinished_ones_are_skipped(refuted):
     failure = suite_of(refuted).find(".//failure")
     assert failure.get("type") == "pose"
     assert failure.text == finding_text(refuted.findings[0], 100)
-    assert suite_of(refuted).find(".//skipped").get("message") == refuted.stopped
+    assert suite_of(refuted).find(".//skipped").get("message") == refuted.ending.reason
 
 
 def test_every_finding_of_a_level_is_told():
@@ -97,27 +97,28 @@ def test_every_finding_of_a_level_is_told():
 
 
 def test_a_mismatch_of_the_count_gate_is_an_error(holds):
-    holds.gate[0] = replace(holds.gate[0], counted=99)
-    assert outcomes(holds)[0][1] == "error"
-    assert "counts 99" in suite_of(holds).find(".//error").get("message")
+    first, *others = holds.gate
+    report = replace(holds, gate=(replace(first, counted=99), *others))
+    assert outcomes(report)[0][1] == "error"
+    assert "counts 99" in suite_of(report).find(".//error").get("message")
 
 
 def test_a_mismatch_in_a_refuted_level_keeps_the_finding(refuted):
-    refuted.gate.append(Cell(2, 1, 3, 99, "somebody"))
-    suite = suite_of(refuted)
+    cell = Cell(2, 1, 3, 99, "somebody")
+    suite = suite_of(replace(refuted, gate=(*refuted.gate, cell)))
     assert finding_text(refuted.findings[0], 100) in suite.find(".//error").text
     assert suite.find(".//failure") is None
 
 
 def test_two_engines_that_disagree_are_an_error(holds):
-    holds.disagreement = "python: 3, kernel: 4"
-    assert ("engines", "error") in outcomes(holds)
+    report = replace(holds, ending=Disagreed("python: 3, kernel: 4"))
+    assert ("engines", "error") in outcomes(report)
 
 
 def test_a_missing_witness_is_a_failure(holds):
-    holds.missing = ["case-1"]
-    assert outcomes(holds)[-1] == ("witnesses", "failure")
-    assert "case-1" in suite_of(holds).find(".//failure").get("message")
+    report = replace(holds, ending=Completed(("case-1",)))
+    assert outcomes(report)[-1] == ("witnesses", "failure")
+    assert "case-1" in suite_of(report).find(".//failure").get("message")
 
 
 def test_a_scope_without_a_run_does_not_pass(holds):
@@ -131,9 +132,9 @@ def test_a_shard_says_nothing_of_witnesses():
 
 
 def test_a_check_that_ran_out_of_time_skips_with_the_reason(holds):
-    holds.complete, holds.levels, holds.stopped = False, [1], "the time limit was reached"
-    assert outcomes(holds) == levels("passed", "skipped")
-    assert suite_of(holds).find(".//skipped").get("message") == "the time limit was reached"
+    report = replace(holds, levels=(1,), ending=Stopped("the time limit was reached"))
+    assert outcomes(report) == levels("passed", "skipped")
+    assert suite_of(report).find(".//skipped").get("message") == "the time limit was reached"
 
 
 def test_past_findings_are_a_case_of_their_own(tmp_path):
@@ -151,8 +152,8 @@ def test_a_sample_is_one_case():
     refuted = fuzz(MUTANTS["pose-lost"].explorer(), edges=6, runs=5)
     assert [result for _, result in outcomes(refuted)] == ["failure"]
     refuted.tally.findings = []
-    refuted.stopped = "interrupted"
-    assert [result for _, result in outcomes(refuted)] == ["skipped"]
+    interrupted = replace(refuted, ending=Interrupted())
+    assert [result for _, result in outcomes(interrupted)] == ["skipped"]
 
 
 def test_the_verdict_and_the_scope_are_properties(refuted):
