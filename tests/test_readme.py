@@ -138,7 +138,12 @@ def test_the_links_of_the_pages_lead_to_files():
 
 
 PACKAGE = ROOT / "src" / "allworlds"
-PAGES = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md"), *(ROOT / "benchmarks").glob("*.md")]
+PAGES = [
+    ROOT / "README.md",
+    ROOT / "corpus" / "README.md",
+    *(ROOT / "docs").rglob("*.md"),
+    *(ROOT / "benchmarks").glob("*.md"),
+]
 
 # What looks like the path of a file, and is one only on the reader's machine, or none.
 ELSEWHERE = {"mine.py", "my_explorer.py", "loops.py", "test_explorer.py", "path/to/file.py"}
