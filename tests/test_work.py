@@ -54,6 +54,7 @@ class Some(Counter):
 def test_every_transport_is_at_the_door():
     assert {"Here", "Threads"} <= set(TRANSPORTS)
     assert set(TRANSPORTS) <= set(work.__all__)
+    assert all(getattr(work, name) is found for name, found in TRANSPORTS.items())
 
 
 @pytest.mark.parametrize("name", TRANSPORTS)
