@@ -6,6 +6,7 @@ import json
 import re
 from importlib import import_module
 from pathlib import Path
+from pkgutil import iter_modules
 from types import ModuleType
 from typing import get_args, get_type_hints
 
@@ -13,7 +14,7 @@ import pytest
 import typer
 
 import allworlds
-from allworlds import documents, strategies
+from allworlds import documents, explorers, strategies
 from allworlds.checker import ENGINES, engines
 from allworlds.checker.engines import COMPILED_LAWS
 from allworlds.checker.options import ManyRunsOptions, RunOptions
@@ -37,7 +38,7 @@ from allworlds.smt import SEARCHED
 from allworlds.subjects import load
 from allworlds.verbs import GROUPS, VERBS
 from allworlds.work import EffortOptions, Limits
-from allworlds.world import LIGHTHOUSES, World, lighthouse_from_json
+from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouse_from_json, lighthouses
 from allworlds.worst_case.one_world import Transit
 from recorded.record import COMMANDS, LEAST
 
@@ -351,6 +352,23 @@ def test_a_search_stays_in_its_class(map_class, tmp_path):
 # ---------------------------------------------------------------- lighthouses
 
 
+def members_of(package):
+    """Everything that the modules of a package define."""
+    for module in iter_modules(package.__path__, f"{package.__name__}."):
+        for found in vars(import_module(module.name)).values():
+            if getattr(found, "__module__", None) == module.name:
+                yield found
+
+
+def test_no_lighthouse_is_left_out_of_its_table():
+    kinds = {
+        kind
+        for kind in members_of(lighthouses)
+        if inspect.isclass(kind) and issubclass(kind, Lighthouse) and "kind" in vars(kind)
+    }
+    assert kinds == set(LIGHTHOUSES.values())
+
+
 @pytest.mark.parametrize("kind", LIGHTHOUSES)
 def test_every_lighthouse_is_told(kind):
     assert kind in rows(section(PROTOCOL, "Words"))
@@ -431,6 +449,16 @@ def test_every_table_says_where_a_new_entry_goes():
 
 def test_every_policy_is_told():
     assert rows(section(PROTOCOL, "In Python"))[: len(POLICIES) + 1] == [*POLICIES, SEEDED]
+
+
+def test_no_explorer_is_left_out_of_its_table():
+    found = {
+        explore
+        for explore in members_of(explorers)
+        if inspect.isgeneratorfunction(explore)
+        and "notice" in inspect.signature(explore).parameters
+    }
+    assert found == {own.explore for own in BUILT_IN.values()}
 
 
 def test_every_built_in_explorer_is_told_and_runs_as_it_is_written_for():
