@@ -14,7 +14,7 @@ import pytest
 import typer
 
 import allworlds
-from allworlds import documents, explorers, strategies
+from allworlds import documents, explorers, reports, strategies
 from allworlds.checker import ENGINES, engines
 from allworlds.checker.engines import COMPILED_LAWS
 from allworlds.checker.options import ManyRunsOptions, RunOptions
@@ -43,6 +43,7 @@ from allworlds.worst_case.one_world import Transit
 from recorded.record import COMMANDS, LEAST
 
 ROOT = Path(__file__).parents[1]
+PACKAGE = Path(allworlds.__file__).parent
 BY_NAME = {verb.name: verb for verb in VERBS}
 
 
@@ -221,6 +222,9 @@ def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
     for key, value in others.items():
         object.__setattr__(finding, "rules", Rules(**{key: value}))
         assert f"--{key.replace('_', '-')} " in finding.reproduce
+        document = finding.rules.to_json()
+        assert set(document) == set(documents.Options.__annotations__)
+        assert getattr(Rules.from_json(document, finding.world), key) == value
 
 
 def silent():
@@ -276,6 +280,14 @@ def test_a_format_is_an_option_of_every_check_and_told_of(name):
     for verb in ("check", "fuzz"):
         assert option(verb, name).help == FORMATS[name].help
     assert f"--{name}" in PROTOCOL + page("docs/trust.md") + page("README.md")
+
+
+def test_no_report_is_left_out_of_its_table():
+    told = [*(verb.text for verb in VERBS), *(form.home for form in FORMATS.values())]
+    homes = {home.partition(":")[0] for home in told}
+    sources = "".join(path.read_text(encoding="utf-8") for path in PACKAGE.rglob("*.py"))
+    for module in iter_modules(reports.__path__):
+        assert module.name in homes or f"allworlds.reports.{module.name} import" in sources
 
 
 # ---------------------------------------------------------------- laws
@@ -409,7 +421,6 @@ def test_under_every_lighthouse_a_run_is_checked_told_and_explained(kind):
 
 # ---------------------------------------------------------------- where a new thing goes
 
-PACKAGE = Path(allworlds.__file__).parent
 PLACES = [
     [cell.strip() for cell in re.split(r"(?<!\\)\|", row)[1:-1]]
     for row in section(page("docs/ARCHITECTURE.md"), "Where a new thing goes").splitlines()
