@@ -14,6 +14,6 @@
 
 from allworlds.isolation.confirm import confirmed, examine_apart
 from allworlds.isolation.jobs import HarnessError
-from allworlds.isolation.workers import workers_for
+from allworlds.isolation.workers import Workers, workers_for
 
-__all__ = ["HarnessError", "confirmed", "examine_apart", "workers_for"]
+__all__ = ["HarnessError", "Workers", "confirmed", "examine_apart", "workers_for"]

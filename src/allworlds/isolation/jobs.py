@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from allworlds.episode import Answered, Fault
 from allworlds.findings import Rules
 from allworlds.protocol import Action, Percept, Transcript
-from allworlds.runs import Examination, Schedule, Tally, Worlds
+from allworlds.runs import Examines, Schedule, Worlds
 from allworlds.world import World
 
 BEAT_WORDS = 2
@@ -30,7 +31,7 @@ class Setup:
 class UnitJob:
     """Examine a unit from run ``start`` on, without the runs of ``skip``."""
 
-    examination: Examination
+    examination: Examines
     unit: Worlds
     start: int
     skip: frozenset[int]
@@ -75,10 +76,10 @@ Job = UnitJob | RunJob | TraceJob | ReplayJob
 
 @dataclass(frozen=True, slots=True)
 class Tallied:
-    """Answer to a :class:`UnitJob`: the tally of the runs before ``next_run``."""
+    """Answer to a :class:`UnitJob`: what has come of the runs before ``next_run``."""
 
     next_run: int
-    tally: Tally
+    result: Any
     last: bool
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
-from typing import Self
+from typing import Any, Self
 
 from allworlds.inputs import InputError
 from allworlds.isolation.confirm import finding_of_lost_run
 from allworlds.isolation.jobs import NO_RUN, Tallied, UnitJob
 from allworlds.isolation.process import WorkerProcess
-from allworlds.runs import Examination, LocalExamination, Tally, Worlds
+from allworlds.runs import Examination, Examines, LocalExamination, Tally, Worlds
 from allworlds.subjects import Subject
 from allworlds.work import POLL, Here, Limits, Part, Transport, check_deadline
 
@@ -52,7 +52,7 @@ class Workers:
         self._idle.clear()
         self._busy.clear()
 
-    def map(self, engine: Examination, units: Iterable[Worlds]) -> Iterator[Part[Worlds, Tally]]:
+    def map(self, engine: Examines, units: Iterable[Worlds]) -> Iterator[Part[Worlds, Any]]:
         """The units, as many at a time as there are workers.
 
         Raises:
@@ -75,14 +75,14 @@ class Workers:
                     yield self._replace(worker, engine, "crash", worker.death())
             check_deadline(self.deadline)
 
-    def _hand_out(self, engine: Examination, task: _Task) -> None:
+    def _hand_out(self, engine: Examines, task: _Task) -> None:
         worker = self._idle.pop() if self._idle else WorkerProcess(self.subject, self.limits)
         # The number of a run within another unit would name a wrong world.
         worker.beat[0] = task.start if worker.beat[0] != NO_RUN else NO_RUN
         self._busy[worker.connection] = (worker, task)
         worker.send(UnitJob(engine, task.unit, task.start, task.skip))
 
-    def _hear(self, connection: Connection, engine: Examination) -> Part[Worlds, Tally]:
+    def _hear(self, connection: Connection, engine: Examines) -> Part[Worlds, Any]:
         worker, task = self._busy[connection]
         try:
             told = worker.receive()
@@ -93,10 +93,10 @@ class Workers:
         if told.last:
             del self._busy[connection]
             self._idle.append(worker)
-        return Part(task.unit, told.tally, told.last)
+        return Part(task.unit, told.result, told.last)
 
     def _replace(
-        self, worker: WorkerProcess, engine: Examination, law: str, seen: str
+        self, worker: WorkerProcess, engine: Examines, law: str, seen: str
     ) -> Part[Worlds, Tally]:
         """The finding of a lost run; its unit goes on, from where it was tallied, without it."""
         _, task = self._busy.pop(worker.connection)

@@ -12,7 +12,7 @@
     counts that can be added up in any order, and the smallest findings.
 """
 
-from allworlds.runs.examination import Examination, LocalExamination
+from allworlds.runs.examination import Examination, Examines, LocalExamination
 from allworlds.runs.examiner import Examiner, Outcome, make_finding
 from allworlds.runs.scope import (
     DEFAULT_EDGES,
@@ -33,6 +33,7 @@ __all__ = [
     "Coverage",
     "Examination",
     "Examiner",
+    "Examines",
     "GivenWorlds",
     "LocalExamination",
     "NumberedRun",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
+from typing import Any, Protocol
 
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.runs.examiner import Examiner, make_finding
@@ -16,6 +17,26 @@ from allworlds.world import World
 
 REPORT_EVERY = 0.25
 """Seconds after which a part of a unit is handed over."""
+
+
+class Examines(Protocol):
+    """What a worker can do with a unit, whatever comes of it.
+
+    Attributes:
+        scope: for its rules, and to name a run.
+        keep: how many findings are kept.
+    """
+
+    @property
+    def scope(self) -> Scope: ...
+
+    @property
+    def keep(self) -> int: ...
+
+    def parts(
+        self, examiner: Examiner, unit: Worlds, start: int = 0, skip: Collection[int] = ()
+    ) -> Iterator[tuple[int, Any]]:
+        """See :meth:`Examination.parts`."""
 
 
 @dataclass(frozen=True, slots=True)
