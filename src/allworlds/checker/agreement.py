@@ -32,7 +32,10 @@ AGREEMENT_EDGES = 4
 HERE_EDGES = 3
 """Up to so many edges a process would take longer to start than to do the work."""
 
-Outcomes: TypeAlias = dict[Unit, list[Listed]]
+PLAYERS = 2
+"""Processes that play, where there is nothing to be compiled."""
+
+Outcomes: TypeAlias = dict[Worlds, list[Listed]]
 """What has become of each run of each unit."""
 
 
@@ -97,7 +100,9 @@ def compare_engines(scope: Scope, subject: Subject, limits: Limits) -> None:
         return
     units = {m: [*_units(small, m)] for m in levels}
     every = [unit for m in levels for unit in units[m]]
-    with _played(small, subject, limits, every) as outcomes:
+    with _beside(small, subject, limits, every) as (ready, outcomes):
+        kernel.load_judge(level_of(subject.name, small.rules, small.extent, levels[0]))
+        ready.result()
         compiled = {unit: _judged(small, subject, unit) for unit in every}
         costs = {m: walk_costs(small, subject, m) for m in levels if walked}
         played = outcomes.result()
@@ -120,28 +125,36 @@ def _units(scope: Scope, edges: int) -> Iterator[Unit]:
 
 
 @contextmanager
-def _played(
+def _beside(
     scope: Scope, subject: Subject, limits: Limits, units: list[Unit]
-) -> Iterator[Future[Outcomes]]:
-    """The outcomes in the general engine, which are on their way."""
-    listing = Listing(scope)
-    if units[-1].edges <= HERE_EDGES:
-        ready: Future[Outcomes] = Future()
-        examiner = Examiner(subject, scope.rules)
-        ready.set_result(
-            {unit: listed for unit in units for _, listed in listing.parts(examiner, unit)}
-        )
-        yield ready
-        return
-    with Workers(subject, limits) as workers, ThreadPoolExecutor(1) as beside:
+) -> Iterator[tuple[Future[None], Future[Outcomes]]]:
+    """What goes on beside this thread.
+
+    First the explorer is compiled, if nothing is yet; then all runs are played by the general
+    engine.  Compiling leaves room for one process more, loading for two.
+    """
+    known = kernel.is_compiled(kernel.examine)
+    players = replace(limits, workers=PLAYERS if known else 1)
+    with Workers(subject, players) as workers, ThreadPoolExecutor(1) as beside:
         try:
-            yield beside.submit(
-                lambda: {part.unit: part.result for part in workers.map(listing, units)}
-            )
+            ready = beside.submit(_ready if known else kernel.compile_apart, subject.name)
+            yield ready, beside.submit(_played, Listing(scope), subject, workers, units)
         except BaseException:
             # What is on its way is given up at its next look at the time.
             workers.deadline = 0.0
             raise
+
+
+def _ready(_explorer: str) -> None:
+    """Nothing is to be compiled."""
+
+
+def _played(listing: Listing, subject: Subject, workers: Workers, units: list[Unit]) -> Outcomes:
+    """The outcomes in the general engine."""
+    if units[-1].edges > HERE_EDGES:
+        return {part.unit: part.result for part in workers.map(listing, units)}
+    examiner = Examiner(subject, listing.scope.rules)
+    return {unit: listed for unit in units for _, listed in listing.parts(examiner, unit)}
 
 
 def _judged(scope: Scope, subject: Subject, unit: Unit) -> tuple[Listed, ...]:

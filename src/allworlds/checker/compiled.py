@@ -28,9 +28,9 @@ BATCH = 8
 """Units that a thread does at a time, so that handing them over costs little."""
 
 SYMMETRY = (
-    f"from m = {WALKED_FROM} on each rooted map is walked once, at bearing 0, and counted for every "
-    "bearing: the walk does not depend on it, as the python engine confirms on every bearing up to "
-    f"m = {AGREEMENT_EDGES}"
+    f"from m = {WALKED_FROM} on each rooted map is walked once, at bearing 0, and counted for "
+    "every bearing: the walk does not depend on it, as the python engine confirms on every "
+    f"bearing up to m = {AGREEMENT_EDGES}"
 )
 
 

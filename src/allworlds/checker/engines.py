@@ -12,6 +12,7 @@ from allworlds.runs import Examination, Scope
 from allworlds.subjects import Subject
 from allworlds.work import Limits, Threads, Transport
 
+
 class EnginesDisagree(Exception):
     """Two engines say different things about one world."""
 

@@ -3,7 +3,7 @@
 Each is compared with a readable twin that shares no code with it.  They hold the interpreter's
 lock only to start and to end, so that threads share the work.
 
-``engine``
+``engine``, ``rows``
     the door: plain numbers in, plain rows out;
 ``runs``, ``episode``, ``answers``, ``invariants``, ``folding``
     the judge: every run of every map of a class, played, judged and tallied;
@@ -11,7 +11,7 @@ lock only to start and to end, so that threads share the work.
     what is judged: maps, finished one after the other, as worlds with every lighthouse;
 ``algorithm1``, ``two_vertices``
     explorers, each behind the C interface of all explorers;
-``walk``
+``walk``, ``ways``, ``tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``dearest``
     the worst and the best cost of a world over all schedules, and its door;
@@ -26,6 +26,7 @@ This package is imported where it is used: the first use compiles for some secon
 load what was compiled.
 """
 
+from allworlds.kernel.compiling import is_compiled
 from allworlds.kernel.dearest import Dearest, dearest_of_unit
 from allworlds.kernel.engine import (
     COMPILING,
@@ -33,20 +34,15 @@ from allworlds.kernel.engine import (
     LIGHTHOUSES,
     MOST_BUDGET,
     UNDEFINED,
-    Bounds,
-    Broken,
-    Counts,
-    Level,
-    Listed,
-    Rows,
     by_vertices_and_faces,
+    compile_apart,
     costs,
     flag,
-    is_compiled,
     judge,
+    load_judge,
     walk,
-    walk_number,
 )
+from allworlds.kernel.rows import Bounds, Broken, Counts, Level, Listed, Rows, walk_number
 from allworlds.kernel.runs import examine
 from allworlds.kernel.schedules import search
 from allworlds.kernel.tables import MOST_EDGES, Tables, tables
@@ -68,6 +64,7 @@ __all__ = [
     "Rows",
     "Tables",
     "by_vertices_and_faces",
+    "compile_apart",
     "costs",
     "dearest_of_unit",
     "examine",
@@ -75,6 +72,7 @@ __all__ = [
     "flag",
     "is_compiled",
     "judge",
+    "load_judge",
     "search",
     "tables",
     "walk",

@@ -11,6 +11,7 @@ Source: Algorithm 1, Section IV.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 
 from numba import types
@@ -67,7 +68,7 @@ def algorithm1_addresses() -> tuple[int, int, int]:
     return addresses(start, step)
 
 
-def addresses(start, step) -> tuple[int, int, int]:
+def addresses(start: Callable[..., None], step: Callable[..., None]) -> tuple[int, int, int]:
     """A variant's addresses."""
     robot, percept, action = RECORD(ROBOT), RECORD(PERCEPT), RECORD(ACTION)
     return (

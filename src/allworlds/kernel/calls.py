@@ -12,7 +12,9 @@ from typing import Any
 from llvmlite import ir
 from numba import types
 from numba.core.cgutils import raw_memcpy
-from numba.extending import intrinsic
+from numba import extending
+
+intrinsic: Any = extending.intrinsic
 
 _POINTER = ir.IntType(8).as_pointer()
 

@@ -25,7 +25,7 @@ def rule(g):
     new = min(2 * g.edges - g.darts, g.limit - g.vertices)
     if g.planar and not (_one_face(g, g.place[depth], g.partner[depth]) and _even(g, new)):
         g.possible = 0
-    elif g.simple and not _simple(g, new):
+    if g.simple and not _simple(g, new):
         g.possible = 0
 
 

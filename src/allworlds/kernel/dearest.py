@@ -58,7 +58,8 @@ def dearest_of_unit(
         prefix: the first decisions, at least one.
         transit: ``shortest`` or ``simple``.
         halt: an array; once its entry 0 is not 0 the work is given up, and means nothing.
-        simple, planar: the class.
+        simple: the class has no loops and no parallel edges.
+        planar: it has genus 0.
     """
     counts, rows = zeros((edges + 2, COLUMNS), int64), zeros((edges + 2, 1 + 4 * edges), int64)
     job = new(SCHEDULES)
@@ -86,7 +87,5 @@ def dearest_of_unit(
         known, *code = rows[n].tolist()
         sigma, alpha = (code[: 2 * edges], code[2 * edges :]) if known else ([], [])
         if rooted:
-            found.append(
-                Dearest(n, rooted, most, least, tests, wrong, tuple(sigma), tuple(alpha))
-            )
+            found.append(Dearest(n, rooted, most, least, tests, wrong, tuple(sigma), tuple(alpha)))
     return found

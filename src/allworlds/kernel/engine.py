@@ -6,23 +6,26 @@ and counts the walk for every bearing of the lighthouse.
 
 from __future__ import annotations
 
+import json
+import subprocess
+import sys
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
-from pathlib import Path
 from threading import local
 from typing import Any
 
 from numpy import array, asarray, full, int8, int64, zeros
 
-from allworlds.kernel import runs
+from allworlds.kernel import runs, tally
 from allworlds.kernel import walk as walks
 from allworlds.kernel.algorithm1 import algorithm1_addresses
 from allworlds.kernel.classes import rule_address
+from allworlds.kernel.compiling import uncollected
 from allworlds.kernel.counting import count
 from allworlds.kernel.lighthouses import KINDS, lighthouse_address
 from allworlds.kernel.names import EVENTS, LAWS, POLICIES
 from allworlds.kernel.records import COUNTING, JOB, LONG, ROBOT, WALK, new
-from allworlds.kernel.tables import MOST_EDGES, Tables, gluing_rule, packed
+from allworlds.kernel.rows import Broken, Counts, Level, Listed, Rows
+from allworlds.kernel.tables import MOST_EDGES, gluing_rule, packed
 from allworlds.kernel.two_vertices import two_vertices_addresses
 
 COMPILING = "compiling the kernel; this is done once and takes some seconds"
@@ -43,127 +46,6 @@ LIGHTHOUSES = frozenset(KINDS)
 
 MOST_BUDGET = LONG // (2 * MOST_EDGES) - 2
 """The largest number of traversals that a run has room for."""
-
-
-@dataclass(frozen=True, slots=True)
-class Bounds:
-    """The largest legal cost of every run of a level.
-
-    Attributes:
-        value: of n, d0 and D; None where there is no bound, UNDEFINED where it has no value.
-        by_d0, by_largest: whether it depends on the degree of v0, and on the largest degree;
-            what it does not depend on is given to it as 0.
-    """
-
-    value: Callable[[int, int, int], int | None]
-    by_d0: bool = False
-    by_largest: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Level:
-    """What is one and the same for all units of a level.
-
-    Attributes:
-        edges: m, at most MOST_EDGES.
-        limit: the largest number of vertices, at most m + 1.
-        simple, planar: the class.
-        explorer: one of :data:`EXPLORERS`.
-        lighthouse: one of :data:`LIGHTHOUSES`.
-        policy: ``fifo``, ``lifo`` or ``nearest``.
-        laws: those that are checked; those before ``map`` always are.
-        bounds: the law ``bound``'s.
-        budgets: the largest number of traversals, by vertices from 0 on; at most MOST_BUDGET.
-        tables: what the engines look up.
-    """
-
-    edges: int
-    limit: int
-    simple: bool
-    planar: bool
-    explorer: str
-    lighthouse: str
-    policy: str
-    laws: tuple[str, ...]
-    bounds: Bounds
-    budgets: tuple[int, ...]
-    tables: Tables
-
-
-@dataclass(frozen=True, slots=True)
-class Counts:
-    """What was seen in the worlds of one size.
-
-    Attributes:
-        vertices: n.
-        worlds: rooted maps.
-        runs: worlds x places.
-        traversals: summed over the runs.
-        traversals_rooted: the same at the first place of each rooted map only.
-        largest: the largest cost of a run.
-        checkpoints: how many were shown.
-        left_out: worlds without a place for the lighthouse.
-        loops, parallels: worlds with a loop, and with two edges that have the same two ends.
-    """
-
-    vertices: int
-    worlds: int
-    runs: int
-    traversals: int
-    traversals_rooted: int
-    largest: int
-    checkpoints: int
-    left_out: int
-    loops: int
-    parallels: int
-
-
-@dataclass(frozen=True, slots=True)
-class Broken:
-    """A run that breaks a law, in canonical numbering.
-
-    Attributes:
-        vertices: n.
-        sigma, alpha: the map, rooted at dart 0.
-        place: the number of the lighthouse's place; None for every place.
-        law: the law's name; empty where the engine does not tell them apart.
-    """
-
-    vertices: int
-    sigma: tuple[int, ...]
-    alpha: tuple[int, ...]
-    place: int | None
-    law: str
-
-
-@dataclass(frozen=True, slots=True)
-class Listed:
-    """One run: the law that it breaks or an empty text, its cost, the number of checkpoints, and
-    a number in which its whole walk has part (:func:`walk_number`)."""
-
-    law: str
-    cost: int
-    checkpoints: int
-    walk: int
-
-
-@dataclass(frozen=True, slots=True)
-class Rows:
-    """The outcome of a piece of work.
-
-    Attributes:
-        counts: for each number of vertices that occurs.
-        events: how often each event of Algorithm 1 has occurred.
-        met: (n, d0, D) for all runs, with 0 for what the bound does not depend on.
-        broken: the least runs that break a law, ascending.
-        listed: the first runs, as many as were asked for.
-    """
-
-    counts: tuple[Counts, ...]
-    events: dict[str, int]
-    met: tuple[tuple[int, int, int], ...]
-    broken: tuple[Broken, ...]
-    listed: tuple[Listed, ...] = ()
 
 
 def judge(
@@ -188,34 +70,75 @@ def judge(
     Cost: some microseconds a run; constant memory.
     """
     darts = 2 * level.edges
-    bounds = _bound_table(level)
-    counts, met = zeros((level.edges + 2, runs.COLUMNS), int64), zeros(bounds.shape, int8)
-    least, row = zeros((keep, 3 + 2 * darts), int64), zeros(3 + 2 * darts, int64)
-    listing = zeros((listed, runs.LISTED), int64)
     job, robot = _room()
     _set_up(job, robot, level)
-    runs.examine(
-        job,
-        array(prefix, int64),
-        level.tables.viable,
-        bounds,
-        met,
-        array(level.budgets, int64),
-        counts,
-        least,
-        row,
-        listing,
-        array(sorted(skip), int64),
-        zeros(2, int64),
-        flag() if halt is None else halt,
-    )
+    asked = _Asked(level, prefix, keep, listed, skip)
+    runs.examine(job, *asked.arguments, flag() if halt is None else halt)
+    rows = enumerate(asked.counts.tolist())
+    met = zip(*map(list, asked.met.nonzero()), strict=True)
     return Rows(
-        tuple(Counts(n, *row) for n, row in enumerate(counts.tolist()) if row[runs.WORLDS]),
+        tuple(Counts(n, *row) for n, row in rows if row[runs.WORLDS]),
         dict(zip(EVENTS, robot.events.tolist(), strict=False)),
-        tuple((n, d0, largest) for n, d0, largest in zip(*map(list, met.nonzero()), strict=True)),
-        tuple(_broken(row, darts) for row in least.tolist() if row[0]),
-        tuple(Listed(LAWS[law], *rest) for law, *rest in listing[: job.number].tolist()),
+        tuple((n, d0, largest) for n, d0, largest in met),
+        tuple(_broken(row, darts) for row in asked.least.tolist() if row[0]),
+        tuple(Listed(LAWS[law], *rest) for law, *rest in asked.listing[: job.number].tolist()),
     )
+
+
+class _Asked:
+    """The arguments of the judge between the job and the flag, and room for what it says."""
+
+    def __init__(
+        self,
+        level: Level,
+        prefix: Sequence[int],
+        keep: int = 1,
+        listed: int = 0,
+        skip: Collection[int] = (),
+    ) -> None:
+        width = 3 + 4 * level.edges
+        bounds = _bound_table(level)
+        self.counts = zeros((level.edges + 2, runs.COLUMNS), int64)
+        self.met = zeros(bounds.shape, int8)
+        self.least = zeros((keep, width), int64)
+        self.listing = zeros((listed, runs.LISTED), int64)
+        self.arguments = (
+            array(prefix, int64),
+            level.tables.viable,
+            bounds,
+            self.met,
+            array(level.budgets, int64),
+            self.counts,
+            self.least,
+            zeros(width, int64),
+            self.listing,
+            array(sorted(skip), int64),
+            zeros(2, int64),
+        )
+
+
+def load_judge(level: Level) -> None:
+    """Have the judge loaded or compiled, without the explorer and the lighthouse."""
+    stop = flag()
+    stop[0] = 1
+    with uncollected():
+        runs.examine(_room()[0], *_Asked(level, (-1,)).arguments, stop)
+
+
+def compile_apart(explorer: str) -> None:
+    """Have another process compile an explorer, and leave it in the cache.
+
+    Where there is no cache that could be written to, that is in vain, and nothing else.
+    """
+    command = [sys.executable, "-c", _APART, json.dumps(sys.path), explorer]
+    nothing = subprocess.DEVNULL
+    subprocess.run(command, stdin=nothing, stdout=nothing, stderr=nothing, check=False)  # noqa: S603  # ours
+
+
+_APART = (
+    "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
+    "from allworlds.kernel import EXPLORERS; EXPLORERS[sys.argv[2]]()"
+)
 
 
 def _room() -> tuple[Any, Any]:
@@ -269,15 +192,6 @@ def _broken(row: list[int], darts: int) -> Broken:
     return Broken(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), place, LAWS[law])
 
 
-def walk_number(steps: Sequence[tuple[int, int, int, int]]) -> int:
-    """The number of a walk: of its motions, each with degree, marks and bearing (-1: none)."""
-    number = 0
-    for step in steps:
-        for part in step:
-            number = (number * 31 + part + 1) % 2147483647
-    return number
-
-
 def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Rows:
     """Algorithm 1 walked once in every map whose gluing begins with ``prefix``.
 
@@ -285,7 +199,10 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
     bound depends on n alone.  A broken world is one in which some law is broken at some place.
 
     Args:
-        level, prefix, keep, halt: as for :func:`judge`.
+        level: as for :func:`judge`, and so are the others.
+        prefix: the first decisions.
+        keep: how many broken worlds are kept.
+        halt: tells to give up.
 
     Cost: less than 100 ns a world; constant memory.
     """
@@ -341,32 +258,32 @@ def _walked(level: Level, prefix: Sequence[int], least: Any, listed: Any, halt: 
 
 
 def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:
-    worlds, traversals = row[walks.WORLDS], row[walks.TRAVERSALS]
+    worlds, traversals = row[tally.WORLDS], row[tally.TRAVERSALS]
     return Counts(
         n,
         worlds,
         places * worlds,
         places * traversals,
         traversals,
-        row[walks.LARGEST],
+        row[tally.LARGEST],
         places * worlds * edges,
         0,
-        row[walks.LOOP_EDGE],
-        row[walks.PARALLEL_EDGE],
+        row[tally.LOOP_EDGE],
+        row[tally.PARALLEL_EDGE],
     )
 
 
 def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, int]:
     events = dict.fromkeys(EVENTS, 0)
     for n, row in enumerate(rows):
-        ended = row[walks.WORLDS] - row[walks.FAILURES]
+        ended = row[tally.WORLDS] - row[tally.FAILURES]
         loops = (edges - n + 1) * ended
         for event, times in (
-            ("case-1", row[walks.CASES_1]),
-            ("case-2", row[walks.CASES_2]),
+            ("case-1", row[tally.CASES_1]),
+            ("case-2", row[tally.CASES_2]),
             ("case-3", loops),
-            ("v0-hypothesis", row[walks.TESTS_AT_V0]),
-            ("empty-H", row[walks.EMPTY_HS]),
+            ("v0-hypothesis", row[tally.TESTS_AT_V0]),
+            ("empty-H", row[tally.EMPTY_HS]),
             ("loop", loops),
             ("non-loop", (n - 1) * ended),
         ):
@@ -377,15 +294,6 @@ def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, 
 def flag() -> Any:
     """An array with one entry, 0: the flag by which work in threads is given up."""
     return zeros(1, int64)
-
-
-def is_compiled(function: Any) -> bool:
-    """Whether an earlier use has left what ``function`` compiles to behind."""
-    source = Path(function.py_func.__code__.co_filename)
-    compiled = Path(str(function.stats.cache_path)).glob(
-        f"{source.stem}.{function.py_func.__name__}-*.nbi"
-    )
-    return any(file.stat().st_mtime >= source.stat().st_mtime for file in compiled)
 
 
 def by_vertices_and_faces(

@@ -49,7 +49,9 @@ UNDEFINED = -(1 << 62)
 
 
 @entry
-def examine(job, prefix, viable, bounds, met, budgets, counts, least, row, listed, skip, beat, halt):
+def examine(
+    job, prefix, viable, bounds, met, budgets, counts, least, row, listed, skip, beat, halt
+):
     """Whether the unit is done; else there is more, and the next call goes on.
 
     Args:
@@ -110,10 +112,10 @@ def _count_world(world, counts):
 
 @inlined
 def _among(number, skip):
-    for i in range(len(skip)):
-        if skip[i] == number:
-            return True
-    return False
+    found = False
+    for other in skip:
+        found |= other == number
+    return found
 
 
 @inlined

@@ -42,13 +42,15 @@ def search(job, prefix, viable, worst, best, reached, halt, counts, rows, row, o
             what is asked for.
         prefix: the first decisions.
         viable: the gluing rule.
-        worst, best: room for a cost by sets of edges and vertices.
+        worst: room for a cost by sets of edges and vertices.
+        best: the same.
         reached: room for a set of vertices by sets of edges.
         halt: ``halt[0]`` is not 0 once the work is to be given up.
         counts: by vertices; sums are added to, maxima raised.
         rows: ``rows[vertices]``: vertices, then the least code of a world that attains the
             worst cost; 0 for none yet.
-        row, other: room for such a row each.
+        row: room for such a row.
+        other: the same.
     """
     while not halt[0] and advance(job.gluing, prefix, viable):
         settle(job.world, job.gluing)
@@ -90,7 +92,7 @@ def _keep(job, worst, best, counts, rows, row):
 
 @inner
 def _solve(job, worst, best, reached):
-    """The worst and the best cost in the world from vertex 0, in ``worst[0, 0]``, ``best[0, 0]``."""
+    """The worst and the best cost from vertex 0, in ``worst[0, 0]`` and ``best[0, 0]``."""
     world = job.world
     _begin(job, reached)
     every = (1 << (world.darts // 2)) - 1

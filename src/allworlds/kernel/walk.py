@@ -22,22 +22,25 @@ from __future__ import annotations
 
 from allworlds.kernel.bits import highest, lowest, size
 from allworlds.kernel.calls import copy
-from allworlds.kernel.code import encode, keep_least
 from allworlds.kernel.compiling import entry, inlined, inner
 from allworlds.kernel.names import FIFO, LIFO
-
-# One number holds the cost and the counters of a walk, so that a decision saves one number.
-COST = 0xFFFFF
-_CASE_1 = 1 << 20
-_CASE_2 = 1 << 28
-_AT_V0 = 1 << 36
-_EMPTY_H = 1 << 44
-_LOOP = 1 << 52
-_PARALLEL = 1 << 53
-
-EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
-"""The walk is about to cross e; or a step of a path; to choose e; to choose a hypothesis; it has
-ended; it has gone wrong, and only the worlds that it is wrong in are still to be met."""
+from allworlds.kernel.tally import (
+    COST,
+    EDGE,
+    ENDED,
+    FAILED,
+    NEXT,
+    ONE_AT_V0,
+    ONE_CASE_1,
+    ONE_CASE_2,
+    ONE_EMPTY_H,
+    ONE_LOOP,
+    ONE_PARALLEL,
+    PATH,
+    PICK,
+    tally,
+)
+from allworlds.kernel.ways import distance, nearest, ways_home
 
 
 @entry
@@ -68,7 +71,7 @@ def explore(w, prefix, least, row, listed, halt):
             _open_choice(w, s, others)
         else:
             w.worlds += 1
-            _tally(w, s, least, row, listed)
+            tally(w, s, least, row, listed)
             if w.depth == 0 or halt[0]:
                 return
             _go_back(w, s)
@@ -210,7 +213,7 @@ def _pick(w, s):
     elif w.policy == LIFO:
         e = highest(s.unexplored)
     else:
-        e = _nearest(w, s)
+        e = nearest(w, s)
     s.e = e
     s.unexplored ^= 1 << e
     v = w.s_owner[e]
@@ -220,7 +223,7 @@ def _pick(w, s):
     elif v == 0:
         s.total += s.level >> (4 * s.position) & 15
     elif s.position != v:
-        s.total += _distance(w, s.position, v)
+        s.total += distance(w, s.position, v)
     s.y = w.image[e]
     s.stage = EDGE
 
@@ -231,14 +234,14 @@ def _arrive(w, s):
     z = w.partner[s.y]
     if z < w.end[0]:
         # The direction tells which dart of v0 this is: a test without a step.
-        s.total += _AT_V0
+        s.total += ONE_AT_V0
         s.candidate = z
         _augment_by_loop(w, s)
         return
     s.x = z
     s.hypotheses = s.unexplored & w.of_degree[w.felt[z]]
     if not s.hypotheses:
-        s.total += _EMPTY_H
+        s.total += ONE_EMPTY_H
     s.stage = NEXT
 
 
@@ -265,7 +268,7 @@ def _test_all(w, s):
                 return False
             # The last step would have to end in t, which has its partner: it cannot match,
             # wherever y leads.
-            s.total += 1 + w.back_weight * (s.steps + 1) + _CASE_2
+            s.total += 1 + w.back_weight * (s.steps + 1) + ONE_CASE_2
             s.stage = NEXT
             continue
         z = w.partner[s.y]
@@ -275,10 +278,10 @@ def _test_all(w, s):
             if z == s.t:
                 _augment_by_loop(w, s)
                 return s.stage == PICK
-            s.total += w.back_weight * s.steps + _CASE_2
+            s.total += w.back_weight * s.steps + ONE_CASE_2
             s.stage = NEXT
         elif z < w.end[0] or w.felt[z] != w.s_degree[s.t]:
-            s.total += w.back_weight * s.steps + _CASE_1
+            s.total += w.back_weight * s.steps + ONE_CASE_1
             s.stage = NEXT
         else:
             _aim(w, s, s.t, z)
@@ -346,155 +349,23 @@ def _augment_by_loop(w, s):
     a, b = w.s_owner[e], w.s_owner[dart]
     w.one_end[s.passes] = w.other_end[s.passes] = 0
     if a == b:
-        s.total |= _LOOP
+        s.total |= ONE_LOOP
     elif w.adjacent[a] >> b & 1:
-        s.total |= _PARALLEL
+        s.total |= ONE_PARALLEL
     else:
         w.one_end[s.passes], w.other_end[s.passes] = a, b
         w.adjacent[a] |= 1 << b
         w.adjacent[b] |= 1 << a
     s.passes += 1
     difference = (s.level >> (4 * a) & 15) - (s.level >> (4 * b) & 15)
-    far = a
+    far, way = a, e
     if difference < 0:
-        far, dart, difference = b, dart, -difference
-    else:
-        dart = e
+        far, way, difference = b, dart, -difference
     if difference == 1:
         near = 5 * (far - 1)
-        if dart < s.parent >> near & 31:
-            s.parent = s.parent & ~(31 << near) | dart << near
+        if way < s.parent >> near & 31:
+            s.parent = s.parent & ~(31 << near) | way << near
     elif difference > 1:
-        _ways_home(w, s)
+        ways_home(w, s)
     s.position = 0
     s.stage = PICK
-
-
-@inner
-def _distance(w, start, goal):
-    """The length of a shortest walk in S; the vertices are joined."""
-    reached = front = 1 << start
-    steps = 0
-    while not reached >> goal & 1:
-        steps += 1
-        after = 0
-        while front:
-            after |= w.adjacent[lowest(front)]
-            front &= front - 1
-        front = after & ~reached
-        if not front:
-            return steps
-        reached |= front
-    return steps
-
-
-@inner
-def _ways_home(w, s):
-    """For each vertex of S its distance to v0, and the first dart that leads nearer, packed."""
-    level = parent = 0
-    reached = front = 1
-    steps = 0
-    while front:
-        steps += 1
-        after = 0
-        while front:
-            after |= w.adjacent[lowest(front)]
-            front &= front - 1
-        front = after & ~reached
-        reached |= front
-        rest = front
-        while rest:
-            level |= steps << (4 * lowest(rest))
-            rest &= rest - 1
-    explored = ((1 << s.s_darts) - 1) & ~s.unexplored
-    for v in range(1, s.s_vertices):
-        nearer = (level >> (4 * v) & 15) - 1
-        ways = w.own[v] & explored
-        while level >> (4 * w.s_owner[w.s_partner[lowest(ways)]]) & 15 != nearer:
-            ways &= ways - 1
-        parent |= lowest(ways) << (5 * (v - 1))
-    s.level, s.parent = level, parent
-
-
-@inner
-def _nearest(w, s):
-    """The first among the darts in U with the shortest walk."""
-    reached = front = 1 << s.position
-    while front:
-        after = darts = 0
-        while front:
-            v = lowest(front)
-            front &= front - 1
-            darts |= w.own[v]
-            after |= w.adjacent[v]
-        if darts & s.unexplored:
-            return lowest(darts & s.unexplored)
-        front = after & ~reached
-        reached |= front
-    return lowest(s.unexplored)
-
-
-# The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
-# worlds with a loop and with parallel edges, worlds that break a law, and walks that failed.
-(
-    WORLDS,
-    TRAVERSALS,
-    LARGEST,
-    CASES_1,
-    CASES_2,
-    TESTS_AT_V0,
-    EMPTY_HS,
-    LOOP_EDGE,
-    PARALLEL_EDGE,
-    BROKEN,
-    FAILURES,
-) = range(11)
-COLUMNS = 11
-_FEW = 0xFF
-
-
-@inlined
-def _tally(w, s, least, row, listed):
-    """One world, and the walk in it."""
-    n, cost = s.vertices, s.total & COST
-    w.counts[n, WORLDS] += 1
-    if s.stage == FAILED:
-        w.counts[n, FAILURES] += 1
-        _blame(w, s, least, row)
-        return
-    w.counts[n, TRAVERSALS] += cost
-    w.counts[n, LARGEST] = max(w.counts[n, LARGEST], cost)
-    w.counts[n, CASES_1] += s.total >> 20 & _FEW
-    w.counts[n, CASES_2] += s.total >> 28 & _FEW
-    w.counts[n, TESTS_AT_V0] += s.total >> 36 & _FEW
-    w.counts[n, EMPTY_HS] += s.total >> 44 & _FEW
-    w.counts[n, LOOP_EDGE] += s.total >> 52 & 1
-    w.counts[n, PARALLEL_EDGE] += s.total >> 53 & 1
-    if cost > w.bound[n]:
-        _blame(w, s, least, row)
-    if w.worlds <= listed.shape[0]:
-        _list(w, s, listed, cost)
-
-
-@inner
-def _blame(w, s, least, row):
-    w.counts[s.vertices, BROKEN] += 1
-    world = w.world
-    world.darts = s.darts
-    for dart in range(s.darts):
-        end = w.end[dart]
-        world.sigma[dart] = dart + 1 if dart + 1 < end else end - w.degree[dart]
-        world.alpha[dart] = w.partner[dart]
-    row[0] = s.vertices
-    encode(world, 0, row, 1)
-    keep_least(least, row)
-
-
-@inner
-def _list(w, s, listed, cost):
-    place, n = w.worlds - 1, s.vertices
-    listed[place, 0], listed[place, 1] = cost, n
-    for v in range(n):
-        listed[place, 2 + v] = w.degrees[v]
-    for dart in range(s.darts):
-        listed[place, 2 + n + dart] = w.partner[dart]

@@ -28,10 +28,12 @@ class Examines(Protocol):
     """
 
     @property
-    def scope(self) -> Scope: ...
+    def scope(self) -> Scope:
+        """See above."""
 
     @property
-    def keep(self) -> int: ...
+    def keep(self) -> int:
+        """See above."""
 
     def parts(
         self, examiner: Examiner, unit: Worlds, start: int = 0, skip: Collection[int] = ()
