@@ -10,9 +10,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from llvmlite import ir
-from numba import types
+from numba import extending, types
 from numba.core.cgutils import raw_memcpy
-from numba import extending
 
 intrinsic: Any = extending.intrinsic
 
