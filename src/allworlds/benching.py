@@ -41,6 +41,9 @@ REFERENCE = "kernel"
 PYTHON_EDGES = 4
 JUDGED_EDGES = 6
 
+WALKED_FROM = 6
+"""From so many edges on a check with the kernel walks once for every bearing."""
+
 
 @dataclass(frozen=True, slots=True)
 class Contender:
@@ -209,12 +212,13 @@ def _run(name: str, command: str) -> None:
 
 
 def _warm(contender: Contender) -> None:
-    small = {"kernel": _walk, "kernel-2": _walk, "count": _count, "judge": _judge}
-    match small.get(contender.name):
-        case None:
-            return
-        case work:
-            work(4)
+    match contender.name:
+        case "kernel" | "kernel-2":
+            _walk(WALKED_FROM)
+        case "count":
+            _count(PYTHON_EDGES)
+        case "judge":
+            _judge(PYTHON_EDGES)
 
 
 def _walk(edges: int, threads: int = 1) -> None:

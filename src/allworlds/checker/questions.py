@@ -31,6 +31,8 @@ def obstacle(scope: Scope, subject: Subject) -> str:
         return f"has room for {kernel.MOST_EDGES} edges, not for {extent.levels[-1]}"
     if rules.policy not in ("fifo", "lifo", "nearest"):
         return f"knows the policies fifo, lifo and nearest, not {rules.policy!r}"
+    if unknown := [law for law in rules.applying if law not in kernel.CHECKED]:
+        return f"does not check the law {unknown[0]!r}"
     if scope.schedules != "one":
         return "walks one schedule (see worst for all of them)"
     if rules.step_budget is not None and rules.step_budget > kernel.MOST_BUDGET:

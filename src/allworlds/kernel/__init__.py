@@ -42,6 +42,7 @@ from allworlds.kernel.engine import (
     load_judge,
     walk,
 )
+from allworlds.kernel.names import CHECKED
 from allworlds.kernel.rows import Bounds, Broken, Counts, Level, Listed, Rows, walk_number
 from allworlds.kernel.runs import examine
 from allworlds.kernel.schedules import search
@@ -49,6 +50,7 @@ from allworlds.kernel.tables import MOST_EDGES, Tables, tables
 from allworlds.kernel.walk import explore
 
 __all__ = [
+    "CHECKED",
     "COMPILING",
     "EXPLORERS",
     "LIGHTHOUSES",

@@ -27,3 +27,8 @@ INVARIANT_2 = LAWS.index("invariant-2")
 VARIANT = LAWS.index("variant")
 FOLDING = LAWS.index("folding")
 BOUND = LAWS.index("bound")
+
+CHECKED = frozenset(
+    LAWS[law] for law in (MAP, POSE, INVARIANT_1, INVARIANT_2, VARIANT, FOLDING, BOUND)
+)
+"""The laws that can be chosen, and that the judge checks."""
