@@ -36,7 +36,6 @@ def foreign(first):
         ({"policy": "random:1"}, "random:1"),
         ({"schedules": "all", "edges": 2}, "schedule"),
         ({"step_budget": 100_000}, "100000"),
-        ({"lighthouse": "movable"}, "movable"),
         ({"edges": 13}, "13"),
         ({"explore": foreign}, "foreign"),
     ],

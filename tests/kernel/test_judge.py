@@ -216,8 +216,10 @@ def guess_compiled():
     globals()["guess"] = njit(guess)
 
 
-def laws_of(monkeypatch, explore, rules):
-    """The laws that are broken, run by run, by both judges."""
+def laws_of(monkeypatch, explore, only):
+    """The laws that are broken, run by run, by both judges; only one is looked at, or all."""
+    bound = "n - 1" if only in (None, "bound") else None
+    rules = Rules(laws=None if only is None else (only,), bound=bound)
     monkeypatch.setitem(kernel.EXPLORERS, "algorithm1", lambda: addresses(*WRONG[explore]))
     examiner = Examiner(subject_of(explore), rules)
     for edges in EDGES:
@@ -233,8 +235,7 @@ def laws_of(monkeypatch, explore, rules):
 @pytest.mark.parametrize("only", [None, *LAWS])
 @pytest.mark.parametrize("explore", WRONG, ids=lambda explore: explore.__name__)
 def test_both_judges_find_the_same_law_broken(monkeypatch, explore, only):
-    rules = Rules(laws=None if only is None else (only,), bound="n - 1")
-    both = list(laws_of(monkeypatch, explore, rules))
+    both = list(laws_of(monkeypatch, explore, only))
     assert [python for python, _ in both] == [compiled for _, compiled in both]
 
 
@@ -242,7 +243,6 @@ def test_every_law_is_broken_by_one_of_them(monkeypatch):
     found = set()
     for explore in WRONG:
         for only in (None, *LAWS):
-            rules = Rules(laws=None if only is None else (only,), bound="n - 1")
-            for _, compiled in laws_of(monkeypatch, explore, rules):
+            for _, compiled in laws_of(monkeypatch, explore, only):
                 found |= set(compiled)
     assert found >= {"illegal-action", "no-estimate", "budget", *LAWS}
