@@ -17,7 +17,7 @@ lock only to start and to end, so that threads share the work.
     the worst and the best cost of a world over all schedules, and its door;
 ``counting``
     how many maps there are, by vertices and faces;
-``records``, ``tables``, ``names``
+``records``, ``tables``, ``names``, ``laws``
     what is kept in memory, what is looked up, and the names of small numbers;
 ``compiling``, ``calls``, ``bits``, ``code``
     how it is compiled, C functions called by their addresses, sets as bit masks, codes.
@@ -42,7 +42,7 @@ from allworlds.kernel.engine import (
     load_judge,
     walk,
 )
-from allworlds.kernel.names import CHECKED
+from allworlds.kernel.laws import CHECKED
 from allworlds.kernel.rows import Bounds, Broken, Counts, Level, Listed, Rows, walk_number
 from allworlds.kernel.runs import examine
 from allworlds.kernel.schedules import search

@@ -9,7 +9,7 @@ from numpy import int64
 
 from allworlds.kernel.calls import entry_of
 from allworlds.kernel.compiling import inner
-from allworlds.kernel.names import MAP, NO_ESTIMATE, POSE
+from allworlds.kernel.laws import MAP, NO_ESTIMATE, POSE
 from allworlds.kernel.records import LONG, NONE
 
 

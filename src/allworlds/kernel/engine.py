@@ -21,8 +21,9 @@ from allworlds.kernel.algorithm1 import algorithm1_addresses
 from allworlds.kernel.classes import rule_address
 from allworlds.kernel.compiling import uncollected
 from allworlds.kernel.counting import count
+from allworlds.kernel.laws import LAWS
 from allworlds.kernel.lighthouses import KINDS, lighthouse_address
-from allworlds.kernel.names import EVENTS, LAWS, POLICIES
+from allworlds.kernel.names import EVENTS, POLICIES
 from allworlds.kernel.records import COUNTING, JOB, LONG, ROBOT, WALK, new
 from allworlds.kernel.rows import Broken, Counts, Level, Listed, Rows
 from allworlds.kernel.tables import MOST_EDGES, gluing_rule, packed
