@@ -43,7 +43,7 @@ def retracing_counted_twice(table):
 
 
 def a_bound_too_small(table):
-    table.bound[2] -= 4
+    table.bound[2] //= 2
     return table
 
 

@@ -13,7 +13,7 @@ from collections.abc import Callable, Collection, Sequence
 from threading import local
 from typing import Any
 
-from numpy import array, asarray, full, int8, int64, zeros
+from numpy import argwhere, array, asarray, full, int8, int64, zeros
 
 from allworlds.kernel import runs, tally
 from allworlds.kernel import walk as walks
@@ -76,7 +76,7 @@ def judge(
     asked = _Asked(level, prefix, keep, listed, skip)
     runs.examine(job, *asked.arguments, flag() if halt is None else halt)
     rows = enumerate(asked.counts.tolist())
-    met = zip(*map(list, asked.met.nonzero()), strict=True)
+    met = argwhere(asked.met).tolist()
     return Rows(
         tuple(Counts(n, *row) for n, row in rows if row[runs.WORLDS]),
         dict(zip(EVENTS, robot.events.tolist(), strict=False)),
