@@ -52,14 +52,15 @@ def test_an_engine_that_is_none_is_refused():
         check(edges=2, engine="warp")
 
 
-def test_auto_takes_the_kernel_wherever_it_can():
-    assert check(edges=1).engine == "kernel"
+def test_auto_takes_the_kernel_from_five_edges_on_wherever_it_can():
+    assert check(edges=4).engine == "python"
+    assert check(edges=5).engine == "kernel"
     report = check(edges=6)
     assert report.engine == "kernel"
     assert report.exit_code == 0
     assert report.worlds == 2 + 10 + 74 + 706 + 8162 + 110410
     assert check(vertices=3, map_class="simple", edges=6).engine == "kernel"
-    assert check(edges=2, policy="random:1").engine == "python"
+    assert check(edges=5, vertices=1, policy="random:1").engine == "python"
 
 
 @pytest.mark.parametrize("kept", [False, True])
@@ -69,7 +70,7 @@ def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, 
     monkeypatch.setattr(kernel, "compile_apart", apart.append)
     listener = Stopper()
     AGREED.clear()
-    assert check(edges=2, listener=listener).engine == "kernel"
+    assert check(edges=5, vertices=2, listener=listener).engine == "kernel"
     assert listener.notices == ([] if kept else [kernel.COMPILING])
     assert apart == ([] if kept else ["algorithm1"])
 

@@ -116,6 +116,10 @@ ENGINES: dict[str, Engine] = {engine.name: engine for engine in (General(), Comp
 """Every engine by its name."""
 
 
+COMPILED_FROM = 5
+"""Checks of so many edges are worth the compiling; smaller ones are done before it would begin."""
+
+
 def engine_for(name: str, scope: Scope, subject: Subject) -> Engine:
     """The engine that is to be used.
 
@@ -129,7 +133,8 @@ def engine_for(name: str, scope: Scope, subject: Subject) -> Engine:
     """
     if name == "auto":
         compiled = ENGINES["kernel"]
-        return ENGINES["python"] if compiled.obstacle(scope, subject) else compiled
+        small = scope.extent.levels[-1] < COMPILED_FROM
+        return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled
     if name not in ENGINES:
         raise InputError(f"engine {name!r} is none of auto, {', '.join(ENGINES)}")
     if obstacle := ENGINES[name].obstacle(scope, subject):
