@@ -20,9 +20,8 @@
      two_edges_impossible     with two edges between v0 and v1 no explorer is right in all worlds.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Cost Correctness.
-From Allworlds Require Import Lighthouses Algorithm TwoVertices Impossibility Twins.
-From Allworlds Require Import NumberedWorlds LowerBounds.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers Cost Correctness Lighthouses.
+From Allworlds Require Import Algorithm NumberedWorlds Impossibility Twins PathWorlds TwoVertices.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

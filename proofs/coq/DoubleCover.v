@@ -15,7 +15,7 @@
      world_with_cycle_impossible   no explorer is right on both.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps RootedMaps Explorers Indistinguishable.
+From Allworlds Require Import Model Maps RootedMaps Explorers Indistinguishable.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

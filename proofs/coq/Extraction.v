@@ -10,8 +10,8 @@
    hand-written realisations, eqn as (=), modn as (mod) with a mod 0 = a, addition as (+).
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Percepts RootedMaps Explorers Algorithm Policies NumberedWorlds Judge.
-From Allworlds Require Import Cluster NaturalLighthouse.
+From Allworlds Require Import Model Percepts RootedMaps Codes Explorers Algorithm Policies.
+From Allworlds Require Import NumberedWorlds Judge Cluster NaturalLighthouse.
 Require Extraction.
 Require Import ExtrOcamlBasic ExtrOcamlNatInt.
 

@@ -2,10 +2,11 @@
    The theorems that do not stand in Main.v, section by section.  The words are explained there.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps.
-From Allworlds Require Import Paths Pass Cost Correctness Lighthouses Routes Algorithm.
-From Allworlds Require Import Refinement Policies ShortestPaths NumberedWorlds Judge Impossibility.
-From Allworlds Require Import DoubleCover Twins Folding LowerBounds Enumeration TwoVertices Cluster.
+From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable.
+From Allworlds Require Import PartialMaps Paths Pass Cost Correctness Lighthouses Routes Algorithm.
+From Allworlds Require Import Execution OnePass Refinement Policies ShortestPaths NumberedWorlds.
+From Allworlds Require Import Judge Impossibility DoubleCover Twins Congruence Log Folding.
+From Allworlds Require Import OpenDarts PathWorlds LowerBounds Enumeration TwoVertices Cluster.
 From Allworlds Require Import NaturalLighthouse.
 Set Implicit Arguments.
 Unset Strict Implicit.

@@ -17,7 +17,8 @@
      generated            the list that the check needs, from the two start darts.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps RootedMaps Explorers Indistinguishable NumberedWorlds.
+From Allworlds Require Import Model Maps RootedMaps Codes Explorers Indistinguishable.
+From Allworlds Require Import NumberedWorlds.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -15,7 +15,7 @@
                            bisimulation_alike).
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import RootedMaps Explorers.
+From Allworlds Require Import Model RootedMaps Explorers.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -35,8 +35,9 @@
    Further.v has the other theorems.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Pass Cost Correctness.
-From Allworlds Require Import Algorithm Refinement Impossibility Twins Folding LowerBounds Cluster.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps Pass Cost.
+From Allworlds Require Import Correctness Algorithm Refinement Impossibility Twins Log OpenDarts.
+From Allworlds Require Import LowerBounds Cluster.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -10,8 +10,8 @@
                               a Boolean check and its conclusion decided by same_code.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable.
-From Allworlds Require Import Cost Algorithm Refinement.
+From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable Cost.
+From Allworlds Require Import Algorithm Refinement.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -25,7 +25,7 @@
      pass_explores_one_edge, pass_decreases_variant     Section V, item 3: t falls, by one.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts PartialMaps HypothesisTests Paths.
+From Allworlds Require Import Model Maps Percepts PartialMaps HypothesisTests Paths.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

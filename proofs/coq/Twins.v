@@ -21,7 +21,7 @@
                           apart.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import RootedMaps Explorers NumberedWorlds Impossibility.
+From Allworlds Require Import Model RootedMaps Explorers NumberedWorlds Impossibility.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -20,8 +20,9 @@
      two_vertices_correct for the program, under every policy: the same, the search included.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps HypothesisTests.
-From Allworlds Require Import Pass Correctness Lighthouses Algorithm Refinement.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps HypothesisTests.
+From Allworlds Require Import Pass Correctness Lighthouses Algorithm Queue Execution OnePass.
+From Allworlds Require Import Refinement.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
