@@ -24,7 +24,7 @@ PROOFS, CORPUS = HERE.parent, HERE.parent.parent / "corpus" / "pairs"
 
 HEAD = """(* Written by certificates.py from the files named below. *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import RootedMaps Explorers NumberedWorlds Impossibility Twins.
+From Allworlds Require Import Model Explorers NumberedWorlds Impossibility Twins.
 """
 
 THEOREM = """

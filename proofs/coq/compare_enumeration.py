@@ -29,7 +29,7 @@ HERE = Path(__file__).resolve().parent
 Code = tuple[tuple[int, ...], tuple[int, ...]]
 
 PRINT = """From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import RootedMaps Enumeration.
+From Allworlds Require Import Model Enumeration.
 Set Printing Depth 10000000.
 Set Printing Width 10000000.
 Eval vm_compute in [seq (sigma_list M, alpha_list M) | M <- rooted_maps {edges}].
