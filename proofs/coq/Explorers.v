@@ -3,6 +3,7 @@
 
      explore_walk       the robot is where its motions lead.
      explore_more       once an explorer has stopped a larger budget changes nothing.
+     right_finds_map    an explorer that is right finds the map.
 
      program A          a robot's control: Return x, or Go k f: make motion k and go on with f of
                         what is sensed then.  An algorithm written so sees percepts and nothing
@@ -38,6 +39,14 @@ case R: (explore _ _ _) => [[t' [e'|]] z'] //= [<- ee zz]; subst e' z'.
 by rewrite (IH _ _ _ R).
 Qed.
 End Episodes.
+
+(* who knows the place knows the map *)
+Lemma right_finds_map P E (meaning : E -> rooted_map) (X : explorer P E) M (obs : carrier M -> P) :
+  right meaning X M obs -> finds_map meaning X M obs.
+Proof.
+move=> [n [t [a [z [R W I]]]]]; exists n, t, a, z; split=> //; exists z => //.
+by have [f [g [F _ /= <-]]] := I; have [] := F _ (wellformed_root W).
+Qed.
 
 Lemma explore_ext P E (X : explorer P E) M (o1 o2 : carrier M -> P) : (forall x, o1 x = o2 x) ->
   forall fuel seen d, explore X M o1 fuel seen d = explore X M o2 fuel seen d.

@@ -1,5 +1,6 @@
 (* ---------------------------------------------------------------------------------------------
-   The theorems that do not stand in Main.v, section by section.  The words are explained there.
+   The theorems that do not stand in Main.v, section by section.  The words are explained there, in
+   Model.v, and at the head of the files named in README.md.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable.
@@ -98,13 +99,6 @@ Theorem bound_is_polynomial n m : 0 < n -> n - 1 <= m ->
   = 12 * m ^ 2 * n + 4 * n ^ 3 + 30 * m * n + 11 * n.
 Proof. exact: paper_bound_polynomial. Qed.
 
-(* Every explorer that is right with a directional lighthouse makes at least m motions in each world. *)
-Theorem at_least_m_motions E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall (W : lighthouse_world) budget t e z,
-  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) -> edges W <= size t.
-Proof. by move=> H W budget t e z; exact: edges_at_most_motions. Qed.
-
 (* ==== Answers ==== *)
 
 (* Equality of codes decides whether two rooted maps are the same. *)
@@ -130,7 +124,8 @@ Theorem cycles_are_worlds n side : 0 < n ->
                 sigma_of (cycle_world n side) d <> d].
 Proof. by move=> n0; split; [exact: cycle_wellformed | exact: cycle_connected | exact: cycle_degree]. Qed.
 
-(* Two worlds related by a bisimulation R: no explorer is right in both unless they are the same. *)
+(* Two worlds related by a bisimulation R: an explorer that is right in both exists only if they are the
+   same, place included; one that finds both maps only if they are the same map. *)
 Theorem twins_cannot_both_be_explored P E (meaning : E -> rooted_map) (X : explorer P E)
     (M N : rooted_map) (sensesM : carrier M -> P) (sensesN : carrier N -> P)
     (R : carrier M -> carrier N -> Prop) :
@@ -138,8 +133,26 @@ Theorem twins_cannot_both_be_explored P E (meaning : E -> rooted_map) (X : explo
   (forall x y, R x y -> R (sigma_of M x) (sigma_of N y)) ->
   (forall x y, R x y -> R (alpha_of M x) (alpha_of N y)) ->
   R (root M) (root N) -> wellformed M -> wellformed N ->
-  right meaning X M sensesM -> right meaning X N sensesN -> isomorphic M N.
-Proof. exact: twins_impossible. Qed.
+  (right meaning X M sensesM -> right meaning X N sensesN -> isomorphic M N) /\
+  (finds_map meaning X M sensesM -> finds_map meaning X N sensesN -> same_map M N).
+Proof. by move=> Ro Rs Ra R0 WM WN; split; [exact: (twins_impossible Ro) | exact: (twins_same_map Ro)]. Qed.
+
+(* Whoever is right finds the map. *)
+Theorem being_right_is_more P E (meaning : E -> rooted_map) (X : explorer P E) M (obs : carrier M -> P) :
+  right meaning X M obs -> finds_map meaning X M obs.
+Proof. exact: right_finds_map. Qed.
+
+(* Chance does not help.  An explorer with a seed, or with an oracle, is a family of explorers, one for
+   each seed; where no explorer finds both maps, the seeds with which it finds the one and those with
+   which it finds the other weigh together at most as much as all seeds: in one of the two worlds it
+   fails with a probability of at least one half. *)
+Theorem randomness_does_not_help P (M N : rooted_map) (sM : carrier M -> P) (sN : carrier N -> P)
+    E (meaning : E -> rooted_map) (Seed : finType) (weight : Seed -> nat) (X : Seed -> explorer P E)
+    (A B : {set Seed}) : no_explorer_finds_both sM sN ->
+  (forall s, s \in A -> finds_map meaning (X s) M sM) ->
+  (forall s, s \in B -> finds_map meaning (X s) N sN) ->
+  \sum_(s in A) weight s + \sum_(s in B) weight s <= \sum_s weight s.
+Proof. exact: seeds_do_not_help. Qed.
 
 (* A directional lighthouse leaves no such pair: what no motion tells apart is the same. *)
 Theorem lighthouse_leaves_no_twins (W W' : lighthouse_world) (R : W -> W' -> Prop) :
@@ -149,17 +162,17 @@ Theorem lighthouse_leaves_no_twins (W W' : lighthouse_world) (R : W -> W' -> Pro
 Proof. exact: directional_unambiguous. Qed.
 
 (* Without position, every world with a cycle through e: it and its double cover look the same, whether
-   the robot senses degrees only or has an orientation at every vertex too. *)
+   the robot senses degrees only or has an orientation at every vertex too.  The double cover of a simple
+   world is simple. *)
 Theorem no_world_with_a_cycle_without_position (G : combinatorial_map) (e : G) (cycle : on_cycle e)
-    E (meaning : E -> rooted_map) (d : G) (ref : pred G) :
+    (d : G) (ref : pred G) :
   let H := double_cover cycle in
-  (forall X : explorer nat E,
-     ~ (right meaning X (rooted d) (@degree_sensed G) /\
-        right meaning X (rooted ((d, false) : H)) (@degree_sensed H))) /\
-  (forall X : explorer (nat * nat) E,
-     ~ (right meaning X (rooted d) (compass ref) /\
-        right meaning X (rooted ((d, false) : H)) (@compass H (fun p => ref p.1)))).
-Proof. exact: world_with_cycle_impossible. Qed.
+  [/\ no_explorer_finds_both (M := rooted d) (N := rooted ((d, false) : H))
+        (@degree_sensed G) (@degree_sensed H),
+      no_explorer_finds_both (M := rooted d) (N := rooted ((d, false) : H))
+        (compass ref) (@compass H (fun p => ref p.1))
+    & simple_world G -> simple_world H].
+Proof. by have [A B] := world_with_cycle_impossible cycle d ref; split=> //; exact: cover_simple. Qed.
 
 Theorem kinds_of_these_worlds :
   [/\ all planar [:: two_loops_plane; k4_plane; hexagon; triangles; figure_1_left; figure_1_right],
@@ -167,22 +180,18 @@ Theorem kinds_of_these_worlds :
     & all simple [:: k4_plane; k4_torus; hexagon; triangles; figure_1_left; figure_1_right]].
 Proof. exact: kinds. Qed.
 
-(* The two worlds of each pair are different maps, not only different places in one. *)
-Theorem pairs_are_different_maps : all (fun p => differ_check p.1 p.2)
-  [:: (two_loops_plane, two_loops_torus); (k4_plane, k4_torus); (hexagon, triangles);
-      (figure_1_left, figure_1_right); (natural_plane, natural_torus)].
-Proof. by vm_compute. Qed.
-
 Theorem figure_1_caption_holds :
   as_in_the_caption figure_1_left && as_in_the_caption figure_1_right /\
-  forall d, d < size (sigma_list figure_1_right) ->
-    ~ isomorphic (denote figure_1_left) (denote (seen_from figure_1_right d)).
+  ~ same_map (denote figure_1_left) (denote figure_1_right).
 Proof. exact: conj figure_1_caption figure_1_different. Qed.
 
-(* Any certificate that the Boolean check accepts is such a theorem. *)
+(* Any certificate that the Boolean check accepts is such a theorem: for different maps, and for different
+   places, in one map or two. *)
 Theorem certificate_suffices (P : eqType) (senses : numbered_map -> nat -> P) M N L :
-  twin_check senses M N L -> no_explorer_right_on_both senses M N.
-Proof. exact: certified_impossible. Qed.
+  (map_twin_check senses M N L -> no_explorer_maps_both senses M N) /\
+  (twin_check senses M N L -> forall E (meaning : E -> rooted_map) (X : explorer P E),
+    ~ (right meaning X (denote M) (senses M) /\ right meaning X (denote N) (senses N))).
+Proof. by split; [exact: certified_map_impossible | exact: certified_impossible]. Qed.
 
 (* ==== Folding: the log is a proof of the map (Sections IV, V) ==== *)
 
@@ -215,18 +224,26 @@ Qed.
 
 (* ==== Lower bounds (Section VI) ==== *)
 
+(* Explorers that find the map of all worlds, or of all simple worlds.  They exist: *)
+Theorem algorithm1_finds_every_map pol u : finds_all_maps u denote (algorithm1 pol).
+Proof. exact: algorithm1_finds_all_maps. Qed.
+
+(* At least m motions in each world. *)
+Theorem at_least_m_motions u E (meaning : E -> rooted_map) (X : explorer percept E) :
+  finds_all_maps u meaning X -> forall W, in_universe u W -> forall budget t e z,
+  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) -> edges W <= size t.
+Proof. by move=> F W U budget t e z; exact: (edges_at_most_motions F). Qed.
+
 (* At least m-n+1 entries into v0. *)
-Theorem entries_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall (W : lighthouse_world) budget t e z,
+Theorem entries_lower_bound u E (meaning : E -> rooted_map) (X : explorer percept E) :
+  finds_all_maps u meaning X -> forall W, in_universe u W -> forall budget t e z,
   episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
   edges W + 1 <= vertices W + entries (unzip1 t) (@start W).
-Proof. by move=> H W budget t e z; exact: entries_at_least. Qed.
+Proof. by move=> F W U budget t e z; exact: (entries_at_least F). Qed.
 
 (* Any world W at the end of a path of L edges, v0 at the other end: at least 2 L (m-n+1) motions. *)
-Theorem path_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall W L budget t e z,
+Theorem path_lower_bound u E (meaning : E -> rooted_map) (X : explorer percept E) :
+  finds_all_maps u meaning X -> forall W L budget t e z, in_universe u W ->
   let W' := at_end_of_path L W in
   episode X (rooted (@start W')) (@percept_of W') budget = (t, Some e, z) ->
   2 * L * (edges W + 1 - vertices W) <= size t.
@@ -265,7 +282,7 @@ Proof. by move=> H reached q C c; exact: cluster_runs. Qed.
 (* With two edges between v0 and v1 a cluster is not enough. *)
 Theorem cluster_needs_one_edge :
   (edges_to_v1 natural_plane = 2 /\ edges_to_v1 natural_torus = 2) /\
-  no_explorer_right_on_both cluster_percept_in natural_plane natural_torus.
+  no_explorer_maps_both cluster_percept_in natural_plane natural_torus.
 Proof. exact: conj two_edges_between two_edges_impossible. Qed.
 
 (* In a simple world no two edges join v0 and v1. *)
@@ -288,7 +305,7 @@ Theorem natural_lighthouse_is_not_enough :
   [/\ all (fun M => map (degree_at M) (iota 0 8) == [:: 2; 2; 6; 6; 6; 6; 6; 6])
           [:: natural_plane; natural_torus],
       edges_to_v1 natural_plane = 2 /\ edges_to_v1 natural_torus = 2
-    & no_explorer_right_on_both degree_percept natural_plane natural_torus].
+    & no_explorer_maps_both degree_percept natural_plane natural_torus].
 Proof. exact: And3 natural_degrees two_edges_between natural_impossible. Qed.
 
 (* Worlds with such lighthouses exist. *)

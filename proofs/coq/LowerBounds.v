@@ -11,11 +11,15 @@
      entries_at_least     at least m-n+1 entries into v0.
      far_cycles_cost      at least 2 L (m-n+1) motions where v0 is at the end of a path of L edges.
      path_costs_every_cycle  the same for any world W put at the end of such a path, m and n of W.
-     algorithm1_right_everywhere, algorithm1_log_folds   Algorithm 1 is such an explorer, so its log
+     mn_lower_bound       a world with m = 2(k+1) and n = k+2, for every k, which needs m (n-1) motions,
+                          the same for all explorers.
+     mn_lower_bound_simple   a simple world with n = 2q and m = q(q+1)/2, for every q >= 7, which needs
+                          mn/2 motions, the same for all explorers that find the maps of simple worlds.
+     algorithm1_finds_all_maps, algorithm1_log_folds   Algorithm 1 is such an explorer, so its log
                           leaves no dart open.
-     mn_lower_bound       worlds with m = 2(k+1) and n = k+2, for every k, which need m (n-1) motions.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
+From Coq Require Import Lia.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers Algorithm Refinement Congruence.
 From Allworlds Require Import Log Folding OpenDarts TwoSheets Excursions PathWorlds.
 Set Implicit Arguments.
@@ -25,12 +29,13 @@ Unset Printing Implicit Defensive.
 (* ---- At least m motions ---- *)
 Section AtLeastOneMotionAnEdge.
 Variables (E : Type) (meaning : E -> rooted_map) (X : explorer percept E).
-Hypothesis right_X : right_everywhere meaning X.
+Variable u : universe.
+Hypothesis finds_maps : finds_all_maps u meaning X.
 
-Theorem edges_at_most_motions (W : lighthouse_world) fuel t e z :
+Theorem edges_at_most_motions (W : lighthouse_world) fuel t e z : in_universe u W ->
   episode X (rooted (@start W)) (@percept_of W) fuel = (t, Some e, z) -> edges W <= size t.
 Proof.
-move=> R; have A := episode_agrees R; have nopen := right_explorer_log_folds right_X R.
+move=> U R; have A := episode_agrees R; have nopen := explorer_log_folds finds_maps U R.
 set L := log_of W t in A nopen.
 pose ends := [seq place W (crossing L i).1 | i <- iota 0 (size t)] ++
              [seq place W (crossing L i).2 | i <- iota 0 (size t)].
@@ -47,8 +52,10 @@ End AtLeastOneMotionAnEdge.
 (* ---- Each cycle of the map costs a return to v0 ---- *)
 Section Returns.
 Variables (E : Type) (meaning : E -> rooted_map) (X : explorer percept E).
-Hypothesis right_X : right_everywhere meaning X.
+Variable u : universe.
+Hypothesis finds_maps : finds_all_maps u meaning X.
 Variables (W : lighthouse_world) (L : nat) (level : W -> nat) (up : nat -> W).
+Hypothesis in_u : in_universe u W.
 Hypothesis P : path_from_start L level up.
 Local Notation v0 := (@start W).
 Variables (fuel : nat) (t : seq (nat * percept)) (e : E) (z : W).
@@ -87,8 +94,9 @@ have Q : quiet c w v0 false.
 case: (boolP (connect (adjacent (@voltage_sigma W) (voltage_alpha c)) (v0, false) (v0, true))) =>
   [R|N].
   have A0 := quiet_agrees c_sym R (episode_agrees stopped) Q.
-  have := right_explorer_determines (right_X W) (right_X (voltage_world c_sym R)) stopped A0.
-  by move/voltage_not_isomorphic.
+  have := one_log_one_map (finds_maps in_u) (finds_maps (voltage_in_universe c_sym R in_u)) stopped
+    (episode_agrees stopped) A0.
+  by move/voltage_not_same_map.
 have [nv H] := disconnected_potential c_sym N; exists (upper c) => //.
 apply/subsetP=> r rB; rewrite !inE; apply/andP; split; last by move: rB; rewrite inE => /andP[].
 by apply: contra nv => /eqP <-.
@@ -149,8 +157,10 @@ End Returns.
 (* ---- Entries into v0 ---- *)
 Section Entries.
 Variables (E : Type) (meaning : E -> rooted_map) (X : explorer percept E).
-Hypothesis right_X : right_everywhere meaning X.
+Variable u : universe.
+Hypothesis finds_maps : finds_all_maps u meaning X.
 Variable W : lighthouse_world.
+Hypothesis in_u : in_universe u W.
 Local Notation v0 := (@start W).
 
 Fixpoint entries w (d : W) :=
@@ -163,40 +173,72 @@ Proof.
 move=> R; have P : path_from_start 0 (fun _ : W => 0) (fun _ => v0) by [].
 have -> : entries (unzip1 t) v0 = returns 0 (fun=> 0) (unzip1 t) v0 true.
   by elim: (unzip1 t) v0 => //= k w IH d; rewrite IH; case: ifP.
-exact: (returns_at_least right_X P R).
+exact: (returns_at_least finds_maps in_u P R).
 Qed.
 End Entries.
 
 (* ---- Worlds that are costly for every explorer ---- *)
-Theorem path_costs_every_cycle (E : Type) (meaning : E -> rooted_map) (X : explorer percept E) :
-  right_everywhere meaning X -> forall W L fuel t e z,
+Theorem path_costs_every_cycle u (E : Type) (meaning : E -> rooted_map) (X : explorer percept E) :
+  finds_all_maps u meaning X -> forall W L fuel t e z, in_universe u W ->
   episode X (rooted (@start (at_end_of_path L W))) (@percept_of _) fuel = (t, Some e, z) ->
   2 * L * (edges W + 1 - vertices W) <= size t.
 Proof.
-move=> H W L fuel t e z R; have [level [up P]] := at_end_path L W.
-have := far_cycles_cost H P R; rewrite at_end_edges at_end_vertices -addnA subnDl.
-by [].
+move=> F W L fuel t e z U R; have [level [up P]] := at_end_path L W.
+have := far_cycles_cost F (at_end_in_universe L U) P R.
+by rewrite at_end_edges at_end_vertices -addnA subnDl.
 Qed.
 
-(* k+1 loops at the end of a path of length k+1: m = 2(k+1), n = k+2 *)
-Corollary mn_lower_bound (E : Type) (meaning : E -> rooted_map) (X : explorer percept E) :
-  right_everywhere meaning X -> forall k, exists W : lighthouse_world,
-  [/\ edges W = k.+1.*2, vertices W = k.+2 & forall fuel t e z,
-      episode X (rooted (@start W)) (@percept_of W) fuel = (t, Some e, z) ->
-      edges W * (vertices W - 1) <= size t].
+(* k+1 loops at the end of a path of length k+1: m = 2(k+1), n = k+2; one world for all explorers *)
+Corollary mn_lower_bound k : exists W : lighthouse_world, [/\ edges W = k.+1.*2, vertices W = k.+2 &
+  forall (E : Type) (meaning : E -> rooted_map) (X : explorer percept E),
+  finds_all_maps AllWorlds meaning X -> forall fuel t e z,
+  episode X (rooted (@start W)) (@percept_of W) fuel = (t, Some e, z) ->
+  edges W * (vertices W - 1) <= size t].
 Proof.
-move=> H k; exists (at_end_of_path k.+1 (bouquet k)).
-rewrite at_end_edges at_end_vertices edges_bouquet vertices_bouquet addnn addn1; split=>
-  // fuel t e z R.
-have := path_costs_every_cycle H R; rewrite edges_bouquet vertices_bouquet addn1 subn1 /= mul2n.
-by [].
+exists (at_end_of_path k.+1 (bouquet k)).
+rewrite at_end_edges at_end_vertices edges_bouquet vertices_bouquet addnn addn1; split=> //.
+move=> E meaning X F fuel t e z R.
+by have := path_costs_every_cycle F I R; rewrite edges_bouquet vertices_bouquet addn1 subn1 /= mul2n.
+Qed.
+
+(* the complete graph with q vertices at the end of a path of length q: a simple world with n = 2q and
+   m = q(q+1)/2 *)
+Theorem complete_lower_bound k : let q := k.+3 in exists W : lighthouse_world,
+  [/\ simple_world W, edges W = 'C(q.+1, 2), vertices W = q.*2 &
+  forall (E : Type) (meaning : E -> rooted_map) (X : explorer percept E),
+  finds_all_maps SimpleWorlds meaning X -> forall fuel t e z,
+  episode X (rooted (@start W)) (@percept_of W) fuel = (t, Some e, z) ->
+  q * (q - 1) * (q - 2) <= size t].
+Proof.
+move=> q; exists (at_end_of_path q (complete k)).
+have S : in_universe SimpleWorlds (complete k) by exact: complete_simple.
+have m : q + 'C(q, 2) = 'C(q.+1, 2) by rewrite binS bin1 addnC.
+rewrite at_end_edges at_end_vertices edges_complete vertices_complete addnn m.
+split=> //; first exact: (at_end_in_universe (u := SimpleWorlds) q S).
+move=> E meaning X F fuel t e z R; have := path_costs_every_cycle F S R.
+rewrite edges_complete vertices_complete; apply: leq_trans.
+have := mul_bin_diag q 1; rewrite bin1 /q; move: 'C(_, 2) => B B2; apply/leP.
+by move: B2; rewrite -!(plusE, multE, minusE); nia.
+Qed.
+
+Corollary mn_lower_bound_simple q : 7 <= q -> exists W : lighthouse_world,
+  [/\ simple_world W, edges W = 'C(q.+1, 2), vertices W = q.*2 &
+  forall (E : Type) (meaning : E -> rooted_map) (X : explorer percept E),
+  finds_all_maps SimpleWorlds meaning X -> forall fuel t e z,
+  episode X (rooted (@start W)) (@percept_of W) fuel = (t, Some e, z) ->
+  edges W * vertices W <= 2 * size t].
+Proof.
+case: q => [|[|[|k]]] // q7; have [W [S m n H]] := complete_lower_bound k.
+exists W; split=> // E meaning X F fuel t e z R; have := H _ _ _ F _ _ _ _ R.
+have := mul_bin_diag k.+4 1; rewrite m n bin1 -muln2; move: 'C(_, 2) (size t) q7 => B s /leP + B2 /leP.
+by move=> q7 le; apply/leP; move: q7 B2 le; rewrite -!(plusE, multE, minusE) /=; nia.
 Qed.
 
 (* ---- The hypothesis can be met: Algorithm 1 is such an explorer, under every policy ---- *)
-Theorem algorithm1_right_everywhere pol : right_everywhere denote (algorithm1 pol).
-Proof. by move=> W; exact: algorithm1_right. Qed.
+Theorem algorithm1_finds_all_maps pol u : finds_all_maps u denote (algorithm1 pol).
+Proof. by move=> W _; apply: right_finds_map; exact: algorithm1_right. Qed.
 
 Corollary algorithm1_log_folds pol (W : lighthouse_world) fuel t e z :
   episode (algorithm1 pol) (rooted (@start W)) (@percept_of W) fuel = (t, Some e, z) ->
   no_open_dart (log_of W t).
-Proof. exact: (right_explorer_log_folds (algorithm1_right_everywhere pol)). Qed.
+Proof. exact: (explorer_log_folds (algorithm1_finds_all_maps pol (u := AllWorlds)) I). Qed.

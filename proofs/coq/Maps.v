@@ -103,6 +103,9 @@ rewrite -muln2; apply: (fcard_order_set alpha_inj); last by [].
 by apply/subsetP=> d _; rewrite inE two.
 Qed.
 
+Lemma edges_gt0 d : 0 < edges G.
+Proof. by rewrite -double_gt0 edges_double; apply/card_gt0P; exists d. Qed.
+
 Lemma vertices_gt0 d : 0 < vertices G.
 Proof.
 rewrite /vertices /n_comp_mem (cardD1 (froot sigma d)) !inE.

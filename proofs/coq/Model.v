@@ -65,6 +65,15 @@
      right                it stops, and its answer denotes a rooted map that is isomorphic to the
                           world seen from the robot's true dart: the same map, and the right place
                           in it.
+     same_map M N         M is N seen from some dart: the same map, the place left open.
+     finds_map            it stops, and its answer denotes the world's map; whether the place in it
+                          is right is not asked.
+     no_explorer_finds_both M N   no explorer finds the map of M and the map of N: whatever its answers
+                          are, whatever they are taken to mean.
+
+     simple_world W       no loop, and no two edges with the same ends.
+     universe             what an explorer may rely on: nothing, or that the world is simple.
+     finds_all_maps u     the explorer finds the map of every world of the universe u.
 
      paper_bound n m      (1) + (2) of Section VI, the upper limit of (2) read as m-n+1.
    --------------------------------------------------------------------------------------------- *)
@@ -221,11 +230,31 @@ Definition episode fuel := explore fuel [:: obs (root M)] (root M).
 Definition right := exists fuel transcript answer z,
   [/\ episode fuel = (transcript, Some answer, z), wellformed (meaning answer) &
       isomorphic (meaning answer) (rooted_at M z)].
+
+Definition same_map (M N : rooted_map) := exists2 d, is_dart N d & isomorphic M (rooted_at N d).
+Definition finds_map := exists fuel transcript answer z,
+  [/\ episode fuel = (transcript, Some answer, z), wellformed (meaning answer) &
+      same_map (meaning answer) M].
 End Episodes.
 
 Arguments explore {P E} X M obs fuel seen d.
 Arguments episode {P E} X M obs fuel.
 Arguments right {P E} meaning X M obs.
+Arguments finds_map {P E} meaning X M obs.
+
+Definition no_explorer_finds_both P M N (obsM : carrier M -> P) (obsN : carrier N -> P) :=
+  forall E (meaning : E -> rooted_map) (X : explorer P E),
+  ~ (finds_map meaning X M obsM /\ finds_map meaning X N obsN).
+
+(* a loop too is excluded: there alpha d would be another such dart than d *)
+Definition simple_world (G : combinatorial_map) := forall d e : G,
+  at_same_vertex d e -> at_same_vertex (alpha d) (alpha e) -> d = e.
+
+Inductive universe := AllWorlds | SimpleWorlds.
+Definition in_universe u (W : lighthouse_world) := if u is SimpleWorlds then simple_world W else True.
+Definition finds_all_maps u E (meaning : E -> rooted_map) (X : explorer percept E) :=
+  forall W : lighthouse_world, in_universe u W ->
+  finds_map meaning X (rooted (@start W)) (@percept_of W).
 
 (* ---- Cost ---- *)
 Definition sum_1 n m := \sum_(1 <= s < n) (s + 2 * (s - 1) * (2 * m - 2 * (s - 1))).

@@ -2,15 +2,17 @@
    A log with an open dart: it belongs to two worlds.                              Sections IV, V
 
      completed_world      the folded log, its open darts completed (Completion.v), with its marker.
-     with_leaves, with_loops   the two completions of the folded log: by vertices of degree 1, and by
-                          vertices of degree 3 with a loop.
+     with_leaves, with_paths   the two completions of the folded log: an edge, or two edges in a row,
+                          behind each open dart.  In a simple world both are simple.
 
      open_dart_two_worlds an open dart: two worlds agree with the log that have different numbers of
                           edges.
      no_open_dart_iff     and so, for a log with which some world agrees: no dart is open if and only
                           if the worlds that agree are the same.
-     right_everywhere     the explorer is right in all worlds with a directional lighthouse.
-     right_explorer_log_folds   then its log, in whatever world, leaves no dart open.
+     one_log_one_map      an explorer that finds the maps of two worlds that agree with its log: they are
+                          the same map.
+     explorer_log_folds   an explorer that finds all maps (of all worlds, or of all simple worlds): its
+                          log leaves no dart open.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers.
@@ -90,6 +92,37 @@ have all h : connect e (fold (dart_at 0 0)) h.
 exact: connect_trans (sym _ _ (all f)) (all g).
 Qed.
 
+(* ---- Where the darts of the folded log are in the world ---- *)
+Definition place_of (f : folded_log) := place W (val f).
+
+Lemma place_of_fold p : place_of (fold p) = place W p.
+Proof. by apply/esym/(folding_sound A); rewrite /same_dart -foldE fold_val. Qed.
+
+Lemma place_of_turn f : place_of (turns f) = sigma (place_of f).
+Proof. by rewrite place_of_fold (place_next A). Qed.
+
+Lemma place_of_vertex f g : fconnect turns f g -> at_same_vertex (place_of f) (place_of g).
+Proof.
+move/iter_findex <-; elim: (findex _ _ _) => [|k IH] /=; first exact: connect0.
+by rewrite place_of_turn; apply: connect_trans IH _; exact: fconnect1.
+Qed.
+
+Lemma place_of_end f g : ends f = Some g -> place_of g = alpha (place_of f).
+Proof.
+by move/eqP/folded_endP=> [p [q [<- <- c]]]; rewrite !place_of_fold; exact: (place_crossed A).
+Qed.
+
+(* a vertex of the log has as many darts as the vertex of the world *)
+Lemma place_of_inj f g : fconnect turns f g -> place_of f = place_of g -> f = g.
+Proof.
+move/iter_findex <-; move: (findex _ _ _) => k; rewrite -[f]fold_val folded_iter !place_of_fold.
+move: (val f) => p E; congr fold; have li : tag p <= N by rewrite -ltnS.
+move: E; rewrite (dart_atP p) iter_next_dart // !(place_at A) //; move: (val _) => j E.
+apply: dart_at_eq => //; rewrite (darts_atE A) //; set x := robot_at W _ in E *.
+have lt i : i %% degree x < degree x by rewrite ltn_mod degree_gt0.
+by rewrite -(findex_iter (lt (k + j))) -(findex_iter (lt j)) !turn_modulo_degree E.
+Qed.
+
 Section Plug.
 Variables (T : finType) (sT aT : T -> T) (stem : T).
 Hypotheses (sT_inj : injective sT) (aTK : involutive aT).
@@ -153,36 +186,81 @@ rewrite (darts_atE A) // -[X in findex _ _ X]E -turn_modulo_degree findex_iter ?
 exact: ltn_pmod (degree_gt0 _).
 Qed.
 
+(* a completion by a simple piece stays simple *)
+Hypothesis simple_piece : forall t t', fconnect sT t t' -> fconnect sT (aT t) (aT t') -> t = t'.
+
+Lemma same_vertex_completed (x y : completed_map) : at_same_vertex x y ->
+  match x, y return Prop with
+  | inl f, inl g => fconnect turns f g
+  | inr (l, t), inr (l', t') => l = l' /\ fconnect sT t t'
+  | _, _ => False
+  end.
+Proof.
+move/iter_findex <-; elim: (findex _ _ _) => [|k IH] /=.
+  by case: x => [f|[l t]]; [exact: connect0 | split=> //; exact: connect0].
+move: IH; case: x => [f|[l t]]; case: (iter k _ _) => [g|[l' t']] //=.
+  by move/connect_trans; apply; exact: fconnect1.
+by case=> <- c; split=> //; apply: connect_trans c _; exact: fconnect1.
+Qed.
+
+Lemma completed_simple : simple_world W -> simple_world completed_map.
+Proof.
+move=> S x y /same_vertex_completed; case: x y => [f|[l t]] [g|[l' t']] //=; last first.
+  case=> <- c.
+  case: (t =P stem) => [->|_]; case: (t' =P stem) => [->|_] //; move/same_vertex_completed => //=.
+  by case=> _ c'; rewrite (simple_piece c c').
+move=> c; case: insubP => [lf _ fE|nf]; case: insubP => [lg _ gE|ng] /same_vertex_completed //=.
+  by case=> E _; rewrite -fE -gE E.
+case Ef: (ends f) nf => [f'|] // _; case Eg: (ends g) ng => [g'|] //= _ c'.
+congr inl; apply: (place_of_inj c); apply: S; first exact: place_of_vertex.
+by rewrite -(place_of_end Ef) -(place_of_end Eg); exact: place_of_vertex.
+Qed.
+
 Lemma card_completed_world : #|completed_world| = #|folded_log| + #|loose ends| * #|T|.
 Proof. exact: card_completion. Qed.
 End Plug.
 End Open.
 
-(* the two ways in which every open dart is completed: by a vertex of degree 1; by a vertex of
-   degree 3 with a loop *)
+(* the two ways in which every open dart is completed: by a path of one edge, and by one of two *)
 Lemma leaf_end (t : unit) : (id t == t) = (t == tt).
 Proof. by case: t. Qed.
 
 Lemma leaf_connected (t : unit) : connect (adjacent id id) tt t.
 Proof. by case: t; exact: connect0. Qed.
 
-Definition loop_sigma (t : option bool) : option bool :=
-  match t with None => Some true | Some true => Some false | Some false => None end.
-Definition loop_alpha : option bool -> option bool := omap negb.
+Lemma leaf_simple (t t' : unit) : fconnect id t t' -> fconnect id (id t) (id t') -> t = t'.
+Proof. by case: t t' => [] []. Qed.
 
-Lemma loop_sigma_inj : injective loop_sigma.
+(* None: the stem, Some true: the other dart at its vertex, Some false: the dart at the end *)
+Definition path_sigma (t : option bool) : option bool :=
+  match t with None => Some true | Some true => None | Some false => Some false end.
+Definition path_alpha : option bool -> option bool := omap negb.
+
+Lemma path_sigma_inj : injective path_sigma.
 Proof. by move=> [[]|] [[]|]. Qed.
 
-Lemma loop_alphaK : involutive loop_alpha.
+Lemma path_alphaK : involutive path_alpha.
 Proof. by move=> [[]|]. Qed.
 
-Lemma loop_end t : (loop_alpha t == t) = (t == None).
+Lemma path_end t : (path_alpha t == t) = (t == None).
 Proof. by case: t => [[]|]. Qed.
 
-Lemma loop_connected t : connect (adjacent loop_sigma loop_alpha) None t.
+Lemma path_connected t : connect (adjacent path_sigma path_alpha) None t.
 Proof.
 case: t => [[]|]; last exact: connect0; first exact: connect1.
 by apply: (@connect_trans _ _ (Some true)); exact: connect1.
+Qed.
+
+Lemma path_turn k t : (iter k path_sigma t == Some false) = (t == Some false).
+Proof. by elim: k => //= k <-; case: (iter k _ _) => [[]|]. Qed.
+
+Lemma path_simple t t' :
+  fconnect path_sigma t t' -> fconnect path_sigma (path_alpha t) (path_alpha t') -> t = t'.
+Proof.
+move=> /iter_findex H /iter_findex K.
+have := path_turn (findex path_sigma t t') t; rewrite H.
+have := path_turn (findex path_sigma (path_alpha t) (path_alpha t')) (path_alpha t); rewrite K.
+by case: t t' {H K} => [[]|] [[]|].
 Qed.
 
 Section TwoWorlds.
@@ -192,11 +270,11 @@ Hypothesis A : agrees W L.
 Definition with_leaves : lighthouse_world :=
   completed_world A (@inj_id unit) (fun t => erefl) leaf_end leaf_connected.
 
-Definition with_loops : lighthouse_world :=
-  completed_world A loop_sigma_inj loop_alphaK loop_end loop_connected.
+Definition with_paths : lighthouse_world :=
+  completed_world A path_sigma_inj path_alphaK path_end path_connected.
 
 Theorem open_dart_two_worlds (p : log_dart L) : ~~ dart_settled p ->
-  [/\ agrees with_leaves L, agrees with_loops L & edges with_leaves <> edges with_loops].
+  [/\ agrees with_leaves L, agrees with_paths L & edges with_leaves <> edges with_paths].
 Proof.
 move=> np; split; try exact: completed_agrees.
 move/(congr1 double); rewrite !edges_double !card_completed_world card_unit card_option card_bool.
@@ -207,6 +285,13 @@ suff: 0 < #|loose (@folded_end _ (@next_dart L) (@crossed L) (@sensed_pointed L)
 by apply/card_gt0P; exists (as_loose G).
 Qed.
 End TwoWorlds.
+
+Lemma completions_in_universe L W (A : agrees W L) u : in_universe u W ->
+  in_universe u (with_leaves A) /\ in_universe u (with_paths A).
+Proof.
+case: u => // S; split; apply: completed_simple => //; first exact: leaf_simple.
+exact: path_simple.
+Qed.
 
 Corollary no_open_dart_iff L W : agrees W L ->
   no_open_dart L <->
@@ -222,46 +307,37 @@ by exists g => x; [have [] := F x isT | have [] := G x isT].
 Qed.
 
 (* ---- The log of an explorer ---- *)
-Definition right_everywhere E (meaning : E -> rooted_map) (X : explorer percept E) :=
-  forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W).
-
-Section RightExplorer.
+Section Explorer.
 Variables (E : Type) (meaning : E -> rooted_map) (X : explorer percept E).
 
-(* an explorer that is right in two worlds that agree with its log: they are the same rooted map *)
-Theorem right_explorer_determines (W W' : lighthouse_world) fuel t e z :
-  right meaning X (rooted (@start W)) (@percept_of W) ->
-  right meaning X (rooted (@start W')) (@percept_of W') ->
+(* an explorer that finds the map in two worlds that agree with its log: they are the same map *)
+Theorem one_log_one_map (W W1 W2 : lighthouse_world) fuel t e z :
+  finds_map meaning X (rooted (@start W1)) (@percept_of W1) ->
+  finds_map meaning X (rooted (@start W2)) (@percept_of W2) ->
   episode X (rooted (@start W)) (@percept_of W) fuel = (t, Some e, z) ->
-  agrees W' (log_of W t) -> isomorphic (rooted (@start W)) (rooted (@start W')).
+  agrees W1 (log_of W t) -> agrees W2 (log_of W t) -> same_map (rooted (@start W1)) (rooted (@start W2)).
 Proof.
-move=> [f1 [t1 [e1 [z1 [R1 We1 I1]]]]] [f2 [t2 [e2 [z2 [R2 We2 I2]]]]] R A'.
-have zE := (explore_log R).2.
-have P : percept_of (@start W') = percept_of (@start W) 
-  by have := congr1 (head (0, None)) A'; case: (t).
-have R' : episode X (rooted (@start W')) (@percept_of W') fuel =
-  (t, Some e, walk (unzip1 t) (@start W')).
+move=> F1 F2 R; have same (V : lighthouse_world) : agrees V (log_of W t) ->
+    finds_map meaning X (rooted (@start V)) (@percept_of V) ->
+    wellformed (meaning e) /\ same_map (meaning e) (rooted (@start V)).
+  move=> A [n [t1 [e1 [z1 [R1 We I]]]]]; have P : percept_of (@start V) = percept_of (@start W).
+    by have := congr1 (head (0, None)) A; case: (t).
   have R0 : explore X (rooted (@start W)) (@percept_of W) fuel [:: percept_of (@start W)] (@start W)
     = (t, Some e, z) by [].
-  by have := explore_replay R0 (etrans A' (f_equal (cons^~ _) (esym P))); rewrite -P.
-have := explore_more fuel R1; rewrite addnC (explore_more f1 R) => -[_ ee zz]; subst e1 z1.
-have := explore_more fuel R2; rewrite addnC (explore_more f2 R') => -[_ ee zz]; subst e2 z2.
-have I := isomorphic_trans (isomorphic_sym We1 I1) I2; rewrite zE in I.
-have walkE (V : lighthouse_world) v (d : V) : walk_in (rooted (@start V)) v d =
-  walk v d by elim: v d => /=.
-apply: (@isomorphic_back (rooted (@start W)) (rooted (@start W')) (unzip1 t) start start) => //.
-- exact: rooted_wellformed.
-- exact: rooted_wellformed.
-by rewrite !walkE.
+  have R' : episode X (rooted (@start V)) (@percept_of V) fuel = (t, Some e, walk (unzip1 t) (@start V)).
+    by have := explore_replay R0 (etrans A (f_equal (cons^~ _) (esym P))); rewrite -P.
+  have := explore_more fuel R1; rewrite addnC (explore_more n R') => -[_ ee _]; subst e1.
+  by split.
+move=> /same/(_ F1)[We I1] /same/(_ F2)[_ I2]; apply: same_map_join We _ I1 I2.
+exact: rooted_wellformed.
 Qed.
 
-Theorem right_explorer_log_folds : right_everywhere meaning X ->
-  forall W fuel t e z,
+Theorem explorer_log_folds u : finds_all_maps u meaning X -> forall W, in_universe u W ->
+  forall fuel t e z,
   episode X (rooted (@start W)) (@percept_of W) fuel = (t, Some e, z) -> no_open_dart (log_of W t).
 Proof.
-move=> H W fuel t e z R; have A := episode_agrees R; apply/(no_open_dart_iff A) => W1 W2 A1 A2.
-apply: isomorphic_trans (right_explorer_determines (H W) (H W2) R A2).
-apply: isomorphic_sym; first exact: rooted_wellformed.
-exact: right_explorer_determines (H W) (H W1) R A1.
+move=> F W U fuel t e z R p; have [//|np] := boolP (dart_settled p); have A := episode_agrees R.
+have [A1 A2 ne] := open_dart_two_worlds A np; have [U1 U2] := completions_in_universe A U.
+case: ne; apply: same_map_edges; exact: one_log_one_map (F _ U1) (F _ U2) R A1 A2.
 Qed.
-End RightExplorer.
+End Explorer.

@@ -1,11 +1,13 @@
 (* ---------------------------------------------------------------------------------------------
-   Families of worlds: any world at the end of a path; bouquets of loops.              Section VI
+   Families of worlds: any world at the end of a path; loops; complete graphs.         Section VI
 
      longer W, at_end_of_path L W   W with an edge before v0; with L edges before it, v0 at their end.
      bouquet k            one vertex with k+1 loops.
+     complete k           the complete graph with k+3 vertices.
+     longer_in_universe, at_end_in_universe   what is put at the end of a path stays simple.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Model Maps Excursions.
+From Allworlds Require Import Model Maps Percepts Excursions.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -78,51 +80,65 @@ Qed.
 Lemma longer_joined : fconnect (@sigma longer) (inl v0) (inr true).
 Proof. by rewrite (_ : inr true = @sigma longer (inl v0)) ?fconnect1 //= eqxx. Qed.
 
-Lemma vertices_longer : vertices longer = (vertices W).+1.
-Proof.
-pose vertex_of (x : longer) : option W :=
+(* the vertex of W that x lies at; None for the new one *)
+Definition old_vertex (x : longer) : option W :=
   match x with
   | inl d => Some (froot sigma d)
   | inr b => if b then Some (froot sigma v0) else None
   end.
+
+Lemma old_vertexE (x y : longer) : at_same_vertex x y = (old_vertex x == old_vertex y).
+Proof.
 have step (d : W) : froot sigma (sigma d) = froot sigma d.
   apply/eqP; rewrite (root_connect (fconnect_sym (@sigma_inj W))) (fconnect_sym (@sigma_inj W)).
   exact: fconnect1.
-have inv (x : longer) : vertex_of (sigma x) = vertex_of x.
-  by case: x => [d|[]] //=; rewrite ?step //; case: eqP => [->|_] //=; rewrite step.
-have inv_root (x : longer) : vertex_of (froot sigma x) = vertex_of x.
-  rewrite -(iter_findex (connect_root _ x)).
-  by elim: (findex _ _ _) => // k IH; rewrite iterS inv.
+have inv (z : longer) : old_vertex (sigma z) = old_vertex z.
+  by case: z => [d|[]] //=; rewrite ?step //; case: eqP => [->|_] //=; rewrite step.
+have symW (d d' : W) : Some (froot sigma d) = Some (froot sigma d') -> fconnect sigma d d'.
+  by case=> /eqP; rewrite (root_connect (fconnect_sym (@sigma_inj W))).
 have sym := fconnect_sym (@sigma_inj longer).
-have symW (d d' : W) : froot sigma d = froot sigma d' -> fconnect sigma d d'.
-  by move/eqP; rewrite (root_connect (fconnect_sym (@sigma_inj W))).
-have sep (x y : longer) : vertex_of x = vertex_of y -> fconnect sigma x y.
-  case: x y => [d|b] [d'|b'] /=.
-  - by case=> /symW /longer_same.
-  - case: b' => // E; apply: connect_trans longer_joined; apply: longer_same; apply: symW.
-    by case: E.
-  - case: b => // E; rewrite sym; apply: connect_trans longer_joined; apply: longer_same; apply: symW.
-    by case: E.
-  by case: b b' => [] [].
+apply/idP/eqP=> [/iter_findex <-|]; first by elim: (findex _ _ _) => // k IH; rewrite iterS inv.
+case: x y => [d|b] [d'|b'] /=.
+- by move/symW/longer_same.
+- case: b' => // /symW E; apply: connect_trans longer_joined; exact: longer_same.
+- case: b => // /symW E; rewrite /at_same_vertex sym; apply: connect_trans longer_joined.
+  by apply: longer_same; rewrite (fconnect_sym (@sigma_inj W)).
+by case: b b' => [] [] // _; exact: connect0.
+Qed.
+
+Lemma vertices_longer : vertices longer = (vertices W).+1.
+Proof.
 pose roots_of (G : combinatorial_map) : {set G} := [set r in froots (@sigma G)].
 have card_roots (G : combinatorial_map) : vertices G = #|roots_of G|.
   by rewrite cardsE /vertices /n_comp_mem; apply: eq_card => r; rewrite !inE andbT.
-have inj : {in roots_of longer &, injective vertex_of}.
-  move=> x y; rewrite !inE => /eqP rx /eqP ry /sep.
-  by rewrite -(root_connect sym) rx ry => /eqP.
+have sym := fconnect_sym (@sigma_inj longer).
+have same_root (x : longer) : old_vertex (froot sigma x) = old_vertex x.
+  by apply/esym/eqP; rewrite -old_vertexE; exact: connect_root.
+have inj : {in roots_of longer &, injective old_vertex}.
+  move=> x y; rewrite !inE => /eqP rx /eqP ry /eqP; rewrite -old_vertexE.
+  by rewrite /at_same_vertex -(root_connect sym) rx ry => /eqP.
 rewrite (card_roots longer) -(card_in_imset inj) (card_roots W).
-have -> : vertex_of @: roots_of longer = None |: Some @: roots_of W.
+have -> : old_vertex @: roots_of longer = None |: Some @: roots_of W.
   apply/setP=> x; rewrite in_setU1; apply/imsetP/orP=> [[y ry ->]|].
     case: y ry => [d|[]] ry /=; [right | right | by left].
       by apply: imset_f; rewrite inE; exact: (roots_root (fconnect_sym (@sigma_inj W))).
     by apply: imset_f; rewrite inE; exact: (roots_root (fconnect_sym (@sigma_inj W))).
   case=> [/eqP->|/imsetP[r rr ->]].
-    exists (froot sigma (inr false : longer)); last by rewrite inv_root.
+    exists (froot sigma (inr false : longer)); last by rewrite same_root.
     by rewrite inE; exact: (roots_root sym).
   exists (froot sigma (inl r : longer)); first by rewrite inE; exact: (roots_root sym).
-  by rewrite inv_root /=; move: rr; rewrite inE => /eqP->.
+  by rewrite same_root /=; move: rr; rewrite inE => /eqP->.
 rewrite cardsU1 card_imset; last by move=> u v [].
 by have -> : None \notin Some @: roots_of W by apply/imsetP=> -[].
+Qed.
+
+Lemma longer_in_universe u : in_universe u W -> in_universe u longer.
+Proof.
+have sym := fconnect_sym (@sigma_inj W).
+have same (d d' : W) : Some (froot sigma d) = Some (froot sigma d') -> at_same_vertex d d'.
+  by case=> /eqP; rewrite (root_connect sym).
+case: u => // S x y; rewrite !old_vertexE => /eqP c /eqP; move: c.
+by case: x y => [d|[]] [d'|[]] //= /same c /same c'; rewrite (S _ _ c c').
 Qed.
 
 Lemma longer_path L level up : @path_from_start W L level up ->
@@ -156,33 +172,41 @@ Proof. by elim: L => //= L IH; rewrite edges_longer IH. Qed.
 Lemma at_end_vertices L W : vertices (at_end_of_path L W) = L + vertices W.
 Proof. by elim: L => //= L IH; rewrite vertices_longer IH. Qed.
 
-(* one vertex with k+1 loops *)
+Lemma at_end_in_universe u L W : in_universe u W -> in_universe u (at_end_of_path L W).
+Proof. by move=> U; elim: L => //= L IH; exact: longer_in_universe. Qed.
+
+(* ---- 0, 1, ..., n in a circle ---- *)
+Section Circle.
+Variable n : nat.
+
+Definition after (i : 'I_n.+1) : 'I_n.+1 := inord (i.+1 %% n.+1).
+
+Lemma after_turn j (i : 'I_n.+1) : val (iter j after i) = (i + j) %% n.+1.
+Proof.
+elim: j => [|j IH]; first by rewrite addn0 modn_small.
+by rewrite iterS /= inordK ?ltn_pmod // IH -addn1 modnDml addn1 addnS.
+Qed.
+
+Lemma after_full i : iter n.+1 after i = i.
+Proof. by apply: val_inj; rewrite after_turn modnDr modn_small. Qed.
+
+Lemma after_inj : injective after.
+Proof. by move=> i j E; rewrite -(after_full i) -(after_full j) !iterSr E. Qed.
+
+Lemma after_reaches (i j : 'I_n.+1) : iter (n.+1 - i + j) after i = j.
+Proof.
+by apply: val_inj; rewrite after_turn addnA subnKC ?(ltnW (ltn_ord i)) // modnDl modn_small.
+Qed.
+End Circle.
+
+(* ---- One vertex with k+1 loops ---- *)
 Section Bouquet.
 Variable k : nat.
 
-Definition bouquet_sigma (i : 'I_(k.*2.+2)) : 'I_(k.*2.+2) := inord (i.+1 %% k.*2.+2).
-
-Lemma bouquet_val i : val (bouquet_sigma i) = i.+1 %% k.*2.+2.
-Proof. by rewrite /= inordK // ltn_pmod. Qed.
-
-Lemma bouquet_turn j i : val (iter j bouquet_sigma i) = (i + j) %% k.*2.+2.
-Proof.
-elim: j => [|j IH]; first by rewrite addn0 modn_small.
-by rewrite iterS bouquet_val IH -addn1 modnDml addn1 addnS.
-Qed.
-
-Lemma bouquet_full i : iter k.*2.+2 bouquet_sigma i = i.
-Proof. by apply: val_inj; rewrite bouquet_turn modnDr modn_small. Qed.
-
-Lemma bouquet_sigma_inj : injective bouquet_sigma.
-Proof. by move=> i j E; rewrite -(bouquet_full i) -(bouquet_full j) !iterSr E. Qed.
+Local Notation bouquet_sigma := (@after k.*2.+1).
 
 Lemma bouquet_all i j : fconnect bouquet_sigma i j.
-Proof.
-have -> : j = iter (k.*2.+2 - i + j) bouquet_sigma i.
-  by apply: val_inj; rewrite bouquet_turn addnA subnKC ?(ltnW (ltn_ord i)) // modnDl modn_small.
-exact: fconnect_iter.
-Qed.
+Proof. by rewrite -(after_reaches i j); exact: fconnect_iter. Qed.
 
 Lemma bouquet_alpha_neq (i : 'I_(k.*2.+2)) : rev_ord i != i.
 Proof.
@@ -198,7 +222,7 @@ by apply: connect1; rewrite /adjacent eqxx.
 Qed.
 
 Definition bouquet_map :=
-  CombinatorialMap bouquet_sigma_inj (@rev_ordK _) bouquet_alpha_neq bouquet_connected.
+  CombinatorialMap (@after_inj k.*2.+1) (@rev_ordK _) bouquet_alpha_neq bouquet_connected.
 Definition bouquet := @LighthouseWorld bouquet_map ord0 ord0 (connect0 _ _).
 
 Lemma edges_bouquet : edges bouquet = k.+1.
@@ -214,3 +238,87 @@ by apply/eqP; rewrite (root_connect sym); exact: bouquet_all.
 Qed.
 End Bouquet.
 
+(* ---- The complete graph with k+3 vertices: dart j of vertex i leads to vertex i+j+1 ---- *)
+Section Complete.
+Variable k : nat.
+Local Notation dart := ('I_k.+3 * 'I_k.+2)%type.
+
+Definition complete_sigma (d : dart) : dart := (d.1, after d.2).
+Definition complete_alpha (d : dart) : dart := (iter d.2.+1 (@after k.+2) d.1, rev_ord d.2).
+
+Lemma complete_turn j d : iter j complete_sigma d = (d.1, iter j (@after k.+1) d.2).
+Proof. by elim: j => [|j IH]; [case: d | rewrite iterS IH]. Qed.
+
+Lemma complete_sigma_inj : injective complete_sigma.
+Proof. by move=> [i j] [i' j'] [-> E]; rewrite (after_inj E). Qed.
+
+Lemma complete_alphaK : involutive complete_alpha.
+Proof.
+case=> i j; rewrite /complete_alpha /= rev_ordK -!iterS -iterD; congr (_, _).
+by rewrite (_ : _ + _ = k.+3) ?after_full // /= addSn subnK.
+Qed.
+
+(* the way from i leads elsewhere *)
+Lemma complete_apart i (j : 'I_k.+2) : iter j.+1 (@after k.+2) i != i.
+Proof.
+apply/eqP=> /(congr1 val); rewrite after_turn => E; have lj := ltn_ord j.
+have /eqP : i + j.+1 = i + 0 %[mod k.+3] by rewrite addn0 E modn_small.
+by rewrite eqn_modDl mod0n modn_small.
+Qed.
+
+Lemma complete_alpha_neq d : complete_alpha d != d.
+Proof. by case: d => i j; apply/eqP=> -[/eqP]; rewrite (negbTE (complete_apart i j)). Qed.
+
+Lemma complete_vertex (x y : dart) : fconnect complete_sigma x y = (x.1 == y.1).
+Proof.
+apply/idP/eqP=> [/iter_findex <-|]; first by rewrite complete_turn.
+case: x y => i j [_ j'] /= <-; rewrite -(after_reaches j j').
+by have := fconnect_iter complete_sigma (k.+2 - j + j') (i, j); rewrite complete_turn.
+Qed.
+
+Lemma complete_next i i' : i <> i' -> exists j : 'I_k.+2, iter j.+1 (@after k.+2) i = i'.
+Proof.
+move=> ne; pose r := (k.+3 - i + i') %% k.+3; have lr : r < k.+3 by rewrite ltn_mod.
+have E : iter r (@after k.+2) i = i'.
+  by rewrite -[RHS](after_reaches i); apply: val_inj; rewrite !after_turn modnDmr.
+case: r E lr => [//|r] E lr; by exists (Ordinal (lr : r < k.+2)).
+Qed.
+
+Lemma complete_connected x y : connect (adjacent complete_sigma complete_alpha) x y.
+Proof.
+set e := adjacent _ _; have round i j j' : connect e (i, j) (i, j').
+  have : fconnect complete_sigma (i, j) (i, j') by rewrite complete_vertex.
+  by apply: connect_sub => u v /eqP <-; apply: connect1; rewrite /e /adjacent eqxx.
+case: x y => i j [i' j']; case: (i =P i') => [<-|/complete_next[j0 E]]; first exact: round.
+apply: connect_trans (round i j j0) _; apply: (@connect_trans _ _ (i', rev_ord j0)); last exact: round.
+by apply: connect1; rewrite /e /adjacent /complete_alpha /= -E eqxx orbT.
+Qed.
+
+Definition complete_map :=
+  CombinatorialMap complete_sigma_inj complete_alphaK complete_alpha_neq complete_connected.
+Definition complete := @LighthouseWorld complete_map (ord0, ord0) (ord0, ord0) (connect0 _ _).
+
+Lemma complete_simple : simple_world complete.
+Proof.
+case=> i j [i' j']; rewrite /at_same_vertex !complete_vertex /= => /eqP <- /eqP/(congr1 val).
+have lj := ltn_ord j; have lj' := ltn_ord j'; rewrite -!iterS !after_turn => /eqP.
+by rewrite eqn_modDl !modn_small // => /eqP[E]; congr (_, _); exact: val_inj.
+Qed.
+
+Lemma edges_complete : edges complete = 'C(k.+3, 2).
+Proof. by apply: double_inj; rewrite edges_double card_prod !card_ord -mul2n -mul_bin_diag bin1. Qed.
+
+Lemma vertices_complete : vertices complete = k.+3.
+Proof.
+have two (d : complete) : order sigma d = k.+2.
+  apply: order_least => //; first exact: complete_sigma_inj.
+    by rewrite complete_turn after_full; case: d.
+  move=> j /andP[j0 lj] /(congr1 (fun d : dart => val d.2)); rewrite complete_turn after_turn => E.
+  have /eqP : d.2 + j = d.2 + 0 %[mod k.+2] by rewrite addn0 E modn_small.
+  by rewrite eqn_modDl mod0n modn_small // eqn0Ngt j0.
+apply/eqP; rewrite -(eqn_pmul2r (m := k.+2)) //; apply/eqP.
+rewrite /vertices (fcard_order_set (n := k.+2) complete_sigma_inj) //; last first.
+  by apply/subsetP=> d _; rewrite inE two.
+by rewrite card_prod !card_ord.
+Qed.
+End Complete.

@@ -3,6 +3,7 @@
 
      isomorphic_refl, _sym, _trans   sameness is an equivalence;
      isomorphic_connected, isomorphic_wellformed   and carries over connectedness, wellformedness.
+     same_map_join        being the same map, wherever rooted, is transitive.
      walk_in_inj          a fixed list of motions leads different darts to different darts.
      isomorphic_back      maps that are the same seen from where a walk ends are the same seen from
                           where it began.
@@ -59,6 +60,25 @@ split=> // x.
   by rewrite -ax E.
 Qed.
 
+(* ---- The same map, wherever it is rooted ---- *)
+Lemma isomorphic_same_map M N : wellformed M -> isomorphic M N -> same_map M N.
+Proof.
+move=> W I; have [f [g [F _ r]]] := I; exists (root N); last by case: (N) I.
+by rewrite -r; have [] := F _ (wellformed_root W).
+Qed.
+
+(* two maps that are the same as one third are the same *)
+Lemma same_map_join K M N : wellformed K -> wellformed M -> same_map K M -> same_map K N -> same_map M N.
+Proof.
+move=> WK WM [d dM I] [e eN J].
+have [f [g [F G _]]] := isomorphic_trans (isomorphic_sym WK I) J; rewrite /= in F G.
+exists (f (root M)); first by have [] := F _ (wellformed_root WM).
+by exists f, g.
+Qed.
+
+Lemma same_map_sym M N : wellformed M -> wellformed N -> same_map M N -> same_map N M.
+Proof. by move=> WM WN /(same_map_join WM WN); apply; exact: isomorphic_same_map (isomorphic_refl M). Qed.
+
 Section Moves.
 Variable M : rooted_map.
 Hypothesis W : wellformed M.
@@ -110,4 +130,11 @@ Qed.
 
 Lemma rooted_connected (G : combinatorial_map) (d : G) : connected (rooted d).
 Proof. by move=> A /= A0 As Aa x _; apply: (everywhere A0); auto. Qed.
+
+Lemma same_map_edges (G H : combinatorial_map) (d : G) (e : H) :
+  same_map (rooted d) (rooted e) -> edges G = edges H.
+Proof.
+move=> [x _ [f [g [F G' _]]]]; apply: double_inj; rewrite !edges_double; apply: (@bij_eq_card _ _ f).
+by exists g => y; [have [] := F y isT | have [] := G' y isT].
+Qed.
 

@@ -8,6 +8,7 @@
 
      voltage_world c      the world of two copies, for a colouring c; its darts are (dart, copy).
      quiet c w d b        the motions w from d, begun in copy b, enter v0 in the first copy only.
+     voltage_in_universe  the cover of a simple world is simple.
      upper c              what is reached in the second copy; disconnected_potential: if the copies are
                           not connected, c separates the vertices of upper from the others.
    --------------------------------------------------------------------------------------------- *)
@@ -147,12 +148,23 @@ Lemma quiet_agrees t : agrees W (log_of W t) -> quiet (unzip1 t) v0 false ->
   agrees voltage_world (log_of W t).
 Proof. by rewrite /agrees => <- Q; exact: quiet_percepts. Qed.
 
-Lemma voltage_not_isomorphic : ~ isomorphic (rooted v0) (rooted (@start voltage_world)).
+Lemma voltage_edges : edges voltage_world = (edges W).*2.
+Proof. by apply: double_inj; rewrite !edges_double card_prod card_bool muln2 -edges_double. Qed.
+
+Lemma voltage_not_same_map : ~ same_map (rooted v0) (rooted (@start voltage_world)).
 Proof.
-case=> f [g [F G _]]; have : #|W| = #|voltage_world|.
-  by apply: (@bij_eq_card _ _ f); exists g => x; [have [] := F x isT | have [] := G x isT].
-rewrite card_prod card_bool muln2 -addnn => /eqP; rewrite -{1}[#|W|]addn0 eqn_add2l eq_sym.
-by apply/negP; rewrite -lt0n; apply/card_gt0P; exists v0.
+move/same_map_edges; rewrite voltage_edges -addnn -{1}[edges W]addn0 => /addnI /esym e0.
+by have := edges_gt0 v0; rewrite e0.
+Qed.
+
+Lemma voltage_same_vertex (x y : voltage_world) : at_same_vertex x y ->
+  at_same_vertex x.1 y.1 /\ x.2 = y.2.
+Proof. by case: x => d b /iter_findex <-; rewrite voltage_turn; split=> //; exact: fconnect_iter. Qed.
+
+Lemma voltage_in_universe u : in_universe u W -> in_universe u voltage_world.
+Proof.
+case: u => // S x y /voltage_same_vertex[v E] /voltage_same_vertex[v' _].
+by rewrite (surjective_pairing x) (surjective_pairing y) E (S _ _ v v').
 Qed.
 End VoltageCover.
 

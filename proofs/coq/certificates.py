@@ -4,7 +4,7 @@
 
 reads the pairs of worlds in ../fig1, ../smallest-pairs, ../natural-lighthouse and in
 ../../corpus/pairs, writes Certificates.v into build/, and compiles it: one theorem a pair, that
-no explorer is right on both worlds, by `certified_impossible` from the classes of darts in the
+no explorer finds the maps of both worlds, by `certified_map_impossible` from the classes of darts in the
 file.  `make theorems` must have been run.  Exit code 1: a certificate does not prove its pair.
 Standard library only.
 """
@@ -24,7 +24,7 @@ PROOFS, CORPUS = HERE.parent, HERE.parent.parent / "corpus" / "pairs"
 
 HEAD = """(* Written by certificates.py from the files named below. *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Model Explorers NumberedWorlds Impossibility Twins.
+From Allworlds Require Import Model NumberedWorlds Impossibility Twins.
 """
 
 THEOREM = """
@@ -34,8 +34,8 @@ Definition {name}_right := {right}.
 Definition {name}_darts : seq (nat * nat) := [:: {pairs}].
 
 Theorem {name}_impossible :
-  no_explorer_right_on_both {percept} {name}_left {name}_right.
-Proof. by apply: (@certified_impossible _ _ _ _ {name}_darts); vm_compute. Qed.
+  no_explorer_maps_both {percept} {name}_left {name}_right.
+Proof. by apply: (@certified_map_impossible _ _ _ _ {name}_darts); vm_compute. Qed.
 """
 
 
@@ -89,7 +89,7 @@ def main() -> int:
         print(f"a certificate does not prove its pair: see {target}", file=sys.stderr)
         return 1
     for source, _, _ in pairs:
-        print(f"no explorer is right on both worlds of: {source}")
+        print(f"no explorer finds the maps of both worlds of: {source}")
     return 0
 
 
