@@ -82,6 +82,15 @@ exact: (@two_vertices_runs W _ cluster_percept fst (has_markers 1) (has_markers 
   (fun=> erefl) one_marker two_markers one).
 Qed.
 
+Theorem cluster_resumed pol : exists t answer z,
+  [/\ machine cluster pol motion cluster_percept (size t) (Return (knowledge_at_v0 (degree v0)
+        (first_bearing W) (opposite (degree v0) (first_bearing W)))) (@pointed W) = (t, Some answer, z),
+      size t <= cluster_bound, valid answer & isomorphic (denote answer) (rooted z)].
+Proof.
+exact: (@two_vertices_resumed W _ cluster_percept fst (has_markers 1) (has_markers 2)
+  (fun=> erefl) one_marker two_markers one).
+Qed.
+
 Theorem cluster_correct pol budget : 2 * degree v0 + cluster_bound <= budget ->
   exists transcript answer z,
   [/\ episode (cluster_algorithm pol) (rooted v0) cluster_percept budget

@@ -6,6 +6,7 @@
      exec p d             program p, run in the world from dart d: its result, the robot's dart, the
                           transcript.
      makes p d x z n      run from dart d, program p gives x, at dart z, after n traversals.
+     machine_exec         the machine executes programs.
      due c d x            a robot at d that turns by c is as if it had come in by x.
      trail done y x       the motions in done lead from x to y.
    --------------------------------------------------------------------------------------------- *)
@@ -100,3 +101,45 @@ by exists c', z'; split=> //; exact: makes_go.
 Qed.
 End Makes.
 
+(* ---- The machine executes programs ---- *)
+Section Machine.
+Variables (G : combinatorial_map) (O : Type) (B : eqType) (L : lighthouse O B) (pol : policy).
+Variable senses : G -> O.
+Local Notation machine := (machine L pol motion senses).
+
+Lemma machine_next fuel p q d : next L pol p = next L pol q -> machine fuel p d = machine fuel q d.
+Proof. by case: fuel => [|fuel] /= ->. Qed.
+
+Lemma next_pass k : unexplored k != [::] -> next L pol (Return k) = next L pol (one_pass L pol k).
+Proof.
+rewrite /=; case E: (unexplored k) => // _.
+by rewrite /one_pass; case: (way_to pol k (next_edge pol k)).1.
+Qed.
+
+Lemma machine_exec p d s z t fuel t' e z' :
+  exec senses p d = (s, z, t) -> machine fuel (Return s) z = (t', Some e, z') ->
+  machine (size t + fuel) p d = (t ++ t', Some e, z').
+Proof.
+move=> E F; elim: p d t E => [x|k g IH] d t; first by case=> -> -> <-.
+rewrite [exec _ _ _]/=; case E: (exec _ _ _) => [[x1 z1] t1] [X Z <-]; subst x1 z1.
+by rewrite [size _]/= addSn [Algorithm.machine _ _ _ _ _ _ _]/= (IH _ _ _ E).
+Qed.
+End Machine.
+
+(* it does the same where the same is sensed *)
+Lemma machine_ext (D O : Type) (B : eqType) (L : lighthouse O B) pol (moves : nat -> D -> D)
+    (s1 s2 : D -> O) : s1 =1 s2 ->
+  forall fuel p d, machine L pol moves s1 fuel p d = machine L pol moves s2 fuel p d.
+Proof. by move=> E; elim=> //= fuel IH p d; case: (next L pol p) => // -[k f]; rewrite E IH. Qed.
+
+(* once it has stopped, a larger budget changes nothing *)
+Lemma machine_more (D O : Type) (B : eqType) (L : lighthouse O B) pol (moves : nat -> D -> D)
+    (senses : D -> O) fuel more p d t e z : machine L pol moves senses fuel p d = (t, Some e, z) ->
+  machine L pol moves senses (fuel + more) p d = (t, Some e, z).
+Proof.
+elim: fuel p d t => [|fuel IH] p d t.
+  by rewrite add0n; case: more => [|more] /=; case: (next L pol p) => // -[].
+rewrite addSn /=; case: (next L pol p) => // -[k f].
+case R: (machine _ _ _ _ fuel _ _) => [[t' [e'|]] z'] //= [<- ee zz]; subst e' z'.
+by rewrite (IH _ _ _ R).
+Qed.

@@ -38,6 +38,11 @@ rewrite addSn /=; case: (X h) => //= j.
 case R: (explore _ _ _) => [[t' [e'|]] z'] //= [<- ee zz]; subst e' z'.
 by rewrite (IH _ _ _ R).
 Qed.
+
+(* so it stops in one way only *)
+Lemma explore_once n n' seen d t t' e e' z z' : explore n seen d = (t, Some e, z) ->
+  explore n' seen d = (t', Some e', z') -> [/\ t = t', e = e' & z = z'].
+Proof. by move/(explore_more n')=> R /(explore_more n); rewrite addnC R => -[-> -> ->]. Qed.
 End Episodes.
 
 (* who knows the place knows the map *)

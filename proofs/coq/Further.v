@@ -4,11 +4,11 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable.
-From Allworlds Require Import PartialMaps Paths Pass Cost Correctness Lighthouses Routes Algorithm.
-From Allworlds Require Import Execution OnePass Refinement Policies ShortestPaths NumberedWorlds.
-From Allworlds Require Import Judge Impossibility DoubleCover Twins Congruence Log Folding.
-From Allworlds Require Import OpenDarts PathWorlds LowerBounds Enumeration TwoVertices Cluster.
-From Allworlds Require Import NaturalLighthouse.
+From Allworlds Require Import PartialMaps Paths Pass Cost Correctness PassCounts Lighthouses Routes.
+From Allworlds Require Import Algorithm Execution OnePass Refinement Policies ShortestPaths.
+From Allworlds Require Import NumberedWorlds Judge Impossibility DoubleCover Trees Twins Congruence.
+From Allworlds Require Import Log Folding OpenDarts PathWorlds Cycles LowerBounds Enumeration.
+From Allworlds Require Import TwoVertices Cluster Laying NaturalLighthouse.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -99,6 +99,22 @@ Theorem bound_is_polynomial n m : 0 < n -> n - 1 <= m ->
   = 12 * m ^ 2 * n + 4 * n ^ 3 + 30 * m * n + 11 * n.
 Proof. exact: paper_bound_polynomial. Qed.
 
+(* n-1 passes find a vertex and m-n+1 close a loop, whatever the schedule.  counted v l C c: a run in
+   which v passes have found a vertex and l have closed a loop, C traversals in all. *)
+Theorem passes_of_both_kinds (W : lighthouse_world) (c : configuration W) :
+  (forall n C, reached n C c <-> exists v l, counted v l C c /\ v + l = n) /\
+  forall v l C, counted v l C c -> nothing_open c ->
+  v.+1 = vertices W /\ l + vertices W = (edges W).+1.
+Proof. by split=> [n C|v l C]; [exact: reached_counted | exact: passes_of_each_kind]. Qed.
+
+(* '2m is a lower bound' is false: on every cycle, of k+1 vertices, Algorithm 1 walks exactly m edges if
+   it takes the dart that came last first. *)
+Theorem m_is_enough_on_cycles k b : let W := ring k b in
+  edges W = k.+1 /\ vertices W = k.+1 /\ forall budget, edges W <= budget -> exists t answer z,
+  [/\ episode (algorithm1 lifo) (rooted (@start W)) (@percept_of W) budget = (t, Some answer, z),
+      size t = edges W, valid answer & isomorphic (denote answer) (rooted z)].
+Proof. by split; [exact: edges_ring | split; [exact: vertices_ring | exact: lifo_on_ring]]. Qed.
+
 (* ==== Answers ==== *)
 
 (* Equality of codes decides whether two rooted maps are the same. *)
@@ -173,6 +189,25 @@ Theorem no_world_with_a_cycle_without_position (G : combinatorial_map) (e : G) (
         (compass ref) (@compass H (fun p => ref p.1))
     & simple_world G -> simple_world H].
 Proof. by have [A B] := world_with_cycle_impossible cycle d ref; split=> //; exact: cover_simple. Qed.
+
+(* Trees, and only trees, can be explored without position.  Dead reckoning: Algorithm 1, sensing in its
+   mind the lighthouse that is not there, is right in every tree; and a world is a tree if and only if no
+   other world gives the same percepts, degrees, on every list of motions. *)
+Theorem trees_without_position pol (G : combinatorial_map) (d : G) : acyclic G ->
+  right denote (without_position (algorithm1 pol)) (rooted d) (@degree_sensed G).
+Proof. exact: tree_explored. Qed.
+
+Theorem only_trees_without_position (G : combinatorial_map) (d : G) : (forall e : G, ~~ on_cycle e) <->
+  forall (H : combinatorial_map) (d' : H),
+  (forall w, percepts_in (M := rooted d) (@degree G) w d
+           = percepts_in (M := rooted d') (@degree H) w d') ->
+  isomorphic (rooted d) (rooted d').
+Proof. exact: tree_iff_no_twin. Qed.
+
+(* With position, cycles of different length are told apart: one explorer is right on all of them. *)
+Theorem cycles_with_position n side : 0 < n ->
+  right (fun n => cycle_world n true) round_once (cycle_world n side) position_on_cycle.
+Proof. exact: round_once_right. Qed.
 
 Theorem kinds_of_these_worlds :
   [/\ all planar [:: two_loops_plane; k4_plane; hexagon; triangles; figure_1_left; figure_1_right],
@@ -278,6 +313,22 @@ Theorem cluster_right_for_every_schedule (W : lighthouse_world) : one_edge W ->
   (exists C' c', reached (edges W) C' c' /\ nothing_open c') /\
   (nothing_open c -> [/\ q = edges W, C <= cluster_bound W & robot_knows c]).
 Proof. by move=> H reached q C c; exact: cluster_runs. Qed.
+
+(* The robot lays the cluster itself.  There are no markers at first; it may drop one where it is.  It
+   drops one at v0, tries its darts in turn until one is no loop, drops two behind it, comes back, and
+   runs Algorithm 1.  W: the world with `pointed` the first dart that is no loop.  Cost: two traversals
+   for each dart tried, and as before; three drops. *)
+Theorem cluster_can_be_laid (W : lighthouse_world) : loops_before W -> one_edge W -> forall pol budget,
+  2 * degree (@start W) + cluster_bound W + 3 <= budget -> exists t answer z,
+  [/\ marking_episode (laying_algorithm pol) (@start W) budget = (t, Some answer, z),
+      traversals t <= 2 * degree (@start W) + cluster_bound W, size t = traversals t + 3,
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. by move=> l o pol budget; exact: laying_correct. Qed.
+
+(* In every simple world, from every dart, the hypotheses hold. *)
+Theorem cluster_can_be_laid_in_simple_worlds (G : combinatorial_map) (d : G) : simple_world G ->
+  let W := @LighthouseWorld G d d (connect0 _ d) in loops_before W /\ one_edge W.
+Proof. exact: simple_loops_before. Qed.
 
 (* With two edges between v0 and v1 a cluster is not enough. *)
 Theorem cluster_needs_one_edge :

@@ -4,6 +4,7 @@
    For any lighthouse L, once it is known in what its percepts and `confirm` amount to in the world:
      explorer_by_correct  if each test decides its hypothesis and set_out finds the bearing, the
                           explorer is right, within any budget that covers set_out and bound_by.
+     resumed_correct      the same from where the first knowledge is there.
      estimate_right       when U is empty the estimate is the world seen from the robot's true
                           dart.
 
@@ -47,24 +48,6 @@ Local Notation pass_by := (pass_by foretells confirms confirm_cost).
 (* ---- The whole run ---- *)
 Local Notation machine := (machine L pol motion senses).
 
-Lemma machine_next fuel p q d : next L pol p = next L pol q -> machine fuel p d = machine fuel q d.
-Proof. by case: fuel => [|fuel] /= ->. Qed.
-
-Lemma next_pass k : unexplored k != [::] -> next L pol (Return k) = next L pol (one_pass L pol k).
-Proof.
-rewrite /=; case E: (unexplored k) => // _.
-by rewrite /one_pass; case: (way_to pol k (next_edge pol k)).1.
-Qed.
-
-Lemma machine_exec p d s z t fuel t' e z' :
-  exec senses p d = (s, z, t) -> machine fuel (Return s) z = (t', Some e, z') ->
-  machine (size t + fuel) p d = (t ++ t', Some e, z').
-Proof.
-move=> E F; elim: p d t E => [x|k g IH] d t; first by case=> -> -> <-.
-rewrite [exec _ _ _]/=; case E: (exec _ _ _) => [[x1 z1] t1] [X Z <-]; subst x1 z1.
-by rewrite [size _]/= addSn [Algorithm.machine _ _ _ _ _ _ _]/= (IH _ _ _ E).
-Qed.
-
 Hypothesis decides : forall S r h w f x, embedded v0 S r -> known S h -> follow S w h = Some f ->
   f.1 = 0 -> matches S x (h, w) f <-> x = phi r h.
 Local Notation reached_by := (reached_by foretells confirms confirm_cost).
@@ -83,7 +66,7 @@ have R1 := ReachedByPass R P1; have [|t [k' [c' [d' [n' [A D F G]]]]]] := IH _ _
   have [C1 R'] := reached_by_reached decides R1.
   by rewrite ltnS in lN; apply: leq_trans lN; apply: ltn_sub2l => //; exact: (run_passes R').
 exists (t1 ++ t), k', c', d', n'; split=> //; last by rewrite size_cat addnA s1.
-by rewrite size_cat (machine_next _ _ (next_pass U)); exact: (machine_exec E1 A).
+by rewrite size_cat (machine_next _ _ _ (next_pass _ _ U)); exact: (machine_exec E1 A).
 Qed.
 
 (* ---- The estimate is the world, seen from where the robot is ---- *)
@@ -138,6 +121,18 @@ apply: (isomorphic_wellformed J (rooted_wellformed d)) => /=; rewrite ?size_map.
 move=> i; apply: nP => e ke; case E: (partner S e) => [g|] //=; exact: Hl E.
 Qed.
 
+(* once the first knowledge is there *)
+Theorem resumed_correct k0 z0 : knows k0 (initial W) z0 -> exists t answer z,
+  [/\ machine (size t) (Return k0) z0 = (t, Some answer, z), size t <= bound_by W confirm_cost,
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof.
+move=> K0; have [t [k [c [d [n [A R K U]]]]]] := program_run (ReachedByStart _ _ _) K0.
+have [C0 R0] := reached_by_reached decides R.
+have [nopen V J] := estimate_right (reached_sound R0) K U.
+have [_ Cb _] := run_by_correct decides R nopen; rewrite add0n in Cb.
+by exists t, (estimate k), d.
+Qed.
+
 (* with any budget that is large enough *)
 Variable set_out_cost : nat.
 Hypothesis set_out_makes : exists k z,
@@ -149,12 +144,9 @@ Theorem explorer_by_correct budget : bound <= budget -> exists transcript answer
       size transcript <= bound, valid answer & isomorphic (denote answer) (rooted z)].
 Proof.
 move=> le; have [k0 [z0 [[t0 [E0 s0]] K0]]] := set_out_makes.
-have [t [k [c [d [n [A R K U]]]]]] := program_run (ReachedByStart _ _ _) K0.
-have [C0 R0] := reached_by_reached decides R.
-have [nopen V J] := estimate_right (reached_sound R0) K U.
-have [_ Cb _] := run_by_correct decides R nopen; rewrite add0n in Cb.
+have [t [answer [z [A Cb V J]]]] := resumed_correct K0.
 have Cb' : size (t0 ++ t) <= bound by rewrite size_cat s0 leq_add2l.
-exists (t0 ++ t), (estimate k), d; split=> //; rewrite -(subnKC (leq_trans Cb' le)).
+exists (t0 ++ t), answer, z; split=> //; rewrite -(subnKC (leq_trans Cb' le)).
 apply: explore_more; rewrite explore_machine size_cat; exact: (machine_exec E0 A).
 Qed.
 End InWorld.

@@ -147,6 +147,18 @@ exists (knowledge_at_v0 (degree v0) b (opposite (degree v0) b)), z.
 by rewrite /= degree_sensed -{3}[b]subn0; split=> //; split=> //; exact: queue_initial.
 Qed.
 
+(* once the dart that leads to v1 is known *)
+Theorem two_vertices_resumed pol : exists t answer z,
+  [/\ machine L pol motion senses (size t)
+        (Return (knowledge_at_v0 (degree v0) b (opposite (degree v0) b))) (@pointed W)
+        = (t, Some answer, z),
+      size t <= bound_by W 2, valid answer & isomorphic (denote answer) (rooted z)].
+Proof.
+apply: (@resumed_correct W O _ L pol senses leads_to_v1 2 reads_coarse (fun=> erefl) asks
+  confirmed_iff); split=> //; first exact: queue_initial.
+by rewrite /= -(iter_findex (@pointed_at_v0 W)); exact: opposite_turn.
+Qed.
+
 Local Notation bound := (2 * degree v0 + bound_by W 2).
 
 Theorem two_vertices_correct pol budget : bound <= budget -> exists transcript answer z,
