@@ -1,8 +1,9 @@
 (* ---------------------------------------------------------------------------------------------
    Extraction to OCaml: the explorers, step by step, their policies, the judge.
 
-     K_starts             what explorer K does from its first percept on, for three lighthouses K.
-     K_next               its next motion, or the end.
+     algorithm1_starts, cluster_starts, natural_starts   what the explorer with each lighthouse does
+                          from its first percept on.
+     algorithm1_next, cluster_next, natural_next   its next motion, or the end.
      algorithm1_machine   a whole run.
 
    Trusted here: the extraction itself; ExtrOcamlBasic and ExtrOcamlNatInt (nat becomes int: no

@@ -3,9 +3,8 @@
 
      percepts_in obs w d   what is sensed on the way of the motions w from d.
      alike x y             every list of motions gives equal percepts from x and from y.
-     A bisimulation of two worlds is a relation R between their darts that holds of the start
-                           darts,
-     implies equal percepts, and is kept by sigma and alpha.
+   A bisimulation of two worlds is a relation R between their darts that holds of the start darts,
+   implies equal percepts, and is kept by sigma and alpha.
 
      twins_episode         R a bisimulation: every explorer has the same transcript and the same
                            answer in both worlds.
@@ -15,8 +14,7 @@
      seeds_do_not_help     an explorer with a seed or an oracle is a family of explorers: if no explorer
                            finds both maps, the chances that it finds the one and the other add up to
                            at most one.
-     alike is the largest bisimulation (alike_percept, alike_sigma, alike_alpha,
-                           bisimulation_alike).
+     alike_percept, alike_sigma, alike_alpha, bisimulation_alike   alike is the largest bisimulation.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model RootedMaps Explorers.

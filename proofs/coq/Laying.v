@@ -15,7 +15,7 @@
      lay_round, lay       drop one marker at v0; leave by one dart after the other; where a marker is seen
                           it was a loop; where none is, drop two, and come back: the place of that dart.
      loops_before W       the pointed dart is the first from the start that is no loop.
-     lay_makes            there the program finds it, and then the markers lie as in Cluster.v.
+     round_makes          there the program finds it, and then the markers lie as in Cluster.v.
      laying_algorithm     lay, then Algorithm 1 with the cluster.
      laying_correct       it is right, in (1)+(2), two traversals for each test, and 2 deg(v0) for laying,
                           where one edge only joins v0 and v1.

@@ -1,7 +1,7 @@
 (* ---------------------------------------------------------------------------------------------
    Rooted maps: sameness is an equivalence, and is kept by going back.                       Section V
 
-     isomorphic_refl, _sym, _trans   sameness is an equivalence;
+     isomorphic_refl, isomorphic_sym, isomorphic_trans   sameness is an equivalence;
      isomorphic_connected, isomorphic_wellformed   and carries over connectedness, wellformedness.
      same_map_join        being the same map, wherever rooted, is transitive.
      walk_in_inj          a fixed list of motions leads different darts to different darts.

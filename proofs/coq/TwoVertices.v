@@ -17,7 +17,8 @@
      two_vertices         the lighthouse, for the program.
      confirmed_iff        a test is confirmed if and only if its hypothesis is true.
      two_vertices_runs    for every schedule: what Lighthouses.v says.
-     two_vertices_correct for the program, under every policy: the same, the search included.
+     two_vertices_resumed, two_vertices_correct   for the program, under every policy: the same, once
+                          the dart to v1 is known, and the search included.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps HypothesisTests.
