@@ -32,7 +32,7 @@
      algorithm1_checked   Algorithm 1 passes, under every policy, for every m.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers NumberedWorlds Judge Enumeration.
+From Allworlds Require Import Model Maps RootedMaps Codes Explorers NumberedWorlds Judge Enumeration.
 From Allworlds Require Import Cost Algorithm Refinement Twins Cluster SameWorld.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -143,7 +143,7 @@ Inductive finding := NoAnswer | Judged (v : verdict).
 Definition is_right f := if f is Judged IsRight then true else false.
 
 Section Program.
-Variables (S O : Type) (r : resumption S O) (limit : nat -> nat -> nat).
+Variables (S O : Type) (r : resumption S O) (limit : nat -> nat -> nat -> nat).
 Variables (senses : numbered_map -> nat -> nat -> O) (admits : numbered_map -> nat -> bool).
 
 Definition worlds m :=
@@ -157,8 +157,8 @@ Definition look_up (w : numbered_map * nat) : nat -> O :=
 
 Definition run_in (w : numbered_map * nat) : seq (nat * O) * option numbered_map * nat :=
   let M := w.1 in
-  episode_of r (motion_in (denote M)) (look_up w) (limit (vertices_in M) (edges_in M))
-    (root_number M).
+  let most := limit (vertices_in M) (edges_in M) (degree_at M (root_number M)) in
+  episode_of r (motion_in (denote M)) (look_up w) most (root_number M).
 
 Definition examine w :=
   let: (_, answer, z) := run_in w in
@@ -178,18 +178,21 @@ Hypothesis admits_kind : forall M (V : valid M) (C : connected (denote M)) k,
   reflect (kind (world_of_numbers V C k)) (admits M k).
 
 Local Notation X := (as_explorer r).
+Local Notation limit_in W := (limit (vertices W) (edges W) (degree (@start W))).
 Local Notation right_in W :=
-  (right_within X (M := rooted (@start W)) (@sees W) (limit (vertices W) (edges W))).
+  (right_within X (M := rooted (@start W)) (@sees W) (limit_in W)).
 
 Lemma right_same (W V : lighthouse_world) (f : W -> V) : same_world f -> right_in V -> right_in W.
 Proof.
 move=> F; have [fb fs fa f0 _] := F; case/right_withinE=> t [e [z [R Ve I]]]; apply/right_withinE.
 have [||||E1 E2] := @related_episode _ _ X (rooted (@start W)) (rooted (@start V)) (@sees W) (@sees V)
-  (fun x y => y = f x) _ _ _ _ (limit (vertices V) (edges V)) => //=.
+  (fun x y => y = f x) _ _ _ _ (limit_in V) => //=.
 - by move=> x _ ->; rewrite (sees_same F).
 - by move=> x _ ->.
 - by move=> x _ ->.
-rewrite (same_vertices fb fs) (same_edges fb) in E1 E2 *; rewrite R in E1 E2.
+have -> : limit_in W = limit_in V.
+  by rewrite (same_vertices fb fs) (same_edges fb) -f0 (same_degree fb fs).
+rewrite R in E1 E2.
 move: E1 E2; case: (episode _ _ _ _) => [[t' a'] z'] /= [-> ->] zE.
 exists t, e, z'; split=> //; rewrite zE in I; apply: isomorphic_trans I _.
 by apply: isomorphic_sym (rooted_wellformed _) _; exact: same_rooted.
@@ -205,13 +208,14 @@ rewrite /look_up /=; case E: [seq _ | _ <- _] => [|o os] // ld.
 by rewrite -E (nth_map 0) ?size_iota // nth_iota.
 Qed.
 
-Lemma run_in_episode : let: (t, a, z) := run_in (M, k) in let limit' := limit (vertices W) (edges W) in
-  (episode X (rooted (@start W)) (@sees W) limit').1 = (t, a) /\
-  val (episode X (rooted (@start W)) (@sees W) limit').2 = z.
+Lemma run_in_episode : let: (t, a, z) := run_in (M, k) in
+  (episode X (rooted (@start W)) (@sees W) (limit_in W)).1 = (t, a) /\
+  val (episode X (rooted (@start W)) (@sees W) (limit_in W)).2 = z.
 Proof.
-rewrite /run_in -(vertices_in_numbers V C) -(edges_in_numbers V C) -episode_resumption.
+rewrite /run_in -(vertices_in_numbers V C) -(edges_in_numbers V C).
+rewrite -[root_number M]/(val (@start W)) (@degree_in_numbers M V C (@start W)) -episode_resumption.
 have [||||] := @related_episode _ _ X (denote M) (rooted (@start W)) (look_up (M, k)) (@sees W)
-  (fun i j => i = val j) _ _ _ _ (limit (vertices W) (edges W)) => //=.
+  (fun i j => i = val j) _ _ _ _ (limit_in W) => //=.
 - by move=> i j ->; rewrite -senses_sees look_upE.
 - by move=> i j ->.
 - by move=> i j ->.
@@ -287,16 +291,16 @@ Definition simple_check S (r : resumption S percept) limit :=
   check r limit directional_senses in_simple_maps.
 
 Section Directional.
-Variables (S : Type) (r : resumption S percept) (limit : nat -> nat -> nat).
+Variables (S : Type) (r : resumption S percept) (limit : nat -> nat -> nat -> nat).
 Local Notation right_in W := (right_within (as_explorer r) (M := rooted (@start W)) (@percept_of W)
-  (limit (vertices W) (edges W))).
+  (limit (vertices W) (edges W) (degree (@start W)))).
 
 Lemma directional_senses_percept M (V : valid M) (C : connected (denote M)) k
   (i : world_of_numbers V C k) : directional_senses M k (val i) = percept_of i.
 Proof. exact: sensed_percept. Qed.
 
 Theorem directional_check_correct m :
-  directional_check r limit m <-> forall W, edges W <= m -> right_in W.
+  directional_check r limit m <-> forall W : lighthouse_world, edges W <= m -> right_in W.
 Proof.
 apply: (iff_trans (@check_correct _ _ r limit _ _ (@percept_of) (fun=> True) _ _ _ _ m)).
 - exact: same_percept.
@@ -311,7 +315,7 @@ Theorem simple_check_correct m :
 Proof.
 apply: (@check_correct _ _ r limit _ _ (@percept_of) (fun W : lighthouse_world => simple_world W)).
 - exact: same_percept.
-- by move=> W V f [fb fs fa _ _]; exact: same_simple.
+- by move=> W V f [fb fs fa _ _]; exact: (same_simple fb fs fa).
 - exact: directional_senses_percept.
 by move=> M V C k; exact: simple_in_numbers.
 Qed.
@@ -343,10 +347,10 @@ Definition algorithm1_resumption pol : resumption (program percept knowledge) pe
 Theorem algorithm1_is_resumption pol : as_explorer (algorithm1_resumption pol) = algorithm1 pol.
 Proof. by []. Qed.
 
-Theorem algorithm1_checked pol m : directional_check (algorithm1_resumption pol) paper_limit m.
+Theorem algorithm1_checked pol m : directional_check (algorithm1_resumption pol) (fun n m _ => paper_limit n m) m.
 Proof.
 apply/directional_check_correct=> W _; rewrite algorithm1_is_resumption paper_limitE.
-by apply/right_withinE; have [t [e [z [R _ V I]]]] := algorithm1_correct pol (leqnn _); exists t, e, z.
+by apply/right_withinE; have [t [e [z [R _ V I]]]] := algorithm1_correct (W := W) pol (leqnn _); exists t, e, z.
 Qed.
 
 (* the theorem in numbers, with the bound that is meant *)

@@ -14,8 +14,8 @@
                           marker along one of the darts at its root.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable NumberedWorlds.
-From Allworlds Require Import Twins Enumeration Folding Cluster.
+From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable.
+From Allworlds Require Import NumberedWorlds Twins Enumeration Cluster.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
