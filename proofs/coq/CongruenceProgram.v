@@ -243,6 +243,9 @@ Qed.
 Let final : least_labels n c /\ saturated next links marked c.
 Proof. by apply: closureP => //; exact: least_iota. Qed.
 
+Lemma classes_least : least_labels n c.
+Proof. by case: final. Qed.
+
 Lemma linkedE i j : (i, j) \in links -> exists x y, [/\ number x = i, number y = j & linkedD x y].
 Proof.
 move=> m; have /andP[li lj] := allP links_small _ m.
