@@ -133,6 +133,19 @@ have mE := fix1 E1; rewrite mE in fix2 E *; have [-> H] := fix2 E; split=> // q.
 by rewrite inE => /orP[/eqP->|/H//]; have := merge_merges l1 l2; rewrite mE.
 Qed.
 
+(* what has been merged stays so *)
+Lemma merges_merge c p : least_labels c -> p \in ds ->
+  nth 0 (foldl merge c ds) p.1 = nth 0 (foldl merge c ds) p.2.
+Proof.
+have keep s d x y : x < size d -> y < size d -> nth 0 d x = nth 0 d y ->
+    nth 0 (foldl merge d s) x = nth 0 (foldl merge d s) y.
+  elim: s d => //= q s IH d lx ly E; apply: IH; rewrite ?size_merge //; exact: merge_keeps.
+elim: ds range c => //= q s IH /andP[rq rs] c G; rewrite inE; case: eqP => [->|_] /= m.
+  have [sz _] := G; have /andP[l1 l2] := rq; rewrite -sz in l1 l2.
+  by apply: keep; rewrite ?size_merge //; exact: merge_merges.
+by apply: IH => //; exact: merge_least.
+Qed.
+
 (* what is merged is related by every equivalence that relates the pairs *)
 Variable R : nat -> nat -> Prop.
 Hypotheses (R_sym : forall x y, R x y -> R y x) (R_trans : forall y x z, R x y -> R y z -> R x z).

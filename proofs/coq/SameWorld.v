@@ -1,15 +1,15 @@
 (* ---------------------------------------------------------------------------------------------
    The same world under other names; and what is computed of a world that is written down.
 
-     same_world W V       a bijection of the darts that commutes with sigma and alpha and takes start
-                          to start and pointed to pointed.  For such a bijection f:
-     same_degree, same_percept, same_vertices, same_edges, same_simple, same_euler
+     same_map f           f is a bijection of the darts that commutes with sigma and alpha.
+     same_world f         besides it takes start to start and pointed to pointed.  For such an f:
+     same_degree, same_percept, same_vertices, same_edges, same_simple, same_planar
                           what it keeps.
      same_episode         an explorer walks the same way in both, and ends in f of the dart.
 
-     cycle_count f n      how many cycles f has on 0 .. n-1: those numbers that are the least of theirs.
-     vertices_in M, edges_in M, faces_in M    of a numbered map, computed.
-     vertices_computed, edges_computed, planar_computed, simple_computed     they are right.
+     cycles_fcard         Twins.cycles counts cycles.
+     vertices_in M, edges_in M        of a numbered map, computed.
+     vertices_in_numbers, edges_in_numbers, planar_in_numbers, simple_in_numbers   what is computed is so.
      written_down         every world is, under other names, one of rooted_maps (edges W) with the
                           marker along one of the darts at its root.
    --------------------------------------------------------------------------------------------- *)
@@ -152,6 +152,9 @@ Qed.
 End InNumbers.
 
 (* ---- The same map under other names ---- *)
+Definition same_map (G H : combinatorial_map) (f : G -> H) :=
+  [/\ bijective f, forall d, f (sigma d) = sigma (f d) & forall d, f (alpha d) = alpha (f d)].
+
 Section SameMap.
 Variables (G H : combinatorial_map) (f : G -> H).
 Hypotheses (f_bij : bijective f) (f_sigma : forall d, f (sigma d) = sigma (f d)).
