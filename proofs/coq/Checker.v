@@ -27,7 +27,7 @@
      refutation_correct   each world in refutations m is of this kind, has m edges, and the explorer is
                           not right in it within the limit.
 
-     directional_...      the lighthouse of the paper, every bearing; simple_...: in simple worlds only.
+     directional_...      the lighthouse of the paper, every bearing; u: all worlds, or the simple ones.
      paper_limit          (1)+(2), computed.
      algorithm1_checked   Algorithm 1 passes, under every policy, for every m.
    --------------------------------------------------------------------------------------------- *)
@@ -280,18 +280,15 @@ End Program.
 
 (* ---- With a directional lighthouse ---- *)
 Definition directional_senses M k := sensed M (iter k (nth 0 (sigma_list M)) (root_number M)).
-Definition every_place (M : numbered_map) (k : nat) := true.
-Definition in_simple_maps M (k : nat) := simple M.
+Definition in_universe_in u M (k : nat) := if u is SimpleWorlds then simple M else true.
 
-Definition directional_refutations S (r : resumption S percept) limit :=
-  refutations r limit directional_senses every_place.
-Definition directional_check S (r : resumption S percept) limit :=
-  check r limit directional_senses every_place.
-Definition simple_check S (r : resumption S percept) limit :=
-  check r limit directional_senses in_simple_maps.
+Definition directional_check S (r : resumption S percept) limit u :=
+  check r limit directional_senses (in_universe_in u).
+Definition directional_refutations S (r : resumption S percept) limit u :=
+  refutations r limit directional_senses (in_universe_in u).
 
 Section Directional.
-Variables (S : Type) (r : resumption S percept) (limit : nat -> nat -> nat -> nat).
+Variables (S : Type) (r : resumption S percept) (limit : nat -> nat -> nat -> nat) (u : universe).
 Local Notation right_in W := (right_within (as_explorer r) (M := rooted (@start W)) (@percept_of W)
   (limit (vertices W) (edges W) (degree (@start W)))).
 
@@ -299,35 +296,31 @@ Lemma directional_senses_percept M (V : valid M) (C : connected (denote M)) k
   (i : world_of_numbers V C k) : directional_senses M k (val i) = percept_of i.
 Proof. exact: sensed_percept. Qed.
 
-Theorem directional_check_correct m :
-  directional_check r limit m <-> forall W : lighthouse_world, edges W <= m -> right_in W.
+Lemma in_universe_same (W V : lighthouse_world) (f : W -> V) : same_world f ->
+  in_universe u W -> in_universe u V.
+Proof. by case: u => // -[fb fs fa _ _]; exact: (same_simple fb fs fa). Qed.
+
+Lemma in_universe_numbers M (V : valid M) (C : connected (denote M)) k :
+  reflect (in_universe u (world_of_numbers V C k)) (in_universe_in u M k).
+Proof. by case: u => /=; [exact: ReflectT | exact: simple_in_numbers]. Qed.
+
+Theorem directional_check_correct m : directional_check r limit u m <->
+  forall W : lighthouse_world, in_universe u W -> edges W <= m -> right_in W.
 Proof.
-apply: (iff_trans (@check_correct _ _ r limit _ _ (@percept_of) (fun=> True) _ _ _ _ m)).
+apply: (@check_correct _ _ r limit _ _ (@percept_of) (in_universe u)).
 - exact: same_percept.
-- by [].
+- exact: in_universe_same.
 - exact: directional_senses_percept.
-- by move=> *; exact: ReflectT.
-by split=> H W; [exact: (H W I) | move=> _; exact: H].
+exact: in_universe_numbers.
 Qed.
 
-Theorem simple_check_correct m :
-  simple_check r limit m <-> forall W : lighthouse_world, simple_world W -> edges W <= m -> right_in W.
+Theorem directional_refutation m M k : (M, k) \in directional_refutations r limit u m ->
+  exists (V : valid M) (C : connected (denote M)), let W := world_of_numbers V C k in
+  [/\ in_universe u W, edges W = m & ~ right_in W].
 Proof.
-apply: (@check_correct _ _ r limit _ _ (@percept_of) (fun W : lighthouse_world => simple_world W)).
-- exact: same_percept.
-- by move=> W V f [fb fs fa _ _]; exact: (same_simple fb fs fa).
-- exact: directional_senses_percept.
-by move=> M V C k; exact: simple_in_numbers.
-Qed.
-
-Theorem directional_refutation m M k : (M, k) \in directional_refutations r limit m ->
-  exists (V : valid M) (C : connected (denote M)),
-  edges (world_of_numbers V C k) = m /\ ~ right_in (world_of_numbers V C k).
-Proof.
-case/(@refutation_correct _ _ r limit _ _ (@percept_of) (fun=> True)).
-- exact: directional_senses_percept.
-- by move=> *; exact: ReflectT.
-by move=> V [C [_ E N]]; exists V, C.
+apply: (@refutation_correct _ _ r limit _ _ (@percept_of) (in_universe u)).
+  exact: directional_senses_percept.
+exact: in_universe_numbers.
 Qed.
 End Directional.
 
@@ -347,9 +340,10 @@ Definition algorithm1_resumption pol : resumption (program percept knowledge) pe
 Theorem algorithm1_is_resumption pol : as_explorer (algorithm1_resumption pol) = algorithm1 pol.
 Proof. by []. Qed.
 
-Theorem algorithm1_checked pol m : directional_check (algorithm1_resumption pol) (fun n m _ => paper_limit n m) m.
+Theorem algorithm1_checked pol u m :
+  directional_check (algorithm1_resumption pol) (fun n m _ => paper_limit n m) u m.
 Proof.
-apply/directional_check_correct=> W _; rewrite algorithm1_is_resumption paper_limitE.
+apply/directional_check_correct=> W _ _; rewrite algorithm1_is_resumption paper_limitE.
 by apply/right_withinE; have [t [e [z [R _ V I]]]] := algorithm1_correct (W := W) pol (leqnn _); exists t, e, z.
 Qed.
 

@@ -17,7 +17,7 @@
                           of a world that agrees with the log.
      folded_map_is_the_world   no open dart: folded_map L is the world that agrees with the log, seen
                           from where the robot is.
-     unfolded_refutes     an explorer that stops with an open dart is not right in all worlds.
+     unfolded_refutes     an explorer that stops with an open dart does not find all maps.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Congruence Log.
@@ -337,12 +337,12 @@ Qed.
 End World.
 End Log.
 
-(* an explorer that stops with an open dart is wrong in some world *)
-Theorem unfolded_refutes E (meaning : E -> rooted_map) (X : explorer percept E)
-    (W : lighthouse_world) budget t e z :
+(* an explorer that stops with an open dart does not find all maps: of all worlds, or of all simple ones *)
+Theorem unfolded_refutes u E (meaning : E -> rooted_map) (X : explorer percept E) (W : lighthouse_world) :
+  in_universe u W -> forall budget t e z,
   episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
-  ~~ folds (log_of W t) -> ~ right_everywhere meaning X.
+  ~~ folds (log_of W t) -> ~ finds_all_maps u meaning X.
 Proof.
-move=> R N H; case/negP: N; apply/folds_no_open_dart.
-exact: (right_explorer_log_folds H R).
+move=> uW budget t e z R N H; case/negP: N; apply/folds_no_open_dart.
+exact: (explorer_log_folds H uW R).
 Qed.

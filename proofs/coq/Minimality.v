@@ -167,7 +167,7 @@ End InNumbers.
 (* every map, seen from any dart, is one of the list, under other names *)
 Lemma listed_map (G : combinatorial_map) (d : G) :
   exists M, exists (V : valid M) (C : connected (denote M)) (f : G -> in_numbers V C),
-  [/\ M \in rooted_maps (edges G), same_map f & f d = ord_root V].
+  [/\ M \in rooted_maps (edges G), renaming f & f d = ord_root V].
 Proof.
 pose W := @LighthouseWorld G d d (connect0 _ d).
 have [M [k [lM _ [V [C [f [fb fs fa f0 _]]]]]]] := written_down W.
@@ -176,7 +176,7 @@ Qed.
 
 Section SamePercepts.
 Variables (G H : combinatorial_map) (f : G -> H).
-Hypothesis F : same_map f.
+Hypothesis F : renaming f.
 
 Lemma same_percepts w d x : percepts_in (M := rooted (f d)) (position_of (f d)) w (f x)
   = percepts_in (M := rooted d) (position_of d) w x.
@@ -188,13 +188,13 @@ Qed.
 End SamePercepts.
 
 Lemma isomorphic_listed (G : combinatorial_map) (d : G) M (V : valid M) (C : connected (denote M))
-    (f : G -> in_numbers V C) : same_map f -> isomorphic (rooted d) (denote (seen_from M (val (f d)))).
+    (f : G -> in_numbers V C) : renaming f -> isomorphic (rooted d) (denote (seen_from M (val (f d)))).
 Proof.
 by case=> fb fs fa; apply: isomorphic_trans (same_rooted fb fs fa d) _; exact: numbers_isomorphic.
 Qed.
 
 Lemma isomorphic_at_root (G : combinatorial_map) (d : G) M (V : valid M) (C : connected (denote M))
-    (f : G -> in_numbers V C) : same_map f -> f d = ord_root V -> isomorphic (rooted d) (denote M).
+    (f : G -> in_numbers V C) : renaming f -> f d = ord_root V -> isomorphic (rooted d) (denote M).
 Proof. by move/(isomorphic_listed d) => I f0; rewrite f0 in I. Qed.
 
 (* ---- Two worlds that a walk does not tell apart ---- *)
@@ -204,7 +204,7 @@ Definition walk_alike (G H : combinatorial_map) (d : G) (e : H) w :=
 (* the list has this map in whatever numbering *)
 Definition has_map (L : seq numbered_map) (G : combinatorial_map) :=
   forall M (V : valid M) (C : connected (denote M)) (f : G -> in_numbers V C),
-  same_map f -> M \in rooted_maps (edges G) -> M \in L.
+  renaming f -> M \in rooted_maps (edges G) -> M \in L.
 
 Definition the_same (M : numbered_map) (_ : bool) (N : numbered_map) (_ : bool) := M == N.
 Definition turned N j := seen_from N (iter j (nth 0 (sigma_list N)) (root_number N)).
@@ -219,7 +219,7 @@ Hypotheses (A : walk_alike d e w) (LG : has_map L G) (LH : has_map L H).
 Lemma told_apart_worlds same : told_apart same w L ->
   exists M N (VM : valid M) (CM : connected (denote M)) (VN : valid N) (CN : connected (denote N))
     (f : G -> in_numbers VM CM) (g : H -> in_numbers VN CN),
-  [/\ same M (planar_in M) N (planar_in N), same_map f /\ f d = ord_root VM & same_map g /\ g e = ord_root VN].
+  [/\ same M (planar_in M) N (planar_in N), renaming f /\ f d = ord_root VM & renaming g /\ g e = ord_root VN].
 Proof.
 move=> T; have [M [VM [CM [f [lM F f0]]]]] := listed_map d.
 have [N [VN [CN [g [lN E g0]]]]] := listed_map e.

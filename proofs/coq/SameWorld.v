@@ -1,7 +1,7 @@
 (* ---------------------------------------------------------------------------------------------
    The same world under other names; and what is computed of a world that is written down.
 
-     same_map f           f is a bijection of the darts that commutes with sigma and alpha.
+     renaming f           f is a bijection of the darts that commutes with sigma and alpha.
      same_world f         besides it takes start to start and pointed to pointed.  For such an f:
      same_degree, same_percept, same_vertices, same_edges, same_simple, same_planar
                           what it keeps.
@@ -152,7 +152,7 @@ Qed.
 End InNumbers.
 
 (* ---- The same map under other names ---- *)
-Definition same_map (G H : combinatorial_map) (f : G -> H) :=
+Definition renaming (G H : combinatorial_map) (f : G -> H) :=
   [/\ bijective f, forall d, f (sigma d) = sigma (f d) & forall d, f (alpha d) = alpha (f d)].
 
 Section SameMap.
