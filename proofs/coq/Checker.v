@@ -8,8 +8,8 @@
 
      right_within X M senses limit   X stops after at most `limit` motions, and its answer is right.
 
-     resumption           an explorer that keeps a state: `begin` makes it of the first percept, `decide`
-                          says what to do, `go_on` takes in what is sensed next.
+     resumption           an explorer that keeps a state: `begins` makes it of the first percept, `decides`
+                          says what to do, `goes_on` takes in what is sensed next.
      as_explorer r        the explorer, a function of the percepts so far, that r is.
      remembering X        any explorer as a resumption: its state is the percepts so far.
      episode_of           a whole run of r: Explorers.episode, step by step.
@@ -89,36 +89,36 @@ Qed.
 
 (* ---- Explorers that keep a state ---- *)
 Record resumption (S O : Type) := Resumption {
-  begin : O -> S;
-  decide : S -> action numbered_map;
-  go_on : S -> O -> S }.
+  begins : O -> S;
+  decides : S -> action numbered_map;
+  goes_on : S -> O -> S }.
 
 Section Resumptions.
 Variables (S O : Type) (r : resumption S O).
 
 Definition as_explorer : explorer O numbered_map := fun seen =>
-  if seen is o :: seen' then decide r (foldl (go_on r) (begin r o) seen') else Move 0.
+  if seen is o :: seen' then decides r (foldl (goes_on r) (begins r o) seen') else Move 0.
 
 Section Run.
 Variables (D : Type) (moves : nat -> D -> D) (senses : D -> O).
 Fixpoint run_from fuel s d : seq (nat * O) * option numbered_map * D :=
-  match decide r s with
+  match decides r s with
   | Stop answer => ([::], Some answer, d)
   | Move k =>
       if fuel is fuel'.+1 then
         let d' := moves k d in
-        let: (transcript, answer, z) := run_from fuel' (go_on r s (senses d')) d' in
+        let: (transcript, answer, z) := run_from fuel' (goes_on r s (senses d')) d' in
         ((k, senses d') :: transcript, answer, z)
       else ([::], None, d)
   end.
-Definition episode_of fuel d := run_from fuel (begin r (senses d)) d.
+Definition episode_of fuel d := run_from fuel (begins r (senses d)) d.
 End Run.
 
 Lemma explore_run (M : rooted_map) (senses : carrier M -> O) fuel o seen d :
   explore as_explorer M senses fuel (o :: seen) d
-  = run_from (motion_in M) senses fuel (foldl (go_on r) (begin r o) seen) d.
+  = run_from (motion_in M) senses fuel (foldl (goes_on r) (begins r o) seen) d.
 Proof.
-elim: fuel seen d => [|fuel IH] seen d /=; case: (decide r _) => // k.
+elim: fuel seen d => [|fuel IH] seen d /=; case: (decides r _) => // k.
 by rewrite IH -cats1 foldl_cat.
 Qed.
 

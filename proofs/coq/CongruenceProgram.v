@@ -7,7 +7,7 @@
 
      next, links, marked  the program's data: the next dart of each dart; the pairs of darts that are the
                           two ends of an edge, each pair in both orders; the darts that must be one.
-     forced c             the pairs that must be the same if c is right.
+     forced c             pairs that must be the same if c is right; they entail all others.
      merge c p            the two classes of the pair p made one, under the lesser label.
      closure, classes     merged until all forced pairs have equal labels.
      settled_in c x       a dart of the class of x is an end of a pair.
@@ -29,14 +29,18 @@ Definition merge (c : seq nat) (p : nat * nat) :=
   if a == b then c else let least := minn a b in let other := maxn a b in
   [seq if l == other then least else l | l <- c].
 
+(* the other end of the first link that begins in the class *)
+Definition first_end (heads : seq (nat * nat)) label :=
+  (nth (0, 0) heads (find (fun h => h.1 == label) heads)).2.
+
 Section Program.
 Variables (next : seq nat) (links : seq (nat * nat)) (marked : seq nat).
 
 Definition forced (c : seq nat) :=
   [seq (head 0 marked, x) | x <- marked] ++
   [seq (nth 0 next x, nth 0 next (nth 0 c x)) | x <- iota 0 (size c)] ++
-  flatten [seq let label := nth 0 c l.1 in [seq (l.2, k.2) | k <- links & nth 0 c k.1 == label]
-          | l <- links].
+  (let heads := [seq (nth 0 c l.1, l.2) | l <- links] in
+   [seq (h.2, first_end heads h.1) | h <- heads]).
 
 Fixpoint closure fuel c :=
   if fuel is fuel'.+1 then
@@ -175,28 +179,42 @@ Hypothesis marked_range : all (gtn n) marked.
 Lemma next_small x : x < n -> nth 0 next x < n.
 Proof. by move=> lx; apply: (allP next_range); exact: mem_nth. Qed.
 
-Lemma forcedP c p : size c = n -> p \in forced c <-> [\/ exists2 x, x \in marked & p = (head 0 marked, x),
-  exists2 x, x < n & p = (nth 0 next x, nth 0 next (nth 0 c x)) | exists l k,
-  [/\ l \in links, k \in links, nth 0 c k.1 = nth 0 c l.1 & p = (l.2, k.2)]].
+Definition heads c := [seq (nth 0 c l.1, l.2) | l <- links].
+
+Lemma first_endP c l : l \in links -> exists k,
+  [/\ k \in links, nth 0 c k.1 = nth 0 c l.1 & k.2 = first_end (heads c) (nth 0 c l.1)].
 Proof.
-move=> sz; rewrite !mem_cat; split=> [/or3P[/mapP[x m ->]|/mapP[x]|/flattenP[s /mapP[l ml ->]]]|].
+move=> ml; set label := nth 0 c l.1.
+have h : has (fun h => h.1 == label) (heads c).
+  by apply/hasP; exists (label, l.2) => //; apply: (map_f (fun l => (nth 0 c l.1, l.2))).
+have /mapP[k mk E] : nth (0, 0) (heads c) (find (fun h => h.1 == label) (heads c)) \in heads c.
+  by rewrite mem_nth // -has_find.
+by exists k; have /eqP := nth_find (0, 0) h; rewrite /first_end E.
+Qed.
+
+Lemma forcedP c p : size c = n -> p \in forced c <-> [\/ exists2 x, x \in marked & p = (head 0 marked, x),
+  exists2 x, x < n & p = (nth 0 next x, nth 0 next (nth 0 c x)) |
+  exists2 l, l \in links & p = (l.2, first_end (heads c) (nth 0 c l.1))].
+Proof.
+move=> sz; rewrite !mem_cat; split=> [/or3P[/mapP[x m ->]|/mapP[x]|/mapP[_ /mapP[l ml ->] ->]]|].
 - by constructor 1; exists x.
 - by rewrite mem_iota sz => lx ->; constructor 2; exists x.
-- by case/mapP=> k; rewrite mem_filter => /andP[/eqP E mk] ->; constructor 3; exists l, k.
-case=> [[x m ->]|[x lx ->]|[l [k [ml mk E ->]]]]; apply/or3P.
+- by constructor 3; exists l.
+case=> [[x m ->]|[x lx ->]|[l ml ->]]; apply/or3P.
 - by constructor 1; apply: (map_f (fun x => (head 0 marked, x))).
 - by constructor 2; apply: (map_f (fun x => (_ x, _))); rewrite mem_iota sz.
-constructor 3; apply/flattenP; eexists; first by apply: map_f ml.
-by rewrite /=; apply: (map_f (fun k => (_, k.2))); rewrite mem_filter E eqxx.
+constructor 3; apply: (map_f (fun h => (h.2, first_end (heads c) h.1)) (x := (nth 0 c l.1, l.2))).
+exact: (map_f (fun l => (nth 0 c l.1, l.2))).
 Qed.
 
 Lemma forced_range c : least_labels n c -> all (in_range n) (forced c).
 Proof.
 move=> G; apply/allP=> p /(forcedP _ G.1).
 have h x : x \in marked -> x < n by move/(allP marked_range).
-case=> [[x m ->]|[x lx ->]|[l [k [ml mk _ ->]]]]; rewrite /in_range /=.
+case=> [[x m ->]|[x lx ->]|[l ml ->]]; rewrite /in_range /=.
 - by rewrite (h x m) h //; case: (marked) m => //= y s _; exact: mem_head.
 - by rewrite !next_small // (label_small G).
+have [k [mk _ <-]] := first_endP c ml.
 by have /andP[_ ->] := allP links_range _ ml; have /andP[_ ->] := allP links_range _ mk.
 Qed.
 
@@ -296,12 +314,13 @@ Qed.
 Lemma forced_same d : least_labels n d -> (forall i, i < n -> same_numbers i (nth 0 d i)) ->
   forall p, p \in forced next links marked d -> same_numbers p.1 p.2.
 Proof.
-move=> G Rd p /(forcedP G.1) [[j m ->]|[j lj ->]|[l [k [ml mk E ->]]]] /=.
+move=> G Rd p /(forcedP G.1) [[j m ->]|[j lj ->]|[l ml ->]] /=.
 - have [u uE mu] := markedE m.
   have : head 0 marked \in marked by case: (marked) m => // *; exact: mem_head.
   by case/markedE=> v vE mv; exists v, u; split=> //; exact: (congruence_mark Cg).
 - have [u [v [uE vE s]]] := Rd j lj; exists (nextD u), (nextD v).
   by rewrite -!next_number uE vE; split=> //; exact: (congruence_next Cg).
+have [k [mk E <-]] := first_endP d ml.
 have [u [u' [uE uE' lu]]] : exists u u', [/\ number u = l.1, number u' = l.2 & linkedD u u'].
   by apply: linkedE; rewrite -surjective_pairing.
 have [v [v' [vE vE' lv]]] : exists v v', [/\ number v = k.1, number v' = k.2 & linkedD v v'].
@@ -334,9 +353,11 @@ split=> [u|u v|v u w|u v|u v u' v'|u v] //.
 - by rewrite eq_sym.
 - by move/eqP->.
 - by move/eqP=> E; rewrite !step E.
-- move/eqP=> E /links_number lu /links_number lv; apply/eqP.
-  apply: (in_forced (_, _)); apply/(forcedP G.1); constructor 3.
-  by exists (number u, number u'), (number v, number v').
+- have end_of z z' : linkedD z z' -> nth 0 c (number z')
+      = nth 0 c (first_end (heads links c) (nth 0 c (number z))).
+    move/links_number=> l; apply: (in_forced (_, _)); apply/(forcedP G.1); constructor 3.
+    by exists (number z, number z').
+  by move/eqP=> E /end_of -> /end_of ->; rewrite E.
 by move=> mu mv; rewrite -(to_head u mu) -(to_head v mv).
 Qed.
 

@@ -34,9 +34,9 @@ Fixpoint every (T : Type) (p : T -> bool) s :=
 Lemma everyE T (p : T -> bool) s : every p s = all p s.
 Proof. by elim: s => //= x s <-; case: (p x). Qed.
 
-Fixpoint cycle_from (f : nat -> nat) d x fuel :=
+Fixpoint cycle_from (f : nat -> nat) (d x : nat) fuel : seq nat :=
   if fuel is fuel'.+1 then if x == d then [::] else x :: cycle_from f d (f x) fuel' else [::].
-Definition cycle_of f d n := d :: cycle_from f d (f d) n.
+Definition cycle_of f (d : nat) n := d :: cycle_from f d (f d) n.
 
 Definition position_table M :=
   let n := size (sigma_list M) in
@@ -208,7 +208,7 @@ Definition has_map (L : seq numbered_map) (G : combinatorial_map) :=
 
 Definition the_same (M : numbered_map) (_ : bool) (N : numbered_map) (_ : bool) := M == N.
 Definition turned N j := seen_from N (iter j (nth 0 (sigma_list N)) (root_number N)).
-Definition the_same_at_v0 M (planar_M : bool) N planar_N :=
+Definition the_same_at_v0 (M : numbered_map) (planar_M : bool) (N : numbered_map) planar_N :=
   if M == N then true else if ~~ planar_M then true else if ~~ planar_N then true
   else ~~ every (fun j => ~~ same_code M (turned N j)) (iota 0 (degree_at N (root_number N))).
 

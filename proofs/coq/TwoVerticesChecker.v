@@ -192,15 +192,15 @@ Qed.
 (* the explorer takes its two degrees from the first percept *)
 Definition natural_resumption pol :
     resumption (nat * nat * program nat knowledge) (nat * nat) :=
-  {| begin := fun o => (o, set_out (natural o.1 o.2) o.1);
-     decide := fun s => act (natural s.1.1 s.1.2) pol s.2;
-     go_on := fun s o => (s.1, sense (natural s.1.1 s.1.2) pol s.2 o.1) |}.
+  {| begins := fun o => (o, set_out (natural o.1 o.2) o.1);
+     decides := fun s => act (natural s.1.1 s.1.2) pol s.2;
+     goes_on := fun s o => (s.1, sense (natural s.1.1 s.1.2) pol s.2 o.1) |}.
 
 Lemma natural_resumptionE pol o seen :
   as_explorer (natural_resumption pol) (o :: seen) = natural_algorithm o.2 pol (o.1 :: unzip1 seen).
 Proof.
 rewrite /natural_algorithm /=.
-suff -> p : foldl (go_on (natural_resumption pol)) (o, p) seen
+suff -> p : foldl (goes_on (natural_resumption pol)) (o, p) seen
     = (o, foldl (sense (natural o.1 o.2) pol) p (unzip1 seen)) by [].
 by elim: seen p => //= o' s IH p; exact: IH.
 Qed.
