@@ -38,7 +38,9 @@ def logs(edges: int) -> Iterator[tuple[str, Transcript]]:
         *((mutant.name, subject_of(mutant.explorer()).player(), "fifo") for mutant in mutants),
     ]
     for world in worlds(edges=edges, places="all"):
-        budget = 2 * paper_bound(world.map.vertex_count, world.map.edge_count)
+        # All that answer within their bound, and the one that then walks every edge both ways.
+        m = world.map.edge_count
+        budget = paper_bound(world.map.vertex_count, m) + 2 * m
         for name, player, policy in players:
             yield name, play(world, player, Choices(policy_named(policy)), budget).transcript
 

@@ -6,9 +6,11 @@ From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable.
 From Allworlds Require Import PartialMaps Paths Pass Cost Correctness PassCounts Lighthouses Routes.
 From Allworlds Require Import Algorithm Execution OnePass Refinement Policies ShortestPaths.
-From Allworlds Require Import NumberedWorlds Judge Impossibility DoubleCover Trees Twins Congruence.
-From Allworlds Require Import Log Folding OpenDarts PathWorlds Cycles LowerBounds Enumeration.
-From Allworlds Require Import TwoVertices Cluster Laying NaturalLighthouse.
+From Allworlds Require Import NumberedWorlds Judge Impossibility DoubleCover Trees PositionTwins.
+From Allworlds Require Import Ambiguity Regluing RegluingCount Twins Congruence Log Folding OpenDarts.
+From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
+From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
+From Allworlds Require Import Minimality PlanarMinimality.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -67,14 +69,16 @@ Theorem nearest_takes_the_nearest k : unexplored k != [::] ->
   forall e, e \in unexplored k -> distance k (next_edge nearest k) <= distance k e.
 Proof. exact: nearest_is_nearest. Qed.
 
-(* What is computed and extracted: the same for worlds written down as lists of numbers. *)
-Theorem explorer_correct_in_numbers (pol : policy) (M : numbered_map) k :
+(* What is computed and extracted: the same for worlds written down as lists of numbers, (1) + (2) computed
+   too; k: the bearing of the marker at the root. *)
+Theorem explorer_correct_in_numbers (pol : policy) (M : numbered_map) k budget :
   valid M -> size (dart_order M) == size (sigma_list M) ->
-  let pointed := iter k (nth 0 (sigma_list M)) (root_number M) in
-  exists bound, forall budget, bound <= budget -> exists transcript answer z,
-  [/\ episode (algorithm1 pol) (denote M) (sensed M pointed) budget = (transcript, Some answer, z),
-      size transcript <= bound & same_code answer (seen_from M z)].
-Proof. exact: algorithm1_numbered. Qed.
+  let limit := paper_limit (vertices_in M) (edges_in M) in limit <= budget ->
+  exists transcript answer z,
+  [/\ episode (algorithm1 pol) (denote M) (directional_senses M k) budget
+        = (transcript, Some answer, z),
+      size transcript <= limit & same_code answer (seen_from M z)].
+Proof. exact: algorithm1_within. Qed.
 
 (* What runs outside Coq, one step at a time without remembering the percepts, is that explorer, with
    each of the lighthouses. *)
@@ -209,6 +213,92 @@ Theorem cycles_with_position n side : 0 < n ->
   right (fun n => cycle_world n true) round_once (cycle_world n side) position_on_cycle.
 Proof. exact: round_once_right. Qed.
 
+(* ==== No smaller pairs (Section III) ==== *)
+
+(* look_alike d e: position only, and every list of motions gives equal percepts from d and from e.  Then
+   the two worlds are of one size. *)
+Theorem lookalikes_have_one_size (G H : combinatorial_map) (d : G) (e : H) : look_alike d e ->
+  [/\ edges G = edges H, vertices G = vertices H, degree d = degree e &
+      forall k, #|[pred x : G | degree x == k]| = #|[pred y : H | degree y == k]|].
+Proof.
+move=> A; split; [exact: alike_edges A|exact: alike_vertices A|exact: alike_degree A|].
+exact: alike_degrees A.
+Qed.
+
+(* So there is no pair of different worlds with one edge, of simple ones with at most 5, of simple planar
+   ones with at most 7: the pairs of position_is_not_enough with 2, 6 and 8 edges are smallest ones.
+   Planar worlds: the same map, v0 on v0, but not always the same dart first. *)
+Theorem no_smaller_pairs (G H : combinatorial_map) (d : G) (e : H) : look_alike d e ->
+  [/\ edges G <= 1 -> isomorphic (rooted d) (rooted e),
+      simple_world G -> simple_world H -> edges G <= 5 -> isomorphic (rooted d) (rooted e) &
+      simple_world G -> simple_world H -> planar_map G -> planar_map H -> edges G <= 7 ->
+      exists2 e', at_same_vertex e e' & isomorphic (rooted d) (rooted e')].
+Proof.
+move=> A; split; [exact: no_twins_with_one_edge A|exact: no_simple_twins A|].
+by move=> sG sH pG pH; exact: no_planar_twins A.
+Qed.
+
+(* Ten motions, the same in all of them, tell the simple worlds with at most 5 edges apart; 47 the simple
+   planar ones with at most 7. *)
+Theorem one_walk_tells_small_worlds_apart (G H : combinatorial_map) (d : G) (e : H) :
+  simple_world G -> simple_world H ->
+  (edges G <= 5 -> edges H <= 5 -> walk_alike d e simple_walk -> isomorphic (rooted d) (rooted e)) /\
+  (planar_map G -> planar_map H -> edges G <= 7 -> edges H <= 7 -> walk_alike d e planar_walk ->
+   exists2 e', at_same_vertex e e' & isomorphic (rooted d) (rooted e')).
+Proof. by move=> sG sH; split; [exact: simple_worlds_differ | exact: planar_worlds_differ]. Qed.
+
+(* ==== Which worlds are ambiguous with position only (Section III) ==== *)
+
+(* Darts of one world that no motions tell apart, position sensed: the darts fall into classes of one size,
+   k = lookalikes d, which divides the degree of v0.  cone x: how many darts of its class lie at the vertex
+   of x; class_vertices x: the vertices of the class. *)
+Theorem classes_of_lookalikes (G : combinatorial_map) (d x : G) :
+  let senses := position_of d in
+  [/\ #|class senses x| = lookalikes d, #|G| = #|classes senses| * lookalikes d,
+      lookalikes d %| degree d, cone senses x %| degree x
+    & lookalikes d = #|class_vertices senses x| * cone senses x].
+Proof.
+split; [exact: class_size|exact: darts_by_classes|exact: lookalikes_degree|exact: cone_degree|].
+by rewrite -(cone_size (@position_degree G d)); exact: class_size.
+Qed.
+
+(* A class that contains the other end of one of its darts has an even number of darts. *)
+Theorem crossed_classes_are_even (G : combinatorial_map) (d x : G) :
+  alpha x \in class (position_of d) x -> ~~ odd (lookalikes d).
+Proof. by rewrite inE => /crossed_class; rewrite (class_size _ x d). Qed.
+
+(* k = 1: no other world looks like this one.  So it is where v0 has one edge only, and in trees. *)
+Theorem one_lookalike_is_unambiguous (G : combinatorial_map) (d : G) :
+  [/\ lookalikes d = 1 -> unambiguous d, degree d = 1 -> unambiguous d & acyclic G -> unambiguous d].
+Proof. by split; [exact: one_lookalike | exact: one_door | exact: tree_unambiguous]. Qed.
+
+(* The start may be taken for k darts; in the map these are k / a places, a the number of automorphisms
+   that keep v0. *)
+Theorem places_and_automorphisms (G : combinatorial_map) (d : G) :
+  lookalikes d = #|places d| * automorphisms d.
+Proof. exact: places_of. Qed.
+
+(* The worlds that look like a given one are its regluings: other ends beta of its darts, where no motions
+   tell beta x from alpha x. *)
+Theorem lookalike_worlds_are_regluings (G : combinatorial_map) (d : G) :
+  let same := indistinct (position_of d) (position_of d) in
+  (forall (beta : G -> G) (betaK : involutive beta) (beta_neq : forall x, beta x != x)
+     (near : forall x, same (alpha x) (beta x)), look_alike d (d : reglued betaK beta_neq near)) /\
+  forall (H : combinatorial_map) (e : H), look_alike d e ->
+  exists (beta : G -> G) (betaK : involutive beta) (beta_neq : forall x, beta x != x)
+    (near : forall x, same (alpha x) (beta x)),
+  isomorphic (rooted (d : reglued betaK beta_neq near)) (rooted e).
+Proof. by split=> *; [exact: reglued_alike | exact: alike_reglued]. Qed.
+
+(* So they are finitely many, and can be counted.  The map, v0 in it, can be known if and only if there are
+   as many regluings as places times turnings, a turning being a bijection of the darts that turns with
+   them, keeps each in its class and fixes the start. *)
+Theorem criterion_counted (G : combinatorial_map) (d : G) :
+  (forall (H : combinatorial_map) (e : H), look_alike d e ->
+     exists2 y : G, at_same_vertex d y & isomorphic (rooted y) (rooted e)) <->
+  #|regluings d| = #|places d| * #|[set f | turning d f]|.
+Proof. exact: map_known_iff. Qed.
+
 Theorem kinds_of_these_worlds :
   [/\ all planar [:: two_loops_plane; k4_plane; hexagon; triangles; figure_1_left; figure_1_right],
       all (predC planar) [:: two_loops_torus; k4_torus]
@@ -257,6 +347,27 @@ move=> A np; have [A1 A2 ne] := open_dart_two_worlds A np.
 by do 2 eexists; split; [exact: A1 | exact: A2 |].
 Qed.
 
+(* Folding as a program: `labels` gives each dart of the log a number; equal numbers, if and only if the
+   darts are the same in the least congruence. *)
+Theorem computed_folding (L : log) :
+  (forall p q : log_dart L,
+     (nth 0 (labels L) (dart_number p) == nth 0 (labels L) (dart_number q)) = same_dart p q) /\
+  (folds L <-> no_open_dart L).
+Proof. by split; [exact: labels_same | exact: folds_no_open_dart]. Qed.
+
+(* What it folds to, if no dart is open: the world, seen from where the robot is. *)
+Theorem computed_folding_is_the_world (L : log) (W : lighthouse_world) : agrees W L -> folds L ->
+  valid (folded_map L) /\
+  isomorphic (denote (folded_map L)) (rooted (@robot_at L W (size (steps L)))).
+Proof. by move=> A /folds_no_open_dart; exact: folded_map_is_the_world. Qed.
+
+(* So whoever stops where a dart is open is lucky: it does not find the maps of all worlds. *)
+Theorem open_log_refutes u E (meaning : E -> rooted_map) (X : explorer percept E)
+    (W : lighthouse_world) : in_universe u W -> forall budget t e z,
+  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
+  ~~ folds (log_of W t) -> ~ finds_all_maps u meaning X.
+Proof. exact: unfolded_refutes. Qed.
+
 (* ==== Lower bounds (Section VI) ==== *)
 
 (* Explorers that find the map of all worlds, or of all simple worlds.  They exist: *)
@@ -302,6 +413,40 @@ Proof. exact: conj (rooted_maps_uniq m) (@rooted_maps_distinct m). Qed.
 Set Warnings "-abstract-large-number".
 Theorem enumeration_counts : [seq size (rooted_maps m) | m <- iota 1 5] = [:: 2; 10; 74; 706; 8162].
 Proof. exact: counts. Qed.
+
+(* ==== The checker (checker_is_right in Main.v) ==== *)
+
+(* Any explorer can be asked about. *)
+Theorem every_explorer_can_be_checked O (X : explorer O numbered_map) o seen :
+  as_explorer (remembering X) (o :: seen) = X (o :: seen).
+Proof. exact: as_remembering. Qed.
+
+(* Every world that it lists as a refutation is one. *)
+Theorem refutations_are_right S (r : resumption S percept) limit u m M k :
+  (M, k) \in directional_refutations r limit u m ->
+  exists (V : valid M) (C : connected (denote M)), let W := world_of_numbers V C k in
+  [/\ in_universe u W, edges W = m &
+      ~ right_within (as_explorer r) (M := rooted (@start W)) (@percept_of W)
+          (limit (vertices W) (edges W) (degree (@start W)))].
+Proof. exact: directional_refutation. Qed.
+
+(* The same with the cluster of undirected markers, and with the natural lighthouse. *)
+Theorem checkers_of_other_lighthouses S (r : resumption S (nat * nat)) limit m :
+  (cluster_check r limit m <-> forall W : lighthouse_world, one_edge W -> edges W <= m ->
+     right_within (as_explorer r) (M := rooted (@start W)) (@cluster_percept W)
+       (limit (vertices W) (edges W) (degree (@start W)))) /\
+  (natural_check r limit m <-> forall W : lighthouse_world, natural_kind W -> edges W <= m ->
+     right_within (as_explorer r) (M := rooted (@start W)) (@natural_percept W)
+       (limit (vertices W) (edges W) (degree (@start W)))).
+Proof. by split; [exact: cluster_check_correct | exact: natural_check_correct]. Qed.
+
+(* Algorithm 1 passes, under every policy and however far one looks. *)
+Theorem algorithm1_passes pol u m :
+  [/\ directional_check (algorithm1_resumption pol) (fun n m _ => paper_limit n m) u m,
+      cluster_check (cluster_resumption pol) two_vertices_limit m
+    & natural_check (natural_resumption pol) two_vertices_limit m].
+Proof. by split; [exact: algorithm1_checked|exact: cluster_checked|exact: natural_checked]. Qed.
+
 
 (* ==== Lighthouses without a direction (Sections IV and VIII) ==== *)
 

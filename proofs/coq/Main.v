@@ -23,7 +23,7 @@
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps Pass Cost.
 From Allworlds Require Import Correctness Algorithm Refinement Impossibility Twins Log OpenDarts.
-From Allworlds Require Import LowerBounds Cluster.
+From Allworlds Require Import LowerBounds Cluster Checker.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -88,6 +88,18 @@ Proof. exact: run_ends. Qed.
 Theorem cost_is_O_m2n (W : lighthouse_world) n C (c : configuration W) :
   reached n C c -> C <= 2 * edges W ^ 2 * vertices W.
 Proof. exact: run_cost_O_m2n. Qed.
+
+(* ==== The extracted checker ==== *)
+
+(* Any explorer, as a function of its percepts (as_explorer r), and any limit on its motions, a function of
+   n, m and deg(v0): `check` says true if and only if the explorer stops within the limit, with the right
+   answer, in every world, or every simple world, with at most m edges. *)
+Theorem checker_is_right S (r : resumption S percept) limit u m :
+  directional_check r limit u m <->
+  forall W : lighthouse_world, in_universe u W -> edges W <= m ->
+  right_within (as_explorer r) (M := rooted (@start W)) (@percept_of W)
+    (limit (vertices W) (edges W) (degree (@start W))).
+Proof. exact: directional_check_correct. Qed.
 
 (* ==== Every explorer with a directional lighthouse (Sections V and VI) ==== *)
 
