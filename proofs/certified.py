@@ -1,4 +1,4 @@
-"""What is extracted from the Coq proofs: a verdict on a program, and all of it held against Python's.
+"""What is extracted from the Coq proofs: a verdict on a program; and all held against Python's.
 
     python proofs/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
 
@@ -7,15 +7,16 @@ asks the certified checker whether a program is right (``certified_checker.py``)
     python proofs/certified.py [--edges 5] [--walked-edges 4] [--judged-edges 4]
                                [--checked-edges 3] [--folded-edges 3]
 
-compares.  Both need the programs that ``make -C proofs/coq explorer`` builds, and the package.  The
-certified explorers, one a lighthouse, are checked like anybody's, and the traversals of each must equal, row
-by row, those of the built-in Algorithm 1, in the Python engine and, where it has one, in the
-kernel.  Under each policy, in every run, their transcripts and answers must be the built-in one's:
-motion by motion, percept by percept, dart by dart.  The certified judge gets the answer of every
-mutant and of Algorithm 1 on every world, and must give the Python judge's verdict.  The certified
-checker and the certified folding get all of these explorers, and their logs
-(``certified_checker.py``, ``certified_folding.py``); further than by default they go in ``nox -s
-full``.  Exit code 1: they disagree; 2: a program is missing.
+compares.  Both need the programs that ``make -C proofs/coq explorer`` builds, and the package.
+
+The certified explorers, one a lighthouse, are checked like anybody's, and the traversals of each
+must equal, row by row, those of the built-in Algorithm 1, in the Python engine and, where it has
+one, in the kernel.  Under each policy, in every run, their transcripts and answers must be the
+built-in one's: motion by motion, percept by percept, dart by dart.  The certified judge gets the
+answer of every mutant and of Algorithm 1 on every world, and must give the Python judge's verdict.
+The certified checker gets all of these explorers, and the certified folding their logs
+(``certified_checker.py``, ``certified_folding.py``).  Exit code 1: they disagree; 2: a program is
+missing.
 """
 
 from __future__ import annotations

@@ -2,9 +2,9 @@
 
     python proofs/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
 
-asks it about a program (docs/protocol.md): is it right, and within the limit, in every world with at
-most so many edges?  ``holds`` is a theorem (``check_correct`` in ``proofs/coq/Checker.v``) about the
-function of the percepts that the program's answers are part of.  Trusted is what the README of
+asks it about a program (docs/protocol.md): is it right, and within the limit, in every world with
+at most so many edges?  ``holds`` is a theorem (``check_correct`` in ``proofs/coq/Checker.v``) about
+the function of the percepts that the program's answers are part of.  Trusted is what the README of
 ``proofs/coq`` says of all extracted programs, the driver ``ocaml/checker.ml`` and ``ocaml/pipe.ml``
 between the program and the theorem, and that the program would answer the same percepts in the same
 way again; where it is seen not to, the verdict is ``no function``.
@@ -27,6 +27,7 @@ from pathlib import Path
 from typing import Any
 
 from allworlds.checker import check
+from allworlds.inputs import InputError
 from allworlds.judge import bound_named
 from allworlds.maps.canonical import rooted_code
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
@@ -61,7 +62,8 @@ def limits(text: str, edges: int) -> str:
     """A limit as the certified checker takes it.
 
     Raises:
-        allworlds.InputError: if it is no bound, or needs more of a world than n, m and d0.
+        allworlds.InputError: if it is no bound.
+        ValueError: if it needs more of a world than n, m and d0.
     """
     if text in ("paper", "two-vertices") or text.isdigit():
         return text
@@ -72,10 +74,11 @@ def limits(text: str, edges: int) -> str:
             for d0 in range(1, 2 * m + 1):
                 value = bound.value(n, m, d0, 0)
                 if value is None or "D" in bound.variables:
-                    raise SystemExit(
-                        f"--limit {text}: without a limit the question cannot be decided; legal are "
-                        "paper, two-vertices and expressions in n, m and d0"
+                    message = (
+                        f"--limit {text}: without a limit the question cannot be decided; legal "
+                        "are paper, two-vertices and expressions in n, m and d0"
                     )
+                    raise ValueError(message)
                 table[f"{n} {m} {d0}"] = max(value, 0)
     return json.dumps(table)
 
@@ -84,7 +87,7 @@ def limits(text: str, edges: int) -> str:
 
 
 def judge_program(arguments: Sequence[str]) -> int:
-    """The exit code: 0 holds, 1 refuted or no function."""
+    """The exit code: 0 holds, 1 refuted or no function, 2 bad arguments."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--exec", required=True, metavar="COMMAND")
     parser.add_argument("--edges", type=int, default=4)
@@ -95,14 +98,20 @@ def judge_program(arguments: Sequence[str]) -> int:
     )
     parser.add_argument("--answer-timeout", type=float, default=10.0, metavar="SECONDS")
     options = parser.parse_args(arguments)
-    answer = asked(
-        options.edges,
-        ["--exec", *shlex.split(options.exec)],
-        limit=limits(options.limit, options.edges),
-        universe=options.universe,
-        lighthouse=options.lighthouse,
-        timeout=options.answer_timeout,
-    )
+    try:
+        answer = asked(
+            options.edges,
+            ["--exec", *shlex.split(options.exec)],
+            limit=limits(options.limit, options.edges),
+            universe=options.universe,
+            lighthouse=options.lighthouse,
+            timeout=options.answer_timeout,
+        )
+    except (InputError, ValueError) as error:
+        print(error, file=sys.stderr)
+        return 2
+    except subprocess.CalledProcessError:  # the checker has said why
+        return 2
     print("\n".join(told(answer, options.limit)))
     return 0 if answer["verdict"] == "holds" else 1
 
@@ -111,19 +120,21 @@ def told(answer: dict[str, Any], limit: str) -> list[str]:
     """The answer in words."""
     match answer["verdict"]:
         case "holds":
+            right = f"right within {limit} in every world with at most {answer['edges']} edges"
+            what = "a theorem about what the program has answered"
             lines = [
-                f"HOLDS      right within {limit} in every world with at most {answer['edges']} "
-                f"edges; {answer['runs']:,} runs",
-                "a theorem about what the program has answered (check_correct, proofs/coq/Checker.v)",
+                f"HOLDS      {right}; {answer['runs']:,} runs",
+                f"           {what} (check_correct, proofs/coq/Checker.v)",
             ]
         case "refuted":
             least = min(answer["refutations"], key=key_of)
             fault = f" ({least['fault']}: {least['how']})" if "fault" in least else ""
+            count = f"{len(answer['refutations']):,} worlds with {answer['edges']} edges"
+            where = f"start 0, place {least['place']}"
+            runs = f"{answer['runs']:,} runs"
             lines = [
-                f"REFUTED    {least['finding']}{fault}; {len(answer['refutations']):,} worlds with "
-                f"{answer['edges']} edges, none with fewer; {answer['runs']:,} runs",
-                f"smallest   sigma {least['sigma']} alpha {least['alpha']}, start 0, "
-                f"place {least['place']}",
+                f"REFUTED    {least['finding']}{fault}; {count}, none with fewer; {runs}",
+                f"smallest   sigma {least['sigma']} alpha {least['alpha']}, {where}",
             ]
         case _:
             lines = [
@@ -153,9 +164,10 @@ def _vertices(sigma: tuple[int, ...]) -> int:
     count = 0
     for dart in range(len(sigma)):
         count += dart not in seen
-        while dart not in seen:
-            seen.add(dart)
-            dart = sigma[dart]
+        at = dart
+        while at not in seen:
+            seen.add(at)
+            at = sigma[at]
     return count
 
 

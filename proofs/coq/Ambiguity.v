@@ -10,7 +10,7 @@
      cone x               how many of the darts that look like x lie at its vertex.
      class_size           all classes have one size, k;  darts_by_classes: there are k times as many
                           darts as classes.
-     cone_divides         the cone index divides k and the degree, and there are k / cone vertices to a
+     cone_degree          cone divides the degree;  cone_size: and k, and there are k / cone vertices to a
                           class.
      crossed_class        a class that alpha maps to itself has an even size.
    With position (PositionTwins.v), where the start is marked:

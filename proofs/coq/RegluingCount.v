@@ -10,7 +10,7 @@
      turning f            f is such a bijection.
      same_regluing b c    some turning takes b to c;  lookalike_worlds: the parts.
      count_regluings      as many regluings as parts times turnings.
-     lookalike_worlds_are_worlds   a part is a world that looks alike, place included; each has its part.
+     same_regluing_isomorphic   a part is one of the worlds that look alike, place included.
      map_known_iff        the map, with v0 in it, can be known if and only if there are as many regluings as
                           places (Ambiguity.v) times turnings.
    --------------------------------------------------------------------------------------------- *)

@@ -5,7 +5,6 @@
      same_world f         besides it takes start to start and pointed to pointed.  For such an f:
      same_degree, same_percept, same_vertices, same_edges, same_simple, same_planar
                           what it keeps.
-     same_episode         an explorer walks the same way in both, and ends in f of the dart.
 
      cycles_fcard         Twins.cycles counts cycles.
      vertices_in M, edges_in M        of a numbered map, computed.
