@@ -98,10 +98,15 @@ def judge_program(arguments: Sequence[str]) -> int:
     )
     parser.add_argument("--answer-timeout", type=float, default=10.0, metavar="SECONDS")
     options = parser.parse_args(arguments)
+    command = shlex.split(options.exec)
     try:
+        if not command:
+            raise InputError("--exec '': a command expected")
+        if options.edges < 1:
+            raise InputError(f"--edges {options.edges}: at least 1")
         answer = asked(
             options.edges,
-            ["--exec", *shlex.split(options.exec)],
+            ["--exec", *command],
             limit=limits(options.limit, options.edges),
             universe=options.universe,
             lighthouse=options.lighthouse,
