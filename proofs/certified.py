@@ -4,7 +4,7 @@
 
 asks the certified checker whether a program is right (``certified_checker.py``).
 
-    python proofs/certified.py [--edges 5] [--walked-edges 4] [--judged-edges 4]
+    python proofs/certified.py [--edges 4] [--walked-edges 3] [--judged-edges 3]
                                [--checked-edges 3] [--folded-edges 3]
 
 compares.  Both need the programs that ``make -C proofs/coq explorer`` builds, and the package.
@@ -15,8 +15,8 @@ one, in the kernel.  Under each policy, in every run, their transcripts and answ
 built-in one's: motion by motion, percept by percept, dart by dart.  The certified judge gets the
 answer of every mutant and of Algorithm 1 on every world, and must give the Python judge's verdict.
 The certified checker gets all of these explorers, and the certified folding their logs
-(``certified_checker.py``, ``certified_folding.py``).  Exit code 1: they disagree; 2: a program is
-missing.
+(``certified_checker.py``, ``certified_folding.py``).  ``nox -s full`` goes to 5 edges for the costs
+and to 4 for the rest.  Exit code 1: they disagree; 2: a program is missing.
 """
 
 from __future__ import annotations
@@ -206,9 +206,9 @@ def main() -> int:
     if any(word == "--exec" or word.startswith("--exec=") for word in sys.argv[1:]):
         return 2 if missing() else judge_program(sys.argv[1:])
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--edges", type=int, default=5, help="for the explorers' costs")
-    parser.add_argument("--walked-edges", type=int, default=4, help="for their transcripts")
-    parser.add_argument("--judged-edges", type=int, default=4, help="for the judge")
+    parser.add_argument("--edges", type=int, default=4, help="for the explorers' costs")
+    parser.add_argument("--walked-edges", type=int, default=3, help="for their transcripts")
+    parser.add_argument("--judged-edges", type=int, default=3, help="for the judge")
     parser.add_argument("--checked-edges", type=int, default=3, help="for the checker")
     parser.add_argument("--folded-edges", type=int, default=3, help="for the folding")
     parser.add_argument("--workers", type=int, default=2)
