@@ -27,7 +27,7 @@
      refutation_correct   each world in refutations m is of this kind, has m edges, and the explorer is
                           not right in it within the limit.
 
-     directional_         the lighthouse of the paper, every bearing; u: all worlds, or the simple ones.
+     directional          the lighthouse of the paper, every bearing; u: all worlds, or the simple ones.
      paper_limit          (1)+(2), computed.
      algorithm1_checked   Algorithm 1 passes, under every policy, for every m.
    --------------------------------------------------------------------------------------------- *)
