@@ -1,6 +1,7 @@
 """The Coq development: what can be seen without Coq, and, with it, that its guards can fail."""
 
 import importlib.util
+import json
 import re
 import shutil
 import subprocess
@@ -188,6 +189,21 @@ def test_the_limit_counts_the_time_of_the_processor_and_says_when_it_was_short()
     assert subprocess.run([limit, "5", "true"], check=False).returncode == 0
 
 
+def test_a_mutant_is_followed_to_where_it_should_die_first_and_then_to_all_that_rests_on_it():
+    run = module("mutants/run")
+    for mutant in json.loads((COQ / "mutants" / "mutants.json").read_text(encoding="utf-8")):
+        order = run.in_order(mutant)
+        assert sorted(order) == sorted(run.affected(mutant["file"]))
+        assert order[0] == mutant["file"]
+        dies_in = mutant.get("dies_in", mutant["file"])
+        before = order[: order.index(dies_in)]
+        assert set(before) < run.needed(dies_in)
+        done = set(LISTED) - set(order)
+        for name in order:
+            assert run.imports(name) <= done, name
+            done.add(name)
+
+
 @pytest.fixture(scope="module")
 def built(tmp_path_factory):
     """A copy of the folder, compiled."""
@@ -242,7 +258,9 @@ def test_a_certificate_with_a_changed_class_is_no_theorem(built, tmp_path):
 @needs_programs
 @pytest.mark.slow
 def test_the_certified_programs_agree_with_the_python_ones():
-    run = [sys.executable, str(COQ.parent / "certified.py"), "--edges", "3", "--judged-edges", "2"]
+    low = ("walked", "judged", "checked", "folded")
+    limits = [word for name in low for word in (f"--{name}-edges", "2")]
+    run = [sys.executable, str(COQ.parent / "certified.py"), "--edges", "3", *limits]
     told = subprocess.run(run, capture_output=True, text=True, check=False)
     assert told.returncode == 0, told.stdout
     assert told.stdout.splitlines()[-1] == "AGREE"

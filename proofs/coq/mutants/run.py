@@ -4,7 +4,9 @@ Usage: run.py [--workers N] [NAME ...]   (the unchanged files must have been com
 
 ``mutants.json`` lists them: a file, a text that stands in it exactly once, the text put in its
 place, what that breaks, and what dies of it: ``truth`` (some theorem is then false) or
-``script`` (the statements stay true, only a proof script no longer fits).
+``script`` (the statements stay true, only a proof script no longer fits).  ``dies_in``, if it
+is there, names the file that no longer compiles: what is not needed for it is compiled only if it
+does.  Nothing else rests on that name.
 Exit 1 if a mutant compiles, does not apply, or runs out of time; exit 2 if there is none of a name.
 """
 
@@ -46,12 +48,28 @@ def affected(name: str) -> list[str]:
     return reached
 
 
+def needed(name: str) -> set[str]:
+    """``name`` and the files that it depends on."""
+    reached = {name}
+    for other in reversed(sources()):
+        if other in reached:
+            reached |= imports(other)
+    return reached
+
+
+def in_order(mutant: dict[str, str]) -> list[str]:
+    """The files to compile: first those that the one where it should die needs."""
+    todo = affected(mutant["file"])
+    first = needed(mutant.get("dies_in", mutant["file"]))
+    return sorted(todo, key=lambda name: name not in first)
+
+
 def outcome(mutant: dict[str, str]) -> tuple[bool, str]:
     """Whether the mutant dies, and where."""
     text = (ROOT / mutant["file"]).read_text()
     if text.count(mutant["old"]) != 1:
         return False, f"does not apply: its text stands {text.count(mutant['old'])} times"
-    todo = affected(mutant["file"])
+    todo = in_order(mutant)
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
         for name in sources():
@@ -83,11 +101,12 @@ def main() -> int:
     chosen = [m for m in mutants if not options.names or m["name"] in options.names]
     began = time.monotonic()
     with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
-        results = list(pool.map(outcome, chosen))
-    for mutant, (dead, where) in zip(chosen, results, strict=True):
-        state = "dies" if dead else "SURVIVES"
-        print(f"{state:8} {mutant['kind']:6} {mutant['name']}: {where}; {mutant['breaks']}")
-    alive = sum(not dead for dead, _ in results)
+        alive = 0
+        for mutant, (dead, where) in zip(chosen, pool.map(outcome, chosen), strict=True):
+            state = "dies" if dead else "SURVIVES"
+            line = f"{state:8} {mutant['kind']:6} {mutant['name']}: {where}; {mutant['breaks']}"
+            print(line, flush=True)
+            alive += not dead
     truths = sum(m["kind"] == "truth" for m in chosen)
     print(
         f"{len(chosen)} mutants ({truths} of the truth), {alive} survive, "
