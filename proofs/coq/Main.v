@@ -18,6 +18,10 @@
    phi start r: the paper's phi, from the darts of S to those of G; r lists, for each vertex of S, the
    dart of G where the count of its darts begins.  map_with_robot S h: S as a map, seen from its dart h.
 
+   resumption S O: an explorer that keeps a state of type S between percepts of type O; as_explorer r: the
+   function of the percepts that it is.  right_within X M senses limit: X stops after at most `limit`
+   motions, with the right answer.  directional_check: the program.  All four in Checker.v.
+
    Further.v has the other theorems.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
