@@ -51,6 +51,7 @@ def test_so_do_those_of_the_other_lighthouses(built, capsys, name, lighthouse):
     assert f"with at most 2 edges; {runs} runs" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_a_wrong_program_is_refuted_by_a_smallest_world(built, capsys):
     assert built.judge_program(["--exec", served(built, "no-retracing"), "--edges", "3"]) == 1
     said = capsys.readouterr().out
@@ -58,6 +59,7 @@ def test_a_wrong_program_is_refuted_by_a_smallest_world(built, capsys):
     assert "sigma [0, 2, 3, 5, 1, 4] alpha [1, 0, 4, 5, 2, 3], start 0, place 0" in said
 
 
+@pytest.mark.slow
 def test_a_limit_that_is_too_low_refutes(built, capsys):
     arguments = ["--exec", served(built, "algorithm1"), "--edges", "2"]
     assert built.judge_program([*arguments, "--limit", "2*m*n"]) == 0
