@@ -15,13 +15,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numba import njit
 
 from allworlds.checker import worlds
 from allworlds.episode import play
 from allworlds.explorers.algorithm1 import Algorithm1
 from allworlds.judge import paper_bound
 from allworlds.judge.folding import fold
-from allworlds.kernel import thorough
+from allworlds.kernel.folding import folds
+from allworlds.kernel.records import FOLD, LOG, NONE, WORLD
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
 from allworlds.protocol import Choices, Move, Percept, Transcript
 from allworlds.protocol.choices import policy_named
@@ -72,27 +74,29 @@ def folded_by_judge(log: Transcript) -> dict[str, Any]:
     }
 
 
+@njit
+def _folds(world: Any, log: Any, fold: Any) -> bool:
+    return folds(world[0], log[0], fold[0])  # type: ignore[no-any-return]  # compiled
+
+
 def folds_compiled(log: Transcript) -> bool:
     """Whether the compiled judge finds no open dart."""
     steps = steps_of(log)
-    unmarked = thorough.UNMARKED
+    world, walked, room = (np.zeros(1, record) for record in (WORLD, LOG, FOLD))
+    # Of the world it looks at what was sensed at the start, and nowhere else.
+    world["degree"][0, 0], world["bearing"][0, 0] = log.first.degree, _bearing(log.first)
+    walked["cost"] = len(steps)
+    degree = log.first.degree
+    for i, (k, percept) in enumerate(steps):
+        walked["motion"][0, i] = k % degree
+        degree = percept.degree
+        walked["degree"][0, i], walked["marks"][0, i] = degree, percept.marks
+        walked["bearing"][0, i] = _bearing(percept)
+    return bool(_folds(world, walked, room))
 
-    def column(values: list[int]) -> np.ndarray[Any, np.dtype[np.int64]]:
-        return np.array(values, dtype=np.int64)
 
-    nothing = column([])
-    bearings = [unmarked if p.bearing is None else p.bearing for _, p in steps]
-    first_bearing = unmarked if log.first.bearing is None else log.first.bearing
-    world = (nothing, nothing, column([log.first.degree]), column([first_bearing]))
-    degrees = [percept.degree for _, percept in steps]
-    motions = column([k for k, _ in steps])
-    log_columns = (motions, column(degrees), column(bearings), column([len(steps)]))
-    darts, nodes = log.first.degree + sum(degrees), 1 + len(steps)
-    room = tuple(
-        np.empty(size, dtype=np.int64)
-        for size in (darts, darts, nodes, nodes, nodes, nodes, 4 * darts)
-    )
-    return bool(thorough._folds(world, log_columns, room))  # noqa: SLF001  # part of a judge
+def _bearing(percept: Percept) -> int:
+    return NONE if percept.bearing is None else percept.bearing
 
 
 def foldings_agree(edges: int) -> bool:
