@@ -59,7 +59,7 @@ def proofs(session: nox.Session) -> None:
     steps = (
         ("python", "proofs/check.py"),
         ("python", "proofs/second-opinions/check.py"),
-        ("make", "-C", "proofs/coq"),
+        ("make", "-j2", "-C", "proofs/coq"),
         ("make", "-C", "proofs/coq", "explorer", "mutants"),
         ("make", "-C", "proofs/coq", "enumeration", f"PYTHON={session.bin}/python"),
         ("python", "proofs/coq/certificates.py"),
@@ -69,3 +69,13 @@ def proofs(session: nox.Session) -> None:
         start = time.monotonic()
         session.run(*step, external=step[0] == "make")
         session.log(f"{' '.join(step)}: {time.monotonic() - start:.0f} s")
+
+
+@nox.session
+def full(session: nox.Session) -> None:
+    """Go further with what is extracted from Coq (nox -s proofs builds it)."""
+    session.install(".[proofs]")
+    further = ("walked", "judged", "checked", "folded")
+    limits = [word for name in further for word in (f"--{name}-edges", "4")]
+    session.run("python", "proofs/certified.py", "--edges", "5", *limits)
+    session.run("proofs/coq/minimality", external=True)

@@ -1,14 +1,22 @@
-"""The explorers and the judge extracted from the Coq proofs, held against the Python ones.
+"""What is extracted from the Coq proofs: a verdict on a program; and all held against Python's.
 
-    python proofs/certified.py [--edges 5] [--walked-edges 4] [--judged-edges 4]
+    python proofs/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
 
-needs the programs that ``make -C proofs/coq explorer`` builds, and the package.  The certified
-explorers, one a lighthouse, are checked like anybody's, and the traversals of each must equal, row
-by row, those of the built-in Algorithm 1, in the Python engine and, where it has one, in the
-kernel.  Under each policy, in every run, their transcripts and answers must be the built-in one's:
-motion by motion, percept by percept, dart by dart.  The certified judge gets the answer of every
-mutant and of Algorithm 1 on every world, and must give the Python judge's verdict.  Exit code 1:
-they disagree; 2: a program is missing.
+asks the certified checker whether a program is right (``certified_checker.py``).
+
+    python proofs/certified.py [--edges 4] [--walked-edges 3] [--judged-edges 3]
+                               [--checked-edges 3] [--folded-edges 3]
+
+compares.  Both need the programs that ``make -C proofs/coq explorer`` builds, and the package.
+
+The certified explorers, one a lighthouse, are checked like anybody's, and the traversals of each
+must equal, row by row, those of the built-in Algorithm 1, in the Python engine and, where it has
+one, in the kernel.  Under each policy, in every run, their transcripts and answers must be the
+built-in one's: motion by motion, percept by percept, dart by dart.  The certified judge gets the
+answer of every mutant and of Algorithm 1 on every world, and must give the Python judge's verdict.
+The certified checker gets all of these explorers, and the certified folding their logs
+(``certified_checker.py``, ``certified_folding.py``).  ``nox -s full`` goes to 5 edges for the costs
+and to 4 for the rest.  Exit code 1: they disagree; 2: a program is missing.
 """
 
 from __future__ import annotations
@@ -32,6 +40,8 @@ from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, 
 from allworlds.protocol import Choices
 from allworlds.protocol.choices import policy_named
 from allworlds.subjects import load, subject_of
+from certified_checker import CHECKER, checkers_agree, judge_program
+from certified_folding import FOLDING, foldings_agree
 
 HERE = Path(__file__).resolve().parent
 EXPLORER, JUDGE = HERE / "coq" / "explorer", HERE / "coq" / "judge"
@@ -183,23 +193,34 @@ def _cases(edges: int) -> Iterator[tuple[str, Case]]:
                 )
 
 
+def missing() -> list[Path]:
+    """The programs that are not there; each is named on stderr."""
+    programs = [p for p in (EXPLORER, JUDGE, CHECKER, FOLDING) if not p.exists()]
+    for program in programs:
+        print(f"{program} is missing: make -C proofs/coq explorer", file=sys.stderr)
+    return programs
+
+
 def main() -> int:
-    """Compare both, and say so."""
+    """Judge a program, or compare."""
+    if any(word == "--exec" or word.startswith("--exec=") for word in sys.argv[1:]):
+        return 2 if missing() else judge_program(sys.argv[1:])
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--edges", type=int, default=5, help="for the explorers' costs")
-    parser.add_argument("--walked-edges", type=int, default=4, help="for their transcripts")
-    parser.add_argument("--judged-edges", type=int, default=4, help="for the judge")
+    parser.add_argument("--edges", type=int, default=4, help="for the explorers' costs")
+    parser.add_argument("--walked-edges", type=int, default=3, help="for their transcripts")
+    parser.add_argument("--judged-edges", type=int, default=3, help="for the judge")
+    parser.add_argument("--checked-edges", type=int, default=3, help="for the checker")
+    parser.add_argument("--folded-edges", type=int, default=3, help="for the folding")
     parser.add_argument("--workers", type=int, default=2)
     options = parser.parse_args()
-    for program in (EXPLORER, JUDGE):
-        if not program.exists():
-            print(f"{program} is missing: make -C proofs/coq explorer", file=sys.stderr)
-            return 2
+    if missing():
+        return 2
     answers = []
     for pair in PAIRS:
         answers.append(explorers_agree(pair, options.edges, options.workers))
         answers += [transcripts_agree(pair, policy, options.walked_edges) for policy in POLICIES]
-    agree = all([*answers, judges_agree(options.judged_edges)])
+    answers += [judges_agree(options.judged_edges), checkers_agree(options.checked_edges)]
+    agree = all([*answers, foldings_agree(options.folded_edges)])
     print("AGREE" if agree else "DISAGREE")
     return 0 if agree else 1
 

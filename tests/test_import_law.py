@@ -75,7 +75,14 @@ COMPARED = [
     ("maps.counting", "maps.enumeration", set()),
     ("maps.counting", "maps.bruteforce", set()),
     ("kernel.walk", "explorers.algorithm1", set()),
-    ("kernel.walk", "kernel.thorough", {"kernel", "kernel.bits", "kernel.code", "kernel.names"}),
+    (
+        "kernel.walk",
+        "kernel.runs",
+        {
+            *("kernel", "kernel.bits", "kernel.calls", "kernel.code", "kernel.compiling"),
+            *("kernel.names", "kernel.records"),
+        },
+    ),
     ("judge.second_opinion", "maps.canonical", {"maps.combinatorial", "inputs"}),
 ]
 

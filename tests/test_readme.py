@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -134,6 +135,64 @@ def test_the_links_of_the_pages_lead_to_files():
     for page in pages:
         for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
             assert (page.parent / link).exists(), f"{page.name} links to {link}"
+
+
+PACKAGE = ROOT / "src" / "allworlds"
+PAGES = [
+    ROOT / "README.md",
+    ROOT / "corpus" / "README.md",
+    *(ROOT / "docs").rglob("*.md"),
+    *(ROOT / "benchmarks").glob("*.md"),
+]
+
+# What looks like the path of a file, and is one only on the reader's machine, or none.
+ELSEWHERE = {"mine.py", "my_explorer.py", "loops.py", "test_explorer.py", "path/to/file.py"}
+NO_PATHS = {"application/json"}
+
+
+def paths_in(text):
+    """What a page names as a file or a folder: anywhere with its ending, else in backticks."""
+    text = re.sub(
+        r"^```.*?^```$|\]\([^)]*\)|https?://\S+", "", text, flags=re.MULTILINE | re.DOTALL
+    )
+    named = set(re.findall(r"(?<![\w./-])(?:[\w-]+/)*[\w-]+\.(?:py|md|v)\b", text))
+    for words in re.findall(r"`([^`]+)`", text):
+        named |= {word for word in words.split() if re.fullmatch(r"([a-z_]+/)+([a-z_-]+)?", word)}
+    return named - ELSEWHERE - NO_PATHS
+
+
+def modules_in(text):
+    """What a page names as a part of the package, with all that it is in."""
+    return set(re.findall(r"`(allworlds(?:\.[a-z_]\w*)+)", text))
+
+
+def is_there(name):
+    """Whether a name with dots can be imported, or is an attribute of what can."""
+    module, _, attribute = name.rpartition(".")
+    try:
+        import_module(name)
+    except ImportError:
+        return bool(module) and is_there(module) and hasattr(import_module(module), attribute)
+    return True
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_every_file_and_module_that_a_page_names_exists(page):
+    text = page.read_text(encoding="utf-8")
+    homes = (ROOT, PACKAGE, PACKAGE.parent, page.parent)
+    missing = [name for name in paths_in(text) if not any((home / name).exists() for home in homes)]
+    assert not missing, f"{page.name} names {', '.join(sorted(missing))}"
+    missing = [name for name in modules_in(text) if not is_there(name)]
+    assert not missing, f"{page.name} names {', '.join(sorted(missing))}"
+
+
+def test_the_reader_of_paths_sees_stale_ones():
+    text = "in (checker/pool.py), `judge/laws.py`, `reports/html` and `work/`, `0/1`, `mine.py`"
+    assert paths_in(text) == {"checker/pool.py", "judge/laws.py", "reports/html", "work/"}
+    assert modules_in("`allworlds.maps.x(...)`, `allworlds check`") == {"allworlds.maps.x"}
+    assert is_there("allworlds.maps.counting.rooted_maps")
+    assert not is_there("allworlds.checker.pool")
+    assert not is_there("allworlds.pool.x")
 
 
 def test_the_protocol_page_lists_every_law_in_the_order_of_precedence():

@@ -6,6 +6,7 @@ import json
 import re
 from importlib import import_module
 from pathlib import Path
+from pkgutil import iter_modules
 from types import ModuleType
 from typing import get_args, get_type_hints
 
@@ -13,9 +14,8 @@ import pytest
 import typer
 
 import allworlds
-from allworlds import documents, strategies
+from allworlds import documents, explorers, kernel, reports, strategies
 from allworlds.checker import ENGINES, engines
-from allworlds.checker.engines import COMPILED_LAWS
 from allworlds.checker.options import ManyRunsOptions, RunOptions
 from allworlds.cli import options as opt
 from allworlds.cli.app import app
@@ -24,9 +24,11 @@ from allworlds.explorers import BUILT_IN
 from allworlds.findings import Rules, RulesOptions, make_rules
 from allworlds.fuzzer.sample import GENERATORS, batches
 from allworlds.judge import LAWS, PRECEDENCE
+from allworlds.kernel import CHECKED
 from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import sources
+from allworlds.maps.families import _FAMILIES
 from allworlds.mutation.judges import WEAK_JUDGES
 from allworlds.outcome import Exit, Verdict
 from allworlds.protocol import POLICIES, SEEDED, Percept
@@ -36,11 +38,12 @@ from allworlds.smt import SEARCHED
 from allworlds.subjects import load
 from allworlds.verbs import GROUPS, VERBS
 from allworlds.work import EffortOptions, Limits
-from allworlds.world import LIGHTHOUSES, World, lighthouse_from_json
+from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouse_from_json, lighthouses
 from allworlds.worst_case.one_world import Transit
 from recorded.record import COMMANDS, LEAST
 
 ROOT = Path(__file__).parents[1]
+PACKAGE = Path(allworlds.__file__).parent
 BY_NAME = {verb.name: verb for verb in VERBS}
 
 
@@ -213,10 +216,15 @@ def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
     assert set(RulesOptions.__annotations__) < set(documents.Scope.__annotations__)
     others = {"policy": "lifo", "bound": "n", "laws": ("map",), "step_budget": 7}
     assert set(others) == set(RulesOptions.__annotations__)
-    (finding,) = allworlds.check(silent(), edges=1).findings
+    report = allworlds.check(silent(), edges=1)
+    assert set(report.to_json()["scope"]) == set(documents.Scope.__annotations__)
+    (finding,) = report.findings
     for key, value in others.items():
         object.__setattr__(finding, "rules", Rules(**{key: value}))
         assert f"--{key.replace('_', '-')} " in finding.reproduce
+        document = finding.rules.to_json()
+        assert set(document) == set(documents.Options.__annotations__)
+        assert getattr(Rules.from_json(document, finding.world), key) == value
 
 
 def silent():
@@ -261,11 +269,25 @@ def test_the_help_of_an_option_lists_every_name_of_its_table(verb, name, table):
     assert {*map(str, table)} <= {*words}
 
 
+def test_the_help_of_the_families_lists_every_one():
+    help_ = option("run", "family").help
+    assert _FAMILIES
+    assert all(f"{pattern.partition(':')[0]}:" in help_ for pattern, *_ in _FAMILIES)
+
+
 @pytest.mark.parametrize("name", FORMATS)
 def test_a_format_is_an_option_of_every_check_and_told_of(name):
     for verb in ("check", "fuzz"):
         assert option(verb, name).help == FORMATS[name].help
     assert f"--{name}" in PROTOCOL + page("docs/trust.md") + page("README.md")
+
+
+def test_no_report_is_left_out_of_its_table():
+    told = [*(verb.text for verb in VERBS), *(form.home for form in FORMATS.values())]
+    homes = {home.partition(":")[0] for home in told}
+    sources = "".join(path.read_text(encoding="utf-8") for path in PACKAGE.rglob("*.py"))
+    for module in iter_modules(reports.__path__):
+        assert module.name in homes or f"allworlds.reports.{module.name} import" in sources
 
 
 # ---------------------------------------------------------------- laws
@@ -286,13 +308,13 @@ def test_every_law_of_finished_runs_has_its_mutants(law):
 
 
 def test_the_compiled_engine_checks_no_law_that_is_none():
-    assert set(COMPILED_LAWS) <= set(LAWS)
+    assert set(CHECKED) <= set(LAWS)
 
 
 def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monkeypatch):
     scope = Scope(Extent(MapClass.MAPS, 6), Rules())
     assert engines.engine_for("auto", scope, load("algorithm1")).name == "kernel"
-    monkeypatch.setattr(engines, "COMPILED_LAWS", COMPILED_LAWS[1:])
+    monkeypatch.setattr(kernel, "CHECKED", CHECKED - {"map"})
     assert "law 'map'" in ENGINES["kernel"].obstacle(scope, load("algorithm1"))
     assert engines.engine_for("auto", scope, load("algorithm1")).name == "python"
 
@@ -304,7 +326,8 @@ def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monke
 def test_every_class_is_counted_enumerated_drawn_and_told(map_class):
     assert map_class.summary
     assert len(sources(map_class)) >= 2
-    assert all(map_class.includes(map_) for map_ in all_rooted_maps(2, map_class))
+    meant = [map_ for map_ in all_rooted_maps(3) if map_class.includes(map_)]
+    assert meant == [*all_rooted_maps(3, map_class)]
     name = f"{map_class.value.replace('-', '_')}_maps" if map_class is not MapClass.MAPS else "maps"
     assert name in strategies.__all__
     assert f"| `{name}(" in page("docs/strategies.md")
@@ -324,7 +347,38 @@ def test_a_class_without_generators_of_its_own_is_drawn_all_the_same(monkeypatch
     test_random_worlds_of_every_class_are_drawn(MapClass.SIMPLE)
 
 
+@pytest.mark.parametrize("map_class", MapClass)
+def test_algorithm_1_holds_in_every_class(map_class):
+    report = allworlds.check("algorithm1", edges=3, map_class=map_class.value)
+    assert (report.verdict, report.missing) == (Verdict.HOLDS, ())
+
+
+@pytest.mark.parametrize("map_class", MapClass)
+def test_a_search_stays_in_its_class(map_class, tmp_path):
+    found = allworlds.search(
+        lighthouse="none", map_class=map_class.value, vertices=4, edges=4, out=tmp_path
+    )
+    assert all(map_class.includes(world.map) for world in found.pair or ())
+
+
 # ---------------------------------------------------------------- lighthouses
+
+
+def members_of(package):
+    """Everything that the modules of a package define."""
+    for module in iter_modules(package.__path__, f"{package.__name__}."):
+        for found in vars(import_module(module.name)).values():
+            if getattr(found, "__module__", None) == module.name:
+                yield found
+
+
+def test_no_lighthouse_is_left_out_of_its_table():
+    kinds = {
+        kind
+        for kind in members_of(lighthouses)
+        if inspect.isclass(kind) and issubclass(kind, Lighthouse) and "kind" in vars(kind)
+    }
+    assert kinds == set(LIGHTHOUSES.values())
 
 
 @pytest.mark.parametrize("kind", LIGHTHOUSES)
@@ -365,11 +419,57 @@ def test_under_every_lighthouse_a_run_is_checked_told_and_explained(kind):
         assert text("run", allworlds.run(silent(), finding.world), 100)
 
 
+# ---------------------------------------------------------------- where a new thing goes
+
+PLACES = [
+    [cell.strip() for cell in re.split(r"(?<!\\)\|", row)[1:-1]]
+    for row in section(page("docs/ARCHITECTURE.md"), "Where a new thing goes").splitlines()
+    if row.startswith("| ") and not row.startswith("| new ")
+]
+
+
+@pytest.mark.parametrize("row", PLACES, ids=lambda row: row[0])
+def test_what_is_said_of_a_new_thing_is_so(row):
+    new, files, number, _, noticed = row
+    places = re.findall(r"`([^`]+)`", files)
+    assert len(places) + files.count("the function") + files.count("where it acts") == int(number)
+    assert all((PACKAGE / place).exists() for place in places)
+    assert all((PACKAGE / place).is_dir() == place.endswith("/") for place in places)
+    sources = [
+        source.read_text(encoding="utf-8")
+        for place in places
+        for source in ([PACKAGE / place / "__init__.py"] if place[-1] == "/" else [PACKAGE / place])
+    ]
+    for name in re.findall(r"`(\w+)`", new):
+        assert any(re.search(rf"\b{name}\b", source) for source in sources), name
+    tests = "".join(
+        test.read_text(encoding="utf-8") for test in (ROOT / "tests").rglob("test_*.py")
+    )
+    for name in re.findall(r"`([^`]+)`", noticed):
+        assert f"\ndef {name}(" in tests, name
+
+
+def test_every_table_says_where_a_new_entry_goes():
+    told = {name for new, *_ in PLACES for name in re.findall(r"`(\w+)`", new)}
+    assert {"BUILT_IN", "LIGHTHOUSES", "LAWS", "VERBS", "FORMATS", "ENGINES", "POLICIES"} <= told
+    assert {"RulesOptions", "EffortOptions", "MapClass", "Transport"} <= told
+
+
 # ---------------------------------------------------------------- policies, explorers, exit codes
 
 
 def test_every_policy_is_told():
     assert rows(section(PROTOCOL, "In Python"))[: len(POLICIES) + 1] == [*POLICIES, SEEDED]
+
+
+def test_no_explorer_is_left_out_of_its_table():
+    found = {
+        explore
+        for explore in members_of(explorers)
+        if inspect.isgeneratorfunction(explore)
+        and "notice" in inspect.signature(explore).parameters
+    }
+    assert found == {own.explore for own in BUILT_IN.values()}
 
 
 def test_every_built_in_explorer_is_told_and_runs_as_it_is_written_for():

@@ -43,7 +43,7 @@
                           what runs outside Coq.  Refinement.v: they are equal.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Routes.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps Routes.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

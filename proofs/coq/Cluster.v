@@ -17,22 +17,17 @@
                           traversals a test and 2 deg(v0) for the search: it stops within that, and
                           is right.
      cluster_hypotheses_met   worlds in which one_edge holds.
-     two_edges_impossible     with two edges between v0 and v1 no explorer is right in all worlds.
+     two_edges_impossible     with two edges between v0 and v1 no explorer finds the maps of all worlds.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Cost Correctness.
-From Allworlds Require Import Lighthouses Algorithm TwoVertices Impossibility Twins.
-From Allworlds Require Import NumberedWorlds LowerBounds.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers Cost Correctness Lighthouses.
+From Allworlds Require Import Algorithm NumberedWorlds Impossibility Twins PathWorlds TwoVertices.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
 Definition one_edge (W : lighthouse_world) := forall d : W,
   at_same_vertex start d -> at_same_vertex (alpha pointed) (alpha d) -> d = pointed.
-
-(* no two edges have the same ends; no loop either: there alpha d would be another such dart than d *)
-Definition simple_world (G : combinatorial_map) := forall d e : G,
-  at_same_vertex d e -> at_same_vertex (alpha d) (alpha e) -> d = e.
 
 Lemma simple_one_edge (W : lighthouse_world) : simple_world W -> one_edge W.
 Proof.
@@ -87,6 +82,15 @@ exact: (@two_vertices_runs W _ cluster_percept fst (has_markers 1) (has_markers 
   (fun=> erefl) one_marker two_markers one).
 Qed.
 
+Theorem cluster_resumed pol : exists t answer z,
+  [/\ machine cluster pol motion cluster_percept (size t) (Return (knowledge_at_v0 (degree v0)
+        (first_bearing W) (opposite (degree v0) (first_bearing W)))) (@pointed W) = (t, Some answer, z),
+      size t <= cluster_bound, valid answer & isomorphic (denote answer) (rooted z)].
+Proof.
+exact: (@two_vertices_resumed W _ cluster_percept fst (has_markers 1) (has_markers 2)
+  (fun=> erefl) one_marker two_markers one).
+Qed.
+
 Theorem cluster_correct pol budget : 2 * degree v0 + cluster_bound <= budget ->
   exists transcript answer z,
   [/\ episode (cluster_algorithm pol) (rooted v0) cluster_percept budget
@@ -122,10 +126,10 @@ Definition edges_to_v1 M :=
 Lemma two_edges_between : edges_to_v1 natural_plane = 2 /\ edges_to_v1 natural_torus = 2.
 Proof. by vm_compute. Qed.
 
-Lemma two_edges_check : twin_check cluster_percept_in natural_plane natural_torus
+Lemma two_edges_check : map_twin_check cluster_percept_in natural_plane natural_torus
   (generated natural_plane natural_torus).
 Proof. by vm_compute. Qed.
 
 Theorem two_edges_impossible :
-  no_explorer_right_on_both cluster_percept_in natural_plane natural_torus.
-Proof. exact: certified_impossible two_edges_check. Qed.
+  no_explorer_maps_both cluster_percept_in natural_plane natural_torus.
+Proof. exact: certified_map_impossible two_edges_check. Qed.

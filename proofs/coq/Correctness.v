@@ -17,7 +17,7 @@
      run_cost_O_m2n       at no time has a run made more than 2 m^2 n traversals.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps PartialMaps HypothesisTests Pass Cost.
+From Allworlds Require Import Model Maps Percepts RootedMaps PartialMaps HypothesisTests Pass Cost.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

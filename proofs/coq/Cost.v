@@ -3,8 +3,6 @@
 
      pass_bound m s p     a pass begun with s vertices in S after p earlier passes: s + 2 (s-1)
                           (2m - 2p).
-     sum_1 n m, sum_2 n m the paper's (1), and (2) with its upper limit read as m-n+1.
-     paper_bound n m      (1) + (2).
      run_bound n m q      pass_bound summed over q passes, S growing by one vertex a pass up to n.
 
      pass_cost            no pass costs more than pass_bound.
@@ -18,16 +16,12 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Coq Require Import Lia.
-From Allworlds Require Import Maps Percepts PartialMaps HypothesisTests Pass.
+From Allworlds Require Import Model Maps Percepts PartialMaps HypothesisTests Pass.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
 Definition pass_bound m s p := s + 2 * (s - 1) * (2 * m - 2 * p).
-Definition sum_1 n m := \sum_(1 <= s < n) (s + 2 * (s - 1) * (2 * m - 2 * (s - 1))).
-Definition sum_2 n m :=
-  \sum_(1 <= i < (m - (n - 1)).+1) (n + 2 * (n - 1) * (2 * m - 2 * (n - 1) - 2 * (i - 1))).
-Definition paper_bound n m := sum_1 n m + sum_2 n m.
 Definition run_bound n m q := \sum_(0 <= p < q) pass_bound m (minn p.+1 n) p.
 
 (* ---- One pass ---- *)

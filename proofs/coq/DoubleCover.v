@@ -12,10 +12,11 @@
      degree_sensed            the percept without information: the degree.
      compass ref d            the percept with orientation only: the degree, and the bearing to
                               the reference dart (the darts of ref, one at each vertex).
-     world_with_cycle_impossible   no explorer is right on both.
+     world_with_cycle_impossible   no explorer finds the maps of both.
+     cover_simple             in a simple world both are simple.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps RootedMaps Explorers Indistinguishable.
+From Allworlds Require Import Model Maps RootedMaps Explorers Indistinguishable.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -106,11 +107,10 @@ by rewrite turn_in_cover.
 Qed.
 
 Section Explorer.
-Variables (P E : Type) (meaning : E -> rooted_map) (X : explorer P E).
-Variables (senses : G -> P) (senses' : H -> P) (start : G).
+Variables (P : Type) (senses : G -> P) (senses' : H -> P) (start : G).
 Hypothesis same : forall d t, senses' (d, t) = senses d.
 
-Theorem cover_same_episode budget :
+Theorem cover_same_episode E (X : explorer P E) budget :
   (episode X (rooted start) senses budget).1
   = (episode X (rooted ((start, false) : H)) senses' budget).1.
 Proof.
@@ -118,31 +118,40 @@ apply: (@twins_episode _ _ X (rooted start) (rooted ((start, false) : H)) senses
   (fun x y => x = y.1)) => //= x [y t] /= ->; rewrite ?same //.
 Qed.
 
+Lemma cover_edges : edges H = (edges G).*2.
+Proof. by apply: double_inj; rewrite !edges_double card_prod card_bool muln2 -edges_double. Qed.
+
 Lemma cover_impossible :
-  ~ (right meaning X (rooted start) senses /\ right meaning X (rooted ((start, false) : H)) senses').
+  @no_explorer_finds_both P (rooted start) (rooted ((start, false) : H)) senses senses'.
 Proof.
-case=> r1 r2.
-have [f [g [F F' _]]] : isomorphic (rooted start) (rooted ((start, false) : H)).
-  apply: (@twins_impossible _ _ meaning X (rooted start) (rooted ((start, false) : H)) senses senses'
-    (fun x y => x = y.1)) => //; try exact: rooted_wellformed.
+move=> E meaning X [F1 F2].
+have /same_map_edges : same_map (rooted start) (rooted ((start, false) : H)).
+  apply: (@twins_same_map _ _ meaning X (rooted start) (rooted ((start, false) : H)) senses senses'
+    (fun x y => x = y.1)) F1 F2 => //; last exact: rooted_wellformed.
   - by move=> x [y t] /= ->; rewrite same.
   - by move=> x [y t] /= ->.
   - by move=> x [y t] /= ->.
-have gi : injective g by move=> u v E'; have [_ <-] := F' u isT; have [_ <-] := F' v isT; rewrite E'.
-have := leq_card g gi; rewrite card_prod card_bool muln2 -addnn.
-by rewrite -[X in _ <= X]addn0 leq_add2l leqn0 => /eqP/card0_eq/(_ e); rewrite !inE.
+rewrite cover_edges -addnn -{1}[edges G]addn0 => /addnI /esym e0.
+by have := edges_gt0 start; rewrite e0.
 Qed.
 End Explorer.
 
-Theorem world_with_cycle_impossible E (meaning : E -> rooted_map) (start : G) (ref : pred G) :
-  (forall X : explorer nat E,
-     ~ (right meaning X (rooted start) (@degree_sensed G) /\
-        right meaning X (rooted ((start, false) : H)) (@degree_sensed H))) /\
-  (forall X : explorer (nat * nat) E,
-     ~ (right meaning X (rooted start) (compass ref) /\
-        right meaning X (rooted ((start, false) : H)) (@compass H (fun p => ref p.1)))).
+(* in a simple world it is a simple world that cannot be told apart *)
+Lemma cover_simple : simple_world G -> simple_world H.
 Proof.
-split=> X; apply: cover_impossible => d t; first exact: degree_in_cover.
+have at_vertex (x y : H) : at_same_vertex x y -> at_same_vertex x.1 y.1 /\ x.2 = y.2.
+  by case: x => d t /iter_findex <-; rewrite turn_in_cover; split=> //; exact: fconnect_iter.
+move=> S x y /at_vertex[v E] /at_vertex[v' _].
+by rewrite (surjective_pairing x) (surjective_pairing y) E (S _ _ v v').
+Qed.
+
+Theorem world_with_cycle_impossible (start : G) (ref : pred G) :
+  @no_explorer_finds_both nat (rooted start) (rooted ((start, false) : H))
+    (@degree_sensed G) (@degree_sensed H) /\
+  @no_explorer_finds_both (nat * nat) (rooted start) (rooted ((start, false) : H))
+    (compass ref) (@compass H (fun p => ref p.1)).
+Proof.
+split; apply: cover_impossible => d t; first exact: degree_in_cover.
 exact: compass_in_cover.
 Qed.
 End Impossible.

@@ -20,7 +20,7 @@
    compare_enumeration.py compares the list with that of the Python enumerator, map by map.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps RootedMaps.
+From Allworlds Require Import Model Maps RootedMaps Codes.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

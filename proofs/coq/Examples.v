@@ -12,7 +12,7 @@
                                exist.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Cost Algorithm.
+From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Cost Algorithm.
 From Allworlds Require Import Refinement Policies NumberedWorlds Judge DoubleCover Enumeration.
 From Allworlds Require Import Cluster NaturalLighthouse.
 Set Implicit Arguments.

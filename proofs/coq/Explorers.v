@@ -1,15 +1,9 @@
 (* ---------------------------------------------------------------------------------------------
-   Explorers.
+   Explorers and programs.
 
-     action, explorer   an explorer is any function from the percepts so far (the first one first)
-                        to an action: a motion, or to stop with an answer of any type.  It never
-                        holds a world, so whatever holds of all explorers holds of all algorithms.
-     episode X M obs n  explorer X in the rooted map M, where obs d is sensed in dart d, for at
-                        most n motions: the transcript (motion, percept), the answer, the robot's
-                        true dart. No answer: the n motions were not enough.
-     right              it stops, and its answer denotes a rooted map that is isomorphic to the
-                        world seen from the robot's true dart: the same map, and the right place
-                        in it.
+     explore_walk       the robot is where its motions lead.
+     explore_more       once an explorer has stopped a larger budget changes nothing.
+     right_finds_map    an explorer that is right finds the map.
 
      program A          a robot's control: Return x, or Go k f: make motion k and go on with f of
                         what is sensed then.  An algorithm written so sees percepts and nothing
@@ -17,36 +11,14 @@
      bind p f           first p, then f of its result.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import RootedMaps.
+From Allworlds Require Import Model RootedMaps.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-Inductive action E := Move (k : nat) | Stop (answer : E).
-Arguments Move {E} k.
-Arguments Stop {E} answer.
-Definition explorer P E := seq P -> action E.
-
 Section Episodes.
-Variables (P E : Type) (meaning : E -> rooted_map) (X : explorer P E).
-Variables (M : rooted_map) (obs : carrier M -> P).
-
-(* seen: the percepts so far; d: the robot's true dart *)
-Fixpoint explore fuel (seen : seq P) d : seq (nat * P) * option E * carrier M :=
-  match X seen with
-  | Stop answer => ([::], Some answer, d)
-  | Move k =>
-      if fuel is fuel'.+1 then
-        let d' := motion_in M k d in
-        let: (transcript, answer, z) := explore fuel' (rcons seen (obs d')) d' in
-        ((k, obs d') :: transcript, answer, z)
-      else ([::], None, d)
-  end.
-Definition episode fuel := explore fuel [:: obs (root M)] (root M).
-
-Definition right := exists fuel transcript answer z,
-  [/\ episode fuel = (transcript, Some answer, z), wellformed (meaning answer) &
-      isomorphic (meaning answer) (rooted_at M z)].
+Variables (P E : Type) (X : explorer P E) (M : rooted_map) (obs : carrier M -> P).
+Local Notation explore := (explore X M obs).
 
 (* the robot is where its motions lead *)
 Lemma explore_walk fuel seen d :
@@ -66,11 +38,20 @@ rewrite addSn /=; case: (X h) => //= j.
 case R: (explore _ _ _) => [[t' [e'|]] z'] //= [<- ee zz]; subst e' z'.
 by rewrite (IH _ _ _ R).
 Qed.
+
+(* so it stops in one way only *)
+Lemma explore_once n n' seen d t t' e e' z z' : explore n seen d = (t, Some e, z) ->
+  explore n' seen d = (t', Some e', z') -> [/\ t = t', e = e' & z = z'].
+Proof. by move/(explore_more n')=> R /(explore_more n); rewrite addnC R => -[-> -> ->]. Qed.
 End Episodes.
 
-Arguments explore {P E} X M obs fuel seen d.
-Arguments episode {P E} X M obs fuel.
-Arguments right {P E} meaning X M obs.
+(* who knows the place knows the map *)
+Lemma right_finds_map P E (meaning : E -> rooted_map) (X : explorer P E) M (obs : carrier M -> P) :
+  right meaning X M obs -> finds_map meaning X M obs.
+Proof.
+move=> [n [t [a [z [R W I]]]]]; exists n, t, a, z; split=> //; exists z => //.
+by have [f [g [F _ /= <-]]] := I; have [] := F _ (wellformed_root W).
+Qed.
 
 Lemma explore_ext P E (X : explorer P E) M (o1 o2 : carrier M -> P) : (forall x, o1 x = o2 x) ->
   forall fuel seen d, explore X M o1 fuel seen d = explore X M o2 fuel seen d.

@@ -1,17 +1,24 @@
 (* ---------------------------------------------------------------------------------------------
-   Extraction to OCaml: the explorers, step by step, their policies, the judge.
+   Extraction to OCaml: the explorers, step by step, their policies, the judge; the checker; folding; the
+   search for pairs that look alike.
 
-     K_starts             what explorer K does from its first percept on, for three lighthouses K.
-     K_next               its next motion, or the end.
+     algorithm1_starts, cluster_starts, natural_starts   what the explorer with each lighthouse does
+                          from its first percept on.
+     algorithm1_next, cluster_next, natural_next   its next motion, or the end.
      algorithm1_machine   a whole run.
+     check, refutations   Checker.v; directional_check is check with directional_senses and
+                          in_universe_in u, and so on (TwoVerticesChecker.v).
+     folded_log           of the first percept and the steps of a log: whether it leaves no dart open, and
+                          the folded map.
 
    Trusted here: the extraction itself; ExtrOcamlBasic and ExtrOcamlNatInt (nat becomes int: no
    number in a run comes near 2^62, the largest is a product of two list lengths); and three
    hand-written realisations, eqn as (=), modn as (mod) with a mod 0 = a, addition as (+).
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Percepts RootedMaps Explorers Algorithm Policies NumberedWorlds Judge.
-From Allworlds Require Import Cluster NaturalLighthouse.
+From Allworlds Require Import Model Percepts RootedMaps Codes Explorers Algorithm Policies.
+From Allworlds Require Import NumberedWorlds Judge Cluster NaturalLighthouse Log FoldingProgram SameWorld.
+From Allworlds Require Import Checker TwoVerticesChecker SimpleMaps Minimality PlanarMinimality.
 Require Extraction.
 Require Import ExtrOcamlBasic ExtrOcamlNatInt.
 
@@ -28,8 +35,15 @@ Definition cluster_next := next cluster.
 Definition natural_starts (a b : nat) := set_out (natural a b).
 Definition natural_next (a b : nat) := next (natural a b).
 
+Definition folded_log first (taken : seq (nat * percept)) :=
+  let L := Log first taken in (folds L, folded_map L).
+
 Set Warnings
   "-extraction-default-directory,-extraction-opaque-accessed,-extraction-reserved-identifier".
 Extraction "ocaml/certified.ml"
   algorithm1_starts algorithm1_next algorithm1_machine cluster_starts cluster_next
-  natural_starts natural_next fifo lifo nearest valid dart_order same_code judge sensed.
+  natural_starts natural_next fifo lifo nearest valid dart_order same_code judge sensed
+  check refutations worlds examine run_in paper_limit two_vertices_limit vertices_in edges_in
+  directional_senses in_universe_in cluster_senses one_edge_in natural_senses natural_in
+  algorithm1_resumption cluster_resumption natural_resumption folded_log
+  simple_maps planar_in told_apart the_same the_same_at_v0 simple_walk planar_walk.

@@ -1,12 +1,16 @@
 (* ---------------------------------------------------------------------------------------------
-   The theorems that do not stand in Main.v, section by section.  The words are explained there.
+   The theorems that do not stand in Main.v, section by section.  The words are explained there, in
+   Model.v, and at the head of the files named in README.md.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable PartialMaps.
-From Allworlds Require Import Paths Pass Cost Correctness Lighthouses Routes Algorithm.
-From Allworlds Require Import Refinement Policies ShortestPaths NumberedWorlds Judge Impossibility.
-From Allworlds Require Import DoubleCover Twins Folding LowerBounds Enumeration TwoVertices Cluster.
-From Allworlds Require Import NaturalLighthouse.
+From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable.
+From Allworlds Require Import PartialMaps Paths Pass Cost Correctness PassCounts Lighthouses Routes.
+From Allworlds Require Import Algorithm Execution OnePass Refinement Policies ShortestPaths.
+From Allworlds Require Import NumberedWorlds Judge Impossibility DoubleCover Trees PositionTwins.
+From Allworlds Require Import Ambiguity Regluing RegluingCount Twins Congruence Log Folding OpenDarts.
+From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
+From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
+From Allworlds Require Import Minimality PlanarMinimality.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -65,14 +69,16 @@ Theorem nearest_takes_the_nearest k : unexplored k != [::] ->
   forall e, e \in unexplored k -> distance k (next_edge nearest k) <= distance k e.
 Proof. exact: nearest_is_nearest. Qed.
 
-(* What is computed and extracted: the same for worlds written down as lists of numbers. *)
-Theorem explorer_correct_in_numbers (pol : policy) (M : numbered_map) k :
+(* What is computed and extracted: the same for worlds written down as lists of numbers, (1) + (2) computed
+   too; k: the bearing of the marker at the root. *)
+Theorem explorer_correct_in_numbers (pol : policy) (M : numbered_map) k budget :
   valid M -> size (dart_order M) == size (sigma_list M) ->
-  let pointed := iter k (nth 0 (sigma_list M)) (root_number M) in
-  exists bound, forall budget, bound <= budget -> exists transcript answer z,
-  [/\ episode (algorithm1 pol) (denote M) (sensed M pointed) budget = (transcript, Some answer, z),
-      size transcript <= bound & same_code answer (seen_from M z)].
-Proof. exact: algorithm1_numbered. Qed.
+  let limit := paper_limit (vertices_in M) (edges_in M) in limit <= budget ->
+  exists transcript answer z,
+  [/\ episode (algorithm1 pol) (denote M) (directional_senses M k) budget
+        = (transcript, Some answer, z),
+      size transcript <= limit & same_code answer (seen_from M z)].
+Proof. exact: algorithm1_within. Qed.
 
 (* What runs outside Coq, one step at a time without remembering the percepts, is that explorer, with
    each of the lighthouses. *)
@@ -97,12 +103,21 @@ Theorem bound_is_polynomial n m : 0 < n -> n - 1 <= m ->
   = 12 * m ^ 2 * n + 4 * n ^ 3 + 30 * m * n + 11 * n.
 Proof. exact: paper_bound_polynomial. Qed.
 
-(* Every explorer that is right with a directional lighthouse makes at least m motions in each world. *)
-Theorem at_least_m_motions E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall (W : lighthouse_world) budget t e z,
-  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) -> edges W <= size t.
-Proof. by move=> H W budget t e z; exact: edges_at_most_motions. Qed.
+(* n-1 passes find a vertex and m-n+1 close a loop, whatever the schedule.  counted v l C c: a run in
+   which v passes have found a vertex and l have closed a loop, C traversals in all. *)
+Theorem passes_of_both_kinds (W : lighthouse_world) (c : configuration W) :
+  (forall n C, reached n C c <-> exists v l, counted v l C c /\ v + l = n) /\
+  forall v l C, counted v l C c -> nothing_open c ->
+  v.+1 = vertices W /\ l + vertices W = (edges W).+1.
+Proof. by split=> [n C|v l C]; [exact: reached_counted | exact: passes_of_each_kind]. Qed.
+
+(* '2m is a lower bound' is false: on every cycle, of k+1 vertices, Algorithm 1 walks exactly m edges if
+   it takes the dart that came last first. *)
+Theorem m_is_enough_on_cycles k b : let W := ring k b in
+  edges W = k.+1 /\ vertices W = k.+1 /\ forall budget, edges W <= budget -> exists t answer z,
+  [/\ episode (algorithm1 lifo) (rooted (@start W)) (@percept_of W) budget = (t, Some answer, z),
+      size t = edges W, valid answer & isomorphic (denote answer) (rooted z)].
+Proof. by split; [exact: edges_ring | split; [exact: vertices_ring | exact: lifo_on_ring]]. Qed.
 
 (* ==== Answers ==== *)
 
@@ -129,7 +144,8 @@ Theorem cycles_are_worlds n side : 0 < n ->
                 sigma_of (cycle_world n side) d <> d].
 Proof. by move=> n0; split; [exact: cycle_wellformed | exact: cycle_connected | exact: cycle_degree]. Qed.
 
-(* Two worlds related by a bisimulation R: no explorer is right in both unless they are the same. *)
+(* Two worlds related by a bisimulation R: an explorer that is right in both exists only if they are the
+   same, place included; one that finds both maps only if they are the same map. *)
 Theorem twins_cannot_both_be_explored P E (meaning : E -> rooted_map) (X : explorer P E)
     (M N : rooted_map) (sensesM : carrier M -> P) (sensesN : carrier N -> P)
     (R : carrier M -> carrier N -> Prop) :
@@ -137,8 +153,26 @@ Theorem twins_cannot_both_be_explored P E (meaning : E -> rooted_map) (X : explo
   (forall x y, R x y -> R (sigma_of M x) (sigma_of N y)) ->
   (forall x y, R x y -> R (alpha_of M x) (alpha_of N y)) ->
   R (root M) (root N) -> wellformed M -> wellformed N ->
-  right meaning X M sensesM -> right meaning X N sensesN -> isomorphic M N.
-Proof. exact: twins_impossible. Qed.
+  (right meaning X M sensesM -> right meaning X N sensesN -> isomorphic M N) /\
+  (finds_map meaning X M sensesM -> finds_map meaning X N sensesN -> same_map M N).
+Proof. by move=> Ro Rs Ra R0 WM WN; split; [exact: (twins_impossible Ro) | exact: (twins_same_map Ro)]. Qed.
+
+(* Whoever is right finds the map. *)
+Theorem being_right_is_more P E (meaning : E -> rooted_map) (X : explorer P E) M (obs : carrier M -> P) :
+  right meaning X M obs -> finds_map meaning X M obs.
+Proof. exact: right_finds_map. Qed.
+
+(* Chance does not help.  An explorer with a seed, or with an oracle, is a family of explorers, one for
+   each seed; where no explorer finds both maps, the seeds with which it finds the one and those with
+   which it finds the other weigh together at most as much as all seeds: in one of the two worlds it
+   fails with a probability of at least one half. *)
+Theorem randomness_does_not_help P (M N : rooted_map) (sM : carrier M -> P) (sN : carrier N -> P)
+    E (meaning : E -> rooted_map) (Seed : finType) (weight : Seed -> nat) (X : Seed -> explorer P E)
+    (A B : {set Seed}) : no_explorer_finds_both sM sN ->
+  (forall s, s \in A -> finds_map meaning (X s) M sM) ->
+  (forall s, s \in B -> finds_map meaning (X s) N sN) ->
+  \sum_(s in A) weight s + \sum_(s in B) weight s <= \sum_s weight s.
+Proof. exact: seeds_do_not_help. Qed.
 
 (* A directional lighthouse leaves no such pair: what no motion tells apart is the same. *)
 Theorem lighthouse_leaves_no_twins (W W' : lighthouse_world) (R : W -> W' -> Prop) :
@@ -148,17 +182,122 @@ Theorem lighthouse_leaves_no_twins (W W' : lighthouse_world) (R : W -> W' -> Pro
 Proof. exact: directional_unambiguous. Qed.
 
 (* Without position, every world with a cycle through e: it and its double cover look the same, whether
-   the robot senses degrees only or has an orientation at every vertex too. *)
+   the robot senses degrees only or has an orientation at every vertex too.  The double cover of a simple
+   world is simple. *)
 Theorem no_world_with_a_cycle_without_position (G : combinatorial_map) (e : G) (cycle : on_cycle e)
-    E (meaning : E -> rooted_map) (d : G) (ref : pred G) :
+    (d : G) (ref : pred G) :
   let H := double_cover cycle in
-  (forall X : explorer nat E,
-     ~ (right meaning X (rooted d) (@degree_sensed G) /\
-        right meaning X (rooted ((d, false) : H)) (@degree_sensed H))) /\
-  (forall X : explorer (nat * nat) E,
-     ~ (right meaning X (rooted d) (compass ref) /\
-        right meaning X (rooted ((d, false) : H)) (@compass H (fun p => ref p.1)))).
-Proof. exact: world_with_cycle_impossible. Qed.
+  [/\ no_explorer_finds_both (M := rooted d) (N := rooted ((d, false) : H))
+        (@degree_sensed G) (@degree_sensed H),
+      no_explorer_finds_both (M := rooted d) (N := rooted ((d, false) : H))
+        (compass ref) (@compass H (fun p => ref p.1))
+    & simple_world G -> simple_world H].
+Proof. by have [A B] := world_with_cycle_impossible cycle d ref; split=> //; exact: cover_simple. Qed.
+
+(* Trees, and only trees, can be explored without position.  Dead reckoning: Algorithm 1, sensing in its
+   mind the lighthouse that is not there, is right in every tree; and a world is a tree if and only if no
+   other world gives the same percepts, degrees, on every list of motions. *)
+Theorem trees_without_position pol (G : combinatorial_map) (d : G) : acyclic G ->
+  right denote (without_position (algorithm1 pol)) (rooted d) (@degree_sensed G).
+Proof. exact: tree_explored. Qed.
+
+Theorem only_trees_without_position (G : combinatorial_map) (d : G) : (forall e : G, ~~ on_cycle e) <->
+  forall (H : combinatorial_map) (d' : H),
+  (forall w, percepts_in (M := rooted d) (@degree G) w d
+           = percepts_in (M := rooted d') (@degree H) w d') ->
+  isomorphic (rooted d) (rooted d').
+Proof. exact: tree_iff_no_twin. Qed.
+
+(* With position, cycles of different length are told apart: one explorer is right on all of them. *)
+Theorem cycles_with_position n side : 0 < n ->
+  right (fun n => cycle_world n true) round_once (cycle_world n side) position_on_cycle.
+Proof. exact: round_once_right. Qed.
+
+(* ==== No smaller pairs (Section III) ==== *)
+
+(* look_alike d e: position only, and every list of motions gives equal percepts from d and from e.  Then
+   the two worlds are of one size. *)
+Theorem lookalikes_have_one_size (G H : combinatorial_map) (d : G) (e : H) : look_alike d e ->
+  [/\ edges G = edges H, vertices G = vertices H, degree d = degree e &
+      forall k, #|[pred x : G | degree x == k]| = #|[pred y : H | degree y == k]|].
+Proof.
+move=> A; split; [exact: alike_edges A|exact: alike_vertices A|exact: alike_degree A|].
+exact: alike_degrees A.
+Qed.
+
+(* So there is no pair of different worlds with one edge, of simple ones with at most 5, of simple planar
+   ones with at most 7: the pairs of position_is_not_enough with 2, 6 and 8 edges are smallest ones.
+   Planar worlds: the same map, v0 on v0, but not always the same dart first. *)
+Theorem no_smaller_pairs (G H : combinatorial_map) (d : G) (e : H) : look_alike d e ->
+  [/\ edges G <= 1 -> isomorphic (rooted d) (rooted e),
+      simple_world G -> simple_world H -> edges G <= 5 -> isomorphic (rooted d) (rooted e) &
+      simple_world G -> simple_world H -> planar_map G -> planar_map H -> edges G <= 7 ->
+      exists2 e', at_same_vertex e e' & isomorphic (rooted d) (rooted e')].
+Proof.
+move=> A; split; [exact: no_twins_with_one_edge A|exact: no_simple_twins A|].
+by move=> sG sH pG pH; exact: no_planar_twins A.
+Qed.
+
+(* Ten motions, the same in all of them, tell the simple worlds with at most 5 edges apart; 47 the simple
+   planar ones with at most 7. *)
+Theorem one_walk_tells_small_worlds_apart (G H : combinatorial_map) (d : G) (e : H) :
+  simple_world G -> simple_world H ->
+  (edges G <= 5 -> edges H <= 5 -> walk_alike d e simple_walk -> isomorphic (rooted d) (rooted e)) /\
+  (planar_map G -> planar_map H -> edges G <= 7 -> edges H <= 7 -> walk_alike d e planar_walk ->
+   exists2 e', at_same_vertex e e' & isomorphic (rooted d) (rooted e')).
+Proof. by move=> sG sH; split; [exact: simple_worlds_differ | exact: planar_worlds_differ]. Qed.
+
+(* ==== Which worlds are ambiguous with position only (Section III) ==== *)
+
+(* Darts of one world that no motions tell apart, position sensed: the darts fall into classes of one size,
+   k = lookalikes d, which divides the degree of v0.  cone x: how many darts of its class lie at the vertex
+   of x; class_vertices x: the vertices of the class. *)
+Theorem classes_of_lookalikes (G : combinatorial_map) (d x : G) :
+  let senses := position_of d in
+  [/\ #|class senses x| = lookalikes d, #|G| = #|classes senses| * lookalikes d,
+      lookalikes d %| degree d, cone senses x %| degree x
+    & lookalikes d = #|class_vertices senses x| * cone senses x].
+Proof.
+split; [exact: class_size|exact: darts_by_classes|exact: lookalikes_degree|exact: cone_degree|].
+by rewrite -(cone_size (@position_degree G d)); exact: class_size.
+Qed.
+
+(* A class that contains the other end of one of its darts has an even number of darts. *)
+Theorem crossed_classes_are_even (G : combinatorial_map) (d x : G) :
+  alpha x \in class (position_of d) x -> ~~ odd (lookalikes d).
+Proof. by rewrite inE => /crossed_class; rewrite (class_size _ x d). Qed.
+
+(* k = 1: no other world looks like this one.  So it is where v0 has one edge only, and in trees. *)
+Theorem one_lookalike_is_unambiguous (G : combinatorial_map) (d : G) :
+  [/\ lookalikes d = 1 -> unambiguous d, degree d = 1 -> unambiguous d & acyclic G -> unambiguous d].
+Proof. by split; [exact: one_lookalike | exact: one_door | exact: tree_unambiguous]. Qed.
+
+(* The start may be taken for k darts; in the map these are k / a places, a the number of automorphisms
+   that keep v0. *)
+Theorem places_and_automorphisms (G : combinatorial_map) (d : G) :
+  lookalikes d = #|places d| * automorphisms d.
+Proof. exact: places_of. Qed.
+
+(* The worlds that look like a given one are its regluings: other ends beta of its darts, where no motions
+   tell beta x from alpha x. *)
+Theorem lookalike_worlds_are_regluings (G : combinatorial_map) (d : G) :
+  let same := indistinct (position_of d) (position_of d) in
+  (forall (beta : G -> G) (betaK : involutive beta) (beta_neq : forall x, beta x != x)
+     (near : forall x, same (alpha x) (beta x)), look_alike d (d : reglued betaK beta_neq near)) /\
+  forall (H : combinatorial_map) (e : H), look_alike d e ->
+  exists (beta : G -> G) (betaK : involutive beta) (beta_neq : forall x, beta x != x)
+    (near : forall x, same (alpha x) (beta x)),
+  isomorphic (rooted (d : reglued betaK beta_neq near)) (rooted e).
+Proof. by split=> *; [exact: reglued_alike | exact: alike_reglued]. Qed.
+
+(* So they are finitely many, and can be counted.  The map, v0 in it, can be known if and only if there are
+   as many regluings as places times turnings, a turning being a bijection of the darts that turns with
+   them, keeps each in its class and fixes the start. *)
+Theorem criterion_counted (G : combinatorial_map) (d : G) :
+  (forall (H : combinatorial_map) (e : H), look_alike d e ->
+     exists2 y : G, at_same_vertex d y & isomorphic (rooted y) (rooted e)) <->
+  #|regluings d| = #|places d| * #|[set f | turning d f]|.
+Proof. exact: map_known_iff. Qed.
 
 Theorem kinds_of_these_worlds :
   [/\ all planar [:: two_loops_plane; k4_plane; hexagon; triangles; figure_1_left; figure_1_right],
@@ -166,22 +305,18 @@ Theorem kinds_of_these_worlds :
     & all simple [:: k4_plane; k4_torus; hexagon; triangles; figure_1_left; figure_1_right]].
 Proof. exact: kinds. Qed.
 
-(* The two worlds of each pair are different maps, not only different places in one. *)
-Theorem pairs_are_different_maps : all (fun p => differ_check p.1 p.2)
-  [:: (two_loops_plane, two_loops_torus); (k4_plane, k4_torus); (hexagon, triangles);
-      (figure_1_left, figure_1_right); (natural_plane, natural_torus)].
-Proof. by vm_compute. Qed.
-
 Theorem figure_1_caption_holds :
   as_in_the_caption figure_1_left && as_in_the_caption figure_1_right /\
-  forall d, d < size (sigma_list figure_1_right) ->
-    ~ isomorphic (denote figure_1_left) (denote (seen_from figure_1_right d)).
+  ~ same_map (denote figure_1_left) (denote figure_1_right).
 Proof. exact: conj figure_1_caption figure_1_different. Qed.
 
-(* Any certificate that the Boolean check accepts is such a theorem. *)
+(* Any certificate that the Boolean check accepts is such a theorem: for different maps, and for different
+   places, in one map or two. *)
 Theorem certificate_suffices (P : eqType) (senses : numbered_map -> nat -> P) M N L :
-  twin_check senses M N L -> no_explorer_right_on_both senses M N.
-Proof. exact: certified_impossible. Qed.
+  (map_twin_check senses M N L -> no_explorer_maps_both senses M N) /\
+  (twin_check senses M N L -> forall E (meaning : E -> rooted_map) (X : explorer P E),
+    ~ (right meaning X (denote M) (senses M) /\ right meaning X (denote N) (senses N))).
+Proof. by split; [exact: certified_map_impossible | exact: certified_impossible]. Qed.
 
 (* ==== Folding: the log is a proof of the map (Sections IV, V) ==== *)
 
@@ -212,20 +347,49 @@ move=> A np; have [A1 A2 ne] := open_dart_two_worlds A np.
 by do 2 eexists; split; [exact: A1 | exact: A2 |].
 Qed.
 
+(* Folding as a program: `labels` gives each dart of the log a number; equal numbers, if and only if the
+   darts are the same in the least congruence. *)
+Theorem computed_folding (L : log) :
+  (forall p q : log_dart L,
+     (nth 0 (labels L) (dart_number p) == nth 0 (labels L) (dart_number q)) = same_dart p q) /\
+  (folds L <-> no_open_dart L).
+Proof. by split; [exact: labels_same | exact: folds_no_open_dart]. Qed.
+
+(* What it folds to, if no dart is open: the world, seen from where the robot is. *)
+Theorem computed_folding_is_the_world (L : log) (W : lighthouse_world) : agrees W L -> folds L ->
+  valid (folded_map L) /\
+  isomorphic (denote (folded_map L)) (rooted (@robot_at L W (size (steps L)))).
+Proof. by move=> A /folds_no_open_dart; exact: folded_map_is_the_world. Qed.
+
+(* So whoever stops where a dart is open is lucky: it does not find the maps of all worlds. *)
+Theorem open_log_refutes u E (meaning : E -> rooted_map) (X : explorer percept E)
+    (W : lighthouse_world) : in_universe u W -> forall budget t e z,
+  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
+  ~~ folds (log_of W t) -> ~ finds_all_maps u meaning X.
+Proof. exact: unfolded_refutes. Qed.
+
 (* ==== Lower bounds (Section VI) ==== *)
 
+(* Explorers that find the map of all worlds, or of all simple worlds.  They exist: *)
+Theorem algorithm1_finds_every_map pol u : finds_all_maps u denote (algorithm1 pol).
+Proof. exact: algorithm1_finds_all_maps. Qed.
+
+(* At least m motions in each world. *)
+Theorem at_least_m_motions u E (meaning : E -> rooted_map) (X : explorer percept E) :
+  finds_all_maps u meaning X -> forall W, in_universe u W -> forall budget t e z,
+  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) -> edges W <= size t.
+Proof. by move=> F W U budget t e z; exact: (edges_at_most_motions F). Qed.
+
 (* At least m-n+1 entries into v0. *)
-Theorem entries_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall (W : lighthouse_world) budget t e z,
+Theorem entries_lower_bound u E (meaning : E -> rooted_map) (X : explorer percept E) :
+  finds_all_maps u meaning X -> forall W, in_universe u W -> forall budget t e z,
   episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
   edges W + 1 <= vertices W + entries (unzip1 t) (@start W).
-Proof. by move=> H W budget t e z; exact: entries_at_least. Qed.
+Proof. by move=> F W U budget t e z; exact: (entries_at_least F). Qed.
 
 (* Any world W at the end of a path of L edges, v0 at the other end: at least 2 L (m-n+1) motions. *)
-Theorem path_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall W L budget t e z,
+Theorem path_lower_bound u E (meaning : E -> rooted_map) (X : explorer percept E) :
+  finds_all_maps u meaning X -> forall W L budget t e z, in_universe u W ->
   let W' := at_end_of_path L W in
   episode X (rooted (@start W')) (@percept_of W') budget = (t, Some e, z) ->
   2 * L * (edges W + 1 - vertices W) <= size t.
@@ -250,6 +414,40 @@ Set Warnings "-abstract-large-number".
 Theorem enumeration_counts : [seq size (rooted_maps m) | m <- iota 1 5] = [:: 2; 10; 74; 706; 8162].
 Proof. exact: counts. Qed.
 
+(* ==== The checker (checker_is_right in Main.v) ==== *)
+
+(* Any explorer can be asked about. *)
+Theorem every_explorer_can_be_checked O (X : explorer O numbered_map) o seen :
+  as_explorer (remembering X) (o :: seen) = X (o :: seen).
+Proof. exact: as_remembering. Qed.
+
+(* Every world that it lists as a refutation is one. *)
+Theorem refutations_are_right S (r : resumption S percept) limit u m M k :
+  (M, k) \in directional_refutations r limit u m ->
+  exists (V : valid M) (C : connected (denote M)), let W := world_of_numbers V C k in
+  [/\ in_universe u W, edges W = m &
+      ~ right_within (as_explorer r) (M := rooted (@start W)) (@percept_of W)
+          (limit (vertices W) (edges W) (degree (@start W)))].
+Proof. exact: directional_refutation. Qed.
+
+(* The same with the cluster of undirected markers, and with the natural lighthouse. *)
+Theorem checkers_of_other_lighthouses S (r : resumption S (nat * nat)) limit m :
+  (cluster_check r limit m <-> forall W : lighthouse_world, one_edge W -> edges W <= m ->
+     right_within (as_explorer r) (M := rooted (@start W)) (@cluster_percept W)
+       (limit (vertices W) (edges W) (degree (@start W)))) /\
+  (natural_check r limit m <-> forall W : lighthouse_world, natural_kind W -> edges W <= m ->
+     right_within (as_explorer r) (M := rooted (@start W)) (@natural_percept W)
+       (limit (vertices W) (edges W) (degree (@start W)))).
+Proof. by split; [exact: cluster_check_correct | exact: natural_check_correct]. Qed.
+
+(* Algorithm 1 passes, under every policy and however far one looks. *)
+Theorem algorithm1_passes pol u m :
+  [/\ directional_check (algorithm1_resumption pol) (fun n m _ => paper_limit n m) u m,
+      cluster_check (cluster_resumption pol) two_vertices_limit m
+    & natural_check (natural_resumption pol) two_vertices_limit m].
+Proof. by split; [exact: algorithm1_checked|exact: cluster_checked|exact: natural_checked]. Qed.
+
+
 (* ==== Lighthouses without a direction (Sections IV and VIII) ==== *)
 
 (* The marker cluster of Main.v, for every schedule: a run can be finished, and a finished run has made m
@@ -261,10 +459,26 @@ Theorem cluster_right_for_every_schedule (W : lighthouse_world) : one_edge W ->
   (nothing_open c -> [/\ q = edges W, C <= cluster_bound W & robot_knows c]).
 Proof. by move=> H reached q C c; exact: cluster_runs. Qed.
 
+(* The robot lays the cluster itself.  There are no markers at first; it may drop one where it is.  It
+   drops one at v0, tries its darts in turn until one is no loop, drops two behind it, comes back, and
+   runs Algorithm 1.  W: the world with `pointed` the first dart that is no loop.  Cost: two traversals
+   for each dart tried, and as before; three drops. *)
+Theorem cluster_can_be_laid (W : lighthouse_world) : loops_before W -> one_edge W -> forall pol budget,
+  2 * degree (@start W) + cluster_bound W + 3 <= budget -> exists t answer z,
+  [/\ marking_episode (laying_algorithm pol) (@start W) budget = (t, Some answer, z),
+      traversals t <= 2 * degree (@start W) + cluster_bound W, size t = traversals t + 3,
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. by move=> l o pol budget; exact: laying_correct. Qed.
+
+(* In every simple world, from every dart, the hypotheses hold. *)
+Theorem cluster_can_be_laid_in_simple_worlds (G : combinatorial_map) (d : G) : simple_world G ->
+  let W := @LighthouseWorld G d d (connect0 _ d) in loops_before W /\ one_edge W.
+Proof. exact: simple_loops_before. Qed.
+
 (* With two edges between v0 and v1 a cluster is not enough. *)
 Theorem cluster_needs_one_edge :
   (edges_to_v1 natural_plane = 2 /\ edges_to_v1 natural_torus = 2) /\
-  no_explorer_right_on_both cluster_percept_in natural_plane natural_torus.
+  no_explorer_maps_both cluster_percept_in natural_plane natural_torus.
 Proof. exact: conj two_edges_between two_edges_impossible. Qed.
 
 (* In a simple world no two edges join v0 and v1. *)
@@ -287,7 +501,7 @@ Theorem natural_lighthouse_is_not_enough :
   [/\ all (fun M => map (degree_at M) (iota 0 8) == [:: 2; 2; 6; 6; 6; 6; 6; 6])
           [:: natural_plane; natural_torus],
       edges_to_v1 natural_plane = 2 /\ edges_to_v1 natural_torus = 2
-    & no_explorer_right_on_both degree_percept natural_plane natural_torus].
+    & no_explorer_maps_both degree_percept natural_plane natural_torus].
 Proof. exact: And3 natural_degrees two_edges_between natural_impossible. Qed.
 
 (* Worlds with such lighthouses exist. *)

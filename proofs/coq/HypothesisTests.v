@@ -13,7 +13,7 @@
                         percepts expected on the way determine the dart that they start from.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts PartialMaps.
+From Allworlds Require Import Model Maps Percepts PartialMaps.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -14,10 +14,14 @@
                           of darts that is a bisimulation for a given percept.
      certified_impossible every pair that passes the check is a theorem: no explorer is right on
                           both.
+     differ_check         a Boolean check that two numbered maps are different maps, wherever rooted.
+     no_explorer_maps_both   no explorer finds the maps of the two numbered worlds;
+     certified_map_impossible   it is so for every pair that passes both checks.
      generated            the list that the check needs, from the two start darts.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps RootedMaps Explorers Indistinguishable NumberedWorlds.
+From Allworlds Require Import Model Maps RootedMaps Codes Explorers Indistinguishable.
+From Allworlds Require Import NumberedWorlds.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -54,10 +58,9 @@ have lj' := ltnW lj; have := Aa (j, false) lj' (As (j, true) lj' (IH lj')).
 by rewrite /cycle_alpha /= modn_small.
 Qed.
 
-Lemma isomorphic_cycles n1 n2 t1 t2 :
-  isomorphic (cycle_world n1 t1) (cycle_world n2 t2) -> n1 <= n2.
+Lemma same_map_cycles n1 n2 t1 t2 : same_map (cycle_world n1 t1) (cycle_world n2 t2) -> n1 <= n2.
 Proof.
-case=> f [g [F G _]]; rewrite /= in F G.
+move=> [d0 _ [f [g [F G _]]]]; rewrite /= in F G.
 pose L n := [seq (i, c) | i <- iota 0 n, c <- [:: false; true]].
 have szL n : size (L n) = n * 2 by rewrite size_allpairs size_iota.
 have memL n d : (d \in L n) = (d.1 < n).
@@ -71,10 +74,10 @@ by move=> y /mapP[x]; rewrite memL => /F[? _ _ _] ->; rewrite memL.
 Qed.
 
 Section Cycles.
-Variables (P E : Type) (meaning : E -> rooted_map) (X : explorer P E) (senses : bool -> P).
+Variables (P : Type) (senses : bool -> P).
 Local Notation obs := (fun d : nat * bool => senses d.2).
 
-Theorem cycles_same_episode n1 n2 t budget :
+Theorem cycles_same_episode E (X : explorer P E) n1 n2 t budget :
   (episode X (cycle_world n1 t) obs budget).1 = (episode X (cycle_world n2 t) obs budget).1.
 Proof.
 apply: (@twins_episode _ _ X (cycle_world n1 t) (cycle_world n2 t) obs obs
@@ -82,34 +85,23 @@ apply: (@twins_episode _ _ X (cycle_world n1 t) (cycle_world n2 t) obs obs
 Qed.
 
 Theorem cycles_impossible n1 n2 t : 0 < n1 -> 0 < n2 -> n1 <> n2 ->
-  ~ (right meaning X (cycle_world n1 t) obs /\ right meaning X (cycle_world n2 t) obs).
+  @no_explorer_finds_both P (cycle_world n1 t) (cycle_world n2 t) obs obs.
 Proof.
-move=> p1 p2 ne [r1 r2]; case: ne.
-have I : isomorphic (cycle_world n1 t) (cycle_world n2 t).
-  apply: (@twins_impossible _ _ meaning X (cycle_world n1 t) (cycle_world n2 t) obs obs
-    (fun x y => x.2 = y.2)) => //=; try exact: cycle_wellformed.
+move=> p1 p2 ne E meaning X [F1 F2]; case: ne.
+have I : same_map (cycle_world n1 t) (cycle_world n2 t).
+  apply: (@twins_same_map _ _ meaning X (cycle_world n1 t) (cycle_world n2 t) obs obs
+    (fun x y => x.2 = y.2)) F1 F2 => //=; last exact: cycle_wellformed.
   - by move=> x y ->.
   - by move=> x y; rewrite /cycle_sigma /= => ->.
   - by move=> x y; rewrite /cycle_alpha /= => ->.
-have J := isomorphic_sym (cycle_wellformed t p1) I.
-by apply/eqP; rewrite eqn_leq (isomorphic_cycles I) (isomorphic_cycles J).
+have J := same_map_sym (cycle_wellformed t p1) (cycle_wellformed t p2) I.
+by apply/eqP; rewrite eqn_leq (same_map_cycles I) (same_map_cycles J).
 Qed.
 End Cycles.
 
 (* every vertex of a cycle has degree 2 *)
 Lemma cycle_degree d : cycle_sigma (cycle_sigma d) = d /\ cycle_sigma d <> d.
 Proof. by case: d => i []; split. Qed.
-
-Corollary cycles_without_information E (meaning : E -> rooted_map) (X : explorer nat E) n1 n2 t :
-  0 < n1 -> 0 < n2 -> n1 <> n2 ->
-  ~ (right meaning X (cycle_world n1 t) (fun _ => 2) /\ right meaning X (cycle_world n2 t) (fun _ => 2)).
-Proof. exact: (cycles_impossible (senses := fun _ => 2)). Qed.
-
-Corollary cycles_with_compass E (meaning : E -> rooted_map) (X : explorer (nat * bool) E) n1 n2 t :
-  0 < n1 -> 0 < n2 -> n1 <> n2 ->
-  ~ (right meaning X (cycle_world n1 t) (fun d => (2, d.2)) /\
-     right meaning X (cycle_world n2 t) (fun d => (2, d.2))).
-Proof. exact: (cycles_impossible (senses := fun side => (2, side))). Qed.
 
 (* ---- Certificates ---- *)
 Section Certified.
@@ -142,6 +134,7 @@ apply: (@twins_episode _ _ X (denote M) (denote N) (senses M) (senses N)
 Qed.
 End Bisimulation.
 
+(* seen as rooted maps, the place included *)
 Theorem certified_impossible M N L : twin_check M N L ->
   forall E (meaning : E -> rooted_map) (X : explorer P E),
   ~ (right meaning X (denote M) (senses M) /\ right meaning X (denote N) (senses N)).
@@ -170,10 +163,23 @@ Definition differ_check M N :=
       all (fun d => valid (seen_from N d) && ~~ same_code M (seen_from N d))
           (iota 0 (size (sigma_list N)))].
 
-Theorem differ M N : differ_check M N ->
-  forall d, d < size (sigma_list N) -> ~ isomorphic (denote M) (denote (seen_from N d)).
+Theorem differ M N : differ_check M N -> ~ same_map (denote M) (denote N).
 Proof.
-case/and3P=> VM cM /allP A d ld I.
+move=> /and3P[VM cM /allP A] [d /= ld I].
 have /andP[v /negP ns] := A d (etrans (mem_iota 0 _ d) ld).
-by apply: ns; apply: same_code_complete I => //; exact/connectedP.
+by apply: ns; apply: (@same_code_complete M (seen_from N d)) => //; exact/connectedP.
+Qed.
+
+Definition no_explorer_maps_both (P : eqType) (senses : numbered_map -> nat -> P) M N :=
+  @no_explorer_finds_both P (denote M) (denote N) (senses M) (senses N).
+Definition map_twin_check (P : eqType) (senses : numbered_map -> nat -> P) M N L :=
+  bisimulation_check senses M N L && differ_check M N.
+
+Theorem certified_map_impossible (P : eqType) (senses : numbered_map -> nat -> P) M N L :
+  map_twin_check senses M N L -> no_explorer_maps_both senses M N.
+Proof.
+move=> /andP[C D] E meaning X [F1 F2]; apply: (differ D); have /and3P[VM _ _] := D.
+apply: (@twins_same_map _ _ meaning X (denote M) (denote N) (senses M) (senses N)
+  (fun x y => (x, y) \in L)) F1 F2; try (by move=> x y /(certificateE C)[]); last exact: validP.
+by case/andP: C.
 Qed.

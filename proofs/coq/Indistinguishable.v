@@ -3,19 +3,21 @@
 
      percepts_in obs w d   what is sensed on the way of the motions w from d.
      alike x y             every list of motions gives equal percepts from x and from y.
-     A bisimulation of two worlds is a relation R between their darts that holds of the start
-                           darts,
-     implies equal percepts, and is kept by sigma and alpha.
+   A bisimulation of two worlds is a relation R between their darts that holds of the start darts,
+   implies equal percepts, and is kept by sigma and alpha.
 
      twins_episode         R a bisimulation: every explorer has the same transcript and the same
                            answer in both worlds.
      twins_impossible      hence an explorer that is right in both worlds exists only if they are
-                           the same rooted map.
-     alike is the largest bisimulation (alike_percept, alike_sigma, alike_alpha,
-                           bisimulation_alike).
+                           the same rooted map;
+     twins_same_map        and one that finds the map of both only if it is the same map.
+     seeds_do_not_help     an explorer with a seed or an oracle is a family of explorers: if no explorer
+                           finds both maps, the chances that it finds the one and the other add up to
+                           at most one.
+     alike_percept, alike_sigma, alike_alpha, bisimulation_alike   alike is the largest bisimulation.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import RootedMaps Explorers.
+From Allworlds Require Import Model RootedMaps Explorers.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -99,4 +101,27 @@ have I := isomorphic_trans (isomorphic_sym W1 I1) I2.
 have := isomorphic_back WM WN (wellformed_root WM) (wellformed_root WN) I.
 by case: (M) (N) => ? ? ? ? ? [].
 Qed.
+
+Theorem twins_same_map : wellformed M ->
+  finds_map meaning X M oM -> finds_map meaning X N oN -> same_map M N.
+Proof.
+move=> WM [n1 [t1 [e1 [z1 [E1 W1 I1]]]]] [n2 [t2 [e2 [z2 [E2 _ I2]]]]].
+have E1' := explore_more n2 E1; have E2' := explore_more n1 E2; rewrite addnC in E2'.
+have := twins_episode (n1 + n2); rewrite /episode E1' E2' /= => -[_ ee]; subst e2.
+exact: same_map_join I1 I2.
+Qed.
 End Twins.
+
+Theorem seeds_do_not_help P (M N : rooted_map) (oM : carrier M -> P) (oN : carrier N -> P)
+    E (meaning : E -> rooted_map) (Seed : finType) (weight : Seed -> nat) (X : Seed -> explorer P E)
+    (A B : {set Seed}) : no_explorer_finds_both oM oN ->
+  (forall s, s \in A -> finds_map meaning (X s) M oM) ->
+  (forall s, s \in B -> finds_map meaning (X s) N oN) ->
+  \sum_(s in A) weight s + \sum_(s in B) weight s <= \sum_s weight s.
+Proof.
+move=> H FA FB; have D s : s \in A -> s \notin B.
+  by move=> sA; apply/negP=> sB; apply: (H _ meaning (X s)); split; [exact: FA | exact: FB].
+rewrite [X in _ <= X](bigID (mem A)) leq_add2l [X in _ <= X](bigID (mem B)) /=.
+rewrite -[X in X <= _]addn0 leq_add // [X in _ <= X](eq_bigl (mem B)) // => s.
+by rewrite andb_idl // => sB; apply: contraL (sB) => /D.
+Qed.

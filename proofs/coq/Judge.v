@@ -8,7 +8,7 @@
    sentence that it stands for.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps RootedMaps NumberedWorlds.
+From Allworlds Require Import Model Maps RootedMaps Codes NumberedWorlds.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -27,7 +27,7 @@
    --------------------------------------------------------------------------------------------- *)
 From Coq Require Import Lia.
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts PartialMaps HypothesisTests Pass Cost Correctness.
+From Allworlds Require Import Model Maps Percepts PartialMaps HypothesisTests Pass Cost Correctness.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -1,27 +1,13 @@
 (* ---------------------------------------------------------------------------------------------
    Exploring topological worlds with minimal information: the main theorems.
 
-   A world is an embedding of a finite connected graph, given by its darts (edge ends): sigma d is the
-   next dart clockwise round the vertex of d, alpha d the other end of its edge.  Loops and parallel
-   edges are allowed, the surface is any.  A lighthouse_world has besides a dart `start` that the robot
-   faces at first and, at the same vertex v0, a dart `pointed` to which the marker points.
-   vertices W and edges W are the paper's n and m.
+   The words are those of Model.v, definitions only: worlds (combinatorial_map, lighthouse_world), motions,
+   percepts, explorers, and when an explorer is `right` (its answer is the map, with its place in it) or
+   `finds_map` (its answer is the map).  What no explorer can do is said of finding the map, and so of all
+   explorers: with a seed or an oracle, one for each seed; what Algorithm 1 does, of being right.
+   These are explained here:
 
-   motion k d: having come in by d, leave by the k-th dart clockwise; one motion is one traversal.
-   walk w d, percepts_along w d: where the motions w lead from d, and what is sensed on the way: at each
-   vertex the degree and, at v0 only, how many darts clockwise from the entry the marker points.
-
-   An explorer is any function from the percepts so far to a motion or an answer; `explorer P E`:
-   percepts of type P, answers of type E, and `meaning` says which map, seen from which dart, an answer
-   stands for: any reading will do.  rooted d: a map seen from its dart d.
-   episode X M senses budget: X in the world M, where `senses d` is sensed in dart d, for at most
-   `budget` motions.  It gives the transcript (each motion, with what was sensed after it), the answer
-   (None if the motions ran out) and the dart in which the robot then is.
-   right meaning X M senses: with some budget X stops, and its answer is the world's map with the robot's
-   true place in it: isomorphic to the world seen from the robot's dart (the paper's extended
-   isomorphism, place included).  valid: an answer written as lists of numbers is a map.
-
-   no_explorer_right_on_both senses M N: no explorer, with any answers, is right in M and in N.
+   no_explorer_maps_both senses M N: no_explorer_finds_both for worlds given by lists of numbers.
    position_percept: the degree, and whether the vertex is the one where the robot started.
    policy: four functions of all that the program knows, one for each choice that Algorithm 1 leaves open
    (the edge, the path to it, the order of the tests, the path of a test); an illegal choice is replaced.
@@ -32,11 +18,16 @@
    phi start r: the paper's phi, from the darts of S to those of G; r lists, for each vertex of S, the
    dart of G where the count of its darts begins.  map_with_robot S h: S as a map, seen from its dart h.
 
+   resumption S O: an explorer that keeps a state of type S between percepts of type O; as_explorer r: the
+   function of the percepts that it is.  right_within X M senses limit: X stops after at most `limit`
+   motions, with the right answer.  directional_check: the program.  All four in Checker.v.
+
    Further.v has the other theorems.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps Pass Cost Correctness.
-From Allworlds Require Import Algorithm Refinement Impossibility Twins Folding LowerBounds Cluster.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps Pass Cost.
+From Allworlds Require Import Correctness Algorithm Refinement Impossibility Twins Log OpenDarts.
+From Allworlds Require Import LowerBounds Cluster Checker.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -45,26 +36,24 @@ Unset Printing Implicit Defensive.
 
 (* No information: every vertex of a cycle has degree 2, and nothing else is sensed.  Cycles of two
    lengths; `side` is the side that the robot faces first. *)
-Theorem no_information_is_not_enough E (meaning : E -> rooted_map) (X : explorer nat E) n n' side :
-  0 < n -> 0 < n' -> n <> n' ->
-  ~ (right meaning X (cycle_world n side) (fun _ => 2) /\
-     right meaning X (cycle_world n' side) (fun _ => 2)).
-Proof. exact: cycles_without_information. Qed.
+Theorem no_information_is_not_enough n n' side : 0 < n -> 0 < n' -> n <> n' ->
+  no_explorer_finds_both (M := cycle_world n side) (N := cycle_world n' side)
+    (fun _ => 2) (fun _ => 2).
+Proof. exact: (@cycles_impossible _ (fun=> 2)). Qed.
 
 (* Orientation without position: the robot senses also which side it came in by. *)
-Theorem orientation_is_not_enough E (meaning : E -> rooted_map) (X : explorer (nat * bool) E)
-    n n' side : 0 < n -> 0 < n' -> n <> n' ->
-  ~ (right meaning X (cycle_world n side) (fun d => (2, d.2)) /\
-     right meaning X (cycle_world n' side) (fun d => (2, d.2))).
-Proof. exact: cycles_with_compass. Qed.
+Theorem orientation_is_not_enough n n' side : 0 < n -> 0 < n' -> n <> n' ->
+  no_explorer_finds_both (M := cycle_world n side) (N := cycle_world n' side)
+    (fun d => (2, d.2)) (fun d => (2, d.2)).
+Proof. exact: (@cycles_impossible _ (pair 2)). Qed.
 
 (* Position without orientation: pairs of worlds with 2 edges, with 6 (simple), with 8 (simple and
    planar), and a simple planar pair that has everything the caption of Fig. 1 fixes. *)
 Theorem position_is_not_enough :
-  [/\ no_explorer_right_on_both position_percept two_loops_plane two_loops_torus,
-      no_explorer_right_on_both position_percept k4_plane k4_torus,
-      no_explorer_right_on_both position_percept hexagon triangles &
-      no_explorer_right_on_both position_percept figure_1_left figure_1_right].
+  [/\ no_explorer_maps_both position_percept two_loops_plane two_loops_torus,
+      no_explorer_maps_both position_percept k4_plane k4_torus,
+      no_explorer_maps_both position_percept hexagon triangles &
+      no_explorer_maps_both position_percept figure_1_left figure_1_right].
 Proof. exact: And4 two_loops_impossible k4_impossible hexagon_impossible figure_1_impossible. Qed.
 
 (* ==== Algorithm 1 with a directional lighthouse (Sections IV, V and VI) ==== *)
@@ -104,26 +93,45 @@ Theorem cost_is_O_m2n (W : lighthouse_world) n C (c : configuration W) :
   reached n C c -> C <= 2 * edges W ^ 2 * vertices W.
 Proof. exact: run_cost_O_m2n. Qed.
 
+(* ==== The extracted checker ==== *)
+
+(* Any explorer, as a function of its percepts (as_explorer r), and any limit on its motions, a function of
+   n, m and deg(v0): `check` says true if and only if the explorer stops within the limit, with the right
+   answer, in every world, or every simple world, with at most m edges. *)
+Theorem checker_is_right S (r : resumption S percept) limit u m :
+  directional_check r limit u m <->
+  forall W : lighthouse_world, in_universe u W -> edges W <= m ->
+  right_within (as_explorer r) (M := rooted (@start W)) (@percept_of W)
+    (limit (vertices W) (edges W) (degree (@start W))).
+Proof. exact: directional_check_correct. Qed.
+
 (* ==== Every explorer with a directional lighthouse (Sections V and VI) ==== *)
 
-(* Right in all worlds: then what it has sensed when it stops is a proof of its answer.  Its log (the
-   percepts and motions) is folded: darts that every world with this log must have as one dart are made
-   one.  Then every dart has a known other end, none is open, so one world only agrees with the log
-   (folded_log_is_the_world in Further.v). *)
-Theorem log_of_a_right_explorer_folds E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall (W : lighthouse_world) budget t e z,
+(* An explorer that finds the map of every world, or of every simple world: what it has sensed when it
+   stops is a proof of its answer.  Its log (the percepts and motions) is folded: darts that every world
+   with this log must have as one dart are made one.  Then every dart has a known other end, none is
+   open, so one world only agrees with the log (folded_log_is_the_world in Further.v). *)
+Theorem log_of_a_right_explorer_folds u E (meaning : E -> rooted_map) (X : explorer percept E) :
+  finds_all_maps u meaning X -> forall W, in_universe u W -> forall budget t e z,
   episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) -> no_open_dart (log_of W t).
-Proof. exact: right_explorer_log_folds. Qed.
+Proof. exact: explorer_log_folds. Qed.
 
-(* Omega(mn): worlds with m = 2(k+1) and n = k+2 where no such explorer does with fewer than m (n-1). *)
-Theorem quadratic_lower_bound E (meaning : E -> rooted_map) (X : explorer percept E) :
-  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
-  forall k, exists W : lighthouse_world,
-  [/\ edges W = k.+1.*2, vertices W = k.+2 & forall budget t e z,
-      episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
-      edges W * (vertices W - 1) <= size t].
+(* Omega(mn): a world with m = 2(k+1) and n = k+2, for every k, where no such explorer does with fewer
+   than m (n-1) motions: one world for all explorers. *)
+Theorem quadratic_lower_bound k : exists W : lighthouse_world,
+  [/\ edges W = k.+1.*2, vertices W = k.+2 &
+  forall E (meaning : E -> rooted_map) (X : explorer percept E), finds_all_maps AllWorlds meaning X ->
+  forall budget t e z, episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
+  edges W * (vertices W - 1) <= size t].
 Proof. exact: mn_lower_bound. Qed.
+
+(* The same where the worlds are known to be simple, and are dense: n = 2q and m = q(q+1)/2. *)
+Theorem quadratic_lower_bound_in_simple_worlds q : 7 <= q -> exists W : lighthouse_world,
+  [/\ simple_world W, edges W = 'C(q.+1, 2), vertices W = q.*2 &
+  forall E (meaning : E -> rooted_map) (X : explorer percept E), finds_all_maps SimpleWorlds meaning X ->
+  forall budget t e z, episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
+  edges W * vertices W <= 2 * size t].
+Proof. exact: mn_lower_bound_simple. Qed.
 
 (* ==== Another lighthouse: undirected markers (Sections IV and VIII) ==== *)
 

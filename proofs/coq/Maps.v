@@ -1,37 +1,20 @@
 (* ---------------------------------------------------------------------------------------------
    Maps, motions, reversibility.                                                  Sections II.A, II.B
 
-   The world is an embedding of a finite connected graph: a combinatorial map.  It is given by its
-   darts (a dart is one end of an edge) and two permutations of them:
-     sigma d              the next dart clockwise round the same vertex;
-     alpha d              the other end of the same edge: an involution without fixed points.
-   Vertices are the cycles of sigma, edges those of alpha.  Loops and parallel edges are allowed,
-   the surface may have any genus, nothing is said of the number of vertices or edges.
-
-     combinatorial_map    such a pair of permutations on a finite type, connected.  A map G stands
-                          for the type of its darts as well: d : G is a dart of G.
-     adjacent x y         y is sigma x or alpha x; connected: any two darts are joined by such
-                          steps.
-     at_same_vertex x y   x and y are darts of one vertex.
-     degree d             the number of darts at the vertex of d.
-     vertices G, edges G  how many vertices and edges G has: the paper's n and m.
-     motion k d           the robot has come in by d (or faces d, at the start); it leaves by the
-                          k-th dart clockwise from d, and stands then in the dart at the other
-                          end. One motion is one edge traversal; turning on the spot is free.
-     walk w d             where the motions of the list w lead from d.
      motions_undone       motions are undone by as many motions and a turn; a last turn is free.
+     everywhere           what holds of one dart and is kept by sigma and alpha holds of all.
+     automorphism_rigid   an automorphism that fixes a dart is the identity.
+     edges_double         2m darts.
+     opposite n k         turning by it takes back a turn by k at a vertex of degree n.
 
-   A robot's state is a dart, not a vertex, because the door by which it came in is all that its
-   next turn can refer to.  One law does most of the work: walk_inj, a fixed list of motions leads
-   different darts to different darts.
+   One law does most of the work: walk_inj, a fixed list of motions leads different darts to
+   different darts.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
+From Allworlds Require Import Model.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
-
-Definition adjacent (D : finType) (sigma alpha : D -> D) : rel D :=
-  fun x y => (y == sigma x) || (y == alpha x).
 
 (* such steps can be taken back: sigma has finite order, alpha is its own inverse *)
 Lemma adjacent_connect_sym (D : finType) (sigma alpha : D -> D) :
@@ -46,33 +29,9 @@ case/connectP=> p P ->; elim: p z P => [|a p IH] z /=; first by rewrite connect0
 by case/andP=> /step S /IH H; exact: connect_trans H S.
 Qed.
 
-Record combinatorial_map := CombinatorialMap {
-  darts_of :> finType;
-  sigma : darts_of -> darts_of;
-  alpha : darts_of -> darts_of;
-  sigma_inj : injective sigma;
-  alphaK : involutive alpha;
-  alpha_neq : forall d, alpha d != d;
-  connected_map : forall x y, connect (adjacent sigma alpha) x y }.
-
-Arguments sigma {c} _.
-Arguments alpha {c} _.
-Arguments sigma_inj {c} [x1 x2] _.
-Arguments alphaK {c} _.
-Arguments alpha_neq {c} d.
-Arguments connected_map {c} x y.
-
 Section Motions.
 Variable G : combinatorial_map.
 Implicit Types (d x y : G) (w : seq nat) (k : nat).
-
-Definition at_same_vertex x y := fconnect sigma x y.
-Definition degree d := order sigma d.
-Definition vertices := fcard (@sigma G) G.
-Definition edges := fcard (@alpha G) G.
-
-Definition motion k d := alpha (iter k sigma d).
-Fixpoint walk w d := if w is k :: w' then walk w' (motion k d) else d.
 
 (* ---- Motions are reversible ---- *)
 Lemma alpha_inj : injective (@alpha G).
@@ -81,11 +40,11 @@ Proof. exact: inv_inj alphaK. Qed.
 Lemma iter_sigma_inj k : injective (iter k (@sigma G)).
 Proof. by elim: k => [|k IH] x y //= /sigma_inj /IH. Qed.
 
-Lemma motion_inj k : injective (motion k).
+Lemma motion_inj k : injective (@motion G k).
 Proof. by move=> x y /alpha_inj /iter_sigma_inj. Qed.
 
 (* where a list of motions ends determines where it began *)
-Theorem walk_inj w : injective (walk w).
+Theorem walk_inj w : injective (@walk G w).
 Proof. by elim: w => [|k w IH] x y //= /IH /motion_inj. Qed.
 
 (* ---- Connectedness ---- *)
@@ -135,7 +94,7 @@ by elim: (k %/ _) => //= j IH; rewrite mulSn iterD -IH iter_degree.
 Qed.
 
 (* every edge has two darts *)
-Lemma edges_double : edges.*2 = #|G|.
+Lemma edges_double : (edges G).*2 = #|G|.
 Proof.
 have two d : order alpha d = 2.
   have U : uniq [:: d; alpha d] by rewrite /= inE eq_sym alpha_neq.
@@ -144,7 +103,10 @@ rewrite -muln2; apply: (fcard_order_set alpha_inj); last by [].
 by apply/subsetP=> d _; rewrite inE two.
 Qed.
 
-Lemma vertices_gt0 d : 0 < vertices.
+Lemma edges_gt0 d : 0 < edges G.
+Proof. by rewrite -double_gt0 edges_double; apply/card_gt0P; exists d. Qed.
+
+Lemma vertices_gt0 d : 0 < vertices G.
 Proof.
 rewrite /vertices /n_comp_mem (cardD1 (froot sigma d)) !inE.
 by rewrite (roots_root (fconnect_sym (@sigma_inj G))).
@@ -174,6 +136,4 @@ by split=> //; exact: opposite_turn.
 Qed.
 End Motions.
 
-Arguments motion {G} k d.
-Arguments walk {G} w d.
 Arguments walk_inj {G} w [x1 x2] _.

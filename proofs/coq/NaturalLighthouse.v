@@ -16,8 +16,8 @@
      natural_hypotheses_met   worlds in which the hypotheses hold.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers.
-From Allworlds Require Import Algorithm TwoVertices Cluster LowerBounds.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers Algorithm PathWorlds.
+From Allworlds Require Import TwoVertices Cluster.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

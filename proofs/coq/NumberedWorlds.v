@@ -6,12 +6,12 @@
      in_numbers               a valid and connected numbered_map as a map of Maps.v.
      world_of_numbers         with a marker, pointing to the k-th dart clockwise from the root.
      sensed_percept           sensed is percept_of.
-     algorithm1_numbered      the theorem for every world that can be written down, its hypotheses
-                              a Boolean check and its conclusion decided by same_code.
+     algorithm1_in_numbers    the theorem for every world that can be written down, its conclusion
+                              decided by same_code.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers Indistinguishable.
-From Allworlds Require Import Cost Algorithm Refinement.
+From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable Cost.
+From Allworlds Require Import Algorithm Refinement.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -143,15 +143,3 @@ exact: rooted_connected.
 Qed.
 End Marked.
 End Numbered.
-
-Theorem algorithm1_numbered M k pol :
-  valid M -> size (dart_order M) == size (sigma_list M) ->
-  let pt := iter k (nth 0 (sigma_list M)) (root_number M) in
-  exists bound, forall budget, bound <= budget -> exists t e z,
-  [/\ episode (algorithm1 pol) (denote M) (sensed M pt) budget = (t, Some e, z),
-      size t <= bound & same_code e (seen_from M z)].
-Proof.
-move=> V /(connectedP V) C pt; pose W := world_of_numbers V C k.
-exists (paper_bound (vertices W) (edges W)) => budget le.
-exact: (algorithm1_in_numbers (k := k) pol le).
-Qed.

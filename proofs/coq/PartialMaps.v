@@ -31,7 +31,7 @@
      complete_map         phi is onto, and every dart of S has its partner: S is the whole map.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts.
+From Allworlds Require Import Model Maps Percepts.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

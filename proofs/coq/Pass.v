@@ -10,7 +10,7 @@
      transit S c e w k    lines 3-4: e is open; the motions w lead in S from c to the vertex of e,
                           and from there motion k leaves by e.
      leads_home S h w f   lines 8-9: the motions w lead in S from h to v0, into its dart f.
-     rejected S e x (h,w) the hypothesis h, tested from the true dart x with the motions w, fails.
+     rejected S e x t     the hypothesis t.1, tested from the true dart x with the motions t.2, fails.
      steps_walked         steps made in a test until the first mismatch.
      tests_cost           traversals of a list of rejected tests: there and back (line 15).
      pass e c C c'        exploring e takes the configuration c to c', with C traversals: all of
@@ -25,7 +25,7 @@
      pass_explores_one_edge, pass_decreases_variant     Section V, item 3: t falls, by one.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts PartialMaps HypothesisTests Paths.
+From Allworlds Require Import Model Maps Percepts PartialMaps HypothesisTests Paths.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

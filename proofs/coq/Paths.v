@@ -8,7 +8,7 @@
      simple_path      a path with no repeated vertex: fewer steps than S has vertices.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts PartialMaps.
+From Allworlds Require Import Model Maps Percepts PartialMaps.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

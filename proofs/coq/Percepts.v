@@ -1,46 +1,18 @@
 (* ---------------------------------------------------------------------------------------------
-   Percepts, and worlds with a directional lighthouse.                       Sections II.C and IV
+   Percepts in a world with a directional lighthouse.                        Sections II.C and IV
 
-     percept                  what is sensed at a vertex: its degree and, where the directional
-                              marker lies, its bearing: how many darts clockwise from the dart by
-                              which the robot came in the pointed dart is.  No bearing: no marker
-                              here.  This is the paper's signature: degree, presence and direction
-                              of the marker.
-     lighthouse_world         a map, the dart `start` that the robot faces at the start, and the
-                              dart `pointed` to which the marker points; both are darts of one
-                              vertex, the paper's v0.  Any map, any start dart, any bearing.
-     percept_of W d           what the robot senses in W when it has come in by d.
-     percepts_along w d       what it senses on the way of the motions w from d, the first percept
-                              (before any motion) included.
-     first_bearing W          the bearing sensed at the start.
+     bearing_inj          at v0 the bearing tells by which dart the robot came in.
+     percept_transfer     two darts from which equal turns meet the same percept alike.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps.
+From Allworlds Require Import Model Maps.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-Definition percept := (nat * option nat)%type.
-
-Record lighthouse_world := LighthouseWorld {
-  map_of :> combinatorial_map;
-  start : map_of;
-  pointed : map_of;
-  pointed_at_v0 : at_same_vertex start pointed }.
-
-Arguments start {l}.
-Arguments pointed {l}.
-
 Section Percepts.
 Variable W : lighthouse_world.
 Implicit Types (d x y : W) (w : seq nat).
-
-Definition bearing d :=
-  if at_same_vertex d pointed then Some (findex sigma d pointed) else None.
-Definition percept_of d : percept := (degree d, bearing d).
-Fixpoint percepts_along w d : seq percept :=
-  percept_of d :: (if w is k :: w' then percepts_along w' (motion k d) else [::]).
-Definition first_bearing := findex sigma start (@pointed W).
 
 Lemma percepts_last w d o : last o (percepts_along w d) = percept_of (walk w d).
 Proof. by elim: w d o => //= k w IH d o; rewrite IH. Qed.
@@ -55,8 +27,33 @@ rewrite /bearing; case: ifP => // cx [jx]; case: ifP => // cy [jy].
 by apply: (@iter_sigma_inj _ j); rewrite -{1}jx -jy !iter_findex.
 Qed.
 
-Lemma bearing_start : bearing start = Some first_bearing.
+Lemma bearing_start : bearing (@start W) = Some (first_bearing W).
 Proof. by rewrite /bearing pointed_at_v0. Qed.
 End Percepts.
 
-Arguments first_bearing W : clear implicits.
+(* two turns from x and from y agree in what they meet: then so do the percepts *)
+Lemma order_least (T : finType) (f : T -> T) x n : injective f -> 0 < n -> iter n f x = x ->
+  (forall j, 0 < j < n -> iter j f x <> x) -> order f x = n.
+Proof.
+move=> fi n0 E H; apply/eqP; rewrite eqn_leq; apply/andP; split; rewrite leqNgt; apply/negP=> lt.
+  have := findex_iter lt; rewrite E findex0 => e0; by rewrite -e0 in n0.
+by apply: (H (order f x)); rewrite ?order_gt0 // iter_order.
+Qed.
+
+Lemma percept_transfer (W W' : lighthouse_world) (d : W) (d' : W') :
+  (forall j, (iter j sigma d' == d') = (iter j sigma d == d)) ->
+  (forall j, (iter j sigma d' == pointed) = (iter j sigma d == pointed)) ->
+  percept_of d' = percept_of d.
+Proof.
+move=> H P; have E : degree d' = degree d.
+  apply: order_least; [exact: sigma_inj | exact: degree_gt0 | |].
+    by apply/eqP; rewrite H iter_degree.
+  move=> j /andP[j0 lj]; apply/eqP; rewrite H; apply/eqP=> F.
+  by have := findex_iter lj; rewrite F findex0 => e0; rewrite -e0 in j0.
+rewrite /percept_of E /bearing; congr (_, _).
+have C : at_same_vertex d' pointed = at_same_vertex d pointed.
+  by apply/idP/idP=> /iter_findex /eqP; [rewrite P|rewrite -P] => /eqP <-; exact: fconnect_iter.
+rewrite C; case: ifP => // c; have := iter_findex c => /eqP; rewrite -P => /eqP <-.
+by rewrite findex_iter // -/(degree d') E; exact: findex_max.
+Qed.
+

@@ -8,7 +8,8 @@
    Refinement.v hold of every policy, so of these; they are stated here once more for each.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Percepts RootedMaps Explorers PartialMaps Routes Algorithm Refinement.
+From Allworlds Require Import Model Percepts RootedMaps Explorers PartialMaps Routes Algorithm.
+From Allworlds Require Import Refinement.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -1,76 +1,18 @@
 (* ---------------------------------------------------------------------------------------------
-   Rooted maps: when two worlds, each seen from one dart, are the same; and a decision procedure.
-                                                                                        Section V
-   An answer to SLAM is a map and the robot's place in it: a rooted map.
+   Rooted maps: sameness is an equivalence, and is kept by going back.                       Section V
 
-     rooted_map         sigma, alpha and a root on the members of a type that satisfy is_dart; a
-                        type with a predicate, so that finite types, numbers and infinite types
-                        all fit.
-     wellformed M       sigma is injective, alpha an involution without fixed points, on the
-                        darts.
-     connected M        every dart is reached from the root by sigma and alpha.
-     rooted_at M d      M seen from the dart d.
-     isomorphic M N     the same rooted map: a bijection of the darts that commutes with sigma and
-                        alpha and takes root to root.  This is the paper's extended isomorphism (a
-                        graph isomorphism and one cyclic relabelling a vertex, the edge-index
-                        condition), with the robot's place.
-     motion_in, walk_in as in Maps.v
-     rooted d           a combinatorial_map, seen from its dart d.
-
-     numbered_map       a rooted map that can be written down: lists sigma_list, alpha_list and a
-                        number root_number; dart i is the number i.
-     denote M           the rooted map that M writes down.
-     valid M            a Boolean check that denote M is wellformed.
-     seen_from M d      the same lists, another root.
-     dart_order M       the darts in the order of a breadth-first search from the root, sigma
-                        before alpha; code M: the map renumbered in this order.
-     same_code M N      the decision procedure: equal codes.  same_codeP: it decides `isomorphic`.
-     connectedP         connectedness is decided by the same search.
+     isomorphic_refl, isomorphic_sym, isomorphic_trans   sameness is an equivalence;
+     isomorphic_connected, isomorphic_wellformed   and carries over connectedness, wellformedness.
+     same_map_join        being the same map, wherever rooted, is transitive.
+     walk_in_inj          a fixed list of motions leads different darts to different darts.
+     isomorphic_back      maps that are the same seen from where a walk ends are the same seen from
+                          where it began.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps.
+From Allworlds Require Import Model Maps.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
-
-(* ---- Rooted maps ---- *)
-Record rooted_map := RootedMap {
-  carrier : Type;
-  is_dart : pred carrier;
-  sigma_of : carrier -> carrier;
-  alpha_of : carrier -> carrier;
-  root : carrier }.
-Arguments is_dart : clear implicits.
-Arguments sigma_of : clear implicits.
-Arguments alpha_of : clear implicits.
-Arguments root : clear implicits.
-
-Record wellformed M : Prop := Wellformed {
-  wellformed_root : is_dart M (root M);
-  wellformed_sigma : forall x, is_dart M x -> is_dart M (sigma_of M x);
-  wellformed_alpha : forall x, is_dart M x -> is_dart M (alpha_of M x);
-  wellformed_inj : forall x y, is_dart M x -> is_dart M y -> sigma_of M x = sigma_of M y -> x = y;
-  wellformed_alphaK : forall x, is_dart M x -> alpha_of M (alpha_of M x) = x;
-  wellformed_alpha_neq : forall x, is_dart M x -> alpha_of M x <> x }.
-
-Definition rooted_at (M : rooted_map) (d : carrier M) :=
-  RootedMap (is_dart M) (sigma_of M) (alpha_of M) d.
-Arguments rooted_at : clear implicits.
-
-(* what holds of the root and is kept by sigma and alpha holds of every dart *)
-Definition connected M :=
-  forall A : carrier M -> Prop, A (root M) ->
-  (forall x, is_dart M x -> A x -> A (sigma_of M x)) ->
-  (forall x, is_dart M x -> A x -> A (alpha_of M x)) ->
-  forall x, is_dart M x -> A x.
-
-(* the same rooted map: a bijection f, with inverse g, that commutes with sigma and alpha *)
-Definition isomorphic M N := exists (f : carrier M -> carrier N) (g : carrier N -> carrier M),
-  [/\ forall x, is_dart M x ->
-        [/\ is_dart N (f x), g (f x) = x,
-            f (sigma_of M x) = sigma_of N (f x) & f (alpha_of M x) = alpha_of N (f x)],
-      forall y, is_dart N y -> is_dart M (g y) /\ f (g y) = y
-    & f (root M) = root N].
 
 Lemma isomorphic_refl M : isomorphic M M.
 Proof. by exists id, id; split. Qed.
@@ -118,11 +60,24 @@ split=> // x.
   by rewrite -ax E.
 Qed.
 
-Definition motion_in (M : rooted_map) k (d : carrier M) := alpha_of M (iter k (sigma_of M) d).
-Arguments motion_in : clear implicits.
-Fixpoint walk_in (M : rooted_map) (w : seq nat) (d : carrier M) :=
-  if w is k :: w' then walk_in w' (motion_in M k d) else d.
-Arguments walk_in : clear implicits.
+(* ---- The same map, wherever it is rooted ---- *)
+Lemma isomorphic_same_map M N : wellformed M -> isomorphic M N -> same_map M N.
+Proof.
+move=> W I; have [f [g [F _ r]]] := I; exists (root N); last by case: (N) I.
+by rewrite -r; have [] := F _ (wellformed_root W).
+Qed.
+
+(* two maps that are the same as one third are the same *)
+Lemma same_map_join K M N : wellformed K -> wellformed M -> same_map K M -> same_map K N -> same_map M N.
+Proof.
+move=> WK WM [d dM I] [e eN J].
+have [f [g [F G _]]] := isomorphic_trans (isomorphic_sym WK I) J; rewrite /= in F G.
+exists (f (root M)); first by have [] := F _ (wellformed_root WM).
+by exists f, g.
+Qed.
+
+Lemma same_map_sym M N : wellformed M -> wellformed N -> same_map M N -> same_map N M.
+Proof. by move=> WM WN /(same_map_join WM WN); apply; exact: isomorphic_same_map (isomorphic_refl M). Qed.
 
 Section Moves.
 Variable M : rooted_map.
@@ -167,9 +122,6 @@ have fr v z : is_dart M z -> f (walk_in M v z) = walk_in N v (f z).
 by apply: (walk_in_inj WN (w := w)) => //; [have [] := F _ dx | rewrite -fr].
 Qed.
 
-(* a map of Maps.v, seen from one of its darts *)
-Definition rooted (G : combinatorial_map) (d : G) := @RootedMap G xpredT sigma alpha d.
-
 Lemma rooted_wellformed (G : combinatorial_map) (d : G) : wellformed (rooted d).
 Proof.
 split=> //= [x y _ _ /sigma_inj //|x _|x _ E]; first exact: alphaK.
@@ -179,289 +131,10 @@ Qed.
 Lemma rooted_connected (G : combinatorial_map) (d : G) : connected (rooted d).
 Proof. by move=> A /= A0 As Aa x _; apply: (everywhere A0); auto. Qed.
 
-(* ---- Numbered maps ---- *)
-Record numbered_map := NumberedMap { sigma_list : seq nat; alpha_list : seq nat; root_number : nat }.
-Definition denote M :=
-  @RootedMap nat (fun x => x < size (sigma_list M))
-    (nth 0 (sigma_list M)) (nth 0 (alpha_list M)) (root_number M).
-Definition seen_from M d := NumberedMap (sigma_list M) (alpha_list M) d.
-Definition valid M :=
-  let n := size (sigma_list M) in
-  let alpha := nth 0 (alpha_list M) in
-  [&& size (alpha_list M) == n, root_number M < n, all (fun x => x < n) (sigma_list M),
-      all (fun x => x < n) (alpha_list M), uniq (sigma_list M) &
-      all (fun i => (alpha (alpha i) == i) && (alpha i != i)) (iota 0 n)].
-
-Lemma validP M : valid M -> wellformed (denote M).
+Lemma same_map_edges (G H : combinatorial_map) (d : G) (e : H) :
+  same_map (rooted d) (rooted e) -> edges G = edges H.
 Proof.
-case/and5P=> /eqP sa lr /allP As /allP Aa /andP[U /allP A]; split=> //= x.
-- by move=> lx; apply/As/mem_nth.
-- by move=> lx; apply/Aa/mem_nth; rewrite sa.
-- by move=> y lx ly /eqP; rewrite nth_uniq // => /eqP.
-- by move=> lx; apply/eqP; have /andP[] := A x (etrans (mem_iota 0 _ x) lx).
-- by move=> lx; apply/eqP; have /andP[] := A x (etrans (mem_iota 0 _ x) lx).
+move=> [x _ [f [g [F G' _]]]]; apply: double_inj; rewrite !edges_double; apply: (@bij_eq_card _ _ f).
+by exists g => y; [have [] := F y isT | have [] := G' y isT].
 Qed.
 
-Lemma validI M : wellformed (denote M) -> size (alpha_list M) = size (sigma_list M) -> valid M.
-Proof.
-move=> W sz; rewrite /valid sz eqxx; apply/and5P; split=> //; try exact: (wellformed_root W).
-- by apply/(all_nthP 0)=> i li; exact: (wellformed_sigma W).
-- by apply/(all_nthP 0)=> i; rewrite sz => li; exact: (wellformed_alpha W).
-apply/andP; split.
-  by apply/(uniqP 0)=> i j li lj; exact: (wellformed_inj W).
-apply/allP=> i; rewrite mem_iota /= => li; apply/andP; split; first exact/eqP/(wellformed_alphaK W).
-exact/eqP/(wellformed_alpha_neq W).
-Qed.
-
-(* ---- The decision procedure ---- *)
-Definition insert (x : nat) s := if x \in s then s else rcons s x.
-
-Section BreadthFirst.
-Variables sigma alpha : nat -> nat.
-
-Fixpoint breadth_first fuel i found :=
-  if fuel is fuel'.+1 then
-    if i < size found then
-      let d := nth 0 found i in
-      breadth_first fuel' i.+1 (insert (alpha d) (insert (sigma d) found))
-    else found
-  else found.
-
-Definition relabel found :=
-  ([seq index (sigma d) found | d <- found], [seq index (alpha d) found | d <- found]).
-End BreadthFirst.
-
-Definition dart_order M :=
-  breadth_first (nth 0 (sigma_list M)) (nth 0 (alpha_list M)) (size (sigma_list M)) 0
-    [:: root_number M].
-Definition code M := relabel (nth 0 (sigma_list M)) (nth 0 (alpha_list M)) (dart_order M).
-Definition same_code M N :=
-  [&& size (dart_order M) == size (sigma_list M), size (dart_order N) == size (sigma_list N)
-    & code M == code N].
-
-Lemma mem_insert x y s : (y \in insert x s) = (y == x) || (y \in s).
-Proof. by rewrite /insert; case: ifP => [xs|_]; rewrite ?mem_rcons ?inE //; case: eqP => // ->. Qed.
-
-Lemma insert_uniq x s : uniq (insert x s) = uniq s.
-Proof. by rewrite /insert; case: ifP => // xs; rewrite rcons_uniq xs. Qed.
-
-Lemma insert_nth x s i : i < size s -> nth 0 (insert x s) i = nth 0 s i.
-Proof. by rewrite /insert; case: ifP => // _ l; rewrite nth_rcons l. Qed.
-
-Lemma insert_size x s : size s <= size (insert x s).
-Proof. by rewrite /insert; case: ifP => // _; rewrite size_rcons. Qed.
-
-Section BreadthFirstFacts.
-Variables (s a : nat -> nat) (n : nat).
-Hypotheses (sn : forall x, x < n -> s x < n) (an : forall x, x < n -> a x < n).
-Lemma breadth_first_darts fuel i ord : all (fun x => x < n) ord -> uniq ord ->
-  all (fun x => x < n) (breadth_first s a fuel i ord) /\ uniq (breadth_first s a fuel i ord).
-Proof.
-elim: fuel i ord => //= f IH i ord A U; case: ifP => // li.
-have ld : nth 0 ord i < n by apply: (allP A); exact: mem_nth.
-apply: IH; last by rewrite !insert_uniq.
-by apply/allP=> x; rewrite !mem_insert => /or3P[/eqP->|/eqP->|/(allP A)] //; auto.
-Qed.
-
-Lemma breadth_first_sub fuel i ord x : x \in ord -> x \in breadth_first s a fuel i ord.
-Proof. by elim: fuel i ord => //= f IH i ord xo; case: ifP => // _; apply: IH;
-  rewrite !mem_insert xo !orbT. Qed.
-Lemma breadth_first_closed fuel i ord : all (fun x => x < n) ord -> uniq ord -> i <= size ord ->
-  n <= fuel + i ->
-  (forall j, j < i -> (s (nth 0 ord j) \in ord) && (a (nth 0 ord j) \in ord)) ->
-  forall x, x \in breadth_first s a fuel i ord ->
-    (s x \in breadth_first s a fuel i ord) && (a x \in breadth_first s a fuel i ord).
-Proof.
-have full o k x : k = size o -> x \in o ->
-    (forall j, j < k -> (s (nth 0 o j) \in o) && (a (nth 0 o j) \in o)) -> (s x \in o) && (a x \in o).
-  by move=> -> xo H; have := H (index x o); rewrite index_mem xo nth_index //; apply.
-elim: fuel i ord => [|f IH] i ord A U li nf H x /=.
-  move=> xo; apply: (full ord i) => //; apply/eqP; rewrite eqn_leq li /=.
-  apply: leq_trans nf; rewrite -(size_iota 0 n); apply: uniq_leq_size => // y /(allP A).
-  by rewrite mem_iota.
-case: ifP => [lt|/negbT]; last first.
-  by rewrite -leqNgt => le xo; apply: (full ord i) => //; apply/eqP; rewrite eqn_leq li.
-have ld : nth 0 ord i < n by apply: (allP A); exact: mem_nth.
-set d := nth 0 ord i in ld *; apply: IH.
-- by apply/allP=> y; rewrite !mem_insert => /or3P[/eqP->|/eqP->|/(allP A)] //; auto.
-- by rewrite !insert_uniq.
-- by apply: leq_trans lt _; exact: leq_trans (insert_size _ _) (insert_size _ _).
-- by rewrite addnS -addSn.
-- move=> j; rewrite ltnS leq_eqVlt => /orP[/eqP->|lj].
-    by rewrite !insert_nth ?(leq_trans lt (insert_size _ _)) // !mem_insert !eqxx !orbT.
-  have lj' := ltn_trans lj lt; rewrite !insert_nth ?(leq_trans lj' (insert_size _ _)) // !mem_insert.
-  by have /andP[-> ->] := H j lj; rewrite !orbT.
-Qed.
-End BreadthFirstFacts.
-Section Equivariant.
-Variables (s a s' a' f : nat -> nat) (n : nat).
-Hypotheses (sn : forall x, x < n -> s x < n) (an : forall x, x < n -> a x < n).
-Hypothesis fi : forall x y, x < n -> y < n -> f x = f y -> x = y.
-Hypotheses (fs : forall x, x < n -> f (s x) = s' (f x)) (fa : forall x, x < n -> f (a x) = a' (f x)).
-Lemma mem_image x o : x < n -> all (fun x => x < n) o -> (f x \in map f o) = (x \in o).
-Proof.
-move=> lx A; apply/mapP/idP=> [[y yo /fi E]|xo]; last by exists x.
-by rewrite E // (allP A).
-Qed.
-
-Lemma index_image x o : x < n -> all (fun x => x < n) o -> index (f x) (map f o) = index x o.
-Proof.
-move=> lx; elim: o => //= y o IH /andP[ly A]; rewrite IH //.
-by have -> : (f y == f x) = (y == x) by apply/eqP/eqP=> [/fi->|->].
-Qed.
-
-Lemma insert_image x o : x < n -> all (fun x => x < n) o -> insert (f x) (map f o) = map f (insert x o).
-Proof. by move=> lx A; rewrite /insert mem_image //; case: ifP; rewrite ?map_rcons. Qed.
-
-Lemma breadth_first_image fuel i o : all (fun x => x < n) o ->
-  breadth_first s' a' fuel i (map f o) = map f (breadth_first s a fuel i o).
-Proof.
-elim: fuel i o => //= fl IH i o A; rewrite size_map; case: ifP => // li.
-have ld : nth 0 o i < n by apply: (allP A); exact: mem_nth.
-have A' : all (fun x => x < n) (insert (s (nth 0 o i)) o).
-  by apply/allP=> x; rewrite mem_insert => /orP[/eqP->|/(allP A)] //; auto.
-rewrite (nth_map 0) // -fs // -fa // !insert_image ?IH //; try by auto.
-by apply/allP=> x; rewrite mem_insert => /orP[/eqP->|/(allP A')] //; auto.
-Qed.
-
-Lemma relabel_image o : all (fun x => x < n) o -> relabel s' a' (map f o) = relabel s a o.
-Proof.
-by move=> A; rewrite /relabel -!map_comp; congr (_, _); apply/eq_in_map => x /(allP A) lx /=;
-  rewrite -?fs -?fa // index_image //; auto.
-Qed.
-End Equivariant.
-
-Lemma dart_order_ok M : valid M -> all (fun x => x < size (sigma_list M)) (dart_order M) /\
-  uniq (dart_order M).
-Proof. by move/validP=> W; apply: breadth_first_darts => //=;
-  [exact: (wellformed_sigma W)|exact: (wellformed_alpha W)|rewrite andbT;
-    exact: (wellformed_root W)]. Qed.
-Lemma dart_order_full M : valid M -> connected (denote M) -> size (dart_order M) = size (sigma_list M).
-Proof.
-move=> V C; have W := validP V; have [A U] := dart_order_ok V; apply/eqP; rewrite eqn_leq;
-  apply/andP; split.
-  rewrite -[X in _ <= X](size_iota 0); apply: uniq_leq_size => // y /(allP A).
-  by rewrite mem_iota.
-rewrite -[X in X <= _](size_iota 0); apply: uniq_leq_size; rewrite ?iota_uniq // => y.
-rewrite mem_iota add0n /= => ly.
-have cl x : x \in dart_order M ->
-  (nth 0 (sigma_list M) x \in dart_order M) && (nth 0 (alpha_list M) x \in dart_order M).
-  apply: (@breadth_first_closed _ _ (size (sigma_list M))) => //; rewrite ?addn0 //=.
-  - exact: (wellformed_sigma W).
-  - exact: (wellformed_alpha W).
-  - by rewrite andbT; exact: (wellformed_root W).
-apply: (C (fun x => x \in dart_order M)) => //.
-- by apply: breadth_first_sub; rewrite inE.
-- by move=> x _ /cl/andP[].
-- by move=> x _ /cl/andP[].
-Qed.
-
-Lemma mem_dart_order M x : valid M -> size (dart_order M) = size (sigma_list M) ->
-  (x \in dart_order M) = (x < size (sigma_list M)).
-Proof.
-move=> V E; have [A U] := dart_order_ok V.
-have sub : {subset dart_order M <= iota 0 (size (sigma_list M))} by move=> y /(allP A);
-  rewrite mem_iota.
-have le : size (iota 0 (size (sigma_list M))) <= size (dart_order M) by rewrite size_iota E.
-by have [_ ->] := uniq_min_size U sub le; rewrite mem_iota.
-Qed.
-
-Theorem same_code_sound M N : valid M -> valid N -> same_code M N -> isomorphic (denote M) (denote N).
-Proof.
-move=> VM VN /and3P[/eqP sM /eqP sN /eqP C].
-have [AM UM] := dart_order_ok VM; have [AN UN] := dart_order_ok VN.
-have oM x := mem_dart_order x VM sM; have oN x := mem_dart_order x VN sN.
-move: C; rewrite /code /relabel => -[Cs Ca].
-have sz : size (dart_order M) = size (dart_order N) by have := congr1 size Cs; rewrite !size_map.
-have key (p q : nat -> nat) x : x < size (sigma_list M) ->
-  (forall y, y < size (sigma_list N) -> q y < size (sigma_list N)) ->
-   (forall y, y < size (sigma_list M) -> p y < size (sigma_list M)) ->
-   [seq index (p d) (dart_order M) | d <- dart_order M] = [seq index (q d) (dart_order N) | d <-
-     dart_order N] ->
-   nth 0 (dart_order N) (index (p x) (dart_order M)) = q (nth 0 (dart_order N) (index x (dart_order
-     M))).
-  move=> lx Q P' E; have li : index x (dart_order M) < size (dart_order M) by rewrite index_mem oM.
-  have := congr1 (fun l => nth 0 l (index x (dart_order M))) E.
-  rewrite (nth_map 0) // (nth_map 0) -?sz // nth_index ?oM // => ->.
-  by rewrite nth_index // oN; apply: Q; rewrite -oN; apply: mem_nth; rewrite -sz.
-have WM := validP VM; have WN := validP VN.
-have n0 o k : nth 0 o k = nth 0 o k by [].
-exists (fun x => nth 0 (dart_order N) (index x (dart_order M))),
-  (fun y => nth 0 (dart_order M) (index y (dart_order N))).
-split=> /=.
-- move=> x lx; have li : index x (dart_order M) < size (dart_order M) by rewrite index_mem oM.
-  split; first by rewrite -oN; apply: mem_nth; rewrite -sz.
-  + by rewrite index_uniq -?sz // nth_index ?oM.
-  + by apply: key => //; [exact: (wellformed_sigma WN)|exact: (wellformed_sigma WM)].
-  + by apply: key => //; [exact: (wellformed_alpha WN)|exact: (wellformed_alpha WM)].
-- move=> y ly; have li : index y (dart_order N) < size (dart_order N) by rewrite index_mem oN.
-  by rewrite -oM mem_nth ?sz //; rewrite index_uniq ?sz // nth_index ?oN.
-- have hd K : valid K -> exists t, dart_order K = root_number K :: t.
-    move=> VK; rewrite /dart_order; have := wellformed_root (validP VK); rewrite /=;
-      case: (size _) => // n _ /=.
-    set o := insert _ _; have [t ->] : exists t, o = root_number K :: t.
-      by rewrite /o /insert /=; do 2 (case: ifP => _ /=); eexists.
-    elim: n 1 t => [|n IH] i t /=; first by exists t.
-    case: ifP => _; last by exists t.
-    rewrite /insert /=; do 2 (case: ifP => _ /=); exact: IH.
-  by have [t ->] := hd M VM; have [t' ->] := hd N VN; rewrite /= eqxx.
-Qed.
-
-Theorem same_code_complete M N : valid M -> valid N -> connected (denote M) ->
-  isomorphic (denote M) (denote N) -> same_code M N.
-Proof.
-move=> VM VN C I; have [f [g [F G r]]] := I; have WM := validP VM; have WN := validP VN;
-  rewrite /= in F G r.
-have sM := dart_order_full VM C.
-have fi x y : x < size (sigma_list M) -> y < size (sigma_list M) -> f x = f y -> x = y.
-  by move=> lx ly E; have [_ <- _ _] := F _ lx; have [_ <- _ _] := F _ ly; rewrite E.
-have sz : size (sigma_list N) = size (sigma_list M).
-  have le (p q : nat -> nat) k l : (forall x, x < k -> p x < l) ->
-    (forall x, x < k -> q (p x) = x) -> k <= l.
-    move=> H K; rewrite -(size_iota 0 k) -(size_iota 0 l) -(size_map p); apply: uniq_leq_size.
-      rewrite map_inj_in_uniq ?iota_uniq // => x y; rewrite !mem_iota /= => /K E /K E' pp.
-      by rewrite -E pp E'.
-    by move=> y /mapP[x]; rewrite !mem_iota /= => /H ? ->.
-  apply/eqP; rewrite eqn_leq; apply/andP; split.
-    by apply: (le g f) => x /G[].
-  by apply: (le f g) => x /F[].
-have oE : dart_order N = map f (dart_order M).
-  rewrite /dart_order sz -r -[[:: f _]]/(map f [:: root_number M]).
-  apply: (breadth_first_image (n := size (sigma_list M))) => //=.
-  - exact: (wellformed_sigma WM).
-  - exact: (wellformed_alpha WM).
-  - by move=> x /F[].
-  - by move=> x /F[].
-  - by rewrite andbT; exact: (wellformed_root WM).
-rewrite /same_code sM oE size_map sM sz !eqxx /=; apply/eqP; rewrite /code oE; symmetry.
-have [A _] := dart_order_ok VM.
-apply: (relabel_image (n := size (sigma_list M))) => //.
-- exact: (wellformed_sigma WM).
-- exact: (wellformed_alpha WM).
-- by move=> x /F[].
-- by move=> x /F[].
-Qed.
-
-Theorem same_codeP M N : valid M -> valid N -> connected (denote M) ->
-  reflect (isomorphic (denote M) (denote N)) (same_code M N).
-Proof. by move=> VM VN C; apply: (iffP idP); [exact: same_code_sound|exact: same_code_complete]. Qed.
-
-(* connectedness is decided by the same search *)
-Theorem connectedP M : valid M ->
-  reflect (connected (denote M)) (size (dart_order M) == size (sigma_list M)).
-Proof.
-move=> V; apply: (iffP eqP); last exact: dart_order_full.
-move=> E A A0 As Aa x /= lx; have : x \in dart_order M by rewrite mem_dart_order.
-have W := validP V.
-have H fuel i o : (forall y, y \in o -> y < size (sigma_list M) /\ A y) ->
-    forall y, y \in breadth_first (nth 0 (sigma_list M)) (nth 0 (alpha_list M)) fuel i o -> A y.
-  elim: fuel i o => [|f IH] i o Ho y /=; first by case/Ho.
-  case: ifP => [li|_]; last by case/Ho.
-  apply: IH => z; rewrite !mem_insert; have [ld Ad] := Ho _ (mem_nth 0 li).
-  case/or3P=> [/eqP->|/eqP->|/Ho//]; split.
-  - exact: (wellformed_alpha W).
-  - exact: Aa.
-  - exact: (wellformed_sigma W).
-  - exact: As.
-by apply: H => y; rewrite inE => /eqP->; split=> //; exact: (wellformed_root W).
-Qed.

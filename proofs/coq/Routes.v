@@ -13,7 +13,7 @@
      route_or_elseP       the same, whatever path is proposed.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps PartialMaps Paths.
+From Allworlds Require Import Model Maps PartialMaps Paths.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -9,7 +9,7 @@
      nearest_is_nearest   the dart that `nearest` explores has the least distance of all open darts.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import PartialMaps Paths Routes Algorithm Policies.
+From Allworlds Require Import Model PartialMaps Paths Routes Algorithm Policies.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

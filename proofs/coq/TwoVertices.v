@@ -17,11 +17,13 @@
      two_vertices         the lighthouse, for the program.
      confirmed_iff        a test is confirmed if and only if its hypothesis is true.
      two_vertices_runs    for every schedule: what Lighthouses.v says.
-     two_vertices_correct for the program, under every policy: the same, the search included.
+     two_vertices_resumed, two_vertices_correct   for the program, under every policy: the same, once
+                          the dart to v1 is known, and the search included.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Maps Percepts RootedMaps Explorers PartialMaps HypothesisTests.
-From Allworlds Require Import Pass Correctness Lighthouses Algorithm Refinement.
+From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps HypothesisTests.
+From Allworlds Require Import Pass Correctness Lighthouses Algorithm Queue Execution OnePass.
+From Allworlds Require Import Refinement.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -144,6 +146,18 @@ have [|||z [A du]] := @search_makes (degree v0) 0 0 v0 => //.
   exact: findex_max (@pointed_at_v0 W).
 exists (knowledge_at_v0 (degree v0) b (opposite (degree v0) b)), z.
 by rewrite /= degree_sensed -{3}[b]subn0; split=> //; split=> //; exact: queue_initial.
+Qed.
+
+(* once the dart that leads to v1 is known *)
+Theorem two_vertices_resumed pol : exists t answer z,
+  [/\ machine L pol motion senses (size t)
+        (Return (knowledge_at_v0 (degree v0) b (opposite (degree v0) b))) (@pointed W)
+        = (t, Some answer, z),
+      size t <= bound_by W 2, valid answer & isomorphic (denote answer) (rooted z)].
+Proof.
+apply: (@resumed_correct W O _ L pol senses leads_to_v1 2 reads_coarse (fun=> erefl) asks
+  confirmed_iff); split=> //; first exact: queue_initial.
+by rewrite /= -(iter_findex (@pointed_at_v0 W)); exact: opposite_turn.
 Qed.
 
 Local Notation bound := (2 * degree v0 + bound_by W 2).

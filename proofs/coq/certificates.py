@@ -4,8 +4,9 @@
 
 reads the pairs of worlds in ../fig1, ../smallest-pairs, ../natural-lighthouse and in
 ../../corpus/pairs, writes Certificates.v into build/, and compiles it: one theorem a pair, that
-no explorer is right on both worlds, by `certified_impossible` from the classes of darts in the
-file.  `make theorems` must have been run.  Exit code 1: a certificate does not prove its pair.
+no explorer finds the maps of both worlds, by `certified_map_impossible` from the classes of darts
+in the file.  `make theorems` must have been run.  Exit code 1: a certificate does not prove its
+pair.
 Standard library only.
 """
 
@@ -24,7 +25,7 @@ PROOFS, CORPUS = HERE.parent, HERE.parent.parent / "corpus" / "pairs"
 
 HEAD = """(* Written by certificates.py from the files named below. *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import RootedMaps Explorers NumberedWorlds Impossibility Twins.
+From Allworlds Require Import Model NumberedWorlds Impossibility Twins.
 """
 
 THEOREM = """
@@ -34,8 +35,8 @@ Definition {name}_right := {right}.
 Definition {name}_darts : seq (nat * nat) := [:: {pairs}].
 
 Theorem {name}_impossible :
-  no_explorer_right_on_both {percept} {name}_left {name}_right.
-Proof. by apply: (@certified_impossible _ _ _ _ {name}_darts); vm_compute. Qed.
+  no_explorer_maps_both {percept} {name}_left {name}_right.
+Proof. by apply: (@certified_map_impossible _ _ _ _ {name}_darts); vm_compute. Qed.
 """
 
 
@@ -76,7 +77,7 @@ def _numbered(world: dict) -> str:
 def main() -> int:
     """Write the file, compile it, and say what it proves."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--limit", type=int, default=120, help="seconds for coqc")
+    parser.add_argument("--limit", type=int, default=120, help="seconds of CPU for coqc")
     limit = parser.parse_args().limit
     build = HERE / "build"
     build.mkdir(exist_ok=True)
@@ -84,12 +85,13 @@ def main() -> int:
     target = build / "Certificates.v"
     target.write_text(HEAD + "".join(theorem(*pair) for pair in pairs), encoding="utf-8")
     flags = ["-w", "-notation-overridden", "-Q", str(HERE), "Allworlds"]
-    compiled = subprocess.run(["coqc", *flags, str(target)], timeout=limit, check=False)
+    command = [str(HERE / "limit"), str(limit), "coqc", *flags, str(target)]
+    compiled = subprocess.run(command, check=False)
     if compiled.returncode:
         print(f"a certificate does not prove its pair: see {target}", file=sys.stderr)
         return 1
     for source, _, _ in pairs:
-        print(f"no explorer is right on both worlds of: {source}")
+        print(f"no explorer finds the maps of both worlds of: {source}")
     return 0
 
 

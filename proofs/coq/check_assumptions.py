@@ -1,6 +1,8 @@
 """Prints the assumptions of every theorem of some files; exit 1 unless there are none.
 
 Usage: check_assumptions.py FILE.v ...   (in the folder of the compiled files)
+
+Every file of the folder is read besides for words that assume something or switch a check off.
 """
 
 import pathlib
@@ -10,7 +12,23 @@ import sys
 import tempfile
 
 CLOSED = "Closed under the global context"
-FORBIDDEN = re.compile(r"\b(Admitted|admit|Axiom|Axioms|Parameter|Parameters|Conjecture)\b")
+
+# each of them assumes something, or gives a statement up
+ASSUMES = re.compile(
+    r"\b(Admitted|admit|Axioms?|Parameters?|Conjectures?|Declare|Abort|Primitive|bypass_check"
+    r"|type_in_type|Admit\s+Obligations|Classical\w*|Choice\w*Facts|FunctionalExtensionality)\b"
+)
+# outside a section these are axioms
+LOCAL = re.compile(r"(Variables?|Hypothes[ie]s|Context|Let)\b")
+# what may be switched off or on
+HARMLESS = re.compile(
+    r"Set Implicit Arguments|Unset Strict Implicit|Unset Printing Implicit Defensive"
+    r"|Set Warnings\s.*"
+)
+# what may stand in a file of headline theorems
+HEADLINE = re.compile(
+    r"(From|Set|Unset|Theorem|Proof|Qed|by|exact|have|move|split|do|case|apply)\b"
+)
 
 
 def without_comments(text: str) -> str:
@@ -26,13 +44,40 @@ def without_comments(text: str) -> str:
     return "".join(out)
 
 
+def sentences(text: str) -> list[str]:
+    """What stands between the full stops of a Coq file, comments left out."""
+    return [s.strip() for s in re.split(r"\.(?=\s|$)", without_comments(text)) if s.strip()]
+
+
+def suspect(text: str) -> list[str]:
+    """The words of a Coq file that assume something or switch a check off."""
+    found = ASSUMES.findall(without_comments(text))
+    depth = 0
+    for sentence in sentences(text):
+        command = re.sub(r"^(Local|Global|Polymorphic|#\[[^]]*\])\s+", "", sentence)
+        if re.match(r"Section\b", command):
+            depth += 1
+        elif re.match(r"End\b", command):
+            depth -= 1
+        elif depth == 0 and LOCAL.match(command):
+            found.append(f"outside a section: {command.splitlines()[0]}")
+        elif re.match(r"(Set|Unset)\b", command) and not HARMLESS.fullmatch(command):
+            found.append(command)
+    return found
+
+
+def not_a_theorem(text: str) -> list[str]:
+    """The sentences of a file of headline theorems that state something by another word."""
+    return [s.splitlines()[0] for s in sentences(text) if not HEADLINE.match(s)]
+
+
 def assumptions(source: pathlib.Path) -> list[tuple[str, str]]:
     """Each theorem of a file with what Coq prints of its assumptions.
 
     Raises RuntimeError if the file is not compiled, or the answers are not as many as the theorems.
     """
     module = source.stem
-    names = re.findall(r"^Theorem (\w+)", without_comments(source.read_text()), re.MULTILINE)
+    names = re.findall(r"^\s*Theorem (\w+)", without_comments(source.read_text()), re.MULTILINE)
     ask = f"From Allworlds Require {module}.\n" + "".join(
         f"Print Assumptions {module}.{name}.\n" for name in names
     )
@@ -57,11 +102,11 @@ def main() -> int:
         return 1
     for name, answer in found:
         print(f"{name}: {answer}")
-    bad = [name for name, answer in found if answer != CLOSED] + [
-        f"{path}: {word}"
-        for path in sorted(pathlib.Path().glob("*.v"))
-        for word in FORBIDDEN.findall(without_comments(path.read_text()))
-    ]
+    bad = [name for name, answer in found if answer != CLOSED]
+    for path in sorted(pathlib.Path().glob("*.v")):
+        bad += [f"{path}: {word}" for word in suspect(path.read_text())]
+    for path in sources:
+        bad += [f"{path}: {line}" for line in not_a_theorem(path.read_text())]
     if bad or not found:
         print("not closed:", *bad, sep="\n  ")
         return 1

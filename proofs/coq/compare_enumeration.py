@@ -29,7 +29,7 @@ HERE = Path(__file__).resolve().parent
 Code = tuple[tuple[int, ...], tuple[int, ...]]
 
 PRINT = """From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import RootedMaps Enumeration.
+From Allworlds Require Import Model Enumeration.
 Set Printing Depth 10000000.
 Set Printing Width 10000000.
 Eval vm_compute in [seq (sigma_list M, alpha_list M) | M <- rooted_maps {edges}].
@@ -56,7 +56,8 @@ def printed_by_coq(edges: int) -> str:
     with tempfile.TemporaryDirectory() as folder:
         source = Path(folder) / "printed.v"
         source.write_text(PRINT.format(edges=edges))
-        command = ["coqc", "-w", "-notation-overridden", "-Q", str(HERE), "Allworlds", str(source)]
+        flags = ["-w", "-notation-overridden", "-Q", str(HERE), "Allworlds"]
+        command = [str(HERE / "limit"), "300", "coqc", *flags, str(source)]
         return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 

@@ -39,7 +39,10 @@ REFERENCE = "kernel"
 """The contender to whose rate all others are compared."""
 
 PYTHON_EDGES = 4
-THOROUGH_EDGES = 6
+JUDGED_EDGES = 6
+
+WALKED_FROM = 6
+"""From so many edges on a check with the kernel walks once for every bearing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,13 +174,13 @@ def bench(*, edges: int = 7, rounds: int = 3, peers: Sequence[str] = ()) -> Benc
 
 def own_contenders(edges: int) -> list[Contender]:
     """The engines of this package; the reference comes first."""
-    less = min(edges, THOROUGH_EDGES)
+    less = min(edges, JUDGED_EDGES)
     least = min(edges, PYTHON_EDGES)
     return [
         Contender(REFERENCE, edges, "check --engine kernel, 1 thread", lambda: _walk(edges, 1)),
         Contender("kernel-2", edges, "check --engine kernel, 2 threads", lambda: _walk(edges, 2)),
         Contender("count", edges, "count, compiled", lambda: _count(edges)),
-        Contender("thorough", less, "every map finished, then judged", lambda: _thorough(less)),
+        Contender("judge", less, "every bearing played and judged", lambda: _judge(less)),
         Contender("python", least, "the python engine, one bearing", lambda: _python(least)),
     ]
 
@@ -209,20 +212,26 @@ def _run(name: str, command: str) -> None:
 
 
 def _warm(contender: Contender) -> None:
-    small = {"kernel": _walk, "kernel-2": _walk, "count": _count, "thorough": _thorough}
-    match small.get(contender.name):
-        case None:
-            return
-        case work:
-            work(4)
+    match contender.name:
+        case "kernel" | "kernel-2":
+            _walk(WALKED_FROM)
+        case "count":
+            _count(PYTHON_EDGES)
+        case "judge":
+            _judge(PYTHON_EDGES)
 
 
 def _walk(edges: int, threads: int = 1) -> None:
-    scope = Scope(Extent(MapClass.MAPS, edges), Rules())
+    _check(Scope(Extent(MapClass.MAPS, edges), Rules()), threads)
+
+
+def _check(scope: Scope, threads: int) -> None:
+    """The last level of the scope."""
     job = Job(scope, load("algorithm1"), Limits(threads), 1, None, lambda _: None)
     way = ENGINES["kernel"].ready(job)
     with way.transport:
-        gather(way.transport, way.engine, scope.units(edges), Tally(1), Silent())
+        units = scope.units(scope.extent.levels[-1])
+        gather(way.transport, way.engine, units, Tally(1), Silent())
 
 
 def _count(edges: int) -> None:
@@ -232,12 +241,10 @@ def _count(edges: int) -> None:
         by_vertices_and_faces(edges, edges + 1, prefix)
 
 
-def _thorough(edges: int) -> None:
-    from allworlds.kernel import examine, tables
-
-    looked_up = tables(edges, default_step_budget(paper_bound(edges + 1, edges)))
-    for prefix in prefixes(edges, depth=1):
-        examine(edges, edges + 1, "fifo", prefix, looked_up, mode="thorough")
+def _judge(edges: int) -> None:
+    # A step budget that is given is kept run by run.
+    budget = default_step_budget(paper_bound(edges + 1, edges))
+    _check(Scope(Extent(MapClass.MAPS, edges), Rules(step_budget=budget)), 1)
 
 
 def _python(edges: int) -> None:

@@ -158,13 +158,13 @@ def test_an_explorer_under_a_lighthouse_it_is_not_written_for_is_refuted_not_sto
             assert report.findings[0].law != "crash"
 
 
+@pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize("explorer", [CLUSTER, NATURAL])
-def test_the_kernel_is_refused_and_auto_goes_without(explorer):
-    with pytest.raises(InputError, match=f"engine 'kernel' runs only algorithm1, not '{explorer}'"):
-        check(explorer, edges=2, engine="kernel")
-    assert check(explorer, edges=6, map_class="simple", time_limit=0.1).engine == "python"
-    with pytest.raises(InputError, match="knows only bounds over n and m, not 'two-vertices'"):
-        check(edges=2, bound="two-vertices", engine="kernel")
+def test_both_engines_do_it_and_say_the_same(explorer):
+    options = {"edges": 5, "map_class": "planar-simple", "bound": "two-vertices"}
+    played, judged = (check(explorer, engine=name, **options) for name in ("python", "kernel"))
+    assert check(explorer, **options).engine == "kernel"
+    assert played.tally == judged.tally
 
 
 def test_the_law_folding_does_not_apply():

@@ -3,6 +3,7 @@
 import json
 
 import pytest
+
 from printed import without_made_by
 
 pytestmark = pytest.mark.usefixtures("without_workers")
@@ -25,7 +26,7 @@ def test_the_lighthouse_of_a_built_in_explorer_need_not_be_named(cli):
     assert without_made_by(plain[1]) == without_made_by(named[1])
     report = json.loads(plain[1])
     assert (report["verdict"], report["left_out"]) == ("holds", 5)
-    assert (report["scope"]["lighthouse"], report["engine"]) == ("cluster:single=true", "python")
+    assert (report["scope"]["lighthouse"], report["engine"]) == ("cluster:single=true", "kernel")
 
 
 def test_without_the_promise_the_explorer_is_refuted_and_the_command_shows_it_again(cli):
@@ -102,7 +103,7 @@ BAD = [
     (["run", LOLLIPOP + ',"lighthouse":{"kind":"natural","dart":3}}'], "dart 3"),
     (["run", LOLLIPOP + ',"lighthouse":{"kind":"cluster","singel":true}}'], "'singel'"),
     (["run", LOLLIPOP + ',"lighthouse":{"kind":"cluster","single":"yes"}}'], "'yes'"),
-    (["check", "algorithm1-cluster", "--engine", "kernel"], "'algorithm1-cluster'"),
+    (["check", "algorithm1-cluster", "--engine", "kernel", "--policy", "random:1"], "'random:1'"),
     (["search", "--lighthouse", "cluster", "--vertices", "2", "--edges", "2"], "'cluster'"),
     (["ambiguity", "class", "edge", "--lighthouse", "cluster"], "cluster"),
     (

@@ -1,117 +1,153 @@
-"""Three engines: worlds decided on the way, worlds finished first, and the Python engine."""
+"""The engines of the kernel against each other, and against the Python engine."""
 
-import json
 import os
 import subprocess
 import sys
-from pathlib import Path
+from collections import Counter
 from random import Random
 
 import pytest
 
-import allworlds
-from allworlds import check
-from allworlds.checker.compiled import (
-    AGREEMENT_EDGES,
-    compare_engines,
-    level_tables,
-    listed_costs,
-)
+from allworlds import check, kernel
+from allworlds.checker import agreement
+from allworlds.checker.agreement import AGREED, compare_engines, rotation, walk_costs
+from allworlds.checker.questions import level_of
 from allworlds.findings import Rules
-from allworlds.kernel import engine
 from allworlds.maps.canonical import rooted_code
-from allworlds.maps.classes import MapClass
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import rooted_maps as counted
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
-from allworlds.runs import Examiner
+from allworlds.runs import Examiner, Scope, Unit, numbered_runs
 from allworlds.subjects import load
+from allworlds.work import Limits
 from allworlds.world import Directional, World
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
 POLICIES = ["fifo", "lifo", "nearest"]
+ALGORITHM1 = load("algorithm1")
+
+
+@pytest.fixture(autouse=True)
+def fresh_comparison():
+    AGREED.clear()
+    yield
+    AGREED.clear()
+
+
+def asked(edges, policy="fifo", limit=None):
+    return level_of("algorithm1", Rules(policy=policy), Extent(MapClass.MAPS, edges, limit), edges)
 
 
 def python_costs(policy, edges):
     rules = Rules(policy=policy)
-    examiner = Examiner(load("algorithm1"), rules)
+    examiner = Examiner(ALGORITHM1, rules)
     for map_ in rooted_maps(edges):
         outcome = examiner.examine(World(map_, Directional(0), 0), rules.choices(""))
         assert outcome.violation is None
         yield rooted_code(map_.sigma, map_.alpha, 0), outcome.cost
 
 
-def codes(rules, edges, mode):
-    """{canonical code: cost} for every world of a level."""
-    listed = listed_costs(rules, edges, mode)
-    return {rooted_code(map_.sigma, map_.alpha, 0): cost for map_, cost in listed}
+def judged_costs(policy, edges):
+    """{canonical code: the costs at all bearings} for every world of a level."""
+    scope = Scope(Extent(MapClass.MAPS, edges), Rules(policy=policy))
+    costs = {}
+    for prefix in prefixes(edges, depth=1):
+        runs = list(numbered_runs(Unit(edges, prefix), scope.extent, Directional))
+        listed = kernel.judge(asked(edges, policy), prefix, listed=len(runs)).listed
+        for run, outcome in zip(runs, listed, strict=True):
+            assert outcome.law == ""
+            code = rooted_code(run.map.sigma, run.map.alpha, 0)
+            costs.setdefault(code, set()).add(outcome.cost)
+    return costs
 
 
-def level(edges, policy="fifo", mode="walk", limit=None):
-    """{vertices: (worlds, traversals, largest, per walk, per world)}, summed over the units."""
-    tables = level_tables(Rules(policy=policy), edges)
-    total = {}
+def level(does, edges, policy="fifo", limit=None):
+    """{vertices: worlds, runs, traversals, and so on}, and the events, summed over the units."""
+    total, events = {}, Counter()
     for prefix in prefixes(edges, vertices=limit, depth=2):
-        rows = engine.examine(edges, limit or edges + 1, policy, prefix, tables, mode=mode)
+        rows = does(asked(edges, policy, limit), prefix)
         assert not rows.broken
-        for new in rows.counts:
-            old = total.setdefault(new.vertices, [0, 0, 0, {}, {}])
-            old[0] += new.worlds
-            old[1] += new.traversals
-            old[2] = max(old[2], new.largest)
-            for kept, added in ((old[3], new.per_walk), (old[4], new.per_world)):
-                for event, count in added.items():
-                    kept[event] = kept.get(event, 0) + count
-    return total
+        events.update(rows.events)
+        for row in rows.counts:
+            total.setdefault(row.vertices, Counter()).update(
+                {name: getattr(row, name) for name in ("worlds", "runs", "traversals", "loops")},
+                rooted=row.traversals_rooted,
+                parallels=row.parallels,
+                checkpoints=row.checkpoints,
+            )
+            kept = total[row.vertices]
+            kept["largest"] = max(kept["largest"], row.largest)
+    return total, events
 
 
 @pytest.mark.parametrize("policy", POLICIES)
 @pytest.mark.parametrize("edges", [1, 2, 3, 4, 5])
 def test_all_three_engines_agree_world_by_world(edges, policy):
-    rules = Rules(policy=policy)
-    walked = codes(rules, edges, "walk")
-    assert walked == codes(rules, edges, "thorough")
-    if (edges, policy) != (5, "fifo"):
-        # There the Python engine does it on every bearing; see below.
+    walked = walk_costs(
+        Scope(Extent(MapClass.MAPS, edges), Rules(policy=policy)), ALGORITHM1, edges
+    )
+    assert {code: {cost} for code, cost in walked.items()} == judged_costs(policy, edges)
+    if edges < 5:
         assert walked == dict(python_costs(policy, edges))
 
 
 @pytest.mark.parametrize("policy", POLICIES)
 def test_both_modes_agree_in_every_number_of_a_level(policy):
-    assert level(6, policy, "walk") == level(6, policy, "thorough")
+    assert level(kernel.walk, 6, policy) == level(kernel.judge, 6, policy)
 
 
 def test_totals_are_those_of_independent_programs():
     # The sums of four other programs in C, Python and SPIN, first in, first out.
     expected = {2: 25, 3: 344, 4: 5184, 5: 86061, 6: 1569850, 7: 31356255}
     for edges, traversals in expected.items():
-        rows = level(edges)
-        assert sum(row[1] for row in rows.values()) == traversals
-        assert {n: row[0] for n, row in rows.items()} == counted(edges)
+        rows, _ = level(kernel.walk, edges)
+        assert sum(row["rooted"] for row in rows.values()) == traversals
+        assert {n: row["worlds"] for n, row in rows.items()} == counted(edges)
 
 
-def test_the_premise_holds_on_every_bearing():
-    # Raises where a cost differs; up to m = 4 each check with the kernel does this itself.
-    compare_engines("fifo", AGREEMENT_EDGES + 1)
+@pytest.mark.slow
+def test_the_premise_holds_on_every_bearing(monkeypatch):
+    # Raises where anything differs; up to m = 4 each check with the kernel does this itself.
+    monkeypatch.setattr(agreement, "AGREEMENT_EDGES", 5)
+    compare_engines(Scope(Extent(MapClass.MAPS, 6), Rules()), ALGORITHM1, Limits(workers=2))
 
 
-@pytest.mark.parametrize("policy", POLICIES)
-def test_both_engines_give_the_same_report(policy):
-    reports = [
-        check(edges=4, policy=policy, engine=name, workers=2).to_json()
-        for name in ("python", "kernel")
-    ]
+SETTINGS = {
+    "fifo": {"edges": 4},
+    "lifo": {"edges": 4, "policy": "lifo"},
+    "nearest": {"edges": 4, "policy": "nearest"},
+    "simple": {"edges": 5, "map_class": "simple"},
+    "planar": {"edges": 4, "map_class": "planar"},
+    "planar-simple": {"edges": 5, "map_class": "planar-simple", "vertices": 4},
+    "laws": {"edges": 3, "laws": ["map", "invariant-2"]},
+    "budget": {"edges": 3, "step_budget": 12, "max_findings": 3},
+    "bound": {"edges": 3, "bound": "n + D - d0", "max_findings": 3},
+    "cluster": {"explore": "algorithm1-cluster", "edges": 3, "lighthouse": "cluster"},
+    "single": {"explore": "algorithm1-cluster", "edges": 4},
+    "natural": {"explore": "algorithm1-natural", "edges": 4},
+    "no-direction": {"edges": 2, "lighthouse": "cluster", "max_findings": 3},
+}
+
+
+@pytest.mark.parametrize("options", SETTINGS.values(), ids=SETTINGS)
+def test_both_engines_give_the_same_report(options):
+    reports = [check(engine=name, workers=2, **options).to_json() for name in ("python", "kernel")]
     assert [report.pop("engine") for report in reports] == ["python", "kernel"]
-    symmetries = [report["scope"].pop("symmetry") for report in reports]
-    assert symmetries[0] is None
-    assert "bearing" in symmetries[1]
+    assert [report["scope"]["symmetry"] for report in reports] == [None, None]
     assert reports[0] == reports[1]
+
+
+def test_bearings_are_counted_together_from_six_edges_on_and_the_report_says_so():
+    small, large = (check(edges=m, engine="kernel").to_json()["scope"] for m in (5, 6))
+    assert small["symmetry"] is None
+    assert "from m = 6 on" in large["symmetry"]
 
 
 @pytest.mark.parametrize("bound", ["m * n", "n - m - 3", "0 - 10**30"])
 @pytest.mark.parametrize("keep", [1, 4])
 def test_both_engines_report_the_same_least_findings(keep, bound):
-    # Extent that Algorithm 1 does not keep: the least worlds where it walks more.
+    # Bounds that Algorithm 1 does not keep: the least worlds where it walks more.
     reports = [
         check(edges=4, bound=bound, max_findings=keep, engine=name).to_json()
         for name in ("python", "kernel")
@@ -123,10 +159,11 @@ def test_both_engines_report_the_same_least_findings(keep, bound):
 
 
 def test_a_limit_of_vertices_leaves_the_other_worlds_as_they_are():
-    whole = level(5)
+    whole, _ = level(kernel.walk, 5)
     for limit in range(1, 6):
-        assert level(5, limit=limit) == {n: row for n, row in whole.items() if n <= limit}
-        assert level(5, limit=limit, mode="thorough") == level(5, limit=limit)
+        walked = level(kernel.walk, 5, limit=limit)
+        assert walked[0] == {n: row for n, row in whole.items() if n <= limit}
+        assert level(kernel.judge, 5, limit=limit) == walked
 
 
 def test_shards_add_up_to_the_whole():
@@ -139,47 +176,33 @@ def test_shards_add_up_to_the_whole():
     )
 
 
-INTERPRETED = """
-import json
-from allworlds.kernel import schedules, walk
-from allworlds.kernel.engine import by_vertices_and_faces, examine, flag
-from allworlds.kernel.tables import tables
-print(json.dumps([
-    hasattr(walk.explore, "py_func"),
-    [
-        sum(c.traversals for d in range(1, 7)
-            for c in examine(3, 4, policy, (-d,), tables(3, 500), mode=mode).counts)
-        for policy in ("fifo", "lifo", "nearest") for mode in ("walk", "thorough")
-    ],
-    sum(sum(by_vertices_and_faces(3, 4, (-d,)).values()) for d in range(1, 7)),
-    max(row.worst for d in range(1, 7)
-        for row in schedules.dearest_of_unit(3, 4, (-d,), "simple", flag())),
-]))
+WATCHED = """
+from allworlds import check, count, worst
+for policy in ("fifo", "lifo", "nearest"):
+    assert check(edges=6, policy=policy, engine="kernel").exit_code == 0
+assert check("algorithm1-cluster", edges=4, map_class="planar", engine="kernel").exit_code == 0
+assert check("algorithm1-natural", edges=4, map_class="simple", engine="kernel").exit_code == 0
+# 1,708,394 rooted maps with 7 edges: OEIS A000698.
+assert count(edges=7).rows[-1].rooted == 1708394
+assert worst(edges=3).rows[-1].worst == 11
 """
 
 
-def test_interpreted_where_each_index_is_checked_the_engines_say_the_same():
-    source = str(Path(allworlds.__file__).parent.parent)
-    paths = [source, *filter(None, [os.environ.get("PYTHONPATH")])]
+@pytest.mark.slow
+def test_where_each_index_is_checked_the_engines_say_the_same(tmp_path):
     environment = {
         **os.environ,
-        "NUMBA_DISABLE_JIT": "1",
-        "PYTHONPATH": os.pathsep.join(paths),
+        "NUMBA_BOUNDSCHECK": "1",
+        "NUMBA_CACHE_DIR": str(tmp_path),
     }
     done = subprocess.run(
-        [sys.executable, "-c", INTERPRETED],
+        [sys.executable, "-c", WATCHED],
         env=environment,
         capture_output=True,
         text=True,
-        check=True,
+        check=False,
     )
-    compiled, sums, maps, worst = json.loads(done.stdout)
-    assert not compiled
-    expected = [sum(row[1] for row in level(3, policy).values()) for policy in POLICIES]
-    assert sums == [cost for cost in expected for _ in range(2)]
-    # 74 rooted maps with 3 edges: OEIS A000698.
-    assert maps == 74
-    assert worst == 11
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.parametrize("policy", POLICIES)
@@ -187,7 +210,6 @@ def test_both_modes_agree_on_random_pieces_of_the_largest_levels(policy):
     # The packed numbers of the walk are fullest there.
     random = Random(policy)
     for edges in (9, 10, 11, 12):
-        tables = level_tables(Rules(policy=policy), edges)
         for _ in range(20):
             gluing, prefix = Gluing(edges, MapClass.MAPS), []
             while sum(map(len, gluing.faces)) + gluing.owed > 6 or not prefix:
@@ -195,10 +217,13 @@ def test_both_modes_agree_on_random_pieces_of_the_largest_levels(policy):
                 ways = [(d, g) for d, g in gluing.successors() if d > -5 or not prefix]
                 decision, gluing = random.choice(ways or list(gluing.successors()))
                 prefix.append(decision)
-            walked, thorough = (
-                engine.examine(edges, edges + 1, policy, prefix, tables, mode=mode)
-                for mode in ("walk", "thorough")
+            walked, judged = (
+                does(asked(edges, policy), prefix) for does in (kernel.walk, kernel.judge)
             )
-            assert walked == thorough
+            assert walked == judged
             assert walked.counts
             assert not walked.broken
+
+
+def test_darts_of_a_vertex_are_clockwise():
+    assert rotation([1, 3, 2]) == [0, 2, 3, 1, 5, 4]

@@ -1,6 +1,7 @@
 import pytest
 
-from allworlds import check
+from allworlds import check, kernel
+from allworlds.checker.agreement import AGREED
 from allworlds.inputs import InputError
 from allworlds.outcome import Verdict
 
@@ -33,12 +34,8 @@ def foreign(first):
     ("options", "reason"),
     [
         ({"policy": "random:1"}, "random:1"),
-        ({"map_class": "simple"}, "simple"),
         ({"schedules": "all", "edges": 2}, "schedule"),
-        ({"laws": ["map"]}, "laws"),
-        ({"step_budget": 100}, "step budget"),
-        ({"bound": "d0 * m * n"}, "d0"),
-        ({"bound": "D"}, "'D'"),
+        ({"step_budget": 100_000}, "100000"),
         ({"edges": 13}, "13"),
         ({"explore": foreign}, "foreign"),
     ],
@@ -55,13 +52,27 @@ def test_an_engine_that_is_none_is_refused():
         check(edges=2, engine="warp")
 
 
-def test_auto_takes_the_kernel_beyond_a_small_bound():
-    assert check(edges=3).engine == "python"
+def test_auto_takes_the_kernel_from_five_edges_on_wherever_it_can():
+    assert check(edges=4).engine == "python"
+    assert check(edges=5).engine == "kernel"
     report = check(edges=6)
     assert report.engine == "kernel"
     assert report.exit_code == 0
     assert report.worlds == 2 + 10 + 74 + 706 + 8162 + 110410
-    assert check(vertices=3, map_class="simple", edges=6).engine == "python"
+    assert check(vertices=3, map_class="simple", edges=6).engine == "kernel"
+    assert check(edges=5, vertices=1, policy="random:1").engine == "python"
+
+
+@pytest.mark.parametrize("kept", [False, True])
+def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, kept):
+    monkeypatch.setattr(kernel, "is_compiled", lambda _: kept)
+    apart = []
+    monkeypatch.setattr(kernel, "compile_apart", apart.append)
+    listener = Stopper()
+    AGREED.clear()
+    assert check(edges=5, vertices=2, listener=listener).engine == "kernel"
+    assert listener.notices == ([] if kept else [kernel.COMPILING])
+    assert apart == ([] if kept else ["algorithm1"])
 
 
 def test_ctrl_c_leaves_the_finished_levels():

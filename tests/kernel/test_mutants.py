@@ -4,18 +4,22 @@ from dataclasses import replace
 
 import pytest
 
-from allworlds import check
-from allworlds.checker import compiled
+from allworlds import check, kernel
+from allworlds.checker import compiled, questions
+from allworlds.checker.agreement import AGREED, compare_engines
+from allworlds.checker.engines import EnginesDisagree
 from allworlds.findings import Rules
-from allworlds.kernel import engine
-from allworlds.kernel.tables import tables
+from allworlds.kernel import tables
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.enumeration import prefixes
 from allworlds.outcome import Verdict
 from allworlds.runs import Scope
+from allworlds.subjects import load
+from allworlds.work import Limits
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
-WHOLE = compiled.level_tables
+WHOLE = questions.level_tables
 
 
 def percepts_mixed_up(table):
@@ -39,7 +43,7 @@ def retracing_counted_twice(table):
 
 
 def a_bound_too_small(table):
-    table.bound[2] -= 4
+    table.bound[2] //= 2
     return table
 
 
@@ -73,14 +77,22 @@ TABLES = [
 
 @pytest.fixture(autouse=True)
 def fresh_comparison():
-    compiled.compare_engines.cache_clear()
+    AGREED.clear()
+    questions.level_of.cache_clear()
     yield
-    compiled.compare_engines.cache_clear()
+    AGREED.clear()
+    questions.level_of.cache_clear()
+
+
+def asked(edges, **given):
+    """The question of a level, with these tables."""
+    level = questions.level_of("algorithm1", Rules(), Extent(MapClass.MAPS, edges), edges)
+    return replace(level, **given)
 
 
 @pytest.mark.parametrize("mutant", TABLES, ids=lambda mutant: mutant.__name__)
 def test_a_check_with_a_damaged_table_ends_as_an_internal_error(monkeypatch, mutant):
-    monkeypatch.setattr(compiled, "level_tables", lambda *a: mutant(WHOLE(*a)))
+    monkeypatch.setattr(questions, "level_tables", lambda *a: mutant(WHOLE(*a)))
     report = check(edges=6, engine="kernel", workers=2)
     assert report.verdict is Verdict.ERROR
     assert report.exit_code == 70
@@ -89,12 +101,14 @@ def test_a_check_with_a_damaged_table_ends_as_an_internal_error(monkeypatch, mut
 
 @pytest.mark.parametrize("mutant", TABLES, ids=lambda mutant: mutant.__name__)
 def test_without_the_comparison_a_damaged_table_is_found_out_as_well(monkeypatch, mutant):
-    monkeypatch.setattr(compiled, "level_tables", lambda *a: mutant(WHOLE(*a)))
+    monkeypatch.setattr(questions, "level_tables", lambda *a: mutant(WHOLE(*a)))
     monkeypatch.setattr(compiled, "compare_engines", lambda *_: None)
     report = check(edges=6, engine="kernel")
     if mutant in (retracing_for_nothing, retracing_counted_twice):
         # Only another engine can know what a walk should have cost.
-        honest = check(edges=6, engine="kernel") if monkeypatch.undo() else check(edges=6)
+        monkeypatch.undo()
+        questions.level_of.cache_clear()
+        honest = check(edges=6, engine="kernel")
         assert report.tally.traversals != honest.tally.traversals
         return
     assert report.exit_code == 70
@@ -118,47 +132,74 @@ def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damag
     assert all((cell.enumerated > cell.counted) == (damage == "doubled") for cell in wrong)
 
 
-@pytest.mark.parametrize("mode", ["walk", "thorough"])
-def test_the_least_broken_worlds_come_first(mode):
-    table = tables(4, 2000, [0, 0, 10, 10, 10])
-    broken = []
+def test_the_least_broken_worlds_come_first():
+    level = asked(4, tables=tables(4, 2000, [0, 0, 10, 10, 10]))
     for prefix in prefixes(4, depth=1):
-        rows = engine.examine(4, 5, "fifo", prefix, table, mode=mode, keep=3)
-        assert list(rows.broken) == sorted(rows.broken)
-        assert len(rows.broken) == min(3, sum(row.broken for row in rows.counts))
-        broken += rows.broken
+        few, all_ = (kernel.walk(level, prefix, keep=keep).broken for keep in (3, 500))
+        codes = [(world.vertices, world.sigma, world.alpha) for world in all_]
+        assert codes == sorted(codes)
+        assert few == all_[:3]
     # With one vertex 4 loops cost 4 traversals, and 0 are allowed: all 105 maps are broken.
-    whole = engine.examine(4, 5, "fifo", (-8,), table, mode=mode, keep=500)
-    assert len(whole.broken) == 105
-    assert min(broken) == whole.broken[0]
+    assert len(kernel.walk(level, (-8,), keep=500).broken) == 105
 
 
 def test_both_modes_break_in_the_same_worlds():
-    table = tables(5, 2000, [4, 20, 20, 20, 20, 20])
+    allowed = [4, 20, 20, 20, 20, 20]
+    bounds = kernel.Bounds(lambda n, _d0, _largest: allowed[n - 1])
+    level = asked(5, tables=tables(5, 2000, allowed), bounds=bounds)
     for prefix in prefixes(5, depth=1):
-        walked, thorough = (
-            engine.examine(5, 6, "fifo", prefix, table, mode=mode, keep=10_000)
-            for mode in ("walk", "thorough")
-        )
-        assert walked == thorough
+        walked, judged = (does(level, prefix, keep=10_000) for does in (kernel.walk, kernel.judge))
+        # A walk stands for every bearing.
+        places = -prefix[0]
+        assert [
+            (world.vertices, world.sigma, world.alpha, place)
+            for world in walked.broken
+            for place in range(places)
+        ] == [(run.vertices, run.sigma, run.alpha, run.place) for run in judged.broken]
+        assert walked.counts == judged.counts
 
 
 def test_a_walk_that_fails_half_way_blames_every_completion():
     # Out of fuel from the first pass on: every world of the unit is broken, and all are met.
-    table = tables(4, 0)
-    rows = engine.examine(4, 5, "fifo", (-3,), table, keep=1000)
-    honest = engine.examine(4, 5, "fifo", (-3,), tables(4, 2000))
-    assert [row.worlds for row in rows.counts] == [row.worlds for row in honest.counts]
-    assert len({*rows.broken}) == sum(row.worlds for row in honest.counts)
-    assert all(row.broken == row.worlds and row.traversals == 0 for row in rows.counts)
+    broken = kernel.walk(asked(4, tables=tables(4, 0)), (-3,), keep=1000)
+    honest = kernel.walk(asked(4), (-3,))
+    assert [row.worlds for row in broken.counts] == [row.worlds for row in honest.counts]
+    assert len({*broken.broken}) == sum(row.worlds for row in honest.counts)
+    assert all(row.traversals == 0 for row in broken.counts)
 
 
-def test_a_disagreement_names_the_world():
-    rules = Rules()
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(compiled, "level_tables", lambda *a: retracing_for_nothing(WHOLE(*a)))
-        with pytest.raises(compiled.EnginesDisagree, match=r"sigma=\[.*bearing=0"):
-            compiled.compare_engines(rules.policy, 4)
+def test_a_disagreement_names_the_world(monkeypatch):
+    monkeypatch.setattr(questions, "level_tables", lambda *a: retracing_for_nothing(WHOLE(*a)))
+    scope = Scope(Extent(MapClass.MAPS, 6), Rules())
+    with pytest.raises(EnginesDisagree, match=r"sigma=\[.*place=0"):
+        compare_engines(scope, load("algorithm1"), Limits())
+
+
+def test_a_judge_that_is_wrong_is_found_out_before_the_first_level(monkeypatch):
+    honest = kernel.judge
+
+    def forgetful(*arguments, **options):
+        rows = honest(*arguments, **options)
+        return replace(rows, listed=rows.listed[:-1])
+
+    monkeypatch.setattr(kernel, "judge", forgetful)
+    report = check(edges=2, engine="kernel")
+    assert report.exit_code == 70
+    assert "the kernel: no run" in report.ending.reason
+
+
+def test_what_the_judge_blames_is_asked_of_the_python_engine(monkeypatch):
+    monkeypatch.setattr(compiled, "compare_engines", lambda *_: None)
+    honest = questions.level_of
+
+    def stricter(*arguments):
+        level = honest(*arguments)
+        return replace(level, bounds=kernel.Bounds(lambda *_: 0))
+
+    monkeypatch.setattr(compiled, "level_of", stricter)
+    report = check(edges=2, engine="kernel")
+    assert report.exit_code == 70
+    assert "bound is broken, the python engine that none is" in report.ending.reason
 
 
 def test_rules_are_left_as_they_were():

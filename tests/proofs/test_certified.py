@@ -10,8 +10,9 @@ IMPOSTOR = Path(__file__).parents[1] / "explorers_for_tests" / "impostor.py"
 
 
 @pytest.fixture
-def certified(proofs):
+def certified(proofs, monkeypatch):
     """The module ``certified.py``, loaded anew."""
+    monkeypatch.syspath_prepend(str(proofs))
     specification = importlib.util.spec_from_file_location("certified", proofs / "certified.py")
     module = importlib.util.module_from_spec(specification)
     # Dataclasses look their module up.

@@ -1,13 +1,15 @@
 """Write the JSON Schemas from the typed descriptions, and the reference of keys from them.
 
 ``python tests/schemas/generate.py`` writes ``src/allworlds/schemas`` and ``docs/documents.md``
-anew, and the table of explorers in ``docs/protocol.md``; ``test_generated.py`` compares.  The
-descriptions are in ``allworlds.documents``, names in the tables that these name.
+anew, the table of explorers in ``docs/protocol.md``, and the names of the verbs in the package's
+``__init__.py``; ``test_generated.py`` compares.  The descriptions are in ``allworlds.documents``,
+names in the tables that these name.
 """
 
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
@@ -24,11 +26,13 @@ from typing import (
     is_typeddict,
 )
 
+import allworlds
 from allworlds import documents
 from allworlds.documents import MORE_KEYS, PAGES, Begins, Keywords, KindsOf, Named
 
 ROOT = Path(__file__).parents[2]
 SCHEMAS = ROOT / "src" / "allworlds" / "schemas"
+PACKAGE = ROOT / "src" / "allworlds" / "__init__.py"
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 # ---------------------------------------------------------------- types and their metadata
@@ -223,6 +227,26 @@ def schema_text(name: str) -> str:
     return json.dumps(schema_of_page(name), indent=2) + "\n"
 
 
+# ---------------------------------------------------------------- the package
+
+
+def package_text(source: str) -> str:
+    """The package's module with every verb's name, for those who read it without running it."""
+    homes: dict[str, list[str]] = {"allworlds": sorted(allworlds.GROUPS)}
+    for name, home in sorted(allworlds._HOMES.items()):  # it is for nobody else
+        homes.setdefault(f"allworlds.{home}", []).append(name)
+    verbs = {name for names_ in homes.values() for name in names_}
+    capitals = {name for name in allworlds.__all__ if not name[0].islower()}
+    imports = [f"from {home} import {', '.join(homes[home])}" for home in sorted(homes)]
+    listed = [f'"{name}",' for name in sorted(capitals | verbs)]
+    for heading, lines in (("if TYPE_CHECKING:", imports), ("__all__ = [", listed)):
+        block = "".join(f"    {line}\n" for line in lines)
+        source = re.sub(
+            rf"(?<=^{re.escape(heading)}\n)(    .*\n)+", block, source, flags=re.MULTILINE
+        )
+    return source
+
+
 # ---------------------------------------------------------------- files
 
 
@@ -236,6 +260,7 @@ def main() -> None:
             file.unlink()
     for file, text in texts.items():
         (SCHEMAS / file).write_text(text, encoding="utf-8")
+    PACKAGE.write_text(package_text(PACKAGE.read_text("utf-8")), "utf-8")
     PROTOCOL.write_text(with_tables(PROTOCOL.read_text("utf-8")), "utf-8")
     REFERENCE.write_text(page_text({name: schema_of_page(name) for name in PAGES}), "utf-8")
 

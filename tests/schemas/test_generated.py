@@ -2,14 +2,16 @@
 
 import json
 from importlib.resources import files
+from inspect import getsource
 from typing import Annotated, NotRequired, TypedDict
 
 import pytest
 
+import allworlds
 from allworlds.documents import PAGES, Begins, Keywords
 from allworlds.outcome import SCHEMA
 from allworlds.verbs import VERBS
-from schemas.generate import schema, schema_text
+from schemas.generate import package_text, schema, schema_text
 from schemas.reference import PROTOCOL, REFERENCE, page_text, with_tables
 
 WRITTEN = {
@@ -37,6 +39,13 @@ def test_the_table_of_explorers_is_what_the_code_says():
     page = PROTOCOL.read_text(encoding="utf-8")
     assert page == with_tables(page), WRITE_ANEW
     assert "| `algorithm1-natural` | `natural` | `two-vertices` |" in page
+
+
+def test_the_package_names_every_verb_for_those_who_do_not_run_it():
+    source = getsource(allworlds)
+    assert source == package_text(source), WRITE_ANEW
+    less = "".join(line for line in source.splitlines(keepends=True) if "twins" not in line)
+    assert package_text(less) == source
 
 
 def test_every_key_that_needs_words_has_them():

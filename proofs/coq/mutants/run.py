@@ -4,8 +4,10 @@ Usage: run.py [--workers N] [NAME ...]   (the unchanged files must have been com
 
 ``mutants.json`` lists them: a file, a text that stands in it exactly once, the text put in its
 place, what that breaks, and what dies of it: ``truth`` (some theorem is then false) or
-``script`` (the statements stay true, only a proof script no longer fits).
-Exit 1 if a mutant compiles, does not apply, or runs out of time.
+``script`` (the statements stay true, only a proof script no longer fits).  ``dies_in``, if it
+is there, names the file that no longer compiles: what is not needed for it is compiled only if it
+does.  Nothing else rests on that name.
+Exit 1 if a mutant compiles, does not apply, or runs out of time; exit 2 if there is none of a name.
 """
 
 import argparse
@@ -21,7 +23,7 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent
-LIMIT = 120
+LIMIT = 120  # seconds of CPU for each file
 
 
 def sources() -> list[str]:
@@ -46,12 +48,28 @@ def affected(name: str) -> list[str]:
     return reached
 
 
+def needed(name: str) -> set[str]:
+    """``name`` and the files that it depends on."""
+    reached = {name}
+    for other in reversed(sources()):
+        if other in reached:
+            reached |= imports(other)
+    return reached
+
+
+def in_order(mutant: dict[str, str]) -> list[str]:
+    """The files to compile: first those that the one where it should die needs."""
+    todo = affected(mutant["file"])
+    first = needed(mutant.get("dies_in", mutant["file"]))
+    return sorted(todo, key=lambda name: name not in first)
+
+
 def outcome(mutant: dict[str, str]) -> tuple[bool, str]:
     """Whether the mutant dies, and where."""
     text = (ROOT / mutant["file"]).read_text()
     if text.count(mutant["old"]) != 1:
         return False, f"does not apply: its text stands {text.count(mutant['old'])} times"
-    todo = affected(mutant["file"])
+    todo = in_order(mutant)
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
         for name in sources():
@@ -60,13 +78,11 @@ def outcome(mutant: dict[str, str]) -> tuple[bool, str]:
                 shutil.copy((ROOT / name).with_suffix(".vo"), place)
         (place / mutant["file"]).write_text(text.replace(mutant["old"], mutant["new"]))
         for name in todo:
-            command = ["coqc", "-w", "none", "-Q", ".", "Allworlds", name]
-            try:
-                run = subprocess.run(
-                    command, cwd=place, capture_output=True, text=True, check=False, timeout=LIMIT
-                )
-            except subprocess.TimeoutExpired:
-                return False, f"no verdict on {name} after {LIMIT} s"
+            coqc = ["coqc", "-w", "none", "-Q", ".", "Allworlds", name]
+            command = [str(ROOT / "limit"), str(LIMIT), *coqc]
+            run = subprocess.run(command, cwd=place, capture_output=True, text=True, check=False)
+            if run.returncode and "Error:" not in run.stderr:
+                return False, f"no verdict on {name}: {run.stderr.strip()[-200:]}"
             if run.returncode:
                 line = re.search(r"line (\d+)", run.stderr)
                 return True, f"{name}:{line.group(1) if line else '?'}"
@@ -80,14 +96,17 @@ def main() -> int:
     parser.add_argument("--workers", type=int, default=2)
     options = parser.parse_args()
     mutants = json.loads((HERE / "mutants.json").read_text())
+    if unknown := set(options.names) - {m["name"] for m in mutants}:
+        parser.error(f"no mutant has the name {', '.join(sorted(unknown))}")
     chosen = [m for m in mutants if not options.names or m["name"] in options.names]
     began = time.monotonic()
     with concurrent.futures.ThreadPoolExecutor(options.workers) as pool:
-        results = list(pool.map(outcome, chosen))
-    for mutant, (dead, where) in zip(chosen, results, strict=True):
-        state = "dies" if dead else "SURVIVES"
-        print(f"{state:8} {mutant['kind']:6} {mutant['name']}: {where}; {mutant['breaks']}")
-    alive = sum(not dead for dead, _ in results)
+        alive = 0
+        for mutant, (dead, where) in zip(chosen, pool.map(outcome, chosen), strict=True):
+            state = "dies" if dead else "SURVIVES"
+            line = f"{state:8} {mutant['kind']:6} {mutant['name']}: {where}; {mutant['breaks']}"
+            print(line, flush=True)
+            alive += not dead
     truths = sum(m["kind"] == "truth" for m in chosen)
     print(
         f"{len(chosen)} mutants ({truths} of the truth), {alive} survive, "

@@ -67,3 +67,12 @@ let field key = function Object items -> (try List.assoc key items with Not_foun
 let int = function Int n -> n | _ -> raise (Malformed "an integer expected")
 let ints = function List l -> List.map int l | _ -> raise (Malformed "a list expected")
 let show l = "[" ^ String.concat "," (List.map string_of_int l) ^ "]"
+let quote text =
+  let out = Buffer.create (String.length text + 2) in
+  Buffer.add_char out '"';
+  String.iter (function
+    | '"' -> Buffer.add_string out "\\\"" | '\\' -> Buffer.add_string out "\\\\"
+    | c when c < ' ' -> Buffer.add_string out (Printf.sprintf "\\u%04x" (Char.code c))
+    | c -> Buffer.add_char out c) text;
+  Buffer.add_char out '"';
+  Buffer.contents out

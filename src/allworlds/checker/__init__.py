@@ -4,8 +4,10 @@
     the options that ``check``, ``fuzz`` and ``run`` share;
 ``exhaustive``
     level by level to a report;
-``engines``, ``compiled``
-    **the** table of engines, and the compiled one;
+``engines``
+    **the** table of engines;
+``compiled``, ``questions``, ``agreement``
+    the compiled one: its rows into tallies, what it is asked, and whether it is to be believed;
 ``gate``
     what a complete check must have met: every world, and certain events;
 ``corpus``

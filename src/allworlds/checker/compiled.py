@@ -1,46 +1,42 @@
 """The compiled engine of a check: rows of the kernel into tallies.
 
-The kernel walks each rooted map once, at bearing 0, and the walk is counted once for every
-bearing, because Algorithm 1 looks at the marker's direction only to tell the darts of v0
-apart.  That premise, and the kernel itself, are compared with the Python engine before the
-first level: world by world, on every bearing, up to AGREEMENT_EDGES edges.
+Up to m = 5 every run is played and judged by itself.  From there on Algorithm 1 with its
+directional lighthouse is walked once in each rooted map, and the walk is counted for every
+bearing, because the marker's direction only tells the darts of v0 apart.  That premise, and the
+kernel itself, are compared with the general engine before the first level
+(:mod:`allworlds.checker.agreement`).  What the kernel says of a broken law is taken from the
+general engine, or nothing is.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import cache
+from itertools import islice
 from typing import Any, Self
 
 from allworlds import kernel
+from allworlds.checker.agreement import AGREEMENT_EDGES, compare_engines
 from allworlds.checker.engines import EnginesDisagree, Job
-from allworlds.episode import default_step_budget
-from allworlds.findings import Rules
-from allworlds.judge import paper_bound
-from allworlds.kernel import Tables, tables
+from allworlds.checker.questions import WALKED_FROM, level_of, walks
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.maps.counting import source_for
-from allworlds.maps.enumeration import prefixes
 from allworlds.runs import Examiner, Row, Scope, Tally, Unit
-from allworlds.subjects import Subject, load
-from allworlds.world import Directional, World
-
-AGREEMENT_EDGES = 4
-"""The largest m for which a run begins with a comparison of both engines, world by world."""
+from allworlds.subjects import Subject
+from allworlds.world import World
 
 BATCH = 8
 """Units that a thread does at a time, so that handing them over costs little."""
 
 SYMMETRY = (
-    "each rooted map is walked once, at bearing 0, and counted for every bearing: the walk does "
-    f"not depend on it, as the python engine confirms on every bearing up to m = {AGREEMENT_EDGES}"
+    f"from m = {WALKED_FROM} on each rooted map is walked once, at bearing 0, and counted for "
+    "every bearing: the walk does not depend on it, as the python engine confirms on every "
+    f"bearing up to m = {AGREEMENT_EDGES}"
 )
 
 
 @dataclass(frozen=True, slots=True)
 class CompiledExamination:
-    """All runs of a unit, walked and judged by the kernel.
+    """All runs of a unit, played and judged, or walked, by the kernel.
 
     Attributes:
         scope, subject, keep: as for the general engine.
@@ -59,11 +55,10 @@ class CompiledExamination:
         Raises:
             EnginesDisagree: naming the first world in which they do.
         """
-        if not kernel.is_compiled(kernel.explore):
+        if not kernel.is_compiled(kernel.examine):
             job.notice(kernel.COMPILING)
-        scope = job.scope
-        compare_engines(scope.rules.policy, min(scope.extent.levels[-1], AGREEMENT_EDGES))
-        return cls(scope, job.subject, job.keep)
+        compare_engines(job.scope, job.subject, job.limits)
+        return cls(job.scope, job.subject, job.keep)
 
     def halt(self) -> None:
         """Give up."""
@@ -74,118 +69,59 @@ class CompiledExamination:
 
         Raises:
             EnginesDisagree: if the general engine does not confirm a broken law.
+            InputError: for a bound that has no value in a world.
         """
-        rows = kernel.examine(
-            unit.edges,
-            self.scope.extent.vertex_limit(unit.edges),
-            self.scope.rules.policy,
-            unit.prefix,
-            level_tables(self.scope.rules, unit.edges),
-            keep=self.keep,
-            halt=self.flag,
-        )
-        yield self._tally(unit, rows)
+        scope = self.scope
+        level = level_of(self.subject.name, scope.rules, scope.extent, unit.edges)
+        does = kernel.walk if walks(scope, self.subject, unit.edges) else kernel.judge
+        yield self._tally(unit, does(level, unit.prefix, keep=self.keep, halt=self.flag))
 
     def _tally(self, unit: Unit, rows: kernel.Rows) -> Tally:
         tally = Tally(self.keep)
-        places = -unit.prefix[0]
         for counts in rows.counts:
-            runs = places * counts.worlds
-            row = Row(
-                counts.worlds,
-                runs,
-                runs,
-                places * counts.traversals,
-                counts.traversals,
-                counts.largest,
-                self.scope.rules.the_bound.value(counts.vertices, unit.edges, 0, 0),
+            row = tally.row(unit.edges, counts.vertices)
+            row.add(
+                Row(
+                    counts.worlds,
+                    counts.runs,
+                    counts.runs,
+                    counts.traversals,
+                    counts.traversals_rooted,
+                    counts.largest,
+                )
             )
-            tally.row(unit.edges, counts.vertices).add(row)
-            tally.checkpoints += unit.edges * runs
-            for event, count in counts.per_walk.items():
-                tally.witnesses[event] += places * count
-            tally.witnesses.update(counts.per_world)
-        for _, sigma, alpha in rows.broken:
-            try:
-                map_ = CombinatorialMap(sigma, alpha)
-            except InvalidMap as error:
-                raise EnginesDisagree(f"the kernel met a world that is none: {error}") from None
-            self._blame(map_, tally)
+            tally.checkpoints += counts.checkpoints
+            tally.left_out += counts.left_out
+            tally.witnesses["loop-edge"] += counts.loops
+            tally.witnesses["parallel-edge"] += counts.parallels
+        for n, d0, largest in rows.met:
+            # Where a run has a bound without a value, this says so.
+            bound = self.scope.rules.the_bound.value(n, unit.edges, d0, largest)
+            tally.row(unit.edges, n).bound_of(bound)
+        tally.witnesses.update(rows.events)
         tally.witnesses = +tally.witnesses
+        for broken in rows.broken:
+            self._blame(broken, tally)
         return tally
 
-    def _blame(self, map_: CombinatorialMap, tally: Tally) -> None:
-        """The findings of the Python engine in a world where the kernel says a law is broken."""
-        examiner = Examiner(self.subject, self.scope.rules)
-        for place, lighthouse in enumerate(Directional.places(map_, 0)):
+    def _blame(self, broken: kernel.Broken, tally: Tally) -> None:
+        """The findings of the general engine where the kernel says that a law is broken."""
+        try:
+            map_ = CombinatorialMap(broken.sigma, broken.alpha)
+        except InvalidMap as error:
+            raise EnginesDisagree(f"the kernel met a world that is none: {error}") from None
+        rules = self.scope.rules
+        examiner = Examiner(self.subject, rules)
+        places = enumerate(rules.kind.places(map_, 0))
+        only = slice(None) if broken.place is None else slice(broken.place, broken.place + 1)
+        for place, lighthouse in islice(places, only.start, only.stop):
             world = World(map_, lighthouse, 0)
-            outcome = examiner.examine(world, self.scope.rules.choices(""))
-            if outcome.violation is None:
+            outcome = examiner.examine(world, rules.choices(""))
+            law = outcome.violation.law if outcome.violation else ""
+            if not law or broken.law not in ("", law):
                 raise EnginesDisagree(
-                    f"the kernel says that a law is broken, the python engine that all hold, in "
-                    f"the world sigma={list(map_.sigma)} alpha={list(map_.alpha)} bearing={place}"
+                    f"the kernel says that {broken.law or 'a law'} is broken, the python engine "
+                    f"that {law or 'none'} is, in the world sigma={list(map_.sigma)} "
+                    f"alpha={list(map_.alpha)} place={place}"
                 )
             tally.find(examiner.finding(world, place, outcome))
-
-
-@cache
-def _budget(edges: int) -> int:
-    return max(default_step_budget(paper_bound(n, edges)) for n in range(1, edges + 2))
-
-
-def level_tables(rules: Rules, edges: int) -> Tables:
-    """The kernel's tables for a level under these rules."""
-    bounds = [rules.the_bound.value(n, edges, 0, 0) for n in range(1, edges + 2)]
-    return tables(edges, _budget(edges), bounds)
-
-
-@cache
-def compare_engines(policy: str, edges: int) -> None:
-    """Nothing, where both engines agree on every world and bearing up to so many edges.
-
-    Raises:
-        EnginesDisagree: naming the first world in which they do not.
-    """
-    rules = Rules(policy=policy)
-    examiner = Examiner(load("algorithm1"), rules)
-    for level in range(1, edges + 1):
-        listed = list(listed_costs(rules, level))
-        worlds = sum(source_for("maps").cells(level).values())
-        if len(listed) != worlds:
-            raise EnginesDisagree(
-                f"the kernel ends its walk in {len(listed)} of {worlds} worlds with {level} edges"
-            )
-        for map_, cost in listed:
-            for bearing, lighthouse in enumerate(Directional.places(map_, 0)):
-                outcome = examiner.examine(World(map_, lighthouse, 0), rules.choices(""))
-                if outcome.violation or outcome.cost != cost:
-                    law = outcome.violation.law if outcome.violation else "none"
-                    raise EnginesDisagree(
-                        f"the kernel walks {cost} traversals, the python engine {outcome.cost} "
-                        f"(broken law: {law}), in the world sigma={list(map_.sigma)} "
-                        f"alpha={list(map_.alpha)} bearing={bearing}"
-                    )
-
-
-def listed_costs(
-    rules: Rules, edges: int, mode: kernel.Mode = "walk"
-) -> Iterator[tuple[CombinatorialMap, int]]:
-    """Every map of a level, rooted at dart 0, with the cost of the kernel's walk in it.
-
-    Cost: the memory of all of them; meant for m <= 5.
-    """
-    room = sum(source_for("maps").cells(edges).values())
-    for prefix in prefixes(edges, depth=1):
-        for cost, degrees, partners in kernel.costs(
-            edges, rules.policy, prefix, level_tables(rules, edges), room, mode=mode
-        ):
-            yield CombinatorialMap(rotation(degrees), partners), cost
-
-
-def rotation(degrees: Iterable[int]) -> list[int]:
-    """``sigma`` of vertices whose darts are consecutive and clockwise."""
-    sigma: list[int] = []
-    for degree in degrees:
-        first = len(sigma)
-        sigma += [*range(first + 1, first + degree), first]
-    return sigma

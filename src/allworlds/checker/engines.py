@@ -8,19 +8,9 @@ from typing import Any, Protocol
 
 from allworlds.inputs import InputError
 from allworlds.isolation import workers_for
-from allworlds.maps.classes import MapClass
 from allworlds.runs import Examination, Scope
 from allworlds.subjects import Subject
 from allworlds.work import Limits, Threads, Transport
-
-FROM_EDGES = 6
-"""The least bound from which ``auto`` takes the compiled engine where it can."""
-
-TO_EDGES = 12
-"""The greatest bound that the compiled engine has room for."""
-
-COMPILED_LAWS = ("map", "pose", "invariant-1", "invariant-2", "variant", "folding", "bound")
-"""The laws that the compiled engine checks, all together."""
 
 
 class EnginesDisagree(Exception):
@@ -60,8 +50,7 @@ class Engine(Protocol):
 
     name: str
 
-    @property
-    def symmetry(self) -> str:
+    def symmetry(self, scope: Scope, subject: Subject) -> str:
         """Where one run is counted for several, why that is right; else empty."""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
@@ -79,7 +68,10 @@ class General:
     """Every explorer, every option: generators in worker processes."""
 
     name = "python"
-    symmetry = ""
+
+    def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
+        """Each run is played."""
+        return ""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # it can do all
         """None."""
@@ -92,41 +84,25 @@ class General:
 
 
 class Compiled:
-    """Algorithm 1 in compiled code, in threads."""
+    """The built-in explorers and the judge in compiled code, in threads."""
 
     name = "kernel"
 
-    @property
-    def symmetry(self) -> str:
-        """Bearings."""
+    def symmetry(self, scope: Scope, subject: Subject) -> str:
+        """Bearings, in large maps."""
         from allworlds.checker.compiled import SYMMETRY
+        from allworlds.checker.questions import walks
 
-        return SYMMETRY
+        return SYMMETRY if walks(scope, subject, scope.extent.levels[-1]) else ""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """The first option that it does not know."""
-        rules, extent = scope.rules, scope.extent
-        if subject.name != "algorithm1":
-            return f"runs only algorithm1, not {subject.name!r}"
-        if rules.lighthouse != "directional":
-            return f"knows only the lighthouse directional, not {rules.lighthouse!r}"
-        if extent.map_class is not MapClass.MAPS:
-            return f"knows only the class maps, not {extent.map_class.value!r}"
-        if extent.levels[-1] > TO_EDGES:
-            return f"has room for {TO_EDGES} edges, not for {extent.levels[-1]}"
-        if rules.policy not in ("fifo", "lifo", "nearest"):
-            return f"knows the policies fifo, lifo and nearest, not {rules.policy!r}"
-        if scope.schedules != "one":
-            return "walks one schedule (see worst for all of them)"
-        if rules.laws:
-            return "checks all laws together, not a choice of them"
-        if unknown := [law for law in rules.applying if law not in COMPILED_LAWS]:
-            return f"does not check the law {unknown[0]!r}"
-        if rules.step_budget is not None:
-            return "knows only the default step budget"
-        if not rules.the_bound.variables <= {"n", "m"}:
-            return f"knows only bounds over n and m, not {rules.the_bound.name!r}"
-        return ""
+        if subject.foreign:
+            # Said before the kernel is loaded, which takes half a second.
+            return f"runs only built-in explorers, not {subject.name!r}"
+        from allworlds.checker.questions import obstacle
+
+        return obstacle(scope, subject)
 
     def ready(self, job: Job) -> Way:
         """Threads, after both engines have agreed on every small world."""
@@ -138,6 +114,10 @@ class Compiled:
 
 ENGINES: dict[str, Engine] = {engine.name: engine for engine in (General(), Compiled())}
 """Every engine by its name."""
+
+
+COMPILED_FROM = 5
+"""Checks of so many edges are worth the compiling; smaller ones are done before it would begin."""
 
 
 def engine_for(name: str, scope: Scope, subject: Subject) -> Engine:
@@ -153,8 +133,8 @@ def engine_for(name: str, scope: Scope, subject: Subject) -> Engine:
     """
     if name == "auto":
         compiled = ENGINES["kernel"]
-        able = not compiled.obstacle(scope, subject) and scope.extent.levels[-1] >= FROM_EDGES
-        return compiled if able else ENGINES["python"]
+        small = scope.extent.levels[-1] < COMPILED_FROM
+        return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled
     if name not in ENGINES:
         raise InputError(f"engine {name!r} is none of auto, {', '.join(ENGINES)}")
     if obstacle := ENGINES[name].obstacle(scope, subject):

@@ -135,7 +135,7 @@ class _Check:
             ending,
             tuple(self._gate),
             self._corpus,
-            self._engine.symmetry,
+            self._engine.symmetry(self._scope, self._subject),
         )
 
     def _tried(self) -> Ending:

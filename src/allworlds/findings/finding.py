@@ -13,7 +13,7 @@ from allworlds.findings.rules import Rules
 from allworlds.inputs import InputError, parse_json, show
 from allworlds.judge import PRECEDENCE
 from allworlds.maps.canonical import Code, numbering, rooted_code
-from allworlds.protocol import DEFAULT_POLICY, Transcript
+from allworlds.protocol import Transcript
 from allworlds.subjects import EXEC, own_bound
 from allworlds.world import World
 
@@ -76,18 +76,7 @@ class Finding:
         else:
             command += [self.explorer]
         command += [json.dumps(self.world.to_json(), separators=(",", ":"))]
-        if self.rules.policy != DEFAULT_POLICY:
-            command += ["--policy", self.rules.policy]
-        if any(self.choices) or (self.choices and self.rules.policy != DEFAULT_POLICY):
-            command += ["--choices", ",".join(map(str, self.choices))]
-        if self.rules.bound and self.rules.bound != self.rules.default_bound:
-            command += ["--bound", self.rules.bound]
-        if self.rules.step_budget is not None:
-            command += ["--step-budget", str(self.rules.step_budget)]
-        given = Rules(self.rules.lighthouse, bound=self.rules.bound, own_bound=self.rules.own_bound)
-        if self.rules.applying != given.applying:
-            command += ["--laws", ",".join(self.rules.applying)]
-        return shlex.join(command)
+        return shlex.join(command + self.rules.arguments(self.choices))
 
     def to_json(self) -> documents.Finding:
         """The document of a finding."""

@@ -124,6 +124,22 @@ class Rules:
         """Fresh choices for the run of that name, which a random policy draws anew for."""
         return Choices(policy_named(self.policy, name), script)
 
+    def arguments(self, script: Sequence[int] = ()) -> list[str]:
+        """The options of ``run`` that give these rules, and these answers to the first choices."""
+        given: list[str] = []
+        if self.policy != DEFAULT_POLICY:
+            given += ["--policy", self.policy]
+        if any(script) or (script and self.policy != DEFAULT_POLICY):
+            given += ["--choices", ",".join(map(str, script))]
+        if self.bound and self.bound != self.default_bound:
+            given += ["--bound", self.bound]
+        if self.step_budget is not None:
+            given += ["--step-budget", str(self.step_budget)]
+        alike = Rules(self.lighthouse, bound=self.bound, own_bound=self.own_bound)
+        if self.applying != alike.applying:
+            given += ["--laws", ",".join(self.applying)]
+        return given
+
     def to_json(self) -> documents.Options:
         """The options as they stand in a finding."""
         return {

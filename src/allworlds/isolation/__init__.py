@@ -22,11 +22,12 @@ from allworlds.isolation.confirm import confirmed, examine_apart
 from allworlds.isolation.jobs import HarnessError
 from allworlds.isolation.looking import subject_of
 from allworlds.isolation.players import Unsettled
-from allworlds.isolation.workers import workers_for
+from allworlds.isolation.workers import Workers, workers_for
 
 __all__ = [
     "HarnessError",
     "Unsettled",
+    "Workers",
     "confirmed",
     "examine_apart",
     "subject_of",

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from allworlds.episode import Log
 from allworlds.findings import Rules
 from allworlds.protocol import Percept
-from allworlds.runs import Examination, Record, Schedule, Tally, Worlds
+from allworlds.runs import Examination, Examines, Record, Schedule, Worlds
 from allworlds.subjects import Source, Subject
 from allworlds.world import World
 
@@ -126,17 +126,17 @@ class Appointment:
 class UnitJob:
     """Examine a unit from run ``start`` on; answered by :class:`Tallied`, some time and again."""
 
-    examination: Examination
+    examination: Examines
     unit: Worlds
     start: int
 
 
 @dataclass(frozen=True, slots=True)
 class Tallied:
-    """The tally of the runs before ``next_run``, since the last."""
+    """Answer to a :class:`UnitJob`: what came since, up to the run ``next_run``."""
 
     next_run: int
-    tally: Tally
+    result: Any
     last: bool
 
 

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Iterator, MutableSequence
+from collections.abc import MutableSequence
 from multiprocessing.connection import Connection
 from random import Random
-from typing import Protocol
 
 from allworlds.inputs import InputError
 from allworlds.isolation.jobs import (
@@ -18,16 +17,9 @@ from allworlds.isolation.jobs import (
 )
 from allworlds.isolation.players import Cast, Unsettled
 from allworlds.isolation.process import Guardian, limit_memory
-from allworlds.runs import Examination, OwnExamination, PlayedTwice, Tally, Worlds
+from allworlds.runs import Examination, Examines, InParts, PlayedTwice
 from allworlds.subjects import built_in
 from allworlds.work import with_last
-
-
-class Engine(Protocol):
-    """What is done with a unit from some run on."""
-
-    def parts(self, unit: Worlds, start: int = 0) -> Iterator[tuple[int, Tally]]:
-        """The number of the next run and the tally since, some time and again."""
 
 
 class RefereeProcess:
@@ -69,20 +61,21 @@ class RefereeProcess:
         order = Random(appointment.order)  # noqa: S311  # drawn from the system by the owner
         return Cast(self._guardian, casting, order, self._alive, self._remarks.append)
 
-    def _engine(self, appointment: Appointment, cast: Cast, examination: Examination) -> Engine:
+    def _engine(self, appointment: Appointment, cast: Cast, examination: Examines) -> InParts:
         subject = appointment.subject
-        if subject.foreign:
-            return PlayedTwice(examination, subject.name, cast)
-        return OwnExamination(examination, built_in(subject.name))
+        if not subject.foreign:
+            return examination.own(built_in(subject.name))
+        assert isinstance(examination, Examination)
+        return PlayedTwice(examination, subject.name, cast)
 
-    def _examine(self, engine: Engine, job: UnitJob) -> None:
+    def _examine(self, engine: InParts, job: UnitJob) -> None:
         try:
-            for (next_run, tally), last in with_last(engine.parts(job.unit, job.start)):
+            for (next_run, result), last in with_last(engine.parts(job.unit, job.start)):
                 self._alive()
                 for remark in self._remarks:
-                    tally.remark(remark)
+                    result.remark(remark)
                 self._remarks.clear()
-                self._connection.send(Tallied(next_run, tally, last))
+                self._connection.send(Tallied(next_run, result, last))
         except (InputError, Unsettled) as error:
             self._connection.send(error)
         except OSError:

@@ -7,19 +7,12 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
-from typing import Self
+from typing import Any, Self
 
 from allworlds.isolation.jobs import Appointment, Tallied, UnitJob
 from allworlds.isolation.players import Unsettled
 from allworlds.isolation.process import Guardian, Process, close_all, guardian
-from allworlds.runs import (
-    Examination,
-    OwnExamination,
-    PlayedTwice,
-    PlayersHere,
-    Tally,
-    Worlds,
-)
+from allworlds.runs import Examination, Examines, PlayedTwice, PlayersHere, Tally, Worlds
 from allworlds.subjects import Subject
 from allworlds.work import POLL, Limits, Part, Transport, check_deadline, with_last
 
@@ -67,7 +60,7 @@ class Workers:
         self._idle.clear()
         self._busy.clear()
 
-    def map(self, engine: Examination, units: Iterable[Worlds]) -> Iterator[Part[Worlds, Tally]]:
+    def map(self, engine: Examines, units: Iterable[Worlds]) -> Iterator[Part[Worlds, Any]]:
         """The units, as many at a time as there are workers.
 
         Raises:
@@ -91,7 +84,7 @@ class Workers:
                     yield self._replace(referee, engine, referee.death()[0])
             check_deadline(self.deadline)
 
-    def _hand_out(self, engine: Examination, task: _Task) -> None:
+    def _hand_out(self, engine: Examines, task: _Task) -> None:
         referee = self._idle.pop() if self._idle else self._appointed()
         referee.beat[0] = 0
         self._busy[referee.connection] = (referee, task)
@@ -106,7 +99,7 @@ class Workers:
         )
         return Process(self._guardian, "referee", appointment)
 
-    def _hear(self, connection: Connection, engine: Examination) -> Part[Worlds, Tally]:
+    def _hear(self, connection: Connection, engine: Examines) -> Part[Worlds, Any]:
         referee, task = self._busy[connection]
         try:
             told = referee.receive()
@@ -119,9 +112,9 @@ class Workers:
         if told.last:
             del self._busy[connection]
             self._idle.append(referee)
-        return Part(task.unit, told.tally, told.last)
+        return Part(task.unit, told.result, told.last)
 
-    def _replace(self, referee: Process, engine: Examination, how: str) -> Part[Worlds, Tally]:
+    def _replace(self, referee: Process, engine: Examines, how: str) -> Part[Worlds, Tally]:
         """Go on with another referee, from where the unit was tallied."""
         _, task = self._busy.pop(referee.connection)
         referee.close()
@@ -149,7 +142,7 @@ class ThisProcess:
 
     def map(self, engine: Examination, units: Iterable[Worlds]) -> Iterator[Part[Worlds, Tally]]:
         """The units one after the other."""
-        own = OwnExamination(engine, self.subject)
+        own = engine.own(self.subject)
         twice = PlayedTwice(engine, self.subject.name, PlayersHere(self.subject))
         for unit in units:
             parts = (twice if self.subject.foreign else own).parts(unit)

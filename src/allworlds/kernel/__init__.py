@@ -1,58 +1,82 @@
-"""Compiled engines for the class ``maps``: the same answers, orders of magnitude further.
+"""Compiled engines: the same answers, orders of magnitude further.
 
 Each is compared with a readable twin that shares no code with it.  They hold the interpreter's
 lock only to start and to end, so that threads share the work.
 
-``bits``, ``code``, ``names``
-    sets as bit masks, canonical codes, and the names of small numbers;
-``tables``
-    what the engines look up: bounds, the gluing rule; mutants are damaged tables;
-``walk``
+``engine``, ``rows``
+    the door: plain numbers in, plain rows out;
+``runs``, ``episode``, ``answers``, ``invariants``, ``folding``
+    the judge: every run of every map of a class, played, judged and tallied;
+``gluing``, ``classes``, ``worlds``, ``lighthouses``
+    what is judged: maps, finished one after the other, as worlds with every lighthouse;
+``algorithm1``, ``two_vertices``
+    explorers, each behind the C interface of all explorers;
+``walk``, ``ways``, ``tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
-``thorough``
-    every finished map, one after the other, held to the judge's laws;
-``gluing``
-    every rooted map, one after the other, or only counted by vertices and faces;
-``schedules``
-    the worst and the best cost of a world over all schedules;
-``engine``
-    the door to them: plain numbers in, plain rows out.
+``schedules``, ``dearest``
+    the worst and the best cost of a world over all schedules, and its door;
+``counting``
+    how many maps there are, by vertices and faces;
+``records``, ``tables``, ``names``, ``laws``
+    what is kept in memory, what is looked up, and the names of small numbers;
+``compiling``, ``calls``, ``bits``, ``code``
+    how it is compiled, C functions called by their addresses, sets as bit masks, codes.
 
 This package is imported where it is used: the first use compiles for some seconds, later ones
 load what was compiled.
 """
 
+from allworlds.kernel.compiling import is_compiled
+from allworlds.kernel.dearest import Dearest, dearest_of_unit
 from allworlds.kernel.engine import (
     COMPILING,
-    Counts,
-    Mode,
-    Rows,
+    EXPLORERS,
+    LIGHTHOUSES,
+    MOST_BUDGET,
+    UNDEFINED,
     by_vertices_and_faces,
+    compile_apart,
     costs,
-    examine,
     flag,
-    is_compiled,
+    judge,
+    load_judge,
+    walk,
 )
-from allworlds.kernel.schedules import Dearest, dearest_of_maps, dearest_of_unit, search, take
-from allworlds.kernel.tables import Tables, tables
+from allworlds.kernel.laws import CHECKED
+from allworlds.kernel.rows import Bounds, Broken, Counts, Level, Listed, Rows, walk_number
+from allworlds.kernel.runs import examine
+from allworlds.kernel.schedules import search
+from allworlds.kernel.tables import MOST_EDGES, Tables, tables
 from allworlds.kernel.walk import explore
 
 __all__ = [
+    "CHECKED",
     "COMPILING",
+    "EXPLORERS",
+    "LIGHTHOUSES",
+    "MOST_BUDGET",
+    "MOST_EDGES",
+    "UNDEFINED",
+    "Bounds",
+    "Broken",
     "Counts",
     "Dearest",
-    "Mode",
+    "Level",
+    "Listed",
     "Rows",
     "Tables",
     "by_vertices_and_faces",
+    "compile_apart",
     "costs",
-    "dearest_of_maps",
     "dearest_of_unit",
     "examine",
     "explore",
     "flag",
     "is_compiled",
+    "judge",
+    "load_judge",
     "search",
     "tables",
-    "take",
+    "walk",
+    "walk_number",
 ]

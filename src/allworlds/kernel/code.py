@@ -1,63 +1,66 @@
-"""Canonical codes of rooted maps, and the least few of them."""
+"""Canonical codes of rooted maps, and the least few of what has them."""
 
 from __future__ import annotations
 
-from numba import njit
-from numpy import int64, zeros
+from allworlds.kernel.compiling import inlined, inner
+from allworlds.kernel.records import NONE
 
 
-@njit(cache=True, nogil=True)
-def rotation(vertices, degree, sigma):
-    """``sigma`` for vertices whose darts are consecutive and clockwise."""
-    first = 0
-    for v in range(vertices):
-        for i in range(degree[v]):
-            sigma[first + i] = first + (i + 1) % degree[v]
-        first += degree[v]
-
-
-@njit(cache=True, nogil=True)
-def encode(darts, sigma, alpha, root, code):
-    """The canonical code, sigma then alpha, in ``code[:2 * darts]``."""
-    number = zeros(darts, int64)
-    order = zeros(darts, int64)
-    number[:] = -1
-    number[root] = 0
-    order[0] = root
-    known = 1
-    taken = 0
+@inner
+def number(world, root):
+    """The darts in canonical order from the root in ``world.order``, and their numbers."""
+    for dart in range(world.darts):
+        world.number[dart] = NONE
+    world.number[root] = 0
+    world.order[0] = root
+    known, taken = 1, 0
     while taken < known:
-        x = order[taken]
-        for y in (sigma[x], alpha[x]):
-            if number[y] < 0:
-                number[y] = known
-                order[known] = y
-                known += 1
+        x = world.order[taken]
         taken += 1
-    for i in range(known):
-        code[i] = number[sigma[order[i]]]
-        code[darts + i] = number[alpha[order[i]]]
+        y = world.sigma[x]
+        if world.number[y] == NONE:
+            world.number[y] = known
+            world.order[known] = y
+            known += 1
+        y = world.alpha[x]
+        if world.number[y] == NONE:
+            world.number[y] = known
+            world.order[known] = y
+            known += 1
 
 
-@njit(cache=True, nogil=True)
+@inlined
+def encode(world, root, row, start):
+    """The canonical code, sigma then alpha, in ``row[start:]``."""
+    number(world, root)
+    for i in range(world.darts):
+        row[start + i] = world.number[world.sigma[world.order[i]]]
+        row[start + world.darts + i] = world.number[world.alpha[world.order[i]]]
+
+
+@inner
 def keep_least(least, row):
     """Sort a row into the ascending rows of ``least``; the greatest falls out.
 
     A row begins with its number of vertices; 0 there marks a row that is empty.
     """
     place = least.shape[0]
-    while place > 0 and (least[place - 1, 0] == 0 or _before(row, least[place - 1])):
+    while place > 0 and _before(row, least, place - 1):
+        if place < least.shape[0]:
+            for i in range(len(row)):
+                least[place, i] = least[place - 1, i]
         place -= 1
-    for i in range(least.shape[0] - 1, place, -1):
-        least[i] = least[i - 1]
     if place < least.shape[0]:
-        least[place] = row
+        for i in range(len(row)):
+            least[place, i] = row[i]
 
 
-@njit(cache=True, nogil=True)
-def _before(a, b):
-    """Whether row ``a`` is lexicographically smaller than row ``b``."""
-    for i in range(len(a)):
-        if a[i] != b[i]:
-            return a[i] < b[i]
+@inlined
+def _before(row, least, place):
+    """Whether the row is lexicographically smaller than that of this place, or that is empty."""
+    if least[place, 0] == 0:
+        return True
+    for i in range(len(row)):
+        if row[i] != least[place, i]:
+            return row[i] < least[place, i]
     return False

@@ -1,182 +1,300 @@
-"""A piece of a level, done by one of the compiled engines: plain numbers in, plain rows out."""
+"""A piece of a level, done by one of the compiled engines: plain numbers in, plain rows out.
+
+:func:`judge` plays and judges every run; :func:`walk` walks Algorithm 1 once in each rooted map
+and counts the walk for every bearing of the lighthouse.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, Literal, TypeAlias
+import json
+import subprocess
+import sys
+from collections.abc import Callable, Collection, Sequence
+from threading import local
+from typing import Any
 
-from numpy import array, int64, zeros
+from numpy import argwhere, array, asarray, full, int8, int64, zeros
 
-from allworlds.kernel import gluing, thorough, walk
-from allworlds.kernel.names import (
-    AT_V0,
-    BROKEN,
-    CASE_1,
-    CASE_2,
-    COLUMNS,
-    EMPTY_H,
-    FAILED,
-    LARGEST,
-    LOOP_EDGE,
-    PARALLEL_EDGE,
-    POLICIES,
-    TRAVERSALS,
-    WORLDS,
-)
-from allworlds.kernel.tables import Tables, tables
-
-Mode: TypeAlias = Literal["walk", "thorough"]
-"""``walk``: worlds are decided where the robot looks; ``thorough``: each is finished first."""
+from allworlds.kernel import runs, tally
+from allworlds.kernel import walk as walks
+from allworlds.kernel.algorithm1 import algorithm1_addresses
+from allworlds.kernel.classes import rule_address
+from allworlds.kernel.compiling import uncollected
+from allworlds.kernel.counting import count
+from allworlds.kernel.laws import LAWS
+from allworlds.kernel.lighthouses import KINDS, lighthouse_address
+from allworlds.kernel.names import EVENTS, POLICIES
+from allworlds.kernel.records import COUNTING, JOB, LONG, ROBOT, WALK, new
+from allworlds.kernel.rows import Broken, Counts, Level, Listed, Rows
+from allworlds.kernel.tables import MOST_EDGES, gluing_rule, packed
+from allworlds.kernel.two_vertices import two_vertices_addresses
 
 COMPILING = "compiling the kernel; this is done once and takes some seconds"
 """The notice for a first use."""
 
-_ENGINES = {"walk": walk.explore, "thorough": thorough.examine}
+UNDEFINED = runs.UNDEFINED
+"""In place of a bound that has no value."""
+
+EXPLORERS: dict[str, Callable[[], tuple[int, int, int]]] = {
+    "algorithm1": algorithm1_addresses,
+    "algorithm1-cluster": two_vertices_addresses,
+    "algorithm1-natural": two_vertices_addresses,
+}
+"""The built-in explorers that there are in compiled code."""
+
+LIGHTHOUSES = frozenset(KINDS)
+"""The lighthouses that there are in compiled code."""
+
+MOST_BUDGET = LONG // (2 * MOST_EDGES) - 2
+"""The largest number of traversals that a run has room for."""
 
 
-@dataclass(frozen=True, slots=True)
-class Counts:
-    """What one walk of each rooted map, at one bearing, has shown in the maps of one size.
-
-    Attributes:
-        vertices: n.
-        worlds: rooted maps.
-        broken: those in which a law is broken.
-        traversals: summed over the worlds; where a walk has failed it is not counted.
-        largest: the largest cost of a walk.
-        per_walk: how often each event occurred, summed over the walks.
-        per_world: in how many worlds there is such a thing.
-    """
-
-    vertices: int
-    worlds: int
-    broken: int
-    traversals: int
-    largest: int
-    per_walk: dict[str, int]
-    per_world: dict[str, int]
-
-
-@dataclass(frozen=True, slots=True)
-class Rows:
-    """The outcome of a piece of work.
-
-    Attributes:
-        counts: for each number of vertices that occurs.
-        broken: the least worlds that break a law, as (vertices, sigma, alpha), ascending.
-    """
-
-    counts: tuple[Counts, ...]
-    broken: tuple[tuple[int, tuple[int, ...], tuple[int, ...]], ...]
-
-
-def examine(
-    edges: int,
-    limit: int,
-    policy: str,
+def judge(
+    level: Level,
     prefix: Sequence[int],
-    tables: Tables,
     *,
-    mode: Mode = "walk",
     keep: int = 1,
     halt: Any = None,
+    listed: int = 0,
+    skip: Collection[int] = (),
 ) -> Rows:
-    """Every map of the class ``maps`` whose gluing begins with ``prefix``, walked once.
+    """Every run of the maps whose gluing begins with ``prefix``, played and judged.
 
     Args:
-        edges: m.
-        limit: the largest number of vertices.
-        policy: ``fifo``, ``lifo`` or ``nearest``.
+        level: what is asked.
         prefix: the first decisions, at least one (:func:`allworlds.maps.enumeration.prefixes`).
-        tables: of the level.
-        mode: which engine.
-        keep: how many broken worlds are kept.
+        keep: how many broken runs are kept.
         halt: an array; once its entry 0 is not 0 the work is given up, and means nothing.
+        listed: how many runs are listed.
+        skip: the numbers of runs that are not played.
 
-    Cost: some dozen nanoseconds a world; constant memory.
+    Cost: some microseconds a run; constant memory.
     """
-    counts = zeros((edges + 2, COLUMNS), int64)
-    least = zeros((keep, 1 + 4 * edges), int64)
-    _call(mode, edges, limit, policy, prefix, tables, halt, counts, least, _no_list())
-    rows = [_counts(n, edges, row) for n, row in enumerate(counts.tolist()) if row[WORLDS]]
-    darts = 2 * edges
-    broken = tuple(
-        (row[0], tuple(row[1 : 1 + darts]), tuple(row[1 + darts :]))
-        for row in least.tolist()
-        if row[0]
+    darts = 2 * level.edges
+    job, robot = _room()
+    _set_up(job, robot, level)
+    asked = _Asked(level, prefix, keep, listed, skip)
+    runs.examine(job, *asked.arguments, flag() if halt is None else halt)
+    rows = enumerate(asked.counts.tolist())
+    met = argwhere(asked.met).tolist()
+    return Rows(
+        tuple(Counts(n, *row) for n, row in rows if row[runs.WORLDS]),
+        dict(zip(EVENTS, robot.events.tolist(), strict=False)),
+        tuple((n, d0, largest) for n, d0, largest in met),
+        tuple(_broken(row, darts) for row in asked.least.tolist() if row[0]),
+        tuple(Listed(LAWS[law], *rest) for law, *rest in asked.listing[: job.number].tolist()),
     )
-    return Rows(tuple(rows), broken)
+
+
+class _Asked:
+    """The arguments of the judge between the job and the flag, and room for what it says."""
+
+    def __init__(
+        self,
+        level: Level,
+        prefix: Sequence[int],
+        keep: int = 1,
+        listed: int = 0,
+        skip: Collection[int] = (),
+    ) -> None:
+        width = 3 + 4 * level.edges
+        bounds = _bound_table(level)
+        self.counts = zeros((level.edges + 2, runs.COLUMNS), int64)
+        self.met = zeros(bounds.shape, int8)
+        self.least = zeros((keep, width), int64)
+        self.listing = zeros((listed, runs.LISTED), int64)
+        self.arguments = (
+            array(prefix, int64),
+            level.tables.viable,
+            bounds,
+            self.met,
+            array(level.budgets, int64),
+            self.counts,
+            self.least,
+            zeros(width, int64),
+            self.listing,
+            array(sorted(skip), int64),
+            zeros(2, int64),
+        )
+
+
+def load_judge(level: Level) -> None:
+    """Have the judge loaded or compiled, without the explorer and the lighthouse."""
+    stop = flag()
+    stop[0] = 1
+    with uncollected():
+        runs.examine(_room()[0], *_Asked(level, (-1,)).arguments, stop)
+
+
+def compile_apart(explorer: str) -> None:
+    """Have another process compile an explorer, and leave it in the cache.
+
+    Where there is no cache that could be written to, that is in vain, and nothing else.
+    """
+    command = [sys.executable, "-c", _APART, json.dumps(sys.path), explorer]
+    nothing = subprocess.DEVNULL
+    subprocess.run(command, stdin=nothing, stdout=nothing, stderr=nothing, check=False)  # noqa: S603  # ours
+
+
+_APART = (
+    "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
+    "from allworlds.kernel import EXPLORERS; EXPLORERS[sys.argv[2]]()"
+)
+
+
+def _room() -> tuple[Any, Any]:
+    """This thread's memory: a job, and a robot."""
+    if not hasattr(_OWN, "job"):
+        _OWN.job, _OWN.robot = new(JOB), new(ROBOT)
+    return _OWN.job, _OWN.robot
+
+
+_OWN = local()
+
+
+def _set_up(job: Any, robot: Any, level: Level) -> None:
+    """The job asks for what the level does, from the first run on."""
+    job.lighthouse = lighthouse_address(level.lighthouse)
+    job.laws = sum(1 << LAWS.index(law) for law in level.laws)
+    job.begin, job.pause, job.number, job.undefined = 0, 1 << 60, 0, 0
+    job.log.watched = 1
+    gluing = job.gluing
+    gluing.edges, gluing.limit = level.edges, level.limit
+    gluing.simple, gluing.planar = level.simple, level.planar
+    gluing.rule = rule_address() if level.simple or level.planar else 0
+    gluing.darts = gluing.vertices = gluing.open = gluing.depth = 0
+    robot.policy, robot.natural = POLICIES[level.policy], level.explorer == "algorithm1-natural"
+    robot.events[:] = 0
+    explorer = job.explorer
+    explorer.start, explorer.step, explorer.answer = EXPLORERS[level.explorer]()
+    explorer.first = asarray(robot).ctypes.data
+
+
+def _bound_table(level: Level) -> Any:
+    """The bounds by vertices, degree of v0 and largest degree."""
+    bounds, degrees = level.bounds, 2 * level.edges + 1
+    shape = (
+        level.edges + 2,
+        degrees if bounds.by_d0 else 1,
+        degrees if bounds.by_largest else 1,
+    )
+    table = full(shape, UNDEFINED, int64)
+    for n in range(1, shape[0]):
+        for d0 in range(shape[1]):
+            for largest in range(shape[2]):
+                value = bounds.value(n, d0, largest)
+                table[n, d0, largest] = value if value == UNDEFINED else packed(value)
+    return table
+
+
+def _broken(row: list[int], darts: int) -> Broken:
+    n, *code = row
+    place, law = code[2 * darts :]
+    return Broken(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), place, LAWS[law])
+
+
+def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Rows:
+    """Algorithm 1 walked once in every map whose gluing begins with ``prefix``.
+
+    The class is ``maps``, the lighthouse directional, all laws are checked together, and the
+    bound depends on n alone.  A broken world is one in which some law is broken at some place.
+
+    Args:
+        level: as for :func:`judge`, and so are the others.
+        prefix: the first decisions.
+        keep: how many broken worlds are kept.
+        halt: tells to give up.
+
+    Cost: less than 100 ns a world; constant memory.
+    """
+    edges, darts = level.edges, 2 * level.edges
+    least = zeros((keep, 1 + 2 * darts), int64)
+    w = _walked(level, prefix, least, zeros((0, 1), int64), flag() if halt is None else halt)
+    rows = w.counts[: edges + 2].tolist()
+    places = -prefix[0]
+    return Rows(
+        tuple(_walked_counts(n, row, edges, places) for n, row in enumerate(rows) if row[0]),
+        _walked_events(rows, edges, places),
+        tuple((n, 0, 0) for n, row in enumerate(rows) if row[0]),
+        tuple(
+            Broken(row[0], tuple(row[1 : 1 + darts]), tuple(row[1 + darts :]), None, "")
+            for row in least.tolist()
+            if row[0]
+        ),
+    )
 
 
 def costs(
-    edges: int, policy: str, prefix: Sequence[int], tables: Tables, worlds: int, *, mode: Mode
+    level: Level, prefix: Sequence[int], worlds: int
 ) -> list[tuple[int, tuple[int, ...], tuple[int, ...]]]:
     """For each world whose walk ended ``(cost, degrees, partners)``: its dart 0 is the start.
 
     The darts of a vertex are consecutive and clockwise; ``worlds`` is the largest number
     that is listed.
     """
-    counts = zeros((edges + 2, COLUMNS), int64)
-    least = zeros((1, 1 + 4 * edges), int64)
+    edges = level.edges
     listed = zeros((worlds, 4 + 3 * edges), int64)
-    found = _call(mode, edges, edges + 1, policy, prefix, tables, None, counts, least, listed)
+    w = _walked(level, prefix, zeros((1, 1 + 4 * edges), int64), listed, flag())
     result = []
-    for cost, n, *rest in listed[:found].tolist():
+    for cost, n, *rest in listed[: w.worlds].tolist():
         if n:
             result.append((cost, tuple(rest[:n]), tuple(rest[n : n + 2 * edges])))
     return result
 
 
+def _walked(level: Level, prefix: Sequence[int], least: Any, listed: Any, halt: Any) -> Any:
+    """The record of a walk that has been done."""
+    if not hasattr(_OWN, "walk"):
+        _OWN.walk = new(WALK)
+    w, tables = _OWN.walk, level.tables
+    w.edges, w.limit, w.policy = level.edges, level.limit, POLICIES[level.policy]
+    w.fuel, w.back_weight = tables.fuel, tables.back_weight
+    w.bound[: len(tables.bound)] = tables.bound
+    owed, opened = tables.viable.shape
+    w.viable[:owed, :opened] = tables.viable
+    w.sensed[: len(tables.sensed)] = tables.sensed
+    w.counts[:] = 0
+    walks.explore(w, array(prefix, int64), least, zeros(least.shape[1], int64), listed, halt)
+    return w
+
+
+def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:
+    worlds, traversals = row[tally.WORLDS], row[tally.TRAVERSALS]
+    return Counts(
+        n,
+        worlds,
+        places * worlds,
+        places * traversals,
+        traversals,
+        row[tally.LARGEST],
+        places * worlds * edges,
+        0,
+        row[tally.LOOP_EDGE],
+        row[tally.PARALLEL_EDGE],
+    )
+
+
+def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, int]:
+    events = dict.fromkeys(EVENTS, 0)
+    for n, row in enumerate(rows):
+        ended = row[tally.WORLDS] - row[tally.FAILURES]
+        loops = (edges - n + 1) * ended
+        for event, times in (
+            ("case-1", row[tally.CASES_1]),
+            ("case-2", row[tally.CASES_2]),
+            ("case-3", loops),
+            ("v0-hypothesis", row[tally.TESTS_AT_V0]),
+            ("empty-H", row[tally.EMPTY_HS]),
+            ("loop", loops),
+            ("non-loop", (n - 1) * ended),
+        ):
+            events[event] += places * times
+    return events
+
+
 def flag() -> Any:
     """An array with one entry, 0: the flag by which work in threads is given up."""
     return zeros(1, int64)
-
-
-def is_compiled(function: Any) -> bool:
-    """Whether an earlier use has left what ``function`` compiles to behind."""
-    source = Path(function.py_func.__code__.co_filename)
-    compiled = Path(str(function.stats.cache_path)).glob(
-        f"{source.stem}.{function.py_func.__name__}-*.nbi"
-    )
-    return any(file.stat().st_mtime >= source.stat().st_mtime for file in compiled)
-
-
-def _counts(n: int, edges: int, row: list[int]) -> Counts:
-    walks = row[WORLDS] - row[FAILED]
-    loops = (edges - n + 1) * walks
-    per_walk = {
-        "case-1": row[CASE_1],
-        "case-2": row[CASE_2],
-        "case-3": loops,
-        "v0-hypothesis": row[AT_V0],
-        "empty-H": row[EMPTY_H],
-        "loop": loops,
-        "non-loop": (n - 1) * walks,
-    }
-    per_world = {"loop-edge": row[LOOP_EDGE], "parallel-edge": row[PARALLEL_EDGE]}
-    return Counts(n, row[WORLDS], row[BROKEN], row[TRAVERSALS], row[LARGEST], per_walk, per_world)
-
-
-def _no_list() -> Any:
-    return zeros((0, 1), int64)
-
-
-def _call(
-    mode: Mode,
-    edges: int,
-    limit: int,
-    policy: str,
-    prefix: Sequence[int],
-    tables: Tables,
-    halt: Any,
-    *outputs: Any,
-) -> int:
-    halt = flag() if halt is None else halt
-    start = array(prefix, int64)
-    found: int = _ENGINES[mode](edges, limit, POLICIES[policy], start, tables, halt, *outputs)
-    return found
 
 
 def by_vertices_and_faces(
@@ -187,6 +305,8 @@ def by_vertices_and_faces(
     Cost: less than 100 ns a map; constant memory.
     """
     counts = zeros((edges + 2, edges + 3), int64)
-    gluing.count(edges, limit, array(prefix, int64), tables(edges, 0).viable, counts)
+    c = new(COUNTING)
+    c.edges, c.limit = edges, limit
+    count(c, array(prefix, int64), gluing_rule(edges), counts)
     rows = counts.tolist()
-    return {(n, f): count for n, row in enumerate(rows) for f, count in enumerate(row) if count}
+    return {(n, f): times for n, row in enumerate(rows) for f, times in enumerate(row) if times}

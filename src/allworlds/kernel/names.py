@@ -4,18 +4,9 @@ FIFO, LIFO, NEAREST = range(3)
 
 POLICIES = {"fifo": FIFO, "lifo": LIFO, "nearest": NEAREST}
 
-# The columns of the counts by vertices.
-(
-    WORLDS,
-    TRAVERSALS,
-    LARGEST,
-    CASE_1,
-    CASE_2,
-    AT_V0,
-    EMPTY_H,
-    LOOP_EDGE,
-    PARALLEL_EDGE,
-    BROKEN,
-    FAILED,
-) = range(11)
-COLUMNS = 11
+# What an explorer does next; see allworlds.h.
+MOVE, DROP, PICK, CHECKPOINT, ANSWER_READY = range(1, 6)
+
+# The events of Algorithm 1, as an explorer counts them.
+CASE_1, CASE_2, CASE_3, AT_V0, EMPTY_H, LOOP, NON_LOOP = range(7)
+EVENTS = ("case-1", "case-2", "case-3", "v0-hypothesis", "empty-H", "loop", "non-loop")

@@ -12,7 +12,7 @@ from allworlds.judge import paper_bound
 MOST_EDGES = 12
 """The largest number of edges for which every packed number has its room."""
 
-_UNBOUNDED = 1 << 40
+UNBOUNDED = 1 << 40
 """As good as no bound: more than any walk costs."""
 
 _NOTHING = -1
@@ -23,11 +23,11 @@ class Tables(NamedTuple):
     """The tables of one level.
 
     Attributes:
-        bound: the largest legal cost, by vertices.
+        bound: the largest legal cost of a walk, by vertices.
         viable: by darts owed and darts open after a decision: a map can still be finished.
-        sensed: the degree that the robot senses, by the degree of the vertex.
+        sensed: the degree that the robot of a walk senses, by the degree of the vertex.
         fuel: a walk that costs more has failed.
-        back_weight: the cost of a step of retracing.
+        back_weight: the cost of a step of retracing in a walk.
     """
 
     bound: Any
@@ -48,18 +48,22 @@ def tables(edges: int, fuel: int, bounds: Sequence[int | None] = ()) -> Tables:
     """
     darts = 2 * edges
     bounds = bounds or [paper_bound(n, edges) for n in range(1, edges + 2)]
-    viable = ones((darts + 1, 2 * darts + 1), int64)
-    # The last open dart may not close while darts are owed.
-    viable[1:, 0] = 0
     return Tables(
-        bound=array([0, *map(_packed, bounds)], int64),
-        viable=viable,
+        bound=array([0, *map(packed, bounds)], int64),
+        viable=gluing_rule(edges),
         sensed=array(range(darts + 1), int64),
         fuel=fuel,
         back_weight=1,
     )
 
 
-def _packed(bound: int | None) -> int:
+def gluing_rule(edges: int) -> Any:
+    """By darts owed and darts open: the last open dart may not close while darts are owed."""
+    viable = ones((2 * edges + 1, 4 * edges + 1), int64)
+    viable[1:, 0] = 0
+    return viable
+
+
+def packed(bound: int | None) -> int:
     """A bound that says the same of every walk, and has its room in a word."""
-    return _UNBOUNDED if bound is None else max(_NOTHING, min(bound, _UNBOUNDED))
+    return UNBOUNDED if bound is None else max(_NOTHING, min(bound, UNBOUNDED))

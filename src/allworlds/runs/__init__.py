@@ -14,7 +14,7 @@
     counts that can be added up in any order, and the smallest findings.
 """
 
-from allworlds.runs.examination import Examination, OwnExamination
+from allworlds.runs.examination import Examination, Examines, InParts, OwnExamination
 from allworlds.runs.examiner import (
     LOST,
     Examiner,
@@ -46,7 +46,9 @@ __all__ = [
     "Coverage",
     "Examination",
     "Examiner",
+    "Examines",
     "GivenWorlds",
+    "InParts",
     "NumberedRun",
     "OneRun",
     "Outcome",

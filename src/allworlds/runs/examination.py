@@ -6,6 +6,7 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import islice
+from typing import Any, Protocol
 
 from allworlds.runs.examiner import Examiner, Outcome, Referee, name_run
 from allworlds.runs.scope import Scope
@@ -16,6 +17,24 @@ from allworlds.world import World
 
 REPORT_EVERY = 0.25
 """Seconds after which a part of a unit is handed over."""
+
+
+class InParts(Protocol):
+    """What is done with a unit, from some run on."""
+
+    def parts(self, unit: Worlds, start: int = 0) -> Iterator[tuple[int, Any]]:
+        """Some time and again, and at the end, the number of the next run and what came since."""
+
+
+class Examines(Protocol):
+    """What a worker can do with a unit, whatever comes of it."""
+
+    @property
+    def keep(self) -> int:
+        """How many findings are kept."""
+
+    def own(self, subject: Subject) -> InParts:
+        """It, with an explorer of ours, which is played where this is asked for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +48,10 @@ class Examination:
 
     scope: Scope
     keep: int
+
+    def own(self, subject: Subject) -> InParts:
+        """See :class:`Examines`."""
+        return OwnExamination(self, subject)
 
     def runs(self, unit: Worlds, start: int = 0) -> Iterator[NumberedRun]:
         """The runs of a unit from that number on."""

@@ -6,17 +6,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from allworlds.kernel import (
-    Dearest,
-    dearest_of_maps,
-    dearest_of_unit,
-    flag,
-    is_compiled,
-    search,
-    take,
-)
-from allworlds.maps.classes import Extent, MapClass
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.kernel import Dearest, dearest_of_unit, flag, is_compiled, search
+from allworlds.maps.classes import Extent
 from allworlds.work import LevelUnit
 from allworlds.worst_case.one_world import Transit
 
@@ -63,7 +54,7 @@ def _joined(a: Dearest, b: Dearest) -> Dearest:
 
 @dataclass(frozen=True, slots=True)
 class ScheduleSearch:
-    """The engine; the maps of a class with a promise are made here, and searched one by one."""
+    """The engine."""
 
     extent: Extent
     transit: Transit
@@ -75,32 +66,18 @@ class ScheduleSearch:
 
     def is_compiled(self) -> bool:
         """An earlier use has left the compiled code behind."""
-        return is_compiled(search if self._compiled else take)
+        return is_compiled(search)
 
     def parts(self, unit: LevelUnit) -> Iterator[DearestWorlds]:
         """The dearest worlds of the unit."""
-        edges = unit.edges
-        if self._compiled:
-            rows = dearest_of_unit(edges, edges + 1, unit.prefix, self.transit, self.flag)
-        else:
-            maps = map(_degrees_and_partners, unit.maps(self.extent))
-            rows = dearest_of_maps(edges, maps, self.transit)
+        map_class = self.extent.map_class
+        rows = dearest_of_unit(
+            unit.edges,
+            self.extent.vertex_limit(unit.edges),
+            unit.prefix,
+            self.transit,
+            self.flag,
+            simple=map_class.simple,
+            planar=map_class.planar,
+        )
         yield DearestWorlds.of(rows)
-
-    @property
-    def _compiled(self) -> bool:
-        return self.extent.map_class is MapClass.MAPS
-
-
-def _degrees_and_partners(map_: CombinatorialMap) -> tuple[list[int], list[int]]:
-    """The map with its darts numbered vertex by vertex; dart 0 stays."""
-    order: list[int] = []
-    degrees = []
-    seen: set[int] = set()
-    for dart in map_.darts:
-        if map_.vertex_of[dart] not in seen:
-            seen.add(map_.vertex_of[dart])
-            degrees.append(map_.degree_at[dart])
-            order += [map_.turn(dart, i) for i in range(degrees[-1])]
-    number = {dart: i for i, dart in enumerate(order)}
-    return degrees, [number[map_.alpha[dart]] for dart in order]

@@ -1,0 +1,260 @@
+"""The checker extracted from the Coq proofs: its verdicts, and those of ``allworlds check``.
+
+    python proofs/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
+
+asks it about a program (docs/protocol.md): is it right, and within the limit, in every world with
+at most so many edges?  ``holds`` is a theorem (``check_correct`` in ``proofs/coq/Checker.v``) about
+the function of the percepts that the program's answers are part of.  Trusted is what the README of
+``proofs/coq`` says of all extracted programs, the driver ``ocaml/checker.ml`` and ``ocaml/pipe.ml``
+between the program and the theorem, and that the program would answer the same percepts in the same
+way again; where it is seen not to, the verdict is ``no function``.
+
+``checkers_agree`` compares: Algorithm 1 and every wrong explorer of ``allworlds.mutation`` get the
+same verdict from both, and are refuted by the same smallest world.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import shlex
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from allworlds.checker import check
+from allworlds.inputs import InputError
+from allworlds.judge import bound_named
+from allworlds.maps.canonical import rooted_code
+from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
+
+HERE = Path(__file__).resolve().parent
+CHECKER = HERE / "coq" / "checker"
+SERVER = HERE / "explorer_server.py"
+LAWS = ("map", "pose", "bound")
+"""Those that the certified checker decides; a run that gives no answer breaks one before them."""
+POLICIES = ("fifo", "lifo", "nearest")
+
+Key = tuple[int, tuple[int, ...], tuple[int, ...], int]
+"""The order of findings with equal numbers of edges: vertices, sigma, alpha, place."""
+
+
+def asked(
+    edges: int, explorer: Sequence[str], stderr: int | None = None, **options: object
+) -> dict[str, Any]:
+    """The certified checker's answer; what it and the program say on stderr goes there.
+
+    Raises:
+        subprocess.CalledProcessError: if it refuses the options, or the program cannot be run.
+    """
+    named = [word for name, value in options.items() for word in (f"--{name}", str(value))]
+    command = [str(CHECKER), str(edges), *named, *explorer]
+    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=stderr, text=True, check=True)
+    answer: dict[str, Any] = json.loads(run.stdout)
+    return answer
+
+
+def limits(text: str, edges: int) -> str:
+    """A limit as the certified checker takes it.
+
+    Raises:
+        allworlds.InputError: if it is no bound.
+        ValueError: if it needs more of a world than n, m and d0.
+    """
+    if text in ("paper", "two-vertices") or text.isdigit():
+        return text
+    bound = bound_named(text)
+    table = {}
+    for m in range(1, edges + 1):
+        for n in range(1, m + 2):
+            for d0 in range(1, 2 * m + 1):
+                value = bound.value(n, m, d0, 0)
+                if value is None or "D" in bound.variables:
+                    message = (
+                        f"--limit {text}: without a limit the question cannot be decided; legal "
+                        "are paper, two-vertices and expressions in n, m and d0"
+                    )
+                    raise ValueError(message)
+                table[f"{n} {m} {d0}"] = max(value, 0)
+    return json.dumps(table)
+
+
+# ---- A program ----
+
+
+def judge_program(arguments: Sequence[str]) -> int:
+    """The exit code: 0 holds, 1 refuted or no function, 2 bad arguments."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--exec", required=True, metavar="COMMAND")
+    parser.add_argument("--edges", type=int, default=4)
+    parser.add_argument("--limit", default="paper", help="paper, two-vertices, or an expression")
+    parser.add_argument("--universe", choices=("all", "simple"), default="all")
+    parser.add_argument(
+        "--lighthouse", choices=("directional", "cluster", "natural"), default="directional"
+    )
+    parser.add_argument("--answer-timeout", type=float, default=10.0, metavar="SECONDS")
+    options = parser.parse_args(arguments)
+    command = shlex.split(options.exec)
+    try:
+        if not command:
+            raise InputError("--exec '': a command expected")
+        if options.edges < 1:
+            raise InputError(f"--edges {options.edges}: at least 1")
+        answer = asked(
+            options.edges,
+            ["--exec", *command],
+            limit=limits(options.limit, options.edges),
+            universe=options.universe,
+            lighthouse=options.lighthouse,
+            timeout=options.answer_timeout,
+        )
+    except (InputError, ValueError) as error:
+        print(error, file=sys.stderr)
+        return 2
+    except subprocess.CalledProcessError:  # the checker has said why
+        return 2
+    print("\n".join(told(answer, options.limit)))
+    return 0 if answer["verdict"] == "holds" else 1
+
+
+def told(answer: dict[str, Any], limit: str) -> list[str]:
+    """The answer in words."""
+    match answer["verdict"]:
+        case "holds":
+            right = f"right within {limit} in every world with at most {answer['edges']} edges"
+            what = "a theorem about what the program has answered"
+            lines = [
+                f"HOLDS      {right}; {answer['runs']:,} runs",
+                f"           {what} (check_correct, proofs/coq/Checker.v)",
+            ]
+        case "refuted":
+            least = min(answer["refutations"], key=key_of)
+            fault = f" ({least['fault']}: {least['how']})" if "fault" in least else ""
+            count = f"{len(answer['refutations']):,} worlds with {answer['edges']} edges"
+            where = f"start 0, place {least['place']}"
+            runs = f"{answer['runs']:,} runs"
+            lines = [
+                f"REFUTED    {least['finding']}{fault}; {count}, none with fewer; {runs}",
+                f"smallest   sigma {least['sigma']} alpha {least['alpha']}, {where}",
+            ]
+        case _:
+            lines = [
+                "NO FUNCTION  the program has not always answered the same percepts alike",
+                *(f"           {percept}" for percept in answer["history"]),
+                f"before     {json.dumps(answer['before'])}",
+                f"now        {json.dumps(answer['now'])}",
+            ]
+    if answer.get("open"):
+        least = min(answer["open"], key=key_of)
+        lines.append(
+            f"open       {len(answer['open']):,} logs, folded, leave a dart open: there are other "
+            f"worlds in which it is wrong; sigma {least['sigma']} alpha {least['alpha']}, "
+            f"place {least['place']}"
+        )
+    return lines
+
+
+def key_of(world: dict[str, Any]) -> Key:
+    """Its place in the order of findings."""
+    sigma, alpha = tuple(world["sigma"]), tuple(world["alpha"])
+    return (_vertices(sigma), sigma, alpha, world["place"])
+
+
+def _vertices(sigma: tuple[int, ...]) -> int:
+    seen: set[int] = set()
+    count = 0
+    for dart in range(len(sigma)):
+        count += dart not in seen
+        at = dart
+        while at not in seen:
+            seen.add(at)
+            at = sigma[at]
+    return count
+
+
+# ---- Compared with the package's ----
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What a checker says of an explorer.
+
+    Attributes:
+        verdict: ``holds``, ``refuted`` or ``no function``.
+        edges: where refuted, of the smallest world.
+        world: that world.
+    """
+
+    verdict: str
+    edges: int | None = None
+    world: Key | None = None
+
+
+def certified_outcome(answer: dict[str, Any]) -> Outcome:
+    """The certified checker's answer in short."""
+    if answer["verdict"] != "refuted":
+        return Outcome(answer["verdict"])
+    return Outcome("refuted", answer["edges"], min(map(key_of, answer["refutations"])))
+
+
+def package_outcome(mutant: WrongExplorer, edges: int) -> Outcome:
+    """What ``allworlds check`` says of a mutant with the laws that both decide."""
+    findings = check(mutant.explorer(), edges=edges, laws=LAWS).uninterrupted().findings
+    if not findings:
+        return Outcome("holds")
+    finding = findings[0]
+    if finding.law == "nondeterministic":
+        return Outcome("no function")
+    map_ = finding.world.map
+    sigma, alpha = rooted_code(map_.sigma, map_.alpha, finding.world.start)
+    return Outcome(
+        "refuted", map_.edge_count, (map_.vertex_count, tuple(sigma), tuple(alpha), finding.place)
+    )
+
+
+def served(name: str, policy: str = "fifo") -> list[str]:
+    """The command that serves an explorer of the package."""
+    return ["--exec", sys.executable, str(SERVER), name, policy]
+
+
+def checkers_agree(edges: int) -> bool:
+    """Whether both checkers say the same of Algorithm 1 and of every mutant."""
+    agree = True
+    for policy in POLICIES:
+        for what, explorer in (
+            ("the certified Algorithm 1", ["--policy", policy]),
+            ("the package's", served("algorithm1", policy)),
+        ):
+            start = time.monotonic()
+            answer = asked(edges, explorer)
+            fine = answer["verdict"] == "holds" and answer["runs"] > 0 and answer["open"] == []
+            agree = agree and fine
+            print(
+                f"certified checker, {what}, {policy}: {answer['verdict']}, "
+                f"{answer['runs']:,} runs, {time.monotonic() - start:.0f} s"
+            )
+    verdicts: dict[str, int] = {}
+    for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS):
+        # One of them crashes, and says so on stderr.
+        certified = certified_outcome(asked(edges, served(mutant.name), subprocess.DEVNULL))
+        package = package_outcome(mutant, edges)
+        verdicts[certified.verdict] = verdicts.get(certified.verdict, 0) + 1
+        if certified != package:
+            agree = False
+            print(f"  {mutant.name}: certified {certified}, allworlds check {package}")
+    summary = ", ".join(f"{verdict} {count}" for verdict, count in sorted(verdicts.items()))
+    print(f"certified checker, mutants: {summary}; the same from allworlds check: {_yes(agree)}")
+    # Agreement says nothing if one of the verdicts was never called for.
+    return agree and set(verdicts) == {"holds", "refuted", "no function"}
+
+
+def _yes(agree: bool) -> str:
+    return "yes" if agree else "NO"
+
+
+if __name__ == "__main__":
+    sys.exit(judge_program(sys.argv[1:]))

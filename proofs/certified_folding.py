@@ -1,0 +1,122 @@
+"""The folding extracted from the Coq proofs, held against the package's two.
+
+Every log of Algorithm 1 and of every mutant, in every world, is folded three times: by the
+extracted program, which is proved to compute the least congruence; by the judge, which must find
+the same map, dart by dart; and by the compiled judge, which must say the same of whether a dart is
+open.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from allworlds.checker import worlds
+from allworlds.episode import play
+from allworlds.explorers.algorithm1 import Algorithm1
+from allworlds.judge import paper_bound
+from allworlds.judge.folding import fold
+from allworlds.kernel.folding import folds
+from allworlds.kernel.records import FOLD, LOG, NONE, WORLD
+from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
+from allworlds.protocol import Choices, Move, Percept, Transcript
+from allworlds.protocol.choices import policy_named
+from allworlds.subjects import load, subject_of
+
+FOLDING = Path(__file__).resolve().parent / "coq" / "folding"
+POLICIES = ("fifo", "lifo", "nearest")
+
+
+def logs(edges: int) -> Iterator[tuple[str, Transcript]]:
+    """Every log, with the name of its explorer; also of runs that end without an answer."""
+    mutants = (WrongExplorer(Algorithm1), *WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)
+    players = [
+        *((f"algorithm1 {name}", load("algorithm1").player(), name) for name in POLICIES),
+        *((mutant.name, subject_of(mutant.explorer()).player(), "fifo") for mutant in mutants),
+    ]
+    for world in worlds(edges=edges, places="all"):
+        # All that answer within their bound, and the one that then walks every edge both ways.
+        m = world.map.edge_count
+        budget = paper_bound(world.map.vertex_count, m) + 2 * m
+        for name, player, policy in players:
+            yield name, play(world, player, Choices(policy_named(policy)), budget).transcript
+
+
+def steps_of(log: Transcript) -> list[tuple[int, Percept]]:
+    """The motions of a log, and what was sensed after each."""
+    return [(action.k, percept) for action, percept in log.steps if isinstance(action, Move)]
+
+
+def line_of(log: Transcript) -> str:
+    """The log as the extracted program reads it."""
+
+    def shown(percept: Percept) -> dict[str, Any]:
+        return {"degree": percept.degree, "bearing": percept.bearing}
+
+    steps = [[k, shown(percept)] for k, percept in steps_of(log)]
+    return json.dumps({"first": shown(log.first), "steps": steps})
+
+
+def folded_by_judge(log: Transcript) -> dict[str, Any]:
+    """The judge's folding, in the extracted program's words."""
+    folded = fold(log)
+    return {
+        "folds": folded.open_darts == 0,
+        "sigma": [*folded.sigma],
+        "alpha": [*folded.alpha],
+        "here": folded.here,
+    }
+
+
+@njit
+def _folds(world: Any, log: Any, fold: Any) -> bool:
+    return folds(world[0], log[0], fold[0])  # type: ignore[no-any-return]  # compiled
+
+
+def folds_compiled(log: Transcript) -> bool:
+    """Whether the compiled judge finds no open dart."""
+    steps = steps_of(log)
+    world, walked, room = (np.zeros(1, record) for record in (WORLD, LOG, FOLD))
+    # Of the world it looks at what was sensed at the start, and nowhere else.
+    world["degree"][0, 0], world["bearing"][0, 0] = log.first.degree, _bearing(log.first)
+    walked["cost"] = len(steps)
+    degree = log.first.degree
+    for i, (k, percept) in enumerate(steps):
+        walked["motion"][0, i] = k % degree
+        degree = percept.degree
+        walked["degree"][0, i], walked["marks"][0, i] = degree, percept.marks
+        walked["bearing"][0, i] = _bearing(percept)
+    return bool(_folds(world, walked, room))
+
+
+def _bearing(percept: Percept) -> int:
+    return NONE if percept.bearing is None else percept.bearing
+
+
+def foldings_agree(edges: int) -> bool:
+    """Whether all three fold every log to the same."""
+    # An explorer walks in many worlds the same way: each log once.
+    found = {line_of(log): (name, log) for name, log in logs(edges)}
+    answered = subprocess.run(
+        [str(FOLDING)], input="\n".join(found) + "\n", capture_output=True, text=True, check=True
+    )
+    answers = [json.loads(line) for line in answered.stdout.splitlines()]
+    differ, open_logs = [], 0
+    for (name, log), certified in zip(found.values(), answers, strict=True):
+        open_logs += not certified["folds"]
+        if folded_by_judge(log) != certified or folds_compiled(log) != certified["folds"]:
+            differ.append((name, log))
+    print(
+        f"certified folding: {len(found):,} different logs, {open_logs:,} with open darts; "
+        f"{len(differ)} folded otherwise by the judge or the compiled judge"
+    )
+    for name, log in differ[:3]:
+        print(f"  {name}: {line_of(log)}")
+    # Agreement says nothing if no log, or every log, has an open dart.
+    return not differ and 0 < open_logs < len(found)

@@ -1,0 +1,105 @@
+"""What the kernel is asked, level by level: the scope of a check in its plain numbers."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from allworlds import kernel
+from allworlds.episode import default_step_budget
+from allworlds.findings import Rules
+from allworlds.inputs import InputError
+from allworlds.judge import LAWS, paper_bound
+from allworlds.kernel import Bounds, Level, Tables, tables
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.runs import Scope
+from allworlds.subjects import Subject
+from allworlds.world import LIGHTHOUSES, Lighthouse
+
+WALKED_FROM = 6
+"""The least m whose maps are walked once for every bearing, where that can be done.  Up to
+there every bearing is walked."""
+
+
+def obstacle(scope: Scope, subject: Subject) -> str:
+    """Why the kernel cannot do a check; empty if it can."""
+    rules, extent = scope.rules, scope.extent
+    if subject.name not in kernel.EXPLORERS:
+        return f"runs only {', '.join(kernel.EXPLORERS)}, not {subject.name!r}"
+    if kind_of(rules.kind) not in kernel.LIGHTHOUSES:
+        return f"does not know the lighthouse {rules.lighthouse!r}"
+    if extent.levels[-1] > kernel.MOST_EDGES:
+        return f"has room for {kernel.MOST_EDGES} edges, not for {extent.levels[-1]}"
+    if rules.policy not in ("fifo", "lifo", "nearest"):
+        return f"knows the policies fifo, lifo and nearest, not {rules.policy!r}"
+    if unknown := [law for law in rules.applying if law not in kernel.CHECKED]:
+        return f"does not check the law {unknown[0]!r}"
+    if scope.schedules != "one":
+        return "walks one schedule (see worst for all of them)"
+    if rules.step_budget is not None and rules.step_budget > kernel.MOST_BUDGET:
+        return f"has room for a step budget of {kernel.MOST_BUDGET}, not of {rules.step_budget}"
+    return ""
+
+
+def kind_of(kind: type[Lighthouse]) -> str:
+    """The kernel's name of a kind of lighthouse."""
+    return kind.kind if LIGHTHOUSES[kind.kind] is kind else f"{kind.kind}-single"
+
+
+def walks(scope: Scope, subject: Subject, edges: int) -> bool:
+    """Whether each map of the level is walked once for every bearing."""
+    rules = scope.rules
+    return (
+        edges >= WALKED_FROM
+        and subject.name == "algorithm1"
+        and rules.lighthouse == "directional"
+        and scope.extent.map_class is MapClass.MAPS
+        and rules.laws in (None, tuple(LAWS))
+        and rules.step_budget is None
+        and rules.the_bound.variables <= {"n", "m"}
+    )
+
+
+@cache
+def level_of(explorer: str, rules: Rules, extent: Extent, edges: int) -> Level:
+    """The kernel's question for a level."""
+    budgets = _budgets(rules, edges)
+    return Level(
+        edges,
+        extent.vertex_limit(edges),
+        extent.map_class.simple,
+        extent.map_class.planar,
+        explorer,
+        kind_of(rules.kind),
+        rules.policy,
+        rules.applying,
+        _bounds(rules, edges),
+        budgets,
+        level_tables(rules, edges),
+    )
+
+
+def _budgets(rules: Rules, edges: int) -> tuple[int, ...]:
+    """The step budgets by vertices."""
+    if rules.step_budget is not None:
+        return (rules.step_budget,) * (edges + 2)
+    return (0, *(default_step_budget(paper_bound(n, edges)) for n in range(1, edges + 2)))
+
+
+def _bounds(rules: Rules, edges: int) -> Bounds:
+    bound = rules.the_bound
+
+    def value(n: int, d0: int, largest: int) -> int | None:
+        try:
+            return bound.value(n, edges, d0, largest)
+        except InputError:
+            return kernel.UNDEFINED
+
+    return Bounds(value, "d0" in bound.variables, "D" in bound.variables)
+
+
+def level_tables(rules: Rules, edges: int) -> Tables:
+    """What the kernel looks up; a walk's bound depends on n alone."""
+    bounds = _bounds(rules, edges)
+    plain = not (bounds.by_d0 or bounds.by_largest)
+    values = [bounds.value(n, 0, 0) if plain else None for n in range(1, edges + 2)]
+    return tables(edges, max(_budgets(rules, edges)), values)

@@ -1,0 +1,100 @@
+"""Calling the C functions of an explorer by their addresses, from compiled code.
+
+Arguments are pointers (a record, or an address as an integer) and 32-bit integers, and nothing
+is returned: that is called alike on every platform.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from llvmlite import ir
+from numba import extending, types
+from numba.core.cgutils import raw_memcpy
+
+intrinsic: Any = extending.intrinsic
+
+_POINTER = ir.IntType(8).as_pointer()
+
+
+def _lowered(builder: Any, kind: Any, value: Any) -> Any:
+    """The value as C takes it."""
+    if isinstance(kind, types.Record):
+        return builder.bitcast(value, _POINTER)
+    if kind == types.int64:
+        return builder.inttoptr(value, _POINTER)
+    assert kind == types.int32, kind
+    return value
+
+
+def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> Any:
+    """The code of a call of the address that is the first value."""
+    address, *values = values
+    lowered = [
+        _lowered(builder, kind, value)
+        for kind, value in zip(signature.args[1:], values, strict=True)
+    ]
+    shape = ir.FunctionType(ir.VoidType(), [value.type for value in lowered])
+    builder.call(builder.inttoptr(address, shape.as_pointer()), lowered)
+    return context.get_dummy_value()
+
+
+@intrinsic
+def call_with(_context, address, record):
+    """``function(&record)``."""
+    return types.void(address, record), _call
+
+
+@intrinsic
+def call_start(_context, address, state, percept, told, action):
+    """``start(state, &percept, told, &action)``."""
+    return types.void(address, state, percept, told, action), _call
+
+
+@intrinsic
+def call_step(_context, address, state, percept, action):
+    """``step(state, &percept, &action)``."""
+    return types.void(address, state, percept, action), _call
+
+
+@intrinsic
+def call_answer(_context, address, state, answer):
+    """``answer(state, &answer)``."""
+    return types.void(address, state, answer), _call
+
+
+@intrinsic
+def entry_of(_context, address, index):
+    """The 32-bit integer number ``index`` of the array at the address."""
+
+    def generate(_target, builder, _signature, values):
+        integer = ir.IntType(32)
+        start = builder.inttoptr(values[0], integer.as_pointer())
+        return builder.sext(builder.load(builder.gep(start, [values[1]])), ir.IntType(64))
+
+    return types.int64(types.int64, types.int64), generate
+
+
+@intrinsic
+def address_of(_context, record_array):
+    """Where an array inside a record begins."""
+
+    def generate(target, builder, signature, values):
+        array = target.make_array(signature.args[0])(target, builder, values[0])
+        return builder.ptrtoint(array.data, ir.IntType(64))
+
+    return types.int64(record_array), generate
+
+
+@intrinsic
+def copy(_context, target, source):
+    """Makes the target record equal to the source."""
+    assert target == source, (target, source)
+
+    def generate(context, builder, signature, values):
+        size = ir.Constant(ir.IntType(64), signature.args[0].size)
+        raw_memcpy(builder, values[0], values[1], size, 1)
+        return context.get_dummy_value()
+
+    return types.void(target, source), generate

@@ -1,0 +1,184 @@
+"""Every run of a unit, played, judged and tallied: the loop of the compiled judge.
+
+A run is a world with a place of the lighthouse.  Runs are numbered within their unit as those
+of the Python engine are (a world without a place counts as one), so that a worker that has
+died in one of them can go on behind it.
+"""
+
+from __future__ import annotations
+
+from allworlds.kernel.answers import answer_law
+from allworlds.kernel.calls import call_with
+from allworlds.kernel.code import encode, keep_least
+from allworlds.kernel.compiling import entry, inlined, inner
+from allworlds.kernel.episode import play
+from allworlds.kernel.folding import folds
+from allworlds.kernel.gluing import advance
+from allworlds.kernel.invariants import variant_at_the_end
+from allworlds.kernel.laws import BOUND, FOLDING, INVARIANT_1, INVARIANT_2, NO_ESTIMATE, VARIANT
+from allworlds.kernel.records import NONE
+from allworlds.kernel.worlds import doubled, settle
+
+# The columns of the tally, by vertices.
+(
+    WORLDS,
+    RUNS,
+    TRAVERSALS,
+    TRAVERSALS_ROOTED,
+    LARGEST,
+    CHECKPOINTS,
+    LEFT_OUT,
+    LOOP_EDGE,
+    PARALLEL_EDGE,
+) = range(9)
+COLUMNS = 9
+
+# The columns of a listed run.
+LAW, COST, SHOWN, WALK = range(4)
+LISTED = 4
+
+# What a bound is worth that has no value for some sizes.
+UNDEFINED = -(1 << 62)
+
+
+@entry
+def examine(
+    job, prefix, viable, bounds, met, budgets, counts, least, row, listed, skip, beat, halt
+):
+    """Whether the unit is done; else there is more, and the next call goes on.
+
+    Args:
+        job: a record that is new but for what is asked for, then as the last call has left it.
+        prefix: the decisions that the gluing of each map of the unit begins with.
+        viable: by darts owed and darts open after a decision: a map can still be finished.
+        bounds: the largest legal cost by vertices, degree of v0 and largest degree; the latter
+            two have one entry where the bound does not depend on them.
+        met: of the same shape; 1 where there was a run.
+        budgets: the largest number of traversals, by vertices.
+        counts: the tally, added to.
+        least: the least runs that break a law, as rows: vertices, canonical code, place, law.
+        row: room for one of these.
+        listed: each run while there is room for its number.
+        skip: the numbers of runs that are counted but not played.
+        beat: the number of the current run, and the explorer's turns in it.
+        halt: ``halt[0]`` is not 0 once the work is to be given up.
+    """
+    g, world = job.gluing, job.world
+    while job.number < job.pause and halt[0] == 0:
+        if not advance(g, prefix, viable):
+            return True
+        settle(world, g)
+        n = world.vertices
+        fresh = job.number >= job.begin
+        if fresh:
+            _count_world(world, counts)
+        call_with(job.lighthouse, world)
+        if world.place == NONE:
+            counts[n, LEFT_OUT] += fresh
+            job.number += 1
+        while world.place != NONE:
+            if job.number >= job.begin:
+                counts[n, RUNS] += 1
+                if not _among(job.number, skip):
+                    beat[0] = job.number
+                    bound = _bound(job, bounds, met)
+                    if bound == UNDEFINED:
+                        return True
+                    law = _run(job, budgets[n], bound, beat)
+                    _count_run(job, counts)
+                    if law:
+                        _blame(world, law, least, row)
+                    if job.number < len(listed):
+                        _list(job.log, law, job.number, listed)
+            job.number += 1
+            call_with(job.lighthouse, world)
+    return False
+
+
+@inlined
+def _count_world(world, counts):
+    n, kinds = world.vertices, doubled(world)
+    counts[n, WORLDS] += 1
+    counts[n, LOOP_EDGE] += kinds & 1
+    counts[n, PARALLEL_EDGE] += kinds >> 1
+
+
+@inlined
+def _among(number, skip):
+    found = False
+    for other in skip:
+        found |= other == number
+    return found
+
+
+@inlined
+def _bound(job, bounds, met):
+    """The largest legal cost of this run."""
+    world = job.world
+    n, d0, largest = world.vertices, 0, 0
+    if bounds.shape[1] > 1:
+        d0 = world.degree[0]
+    if bounds.shape[2] > 1:
+        for dart in range(world.darts):
+            largest = max(largest, world.degree[dart])
+    met[n, d0, largest] = 1
+    if bounds[n, d0, largest] == UNDEFINED:
+        job.undefined = 1
+    return bounds[n, d0, largest]
+
+
+@inner
+def _run(job, budget, bound, beat):
+    """The first law that the run breaks, or 0."""
+    world, log, judged = job.world, job.log, job.judged
+    judged.broken = judged.shown = 0
+    law = play(world, job.explorer, job.explorer.first, budget, beat, log, judged)
+    beat[1] = 0
+    if law:
+        return law
+    laws = job.laws
+    law = answer_law(log.published, world, log.dart, judged)
+    if law == NO_ESTIMATE or (law and laws >> law & 1):
+        return law
+    variant_at_the_end(judged)
+    broken = judged.broken & laws
+    if broken:
+        for law in (INVARIANT_1, INVARIANT_2, VARIANT):
+            if broken >> law & 1:
+                return law
+    if laws >> FOLDING & 1 and not folds(world, log, job.fold):
+        return FOLDING
+    if laws >> BOUND & 1 and log.cost > bound:
+        return BOUND
+    return 0
+
+
+@inlined
+def _count_run(job, counts):
+    n, log = job.world.vertices, job.log
+    counts[n, TRAVERSALS] += log.cost
+    if job.world.place == 0:
+        counts[n, TRAVERSALS_ROOTED] += log.cost
+    counts[n, LARGEST] = max(counts[n, LARGEST], log.cost)
+    counts[n, CHECKPOINTS] += log.checkpoints
+
+
+@inner
+def _blame(world, law, least, row):
+    """A run that breaks a law, if it is among the least."""
+    row[0] = world.vertices
+    encode(world, 0, row, 1)
+    row[1 + 2 * world.darts] = world.place
+    row[2 + 2 * world.darts] = law
+    keep_least(least, row)
+
+
+@inner
+def _list(log, law, number, listed):
+    """What has become of the run, and a number in which its whole walk has part."""
+    walk = 0
+    for step in range(log.cost):
+        for part in (log.motion[step], log.degree[step], log.marks[step], log.bearing[step]):
+            walk = (walk * 31 + part + 1) % 2147483647
+    listed[number, LAW], listed[number, COST] = law, log.cost
+    listed[number, SHOWN], listed[number, WALK] = log.checkpoints, walk

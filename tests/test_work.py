@@ -1,0 +1,75 @@
+"""Work piece by piece: every transport brings what every engine makes of every unit."""
+
+import inspect
+from collections import Counter
+from importlib import import_module
+from pkgutil import iter_modules
+
+import pytest
+
+from allworlds import work
+from allworlds.progress import Silent
+from allworlds.work import TimeIsUp, gather
+
+
+def transports():
+    """Every class of the package that is a context and has units done."""
+    for module in iter_modules(work.__path__, f"{work.__name__}."):
+        for name, found in inspect.getmembers(import_module(module.name), inspect.isclass):
+            ours = found.__module__ == module.name and not getattr(found, "_is_protocol", False)
+            if ours and hasattr(found, "map") and hasattr(found, "__enter__"):
+                yield name, found
+
+
+TRANSPORTS = dict(transports())
+
+
+def made(name, deadline=None):
+    known = {"workers": 2, "batch": 3, "deadline": deadline}
+    taken = inspect.signature(TRANSPORTS[name]).parameters
+    return TRANSPORTS[name](**{key: known[key] for key in taken})
+
+
+class Digits:
+    """An engine: of a number its digits, one a part."""
+
+    def parts(self, unit):
+        yield from map(Some, str(unit))
+
+    def halt(self):
+        pass
+
+
+class Some(Counter):
+    """A sum."""
+
+    @property
+    def worlds(self):
+        return self.total()
+
+    def add(self, other):
+        self.update(other)
+
+
+def test_every_transport_is_at_the_door():
+    assert {"Here", "Threads"} <= set(TRANSPORTS)
+    assert set(TRANSPORTS) <= set(work.__all__)
+    assert all(getattr(work, name) is found for name, found in TRANSPORTS.items())
+
+
+@pytest.mark.parametrize("name", TRANSPORTS)
+@pytest.mark.parametrize("units", [[], [7], [1, 22, 345, 22, *range(40)]], ids=len)
+def test_a_transport_brings_every_unit_once(name, units):
+    with made(name) as transport:
+        parts = list(transport.map(Digits(), units))
+    assert Counter(part.unit for part in parts if part.last) == Counter(units)
+    total = Some()
+    with made(name) as transport:
+        gather(transport, Digits(), units, total, Silent())
+    assert total == Counter("".join(map(str, units)))
+
+
+@pytest.mark.parametrize("name", TRANSPORTS)
+def test_a_transport_ends_when_the_time_is_up(name):
+    with made(name, deadline=0.0) as transport, pytest.raises(TimeIsUp):
+        list(transport.map(Digits(), range(9)))
