@@ -24,6 +24,26 @@ def children_of(pid):
     return [child for child, parent in running() if parent == pid]
 
 
+def workers_of(pid):
+    """What comes from a process and still runs, but for its guardians, which go with it."""
+    below = {}
+    for child, parent in running():
+        below.setdefault(parent, []).append(child)
+    waiting = [pid]
+    for one in waiting:
+        waiting += below.get(one, [])
+    guardians = {child for child in below.get(pid, []) if is_guardian(child)}
+    return [one for one in waiting[1:] if one not in guardians]
+
+
+def is_guardian(pid):
+    """Whether a child is a guardian; what it has forked has the same command."""
+    try:
+        return b"isolation.roles" in Path(f"/proc/{pid}/cmdline").read_bytes()
+    except OSError:
+        return False
+
+
 def named(word):
     """The processes with that word in their command line."""
     found = []

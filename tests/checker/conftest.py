@@ -49,51 +49,12 @@ def explorers(monkeypatch):
     return closure
 
 
-def alive(pid):
-    try:
-        state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
-    except OSError:
-        return False
-    return state != "Z"
-
-
-def descendants():
-    """The processes that come from this one and still run, but for the guardians, which stay."""
-    below = {}
-    for entry in Path("/proc").iterdir():
-        if entry.name.isdigit():
-            try:
-                after = (entry / "stat").read_text().rpartition(")")[2].split()
-            except OSError:
-                continue
-            if after[0] != "Z":
-                below.setdefault(int(after[1]), []).append(int(entry.name))
-    found = []
-    for pid in (waiting := [os.getpid()]):
-        waiting += below.get(pid, [])
-        found += below.get(pid, [])
-    return {pid for pid in found if not is_guardian(pid)}
-
-
-def is_guardian(pid):
-    """A guardian, and not what it has forked, which has the same command."""
-    try:
-        command = Path(f"/proc/{pid}/cmdline").read_bytes()
-        parent = int(Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
-    except OSError:
-        return True
-    return b"isolation.roles" in command and parent == os.getpid()
-
-
 @pytest.fixture
 def no_orphans():
     """Nothing that a check has started outlives it."""
-    before = descendants()
+    before = set(processes.workers_of(os.getpid()))
     yield
-    deadline = time.monotonic() + 30
-    while descendants() - before and time.monotonic() < deadline:
-        time.sleep(0.05)
-    assert not descendants() - before
+    assert processes.end(lambda: set(processes.workers_of(os.getpid())) - before)
 
 
 @pytest.fixture

@@ -259,9 +259,10 @@ def test_an_interrupt_leaves_a_report_and_no_worker(start, tmp_path, number, exp
         *["--answer-timeout", PATIENCE, "--engine", "python"],
         HUNG=str(hung),
     )
-    assert processes.wait(lambda: len(processes.children_of(process.pid)) == 2)
+    # Two referees, each with the two players of the explorer.
+    assert processes.wait(lambda: len(processes.workers_of(process.pid)) == 6)
     assert explorer == "right" or processes.wait(hung.exists)
-    workers = processes.children_of(process.pid)
+    workers = processes.workers_of(process.pid)
     os.killpg(process.pid, number)
     out, err = process.communicate(timeout=PATIENCE)
     document = json.loads(out)

@@ -46,8 +46,10 @@ def test_a_finding_is_reproduced_by_its_mutant_to_the_letter(entry):
     again = replayed.again.finding
     assert again.law == finding.law == entry.expected["law"]
     assert again.world == finding.world
-    assert again.transcript == finding.transcript
-    assert (again.expected, again.seen) == (finding.expected, finding.seen)
+    if finding.law != "nondeterministic":
+        # What such an explorer does depends on what it did before.
+        assert again.transcript == finding.transcript
+        assert (again.expected, again.seen) == (finding.expected, finding.seen)
 
 
 @entries("finding")
