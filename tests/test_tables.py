@@ -15,7 +15,7 @@ import typer
 
 import allworlds
 from allworlds import documents, explorers, kernel, reports, strategies
-from allworlds.checker import ENGINES, engines
+from allworlds.checker import ENGINES, engines, questions
 from allworlds.checker.options import ManyRunsOptions, RunOptions
 from allworlds.cli import options as opt
 from allworlds.cli.app import app
@@ -320,6 +320,14 @@ def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monke
 
 
 # ---------------------------------------------------------------- classes of maps
+
+
+def test_a_class_that_the_compiled_engine_does_not_know_is_left_to_the_other(monkeypatch):
+    scope = Scope(Extent(MapClass.PLANAR, 6), Rules())
+    assert engines.engine_for("auto", scope, load("algorithm1")).name == "kernel"
+    monkeypatch.setattr(questions, "CLASSES", questions.CLASSES - {MapClass.PLANAR})
+    assert "class planar" in ENGINES["kernel"].obstacle(scope, load("algorithm1"))
+    assert engines.engine_for("auto", scope, load("algorithm1")).name == "python"
 
 
 @pytest.mark.parametrize("map_class", MapClass)
