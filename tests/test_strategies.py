@@ -56,6 +56,7 @@ def smallest(strategy, condition):
 # ---------------------------------------------------------------- maps
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @CLASSES
 def test_every_map_of_at_most_three_edges_is_drawn(map_class):
@@ -63,6 +64,7 @@ def test_every_map_of_at_most_three_edges_is_drawn(map_class):
     assert set(sample(map_class, 3)) == expected
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @CLASSES
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])
@@ -84,6 +86,7 @@ def test_one_that_never_draws_a_handle_would_be_noticed():
     assert set(sample(MapClass.PLANAR, 3)) < set(sample(MapClass.MAPS, 3))
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @CLASSES
 @pytest.mark.parametrize("edges", [6, 14])
@@ -95,6 +98,7 @@ def test_what_is_drawn_is_a_valid_map_of_the_class_in_canonical_numbering(map_cl
         assert rooted_code(map_.sigma, map_.alpha, 0) == (map_.sigma, map_.alpha)
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @CLASSES
 def test_every_size_is_drawn_and_nothing_in_vain(map_class):
@@ -108,6 +112,7 @@ def test_every_size_is_drawn_and_nothing_in_vain(map_class):
     assert {edges for edges, _ in sizes} == set(range(1, 7))
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("strategy", OF_CLASS.values())
 def test_the_number_of_edges_is_kept_between_its_bounds(strategy):
@@ -130,6 +135,7 @@ def test_impossible_bounds_are_refused_at_once(strategy, least, most, message):
 # ---------------------------------------------------------------- shrinking
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("strategy", "condition", "expected"),
     [
@@ -146,6 +152,7 @@ def test_the_smallest_example_is_the_smallest_map(strategy, condition, expected)
     assert smallest(strategy, condition) == expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("map_class", "condition", "size"),
     [
@@ -245,6 +252,7 @@ def test_after_the_last_drawn_answer_the_first_option_is_taken():
         assert asked(choices, *[7] * 10)[3:] == [0] * 7
 
 
+@pytest.mark.slow
 def test_motions_shrink_to_none_and_to_few():
     assert smallest(strategies.motions(), lambda _: True) == []
     assert smallest(strategies.motions(), lambda ks: len(ks) >= 2) == [0, 0]
@@ -308,6 +316,7 @@ def test_importing_the_package_does_not_load_hypothesis():
     assert done.stdout.split() == ["False", "True"]
 
 
+@pytest.mark.slow
 def test_the_examples_of_the_page_for_users_pass():
     page = Path(__file__).parents[1] / "docs" / "strategies.md"
     text = page.read_text(encoding="utf-8")

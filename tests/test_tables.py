@@ -15,7 +15,7 @@ import typer
 
 import allworlds
 from allworlds import documents, explorers, kernel, reports, strategies
-from allworlds.checker import ENGINES, engines
+from allworlds.checker import ENGINES, engines, questions
 from allworlds.checker.options import ManyRunsOptions, RunOptions
 from allworlds.cli import options as opt
 from allworlds.cli.app import app
@@ -322,6 +322,14 @@ def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monke
 # ---------------------------------------------------------------- classes of maps
 
 
+def test_a_class_that_the_compiled_engine_does_not_know_is_left_to_the_other(monkeypatch):
+    scope = Scope(Extent(MapClass.PLANAR, 6), Rules())
+    assert engines.engine_for("auto", scope, load("algorithm1")).name == "kernel"
+    monkeypatch.setattr(questions, "CLASSES", questions.CLASSES - {MapClass.PLANAR})
+    assert "class planar" in ENGINES["kernel"].obstacle(scope, load("algorithm1"))
+    assert engines.engine_for("auto", scope, load("algorithm1")).name == "python"
+
+
 @pytest.mark.parametrize("map_class", MapClass)
 def test_every_class_is_counted_enumerated_drawn_and_told(map_class):
     assert map_class.summary
@@ -347,6 +355,7 @@ def test_a_class_without_generators_of_its_own_is_drawn_all_the_same(monkeypatch
     test_random_worlds_of_every_class_are_drawn(MapClass.SIMPLE)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("map_class", MapClass)
 def test_algorithm_1_holds_in_every_class(map_class):
     report = allworlds.check("algorithm1", edges=3, map_class=map_class.value)

@@ -46,6 +46,7 @@ def test_the_compiled_program_agrees_with_its_twin(report):
         assert rows_of(report, edges) == twin(edges, report.transit)
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", ["simple", "planar", "planar-simple"])
 def test_other_classes_agree_with_the_twin(map_class):
@@ -55,6 +56,7 @@ def test_other_classes_agree_with_the_twin(map_class):
     assert report.exit_code == 0
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_in_each_world_every_run_of_the_python_engine_costs_what_the_twin_says():
     examiner = Examiner(load("algorithm1"), Rules())
@@ -75,6 +77,7 @@ def test_no_start_dart_of_a_vertex_is_better_than_another():
             assert (one.worst, one.best) == (other.worst, other.best)
 
 
+@pytest.mark.slow
 def test_the_check_of_all_schedules_finds_the_same_largest_costs():
     checked = check(edges=3, schedules="all", workers=2)
     report = worst(edges=3)
@@ -105,6 +108,7 @@ def test_the_worlds_are_all_there(report):
         assert {r.vertices: r.worlds for r in report.rows if r.edges == edges} == counted(edges)
 
 
+@pytest.mark.slow
 def test_any_simple_path_may_be_dearer_than_a_shortest_one_and_not_cheaper():
     shortest, simple = (worst(edges=5, transit=way).rows for way in ("shortest", "simple"))
     assert all(

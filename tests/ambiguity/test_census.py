@@ -66,6 +66,7 @@ def second_route(edges, map_class):
     return edges, len(marked), sum(sizes), len(sizes), max(sizes, default=0)
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", ["maps", "simple", "planar", "planar-simple"])
 def test_grouping_by_what_words_of_motions_show_gives_the_same_table(map_class):

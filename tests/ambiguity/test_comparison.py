@@ -75,6 +75,7 @@ def test_the_same_world_under_other_names_is_the_same(kind):
         assert (found.relation, found.distinguishable, found.twins) == ("same", False, False)
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_directional_worlds_are_told_apart_unless_they_are_the_same():
     # All pairs with at most three edges: a directional marker settles the map and the pose.

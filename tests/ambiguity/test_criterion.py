@@ -63,6 +63,7 @@ def groups(maps):
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [1, 2, 3, 4, 5, slow(6)])
 def test_the_criterion_and_burnsides_count_are_right_for_every_marked_map(edges):
@@ -108,6 +109,7 @@ def test_there_are_as_many_pose_hypotheses_as_lifts(edges):
         assert sum(1 for _ in lifts(quotient)) == pose_count(quotient)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])
 def test_every_lift_is_a_map_with_the_same_rooted_quotient(edges):
     for map_ in marked_maps(edges)[::3]:

@@ -66,6 +66,7 @@ def test_vertices_alone_bound_the_simple_classes(vertices):
     assert report.verdict is Verdict.HOLDS
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
@@ -171,6 +172,7 @@ def test_unless_more_are_asked_for_a_check_ends_with_its_first_finding(explorers
     assert (len(second), second[0].key) == (2, first.key)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("edges", "keep"), [(3, 3), slow(4, 12)])
 @pytest.mark.parametrize("name", ["everywhere", "here_of_another"])
 def test_one_worker_and_three_say_the_same(wrong, name, edges, keep):
@@ -206,6 +208,7 @@ def planted(request, explorers, monkeypatch):
     return world, edges, runs
 
 
+@pytest.mark.slow
 def test_an_explorer_that_is_wrong_in_one_run_is_refuted_there(planted, wrong):
     world, edges, runs = planted
     reports = [check(wrong("planted"), edges=edges, workers=workers) for workers in (1, 3)]
@@ -219,6 +222,7 @@ def test_an_explorer_that_is_wrong_in_one_run_is_refuted_there(planted, wrong):
     assert check(wrong("planted"), edges=edges, workers=3, max_findings=2).findings == [finding]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("policy", ["fifo", "nearest"])
 def test_a_folding_explorer_of_somebody_else_holds(folding, policy):
     report = check(folding, edges=3, policy=policy, bound="none", workers=2)
@@ -226,6 +230,7 @@ def test_a_folding_explorer_of_somebody_else_holds(folding, policy):
     assert [row["bound"] for row in report.rows()] == [None] * len(report.rows())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("edges", "all_worlds", "runs"), [(3, 86, 309), slow(4, 792, 3684)])
 def test_a_program_of_somebody_else_holds(program, edges, all_worlds, runs):
     report = check(program("right"), edges=edges, workers=3)
@@ -253,6 +258,7 @@ def test_a_shell_script_can_be_an_explorer():
     assert report.runs == 3
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
@@ -286,6 +292,7 @@ def test_schedules_need_an_explorer_that_asks(wrong):
         check(wrong("right"), schedules="all", edges=1)
 
 
+@pytest.mark.slow
 def test_one_wrong_schedule_of_many_is_found(wrong):
     report = check(wrong("one_schedule"), schedules="all", edges=2, max_findings=100)
     assert {finding.choices for finding in report.findings} == {(1, 0)}
@@ -297,6 +304,7 @@ def test_one_wrong_schedule_of_many_is_found(wrong):
     assert len(report.findings) == len(begins)
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("broken", ["drop", "duplicate"])
 @pytest.mark.parametrize("victim", [0, 50])
@@ -334,6 +342,7 @@ def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch):
     assert {cell.source for cell in report.gate} == {"abacus"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("workers", [1, 2])
 def test_the_time_limit_leaves_unfinished_levels_out(workers):
     report = check(edges=9, time_limit=2, workers=workers)
@@ -345,6 +354,7 @@ def test_the_time_limit_leaves_unfinished_levels_out(workers):
     assert report.to_json()["scope"]["complete"] is False
 
 
+@pytest.mark.slow
 def test_a_finding_of_an_unfinished_level_is_not_called_minimal(wrong, clock):
     # It hangs in 1, 2 and 10 runs with 1, 2 and 3 edges, each tried twice; there is time for four.
     limits = {"answer_timeout": PATIENCE, "time_limit": 9.5 * clock.LEAP}

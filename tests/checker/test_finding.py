@@ -84,6 +84,7 @@ def test_the_recorded_choices_are_honoured(one_schedule, wrong):
     assert replay(one_schedule, algorithm).exit_code == 5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("choices", "notice"),
     [

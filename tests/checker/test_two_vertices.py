@@ -53,6 +53,7 @@ def test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges
     assert all(row["max_cost"] <= row["bound"] for row in report.rows() if row["runs"])
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1"])
 def test_the_natural_explorer_holds_in_simple_worlds(policy):
@@ -64,6 +65,7 @@ def test_the_natural_explorer_holds_in_simple_worlds(policy):
     assert report.to_json()["scope"]["laws"] == LAWS
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("explorer", [CLUSTER, NATURAL])
 @pytest.mark.parametrize("map_class", ["maps", "planar", "simple", "planar-simple"])
 @pytest.mark.no_cover
@@ -80,6 +82,7 @@ def test_no_witness_is_asked_for_that_cannot_occur(explorer, map_class, policy):
                 assert report.verdict is Verdict.VACUOUS, options
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_every_schedule_holds():
     report = check(CLUSTER, edges=3, schedules="all")
@@ -149,6 +152,7 @@ def test_the_explorers_own_bound_holds_under_its_own_kind_of_lighthouse_only():
     assert check(NATURAL, edges=1, lighthouse="none").to_json()["scope"]["bound"] == "none"
 
 
+@pytest.mark.slow
 def test_an_explorer_under_a_lighthouse_it_is_not_written_for_is_refuted_not_stopped():
     assert check("algorithm1", edges=3, lighthouse="cluster").findings[0].law == "map"
     for explorer in (CLUSTER, NATURAL):

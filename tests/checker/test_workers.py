@@ -78,6 +78,7 @@ def test_an_explorer_that_finds_no_memory_to_be_imported_tells_the_limit(tmp_pat
         check(f"{module}:explore", edges=1, memory=300)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["prints", "reads_quietly", "child", "thread", "forks"])
 def test_what_harms_nobody_is_no_finding(wrong, capfd, name):
     report = check(wrong(name), edges=2, workers=2)
@@ -85,6 +86,7 @@ def test_what_harms_nobody_is_no_finding(wrong, capfd, name):
     assert capfd.readouterr().out == ""
 
 
+@pytest.mark.slow
 def test_the_walk_of_a_killed_explorer_is_known(wrong):
     finding = only_finding(wrong("hang_in_the_middle"))
     assert finding.law == "timeout"
@@ -92,12 +94,14 @@ def test_the_walk_of_a_killed_explorer_is_known(wrong):
     assert finding.confirmed
 
 
+@pytest.mark.slow
 def test_the_choices_of_a_killed_explorer_are_known(wrong):
     finding = only_finding(wrong("hang_after_choices"), schedules="all", laws=["map"])
     assert (finding.law, finding.choices) == ("timeout", (0, 0))
     assert len(finding.transcript.steps) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["chooses_for_ever", "chooses_for_ever_whatever_is_raised"])
 def test_an_explorer_that_chooses_for_ever_is_silent(wrong, name):
     finding = only_finding(wrong(name))
@@ -123,11 +127,13 @@ def test_a_timeout_that_could_not_be_kept_is_refused(wrong, timeout):
         run(wrong("right"), EDGE, answer_timeout=timeout)
 
 
+@pytest.mark.slow
 def test_an_explorer_that_takes_its_interpreter_with_it_when_it_is_closed(wrong):
     report = check(wrong("ends_at_its_close"), edges=1)
     assert [finding.law for finding in report.findings] == ["crash"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["by_random", "by_time", "by_id", "by_hash", "by_state"])
 def test_a_walk_that_is_another_one_the_second_time_is_nondeterministic(wrong, name):
     finding = only_finding(wrong(name))
@@ -148,6 +154,7 @@ def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
     assert "Traceback" in finding.detail
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "law", "seen"),
     [
@@ -195,6 +202,7 @@ def test_a_program_that_does_not_listen_is_stopped(program, tmp_path, gone):
     assert gone(tmp_path / "pids")
 
 
+@pytest.mark.slow
 def test_a_program_that_does_not_end_with_its_input_is_ended(program, tmp_path, gone):
     report = check(program("never-exits", tmp_path / "pids"), edges=2, workers=2)
     assert (report.verdict.value, report.runs) == ("holds", 30)
@@ -202,6 +210,7 @@ def test_a_program_that_does_not_end_with_its_input_is_ended(program, tmp_path, 
     assert gone(tmp_path / "pids")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("time_limit", [0.3, 1.5])
 def test_a_program_in_the_middle_of_a_run_is_ended_with_the_check(
     program, tmp_path, gone, time_limit
@@ -212,6 +221,7 @@ def test_a_program_in_the_middle_of_a_run_is_ended_with_the_check(
     assert gone(tmp_path / "pids")
 
 
+@pytest.mark.slow
 def test_one_run_of_an_explorer_that_hangs_is_stopped_too(wrong):
     told = run(wrong("hang_in_the_middle"), EDGE, answer_timeout=PATIENCE)
     assert (told.exit_code, told.finding.law, told.outcome.cost) == (1, "timeout", 1)
@@ -219,6 +229,7 @@ def test_one_run_of_an_explorer_that_hangs_is_stopped_too(wrong):
     assert again.outcome == "reproduced"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["os_exit", "segfault", "reads", "closes", "orphan", "raises"])
 def test_one_run_of_an_explorer_that_dies_is_a_crash(wrong, name):
     told = run(wrong(name), EDGE, answer_timeout=PATIENCE)

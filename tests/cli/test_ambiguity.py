@@ -119,6 +119,7 @@ def console_blocks():
             yield command.split(), expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("arguments", "expected"), list(console_blocks()))
 def test_the_page_about_ambiguity_shows_what_is_printed(cli, arguments, expected, monkeypatch):
     monkeypatch.setenv("COLUMNS", "100")

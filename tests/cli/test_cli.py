@@ -183,6 +183,7 @@ def test_what_an_explorer_prints_is_not_in_the_document(tmp_path, capfd):
         assert "explored" in err
 
 
+@pytest.mark.slow
 def test_a_finding_is_replayed_from_its_report_and_from_its_command(cli, tmp_path):
     code, out, _ = cli("check", f"{WRONG}:here_of_another", "--edges", "3", "--json")
     report = json.loads(out)

@@ -54,6 +54,7 @@ def tmp(tmp_path_factory):
     return str(tmp_path_factory.mktemp("made-by"))
 
 
+@pytest.mark.slow
 def test_no_document_depends_on_the_order_of_hashes(tmp):
     commands = tuple(tuple(least(name, tmp)) for name in NAMES if name != "bench")
     one, other = (told(seed, commands) for seed in (1, 2))

@@ -38,6 +38,7 @@ def test_without_stderr_the_report_is_the_same(cli, stderr):
     assert without_made_by(again) == without_made_by(out)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stderr", ["2>&-", "2>/dev/full", "2>&1 >{0} | true; cat {0}"])
 def test_without_stderr_an_explorer_prints_into_the_void(stderr, tmp_path):
     file = tmp_path / "loud.py"
@@ -66,6 +67,7 @@ def test_a_stdout_that_is_full_is_one_line_and_exit_code_70(cli, monkeypatch, ve
     assert err.startswith("allworlds: ")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("verb", "stdout"),
     [

@@ -26,7 +26,7 @@ def test_the_lighthouse_of_a_built_in_explorer_need_not_be_named(cli):
     assert without_made_by(plain[1]) == without_made_by(named[1])
     report = json.loads(plain[1])
     assert (report["verdict"], report["left_out"]) == ("holds", 5)
-    assert (report["scope"]["lighthouse"], report["engine"]) == ("cluster:single=true", "kernel")
+    assert (report["scope"]["lighthouse"], report["engine"]) == ("cluster:single=true", "python")
 
 
 def test_without_the_promise_the_explorer_is_refuted_and_the_command_shows_it_again(cli):

@@ -15,6 +15,7 @@ def test_worst_prints_one_document(cli):
     assert all(row["replayed"] == row["worst"] for row in document["rows"])
 
 
+@pytest.mark.slow
 def test_worst_prints_a_table(cli):
     code, out, _ = cli("worst", "--edges", 2, "--class", "simple", "--workers", 1)
     assert code == 0
@@ -32,14 +33,14 @@ def test_worst_refuses_by_name(refused, option, value):
 
 
 def test_check_tells_the_engine_and_its_symmetry(cli):
-    code, out, _ = cli("check", "--edges", 3, "--engine", "kernel", "--json", "-q")
+    code, out, _ = cli("check", "--edges", 6, "--json", "-q")
     assert code == 0
     document = json.loads(out)
     assert document["engine"] == "kernel"
     assert "every bearing" in document["scope"]["symmetry"]
     code, out, _ = cli("check", "--edges", 2, "--engine", "kernel", "-q")
     assert "algorithm1, kernel engine" in out
-    assert "symmetry   each rooted map is walked once" in out
+    assert "symmetry" not in out
 
 
 def test_check_refuses_what_the_kernel_cannot_do(refused):
@@ -47,6 +48,7 @@ def test_check_refuses_what_the_kernel_cannot_do(refused):
     assert "'random:1'" in refused("check", "--edges", 3, *options)
 
 
+@pytest.mark.slow
 def test_bench_prints_a_table_or_one_document(cli):
     arguments = ["bench", "--edges", 4, "--rounds", 1, "--peer", "nothing=true"]
     code, out, _ = cli(*arguments)
@@ -57,6 +59,7 @@ def test_bench_prints_a_table_or_one_document(cli):
     assert [row["to"] for row in json.loads(out)["ratios"]][-1] == "nothing"
 
 
+@pytest.mark.slow
 def test_bench_refuses_a_peer_that_fails(refused):
     peer = ["--peer", "culprit=false"]
     assert "'culprit'" in refused("bench", "--edges", 4, "--rounds", 1, *peer)

@@ -83,6 +83,7 @@ def going_round_gives_sigma(map_):
             assert map_.sigma[dart] == after
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("map_", EACH, ids=str)
 def test_going_round_a_vertex_by_angle_gives_sigma(map_):
@@ -101,6 +102,7 @@ def test_another_cyclic_order_would_be_seen():
     assert any(GENUS_2.sigma[a] != b for a, b in pairwise(around))
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("map_", EACH, ids=str)
 def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
@@ -176,6 +178,7 @@ def test_a_drawing_with_its_crossings_is_planar_and_keeps_sigma(map_):
         assert plane.way(dart) == plane.way(other)[::-1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("map_", [*NAMED, GENUS_2], ids=str)
 def test_no_triangle_of_the_mesh_is_turned_over(map_):
     net = mesh(planar(map_))
@@ -207,6 +210,7 @@ def strain(net, where, point, at):
     return total
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["edge", "theta", "k4", "theta-torus"])
 def test_no_point_of_the_mesh_would_lie_better_a_little_aside(name):
     net = mesh(planar(named_map(name)))

@@ -66,6 +66,7 @@ def without_numbers(text):
     return [re.sub(r"[\d)]", " ", line).rstrip() for line in text.split("\n")]
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [1, 2, 3])
 def test_the_drawing_and_the_table_are_exact_for_every_small_map(edges):
@@ -84,6 +85,7 @@ def test_the_drawing_and_the_table_are_exact_from_every_start(name):
         assert parsed_table(rotation_table(scene)) == (map_, [start])
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_without_the_numbers_two_drawings_agree_exactly_for_the_same_rooted_map():
     # 10 + 74 rooted maps of 2 and 3 edges: Arques and Beraud, Discrete Math. 215 (2000).

@@ -83,6 +83,7 @@ def bound(m, n):
 # ---------------------------------------------------------------- right, and how dear
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "traversals"), list(enumerate([2, 25, 344, 5184, 86061], 1)))
 def test_all_worlds_with_the_bearing_on_the_root_cost_as_much_as_counted_elsewhere(
@@ -258,6 +259,7 @@ def test_the_dearest_edge_is_no_dearer_than_an_edge():
 # ---------------------------------------------------------------- which events are met when
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("simple", [False, True])
 def test_the_witnesses_are_met_from_the_stated_size_on_and_not_earlier(simple):

@@ -91,6 +91,7 @@ def bound(world):
 # ---------------------------------------------------------------- right, and how dear
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("policy", POLICIES)
 def test_from_a_cluster_every_world_is_mapped_within_the_bound_where_one_edge_joins_v0_and_v1(
@@ -109,6 +110,7 @@ def test_from_a_cluster_every_world_is_mapped_within_the_bound_where_one_edge_jo
     assert runs == 668
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("policy", POLICIES)
 def test_from_a_natural_lighthouse_every_simple_world_is_mapped_within_the_bound(policy):
@@ -238,6 +240,7 @@ def test_with_two_edges_between_v0_and_v1_the_query_is_deceived():
     assert wrong == {2}
 
 
+@pytest.mark.slow
 def test_where_v1_is_nowhere_the_explorer_ends_or_is_stopped():
     for edges in (1, 2, 3):
         for world in rooted_maps(edges):
@@ -293,6 +296,7 @@ FORCED = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize(("name", "event", "simple"), FORCED)
 def test_no_policy_can_miss_a_witness_in_worlds_of_the_stated_size(name, event, simple):

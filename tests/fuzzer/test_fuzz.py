@@ -8,6 +8,7 @@ from allworlds.work import TimeIsUp
 from small import slow
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("begins", "edges", "runs"), [((5, 4), 9, 100), slow((9, 6), 16, 500)])
 def test_an_error_that_begins_at_some_size_is_found_and_shrunk(planted_file, begins, edges, runs):
     report = fuzz(planted_file(*begins), edges=edges, runs=runs, workers=2)
@@ -20,6 +21,7 @@ def test_an_error_that_begins_at_some_size_is_found_and_shrunk(planted_file, beg
     assert not finding.minimal
 
 
+@pytest.mark.slow
 def test_the_report_does_not_depend_on_the_number_of_workers(planted_file):
     explore = planted_file(5, 4)
     one, three = (
@@ -41,6 +43,7 @@ def test_algorithm_1_is_not_refuted_and_that_is_no_proof():
     assert sum(row["runs"] for row in document["rows"]) == 200
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("map_class", ["maps", "simple", "planar", "planar-simple"])
 def test_the_sample_follows_its_class_and_its_seed(map_class):
@@ -66,6 +69,7 @@ def test_whoever_listens_is_told_of_every_world():
     assert sum(told[1:]) == 150
 
 
+@pytest.mark.slow
 def test_what_has_been_reached_when_the_time_is_up_is_reported(planted, monkeypatch):
     reached = []
 

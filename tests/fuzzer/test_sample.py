@@ -26,6 +26,7 @@ def drawn(map_class, edges, runs, seed=0):
     return [placed for batch in parts for placed in batch.placed(extent, Directional)]
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @CLASSES
 def test_a_sample_is_a_function_of_its_seed(map_class):
@@ -37,6 +38,7 @@ def test_a_longer_sample_begins_with_the_shorter():
     assert drawn(MapClass.MAPS, 10, 150)[:70] == drawn(MapClass.MAPS, 10, 70)
 
 
+@pytest.mark.slow
 @CLASSES
 def test_every_run_has_one_valid_world_of_the_class_within_the_bound(map_class):
     sample = drawn(map_class, 12, 200)
@@ -56,6 +58,7 @@ def test_every_number_of_edges_and_every_bearing_comes(map_class):
     assert {places[0][0] for map_, places in sample if map_.degree_at[0] == 3} == {0, 1, 2}
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @CLASSES
 def test_every_generator_comes_in_turn_and_makes_what_the_class_can_use(map_class):

@@ -57,6 +57,7 @@ def test_what_is_found_is_refuted_and_nothing_with_one_edge_less_is(shrunk):
     assert not any(refuted(explore, other) for other in smaller.values())
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "degree"), [(5, 4), slow(9, 6)])
 def test_shrinking_stays_in_its_class(planted, edges, degree):
@@ -113,6 +114,7 @@ def test_every_step_is_smaller_and_only_smaller_worlds_are_tried(large):
     assert keys[-1][:2] == (2, 3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "condition",
     [
@@ -129,6 +131,7 @@ def test_no_single_deletion_or_contraction_of_the_last_step_refutes(large, condi
     assert not any(condition(other) for other in neighbours if other)
 
 
+@pytest.mark.slow
 def test_where_every_world_refutes_one_loop_is_left(large):
     steps, _ = smallest(large, lambda world: True)
     assert steps[-1].world.map == allworlds.CombinatorialMap((1, 0), (1, 0))

@@ -134,6 +134,7 @@ def agree(log):
 # ---------------------------------------------------------------- right logs
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("m", [1, 2, 3, 4])
 def test_the_log_of_algorithm_1_folds_to_the_world(m):
@@ -164,6 +165,7 @@ def test_the_darts_of_v0_come_first_from_the_dart_faced_at_the_start():
         assert folded.sigma[:degree] == (*range(1, degree), 0)
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("seed", range(12))
 def test_the_fold_of_any_walk_is_a_part_of_the_world(seed):
@@ -174,6 +176,7 @@ def test_the_fold_of_any_walk_is_a_part_of_the_world(seed):
         assert image[fold(log).here] == dart
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_the_fold_of_walks_in_larger_worlds_is_a_part_of_them():
     random = Random(7)
@@ -252,6 +255,7 @@ def test_two_ways_of_folding_agree_on_algorithm_1(k):
             assert agree(explored(world)[0]).open_darts == 0
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("seed", range(6))
 def test_two_ways_of_folding_agree_on_random_walks(seed):
@@ -365,6 +369,7 @@ def all_logs(length):
                 yield log_of(first, *zip(motions, seen, strict=True))
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("length", [1, 2, 3, 4])
 def test_a_log_is_folded_exactly_where_some_world_has_it(length):

@@ -106,6 +106,7 @@ def embeds(case, i, checkpoint):
 # ---------------------------------------------------------------- right checkpoints
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("m", [1, 2, 3, 4])
 def test_algorithm_1_keeps_every_invariant(m):
@@ -164,6 +165,7 @@ def test_two_entries_of_sigma_exchanged_break_invariant_1():
                 assert invariant_1(single(case, i, sigma=swapped)).law == "invariant-1"
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_the_whole_map_glued_otherwise_breaks_invariant_1_unless_it_is_the_same():
     same = 0
@@ -184,6 +186,7 @@ def test_the_whole_map_glued_otherwise_breaks_invariant_1_unless_it_is_the_same(
     assert same  # two leaves may be exchanged
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_another_here_breaks_invariant_1_unless_it_is_the_same_by_symmetry():
     wrong = 0
@@ -222,6 +225,7 @@ def test_a_part_that_is_not_connected_breaks_invariant_1():
         assert f"dart {size} of S is not connected" in invariant_1(apart).seen
 
 
+@pytest.mark.slow
 def test_a_tree_edge_forgotten_at_both_ends_breaks_invariant_1():
     met = 0
     for case, i, checkpoint in every(3):

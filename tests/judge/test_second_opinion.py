@@ -64,6 +64,7 @@ def agree_on(a, b):
     return bool(found)
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_the_judge_agrees_with_all_dart_bijections_on_up_to_two_edges():
     maps = [*all_maps(1), *all_maps(2)]
@@ -71,6 +72,7 @@ def test_the_judge_agrees_with_all_dart_bijections_on_up_to_two_edges():
     assert outcomes == {True, False}
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_the_judge_agrees_with_all_dart_bijections_on_some_pairs_with_three_edges():
     maps = list(all_maps(3))
@@ -83,6 +85,7 @@ def test_the_judge_agrees_with_all_dart_bijections_on_some_pairs_with_three_edge
     assert set(outcomes) == {True, False}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "a",
     [

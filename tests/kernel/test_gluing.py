@@ -10,6 +10,7 @@ from allworlds.maps.enumeration import prefixes
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("vertices", [None, 2, 4])
 @pytest.mark.parametrize("edges", [1, 2, 3, 4, 5])
 def test_the_compiled_count_is_the_count_one_by_one(edges, vertices):

@@ -90,6 +90,7 @@ def asked(edges, **given):
     return replace(level, **given)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mutant", TABLES, ids=lambda mutant: mutant.__name__)
 def test_a_check_with_a_damaged_table_ends_as_an_internal_error(monkeypatch, mutant):
     monkeypatch.setattr(questions, "level_tables", lambda *a: mutant(WHOLE(*a)))
@@ -99,6 +100,7 @@ def test_a_check_with_a_damaged_table_ends_as_an_internal_error(monkeypatch, mut
     assert report.ending.reason
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mutant", TABLES, ids=lambda mutant: mutant.__name__)
 def test_without_the_comparison_a_damaged_table_is_found_out_as_well(monkeypatch, mutant):
     monkeypatch.setattr(questions, "level_tables", lambda *a: mutant(WHOLE(*a)))
@@ -114,6 +116,7 @@ def test_without_the_comparison_a_damaged_table_is_found_out_as_well(monkeypatch
     assert report.exit_code == 70
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("damage", ["doubled", "lost"])
 def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damage):
     units = Scope.units
@@ -143,6 +146,7 @@ def test_the_least_broken_worlds_come_first():
     assert len(kernel.walk(level, (-8,), keep=500).broken) == 105
 
 
+@pytest.mark.slow
 def test_both_modes_break_in_the_same_worlds():
     allowed = [4, 20, 20, 20, 20, 20]
     bounds = kernel.Bounds(lambda n, _d0, _largest: allowed[n - 1])
@@ -168,6 +172,7 @@ def test_a_walk_that_fails_half_way_blames_every_completion():
     assert all(row.traversals == 0 for row in broken.counts)
 
 
+@pytest.mark.slow
 def test_a_disagreement_names_the_world(monkeypatch):
     monkeypatch.setattr(questions, "level_tables", lambda *a: retracing_for_nothing(WHOLE(*a)))
     scope = Scope(Extent(MapClass.MAPS, 6), Rules())

@@ -65,6 +65,7 @@ def mirrored(transcript):
 # ---------------------------------------------------------------- names of darts
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("explore", EXPLORERS.values(), ids=EXPLORERS)
 def test_relabelling_the_world_leaves_the_transcript_and_the_answer_unchanged(explore):
@@ -198,6 +199,7 @@ def reflected(answer):
     return Estimate(answer.map.mirrored(), answer.here)
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("explore", EXPLORERS.values(), ids=EXPLORERS)
 def test_a_mirrored_explorer_in_the_mirrored_world_walks_and_answers_mirrored(explore):

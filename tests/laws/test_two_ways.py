@@ -58,6 +58,7 @@ def test_every_outcome_is_drawn(outcome):
     assert verdict(*find(answers(), lambda a: judged(*a) == outcome, settings=MANY)) == outcome
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_a_judge_that_takes_mirror_images_for_the_same_would_be_noticed():
     def soft(truth, dart, estimate, here):

@@ -108,6 +108,7 @@ def test_every_pair_of_permutations_is_one_of_the_rooted_maps(edges):
             assert sum(any(commutes(n, a, b) for n in rooted) for b in found) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])
 def test_an_unrooted_map_is_its_own_least_rooting(edges):
     rooted = rooted_maps(edges)

@@ -140,6 +140,7 @@ def test_symmetric_maps_have_the_least_rooted_code_whatever_the_darts_are_called
     assert unrooted_code(other) == min(codes(map_))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("map_class", CLASSES)
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])
 def test_as_many_unrooted_codes_as_maps(edges, map_class):

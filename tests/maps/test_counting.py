@@ -73,6 +73,7 @@ def test_maps_with_one_vertex_are_the_pairings_of_its_darts():
         assert rooted_maps(m)[1] == prod(range(1, 2 * m, 2))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("map_class", CLASSES)
 def test_the_sources_of_a_class_agree_on_every_cell_that_two_of_them_know(map_class):
     first, *others = sources(map_class)
@@ -225,6 +226,7 @@ def test_simple_rooted_maps_by_vertices_are_the_known_numbers(rooted):
     assert totals == [1, 3, 32, 3965]
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_labelling_vertices_and_rooting_count_the_same_simple_maps():
     for n in range(2, 7):
@@ -265,6 +267,7 @@ def test_simple_planar_maps_by_edges_are_the_published_numbers():
     assert totals == SIMPLE_PLANAR
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_simple_planar_maps_with_the_most_edges_are_tuttes_triangulations():
     most = [rooted_planar_simple_by_substitution(3 * n - 6)[n] for n in range(3, 9)]
@@ -272,6 +275,7 @@ def test_simple_planar_maps_with_the_most_edges_are_tuttes_triangulations():
     assert [rooted_planar_simple(3 * n - 6)[n] for n in range(3, 6)] == TRIANGULATIONS[:3]
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_simple_planar_maps_never_have_more_than_3n_minus_6_edges():
     for m in range(2, 16):

@@ -29,6 +29,7 @@ def test_gluing_meets_each_map_that_trying_all_permutations_meets_once(map_class
     assert set(met) == {(map_.sigma, map_.alpha) for map_ in tried}
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize(("map_class", "edges"), [*GATED, *FURTHER])
 def test_every_cell_holds_as_many_maps_as_the_independent_source_says(map_class, edges):
@@ -37,6 +38,7 @@ def test_every_cell_holds_as_many_maps_as_the_independent_source_says(map_class,
     assert met == {n: count for n, count in cells.items() if count}
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize(("map_class", "edges"), [(c, m) for c in MapClass for m in (3, 5)])
 def test_every_map_is_in_its_class_and_lawful_and_met_once(map_class, edges):
@@ -73,6 +75,7 @@ def test_a_bound_on_the_vertices_only_leaves_maps_out(map_class, edges):
         assert list(rooted_maps(edges, map_class, vertices)) == few
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize("vertices", [None, 2, 3])
 @pytest.mark.parametrize(("map_class", "edges"), LEVELS)
@@ -85,6 +88,7 @@ def test_the_prefixes_of_every_depth_partition_the_level_in_its_order(map_class,
         assert list(chain(*parts)) == level
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("vertices", [None, 2, 3])
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])
 @pytest.mark.parametrize("map_class", [MapClass.MAPS, MapClass.PLANAR])
@@ -152,6 +156,7 @@ def simple_on(vertices):
 # Connected simple graphs with 2, 3, 4, 5 vertices: rooted maps; rotation systems of labelled
 # graphs, that is the sum over graphs of the product of (degree - 1)!; and rooted maps with a
 # bearing at the root's vertex.  Each from an independent program.
+@pytest.mark.slow
 @pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("vertices", "rooted", "labelled", "with_bearing"),

@@ -115,6 +115,7 @@ def test_relabelling_the_darts_keeps_the_quotient(seed):
         assert mine.classes == tuple(theirs.classes[name] for name in names)
 
 
+@pytest.mark.slow
 @pytest.mark.no_cover
 def test_rooted_quotients_are_equal_exactly_if_the_roots_share_a_class_of_the_union():
     some = list(labelled_maps(3))
@@ -158,6 +159,7 @@ def test_darts_of_different_degree_are_never_alike_whatever_their_labels():
         assert classes[d] != classes[e] or map_.degree_at[d] == map_.degree_at[e]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["cycle-5000", "wheel-2500", "path-5001", "random"])
 def test_no_dart_is_looked_at_more_than_log2_times_for_each_permutation(name, monkeypatch):
     # 'Process the smaller half': a dart's block is a splitter again only after it has halved.

@@ -27,6 +27,7 @@ def compared(certified, how, pair, policy, edges=3):
     return certified.transcripts_agree(certified.PAIRS[pair], policy, edges)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
 @pytest.mark.parametrize("pair", [0, 1, 2])
 def test_the_same_explorer_in_another_process_agrees(certified, capsys, pair, policy):
@@ -34,6 +35,7 @@ def test_the_same_explorer_in_another_process_agrees(certified, capsys, pair, po
     assert ", 0 of them different" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", ["lifo", "pose", "mirrored", "renamed"])
 def test_another_walk_or_another_answer_does_not(certified, capsys, how):
     assert not compared(certified, how, 0, "fifo")
@@ -42,6 +44,7 @@ def test_another_walk_or_another_answer_does_not(certified, capsys, how):
     assert ", 0 of them different" not in said
 
 
+@pytest.mark.slow
 def test_a_mirrored_explorer_has_the_same_sums_in_every_row(certified):
     """So sums cannot tell it from the real one, and transcripts can."""
     rows = [

@@ -129,12 +129,14 @@ LIES = {
 }
 
 
+@pytest.mark.slow
 def test_a_folding_that_says_the_same_agrees(folding, tmp_path, monkeypatch, capsys):
     impostor(folding, tmp_path, monkeypatch, lambda folded: folded)
     assert folding.foldings_agree(2)
     assert "; 0 folded otherwise" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lie", LIES)
 def test_a_folding_that_lies_does_not(folding, tmp_path, monkeypatch, lie):
     impostor(folding, tmp_path, monkeypatch, LIES[lie])

@@ -100,6 +100,7 @@ def certificates(proofs_):
     return sorted(json.loads((proofs_ / "manifest.json").read_text()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(8))
 def test_a_certificate_with_one_byte_changed_makes_the_check_fail(copied, seed):
     chance = random.Random(seed)
@@ -128,6 +129,7 @@ def test_a_certificate_with_one_line_changed_is_rejected_by_that_line(copied, na
     assert (code, f"{path.name}: line {line}: " in said) == (1, True), said
 
 
+@pytest.mark.slow
 def test_a_harmless_change_of_a_certificate_is_rejected_too(copied):
     path = copied / "no-twins-directional" / "m1.lrat.xz"
     path.write_bytes(lzma.compress(lzma.decompress(path.read_bytes()), preset=0))
@@ -162,6 +164,7 @@ def test_a_formula_that_says_nothing_is_refused_whatever_the_manifest_says(copie
     assert "m3.cnf.xz: clause 1 of the formula says what it should not: [1]" in said
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("claim", "file", "old", "new", "reason"),
     [
@@ -210,6 +213,7 @@ def test_a_damaged_manifest_is_refused_in_one_line(copied, damage, reason):
     assert (code, reason in said, len(said.splitlines())) == (1, True, 2), said
 
 
+@pytest.mark.slow
 def test_a_certificate_that_the_manifest_does_not_name_is_refused(copied):
     shutil.copy(copied / "natural-lighthouse" / "pair.json", copied / "cycles" / "more.json")
     code, said = check(copied, "cycles")

@@ -121,6 +121,7 @@ def test_the_table_names_the_proofs_and_the_files_that_hold_them():
 
 # words of the texts that are no names of Coq: programs, files, make targets, words of its language
 NOT_COQ = {"coqc", "coqchk", "make", "python3", "core_speed", "explorer", "judge", "minimality"}
+NOT_COQ |= {"checker", "folding"}
 NOT_COQ |= {"proofs", "coq", "coqdoc", "Admitted", "Axiom", "Parameter", "Variable", "sat", "unsat"}
 
 
@@ -189,6 +190,7 @@ def test_the_limit_counts_the_time_of_the_processor_and_says_when_it_was_short()
     assert subprocess.run([limit, "5", "true"], check=False).returncode == 0
 
 
+@pytest.mark.slow
 def test_a_mutant_is_followed_to_where_it_should_die_first_and_then_to_all_that_rests_on_it():
     run = module("mutants/run")
     for mutant in json.loads((COQ / "mutants" / "mutants.json").read_text(encoding="utf-8")):

@@ -44,6 +44,7 @@ def test_a_file_that_says_anything_else_of_cycles_is_refused(
         checker_of("cycles")._require_condition(file, text.replace(old, new, 1))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("file", FILES)
 def test_no_word_of_a_file_on_cycles_can_be_left_out_doubled_or_replaced(
     checkers, checker_of, proofs, file

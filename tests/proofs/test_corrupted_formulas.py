@@ -126,6 +126,7 @@ EASY = [contradiction, empty_clause, widened, nothing_else, appended]
 """A formula that has no model, but not because of what it should say; and its short proof."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "damage"),
     [*((name, damage) for name in QUICK for damage in EASY), *((n, contradiction) for n in LARGE)],
@@ -163,6 +164,7 @@ def shifted(proof, old, by):
             )
 
 
+@pytest.mark.slow
 def test_a_formula_that_excludes_one_rooted_map_of_8162_is_refused(copied, refuted, checkers):
     name = "no-twins-directional/m5"
     maps, lrat, folder = checkers("maps"), checkers("lrat"), copied(name)
@@ -182,6 +184,7 @@ def test_a_formula_that_excludes_one_rooted_map_of_8162_is_refused(copied, refut
         refuted(name, folder)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "other"),
     [

@@ -170,6 +170,7 @@ def variants(term, sorts):
     yield from (value for value in same if value != term)
 
 
+@pytest.mark.slow
 def test_models_with_one_value_changed_are_true_exactly_where_z3_says_so(checkers, proofs):
     smtlib = checkers("smtlib")
     chance = random.Random(18)

@@ -94,6 +94,7 @@ def test_degrees_that_are_asked_for_leave_exactly_the_maps_that_have_them(checke
     assert sorted(models) == sorted(wanted)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("map_class", CLASSES)
 def test_no_number_of_vertices_that_a_world_has_is_left_out(checkers, world, map_class):
     maps = checkers("maps")
@@ -122,6 +123,7 @@ def looks_alike(checkers, lighthouse, map_class, edges):
     return maps.twins_among(iter(worlds))[1] is not None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("lighthouse", "map_class", "edges", "there_is"),
     [
@@ -168,6 +170,7 @@ VARIANTS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lighthouse", LIGHTHOUSES)
 @pytest.mark.parametrize("map_class", CLASSES)
 def test_two_encoders_that_share_no_code_write_the_same_formulas(

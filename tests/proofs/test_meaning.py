@@ -195,6 +195,7 @@ def require_meaning(checkers, meant, lighthouse, map_class, edges, *, sample=Non
     return tried
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lighthouse", LIGHTHOUSES)
 @pytest.mark.parametrize("map_class", CLASSES)
 def test_no_two_worlds_with_one_or_two_edges_are_excluded_unless_a_motion_tells_them_apart(
@@ -214,6 +215,7 @@ SAMPLED = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("lighthouse", "map_class", "edges"), SAMPLED)
 def test_nor_any_of_a_sample_of_larger_ones(checkers, meant, lighthouse, map_class, edges):
     assert require_meaning(checkers, meant, lighthouse, map_class, (edges, edges), sample=8) == 8
@@ -227,6 +229,7 @@ def test_nor_any_two_with_three_edges(checkers, meant, lighthouse, map_class):
     assert require_meaning(checkers, meant, lighthouse, map_class, (3, 3), sample=sample) >= 3
 
 
+@pytest.mark.slow
 def test_the_pairs_that_look_alike_are_models(checkers, meant, proofs):
     documents, maps = checkers("documents"), checkers("maps")
     pairs = documents.read_json(proofs / "smallest-pairs" / "pairs.json")
@@ -252,6 +255,7 @@ def test_the_pairs_that_look_alike_are_models(checkers, meant, proofs):
             assert meant(clauses, one, two) == ""
 
 
+@pytest.mark.slow
 def test_a_walk_is_met_by_the_worlds_that_sense_what_it_says(checkers, meant):
     maps = checkers("maps")
     motions = (1, -2, 0)

@@ -31,6 +31,7 @@ def refusal(checkers, *arguments):
     return str(error.value)
 
 
+@pytest.mark.slow
 @needs_python_sat
 @pytest.mark.parametrize(
     ("lighthouse", "map_class", "edges", "formulas"),
@@ -60,6 +61,7 @@ def test_formulas_and_proofs_of_a_search_are_those_of_its_question(
         checkers("searched").check(tmp_path, other, edges + 1, edges)
 
 
+@pytest.mark.slow
 @needs_python_sat
 def test_a_search_with_degrees_and_a_walk_is_read_back(checkers, tmp_path):
     bounds = {"vertices": 5, "edges": 8, "map_class": "planar-simple"}
@@ -110,6 +112,7 @@ def test_a_producer_that_writes_another_formula_is_found_out(checkers, tmp_path,
     assert message in said
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("lighthouse", "map_class", "vertices", "edges", "size"),
     [

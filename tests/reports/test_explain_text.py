@@ -34,6 +34,7 @@ def test_without_an_answer_only_the_world_is_drawn():
     assert "the answer (S" not in text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [40, 80])
 def test_every_sentence_stands_in_the_text_and_fits_the_width(width):
     explanation = explanation_of("no-retracing")

@@ -134,6 +134,7 @@ def answering(darts):
     return explore
 
 
+@pytest.mark.slow
 def test_a_huge_answer_is_a_short_text_and_a_whole_document():
     report = check(answering(20_000), edges=1)
     text = check_text(report, 100)
@@ -142,6 +143,7 @@ def test_a_huge_answer_is_a_short_text_and_a_whole_document():
     assert len(report.to_json()["findings"][0]["seen"]["sigma"]) == 20_000
 
 
+@pytest.mark.slow
 def test_the_time_for_the_text_of_a_huge_answer_grows_no_faster_than_the_answer():
     def calls(darts):
         finding = check(answering(darts), edges=1).findings[0]

@@ -63,6 +63,7 @@ def test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
     assert sorted(found) == [(m.sigma, m.alpha) for m in rooted_maps(edges, map_class)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("map_class", ["maps", "planar"])
 @pytest.mark.parametrize(("fewest", "most"), [(1, 1), (2, 3), (4, 4)])
 def test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
@@ -90,6 +91,7 @@ def solved(path, formula):
     return solve_with_z3(path, Clock(None)).status
 
 
+@pytest.mark.slow
 def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(tmp_path):
     # Planar simple, 6 edges: one map has two starts that look alike; nothing else does.
     asked = question("position", "planar-simple", 6, 6)

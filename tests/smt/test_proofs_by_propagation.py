@@ -59,6 +59,7 @@ def test_a_satisfiable_formula_has_no_proof():
         lrat_of_drat(3, ALL[1:], ["1 2 0", "1 -2 0", "1 0", "-1 2 0", "2 0", "0"])
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not python_sat_is_installed(), reason="python-sat is not installed")
 @pytest.mark.parametrize("seed", range(12))
 def test_random_formulas_are_either_solved_or_proved(tmp_path, seed):

@@ -163,6 +163,7 @@ def smallest_by_enumeration(kind, map_class, edges):
     return None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "map_class", "edges"),
     [
@@ -188,6 +189,7 @@ def test_search_and_enumeration_give_the_same_answer(tmp_path, monkeypatch, kind
     assert result.status == ("unsat" if expected is None else "sat")
 
 
+@pytest.mark.slow
 def test_one_vertex_more_or_less_decides(tmp_path):
     # K4 with its marker: n = 4; with three vertices a simple map has at most three edges.
     bounds = {"lighthouse": "position", "map_class": "simple", "edges": 6, "out": tmp_path}
@@ -287,6 +289,7 @@ def test_an_external_solver_whose_model_is_wrong_is_an_internal_error(tmp_path):
         allworlds.search(lighthouse="position", vertices=2, edges=1, solver=solver, out=tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("body", "status"),
     [("print('c UNKNOWN')", "unknown"), ("import time; time.sleep(60)", "unknown")],
@@ -357,6 +360,7 @@ def test_twins_agree_that_the_pairs_found_look_alike(tmp_path):
         assert not allworlds.twins(*result.pair).distinguishable
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["none", "position", "compass"])
 @pytest.mark.parametrize("edges", [2, 3])
 def test_with_every_other_start_excluded_a_level_has_a_pair_where_enumeration_has_one(

@@ -1,6 +1,7 @@
 """The compiled engine of a check: rows of the kernel into tallies.
 
-Up to m = 5 every run is played and judged by itself.  From there on Algorithm 1 with its
+In small worlds every run is played and judged by itself.  From
+:data:`allworlds.checker.questions.WALKED_FROM` edges on Algorithm 1 with its
 directional lighthouse is walked once in each rooted map, and the walk is counted for every
 bearing, because the marker's direction only tells the darts of v0 apart.  That premise, and the
 kernel itself, are compared with the general engine before the first level

@@ -1,4 +1,4 @@
-"""The options that ``check``, ``fuzz`` and ``run`` share, each declared once."""
+"""What ``run``, and what ``check`` and ``fuzz``, take beside the rules."""
 
 from __future__ import annotations
 

@@ -20,6 +20,10 @@ WALKED_FROM = 6
 there every bearing is walked."""
 
 
+CLASSES = frozenset({MapClass.MAPS, MapClass.SIMPLE, MapClass.PLANAR, MapClass.PLANAR_SIMPLE})
+"""The classes that the kernel enumerates: it knows of a class whether it is simple and planar."""
+
+
 def obstacle(scope: Scope, subject: Subject) -> str:
     """Why the kernel cannot do a check; empty if it can."""
     rules, extent = scope.rules, scope.extent
@@ -27,6 +31,8 @@ def obstacle(scope: Scope, subject: Subject) -> str:
         return f"runs only {', '.join(kernel.EXPLORERS)}, not {subject.name!r}"
     if kind_of(rules.kind) not in kernel.LIGHTHOUSES:
         return f"does not know the lighthouse {rules.lighthouse!r}"
+    if extent.map_class not in CLASSES:
+        return f"does not know the class {extent.map_class}"
     if extent.levels[-1] > kernel.MOST_EDGES:
         return f"has room for {kernel.MOST_EDGES} edges, not for {extent.levels[-1]}"
     if rules.policy not in ("fifo", "lifo", "nearest"):

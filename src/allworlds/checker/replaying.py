@@ -1,4 +1,4 @@
-"""A finding, run again."""
+"""``replay``: a finding run again, and whether it still stands."""
 
 from __future__ import annotations
 

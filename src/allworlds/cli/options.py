@@ -1,4 +1,4 @@
-"""Options that several verbs share, in groups; each is declared here and nowhere else."""
+"""Options that several verbs share, in groups: each stands here once on the command line."""
 
 from __future__ import annotations
 

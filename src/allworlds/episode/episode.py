@@ -1,4 +1,4 @@
-"""One run: metered, budgeted and recorded; whatever the explorer does wrong becomes a value."""
+"""One episode: metered, budgeted and recorded; whatever the explorer does wrong becomes a value."""
 
 from __future__ import annotations
 

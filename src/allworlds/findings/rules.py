@@ -1,4 +1,4 @@
-"""How a run is played and judged: the options that ``check``, ``fuzz`` and ``run`` share."""
+"""How a run is played and judged: the rules, which ``check``, ``fuzz`` and ``run`` all take."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Extent on the number of traversals: the paper's, one like it, none, or an expression."""
+"""Bounds on the number of traversals: the paper's, one like it, none, or an expression."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What lies before the judge."""
+"""A finished run beside the truth: what every law is given."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from allworlds.kernel.compiling import RECORD, callback, inner
 from allworlds.kernel.records import GLUING
 
 
-def rule(g):
+def rule(g):  # pragma: no cover  # compiled
     """Sets ``g.possible``: the partial map is of the class, and can be finished.
 
     In the simple classes that is only as far as counting the partners left can tell.

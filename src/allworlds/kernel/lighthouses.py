@@ -22,12 +22,12 @@ ALL_CHOICES = 3
 """The largest number of edges for which every choice of a compass's darts is a place."""
 
 
-def none(world):
+def none(world):  # pragma: no cover  # compiled
     """No lighthouse: one place."""
     world.place = 0 if world.place == NONE else NONE
 
 
-def position(world):
+def position(world):  # pragma: no cover  # compiled
     """One mark at v0: one place."""
     if world.place == NONE:
         world.place = 0
@@ -36,7 +36,7 @@ def position(world):
         world.place = NONE
 
 
-def directional(world):
+def directional(world):  # pragma: no cover  # compiled
     """One mark at v0 and the bearing of one of its darts: each of them is a place."""
     world.place += 1
     degree = world.degree[0]
@@ -50,7 +50,7 @@ def directional(world):
             world.bearing[dart] += degree
 
 
-def compass(world):
+def compass(world):  # pragma: no cover  # compiled
     """The bearing of one dart of each vertex: every choice of them, or beyond a size the first.
 
     Vertices and their darts count in canonical order; the dart of the last changes first.
@@ -88,14 +88,14 @@ def compass(world):
         world.choice[v] -= 1
 
 
-def cluster(world):
+def cluster(world):  # pragma: no cover  # compiled
     """One mark at v0 and two at a neighbour v1: a place for each dart that leads to one."""
     _to_neighbour(world)
     if world.place != NONE:
         _cluster(world)
 
 
-def cluster_single(world):
+def cluster_single(world):  # pragma: no cover  # compiled
     """The same, where exactly one edge joins v0 and v1."""
     _to_neighbour(world)
     while world.place != NONE and _joined(world, world.owner[world.alpha[world.pointed]]) > 1:
@@ -105,7 +105,7 @@ def cluster_single(world):
         _cluster(world)
 
 
-def natural(world):
+def natural(world):  # pragma: no cover  # compiled
     """No mark: v1 is a neighbour, and its degree and that of v0 are each of one vertex only.
 
     The explorer is told the degree of v1.

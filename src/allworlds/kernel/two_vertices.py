@@ -31,14 +31,14 @@ SEARCHING, SEARCHED, ASKING, ASKED = range(MATCHED + 1, MATCHED + 5)
 back again."""
 
 
-def start(robot, percept, told, action):
+def start(robot, percept, told, action):  # pragma: no cover  # compiled
     """The first step of the search."""
     robot.degree_of_v0, robot.degree_of_v1 = percept.degree, told
     begin(robot, int64(percept.degree), _is_v0(robot, percept.degree, percept.marks), NONE)
     _search(robot, 0, action)
 
 
-def step(robot, percept, action):
+def step(robot, percept, action):  # pragma: no cover  # compiled
     """What is done after this has been sensed."""
     degree, marks = percept.degree, percept.marks
     if robot.phase == SEARCHING or robot.phase == ASKING:

@@ -233,9 +233,9 @@ def named_map(name: str) -> CombinatorialMap:
     if name in _SINGLE:
         return _SINGLE[name]()
     family, dash, number = name.rpartition("-")
-    if not dash or family not in _FAMILIES:
+    if not dash or family not in _NUMBERED:
         raise NoSuchMap(f"no map is called {show(name)}; the names are {', '.join(named_maps())}")
-    least, build = _FAMILIES[family]
+    least, build = _NUMBERED[family]
     digits = number.isascii() and number.isdigit()
     if not digits or not least <= int(number[:7]) <= LARGEST:
         legal = f"{family}-N needs an integer N >= {least}, and at most {LARGEST}"
@@ -245,7 +245,7 @@ def named_map(name: str) -> CombinatorialMap:
 
 def named_maps() -> tuple[str, ...]:
     """The names :func:`named_map` knows, sorted; ``N`` in a name stands for a number."""
-    return tuple(sorted([*_SINGLE, *(f"{family}-N" for family in _FAMILIES)]))
+    return tuple(sorted([*_SINGLE, *(f"{family}-N" for family in _NUMBERED)]))
 
 
 def _bouquet(n: int) -> CombinatorialMap:
@@ -322,7 +322,7 @@ _SINGLE: dict[str, Callable[[], CombinatorialMap]] = {
     "two-loops-torus": lambda: from_cycles(["abab"]),
 }
 
-_FAMILIES: dict[str, tuple[int, Callable[[int], CombinatorialMap]]] = {
+_NUMBERED: dict[str, tuple[int, Callable[[int], CombinatorialMap]]] = {
     "bouquet": (1, _bouquet),
     "cycle": (1, cycle),
     "dipole": (1, _dipole),

@@ -1,4 +1,4 @@
-"""The loop that everything else stands round."""
+"""The loop over units: done by an engine, brought by a transport, added up."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The words of this room."""
+"""Unit, engine and transport: the protocols of work that is done piece by piece."""
 
 from __future__ import annotations
 

@@ -222,6 +222,7 @@ def test_whatever_an_explorer_says_is_text():
     assert HOSTILE in finding["detail"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [m.name for m in WRONG_EXPLORERS])
 def test_there_is_a_page_of_every_wrong_explorer(name):
     report = check(mutant(name), edges=2)
@@ -231,6 +232,7 @@ def test_there_is_a_page_of_every_wrong_explorer(name):
         assert len([*walk.all("li")]) == len(finding.transcript.steps) + 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["none", "position", "compass"])
 def test_under_every_lighthouse_there_is_a_page(kind):
     report = check(edges=2, lighthouse=kind, laws=("map", "pose"))
@@ -277,6 +279,7 @@ sys.stdout.buffer.write(page(check(wrong.explorer(), edges=3)).encode())
 """
 
 
+@pytest.mark.slow
 def test_the_bytes_are_the_same_whatever_the_hash_seed():
     paths = os.pathsep.join(filter(None, sys.path))
     pages = {
