@@ -189,7 +189,7 @@ def records(names: list[str]) -> dict[str, str]:
         }
         told = {name: record(COMMANDS[name], tmp) for name in corpus}
         told |= {name: future.result() for name, future in others.items()}
-    return told
+    return {name: told[name] for name in names}
 
 
 def main() -> None:
