@@ -30,6 +30,7 @@ def served(checker, name):
 # ---- The verdict on a program ----
 
 
+@pytest.mark.slow
 def test_algorithm_1_behind_a_pipe_holds(built, capsys):
     assert built.judge_program(["--exec", served(built, "algorithm1"), "--edges", "2"]) == 0
     assert "HOLDS      right within paper in every world with at most 2 edges; 30 runs" in (
@@ -37,6 +38,7 @@ def test_algorithm_1_behind_a_pipe_holds(built, capsys):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "lighthouse"),
     [("algorithm1-cluster", "cluster:single=true"), ("algorithm1-natural", "natural")],
@@ -67,11 +69,13 @@ def test_a_limit_that_is_too_low_refutes(built, capsys):
     assert "REFUTED    no answer within the limit" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_a_program_that_remembers_the_last_run_is_no_function(built, capsys):
     assert built.judge_program(["--exec", served(built, "state-kept"), "--edges", "2"]) == 1
     assert capsys.readouterr().out.startswith("NO FUNCTION")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
@@ -149,6 +153,7 @@ def test_the_compiled_judge_is_asked_too(folding, tmp_path, monkeypatch):
     assert not folding.foldings_agree(2)
 
 
+@pytest.mark.slow
 def test_the_extracted_folding_folds_to_the_world(folding):
     if not folding.FOLDING.exists():
         pytest.skip("not built: make -C proofs/coq explorer")

@@ -2,7 +2,8 @@
 
 ``python tests/recorded/record.py`` writes the records anew; what then differs is to be meant,
 and told in the commit.  ``test_recorded.py`` compares.  No record depends on the clock, on
-the machine, or on the number of workers.
+the machine, on where the project lies, or on the number of workers: all commands are run in
+one new directory that holds the explorers, and name it ``.``.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ RECORDS = HERE / "records"
 PATH_3 = '{"sigma":[0,2,1,3],"alpha":[1,0,3,2]}'
 HOSTILE = '{"sigma":[1,0],"alpha":[1,0],"start":5,"lighthouse":{"kind":"position","dart":0}}'
 
-# The fewest words with which each verb does something; {tmp} is shared by all commands.
+# The fewest words with which each verb does something; {tmp} is a directory to write in.
 LEAST = {
     "check": "--edges 1",
     "run": "theta",
@@ -72,9 +73,9 @@ COMMANDS = {
     "check-chooses": "check explorers.py:chooses --edges 2 --schedules all --json",
     "check-exec": ["check", "--exec", "{python} program.py", "--edges", "2", "--json"],
     "check-vacuous": "check --class simple --edges 1 --lighthouse cluster --json",
-    "check-corpus": "check explorers.py:first_edge --edges 3 --corpus {tmp}/corpus --json",
-    "check-corpus-again": "check explorers.py:first_edge --edges 3 --corpus {tmp}/corpus --json",
-    "check-corpus-mended": "check algorithm1 --edges 3 --corpus {tmp}/corpus",
+    "check-corpus": "check explorers.py:first_edge --edges 3 --corpus corpus --json",
+    "check-corpus-again": "check explorers.py:first_edge --edges 3 --corpus corpus --json",
+    "check-corpus-mended": "check algorithm1 --edges 3 --corpus corpus",
     "check-junit": "check explorers.py:first_edge --edges 3 --junit /dev/stderr -q",
     "run": "run algorithm1 theta-torus --json",
     "run-text": "run algorithm1 k4",
@@ -91,22 +92,22 @@ COMMANDS = {
     "worst": "worst --edges 3 --json",
     "worst-shortest": "worst --edges 4 --transit shortest",
     "worst-planar": "worst --edges 4 --class planar --json",
-    "replay": "replay {tmp}/finding.json --json",
-    "replay-text": "replay {tmp}/finding.json",
-    "replay-fixed": "replay {tmp}/finding.json --explorer algorithm1",
-    "explain": "explain {tmp}/finding.json --json",
-    "explain-text": "explain {tmp}/finding.json",
-    "explain-crash": "explain {tmp}/crash.json",
+    "replay": "replay finding.json --json",
+    "replay-text": "replay finding.json",
+    "replay-fixed": "replay finding.json --explorer algorithm1",
+    "explain": "explain finding.json --json",
+    "explain-text": "explain finding.json",
+    "explain-crash": "explain crash.json",
     "ambiguity-census": "ambiguity census --edges 4 --json",
     "ambiguity-census-text": "ambiguity census --class simple --vertices 4",
     "ambiguity-class": "ambiguity class wheel-4 --json",
     "ambiguity-class-text": "ambiguity class k4 --class simple --limit 2",
     "twins-apart": "twins k4 wheel-4",
     "twins-alike": "twins fig1-left fig1-right --json",
-    "search-sat": "search --lighthouse position --vertices 1 --edges 2 --out {tmp}/sat --json",
-    "search-unsat": "search --lighthouse directional --vertices 3 --edges 2 --out {tmp}/un --json",
+    "search-sat": "search --lighthouse position --vertices 1 --edges 2 --out sat --json",
+    "search-unsat": "search --lighthouse directional --vertices 3 --edges 2 --out un --json",
     "search-none": (
-        "search --lighthouse none --class simple --vertices 4 --edges 4 --out {tmp}/none --json"
+        "search --lighthouse none --class simple --vertices 4 --edges 4 --out none --json"
     ),
     "mutants": "mutants --edges 3 --json",
     "mutants-text": "mutants --edges 2",
@@ -124,7 +125,8 @@ COMMANDS = {
     "help-check": "check --help",
 }
 
-# What must be there before a command: the report of another one, in a file.
+# What must be there before a command: explorers, and reports of other commands, in files.
+EXPLORERS = ("explorers.py", "program.py")
 FILES = {
     "finding.json": "check explorers.py:first_edge --edges 3 --json",
     "crash.json": "check explorers.py:crashes --edges 3 --json",
@@ -144,20 +146,25 @@ def words(command: str | list[str], tmp: str) -> list[str]:
     ]
 
 
-def run(command: str | list[str], tmp: str) -> subprocess.CompletedProcess[str]:
+# What a terminal or a CI tells programs about colours; a record is plain.
+COLOURS = {"FORCE_COLOR", "CLICOLOR_FORCE", "PY_COLORS", "NO_COLOR", "GITHUB_ACTIONS"}
+
+
+def run(command: str | list[str], directory: str) -> subprocess.CompletedProcess[str]:
+    env = {name: value for name, value in os.environ.items() if name not in COLOURS}
     return subprocess.run(
-        [sys.executable, "-m", "allworlds", *words(command, tmp)],
-        cwd=HERE,
+        [sys.executable, "-m", "allworlds", *words(command, directory)],
+        cwd=directory,
         capture_output=True,
         text=True,
         check=False,
-        env={**os.environ, "COLUMNS": "100", "PYTHONDONTWRITEBYTECODE": "1", "TERM": "dumb"},
+        env={**env, "COLUMNS": "100", "PYTHONDONTWRITEBYTECODE": "1", "TERM": "dumb"},
     )
 
 
-def record(command: str | list[str], tmp: str) -> str:
+def record(command: str | list[str], directory: str) -> str:
     """One command's record: the command, its exit code, stderr, then stdout."""
-    done = run(command, tmp)
+    done = run(command, directory)
     try:
         document = json.loads(done.stdout)
         del document["made_by"]
@@ -167,29 +174,33 @@ def record(command: str | list[str], tmp: str) -> str:
     errors = [line for line in done.stderr.splitlines() if "compiling" not in line]
     shown = command if isinstance(command, str) else json.dumps(command)
     text = "\n".join([f"$ allworlds {shown}", f"exit code {done.returncode}", *errors, told])
-    text = text.replace(tmp, "{tmp}").replace(sys.executable, "{python}")
+    text = text.replace(directory, "{directory}").replace(sys.executable, "{python}")
     return re.sub(r"\b\d+\.\d\d\b(?= +\S+\.cnf)", "0.00", text.rstrip()) + "\n"
 
 
-def prepare(tmp: str) -> None:
-    """The files that commands read."""
+def prepare(directory: str) -> None:
+    """The explorers, and the files that commands read."""
+    for name in EXPLORERS:
+        shutil.copy(HERE / name, directory)
     for name, command in FILES.items():
-        (Path(tmp) / name).write_text(run(command, tmp).stdout, encoding="utf-8")
+        said = run(command, directory).stdout
+        (Path(directory) / name).write_text(said, encoding="utf-8")
 
 
 def records(names: list[str]) -> dict[str, str]:
-    """The records of these commands, those that share a directory one after the other."""
-    with tempfile.TemporaryDirectory() as tmp, ThreadPoolExecutor(2) as threads:
-        prepare(tmp)
+    """The records of these commands, those that share a corpus one after the other."""
+    with tempfile.TemporaryDirectory() as made, ThreadPoolExecutor(2) as threads:
+        directory = str(Path(made).resolve())
+        prepare(directory)
         corpus = [name for name in names if "corpus" in name]
         others = {
-            name: threads.submit(record, COMMANDS[name], tmp)
+            name: threads.submit(record, COMMANDS[name], directory)
             for name in names
             if name not in corpus
         }
-        told = {name: record(COMMANDS[name], tmp) for name in corpus}
+        told = {name: record(COMMANDS[name], directory) for name in corpus}
         told |= {name: future.result() for name, future in others.items()}
-    return told
+    return {name: told[name] for name in names}
 
 
 def main() -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 from threading import local
 from typing import Any
 
@@ -56,7 +56,6 @@ def judge(
     keep: int = 1,
     halt: Any = None,
     listed: int = 0,
-    skip: Collection[int] = (),
 ) -> Rows:
     """Every run of the maps whose gluing begins with ``prefix``, played and judged.
 
@@ -66,14 +65,13 @@ def judge(
         keep: how many broken runs are kept.
         halt: an array; once its entry 0 is not 0 the work is given up, and means nothing.
         listed: how many runs are listed.
-        skip: the numbers of runs that are not played.
 
     Cost: some microseconds a run; constant memory.
     """
     darts = 2 * level.edges
     job, robot = _room()
     _set_up(job, robot, level)
-    asked = _Asked(level, prefix, keep, listed, skip)
+    asked = _Asked(level, prefix, keep, listed)
     runs.examine(job, *asked.arguments, flag() if halt is None else halt)
     rows = enumerate(asked.counts.tolist())
     met = argwhere(asked.met).tolist()
@@ -95,7 +93,6 @@ class _Asked:
         prefix: Sequence[int],
         keep: int = 1,
         listed: int = 0,
-        skip: Collection[int] = (),
     ) -> None:
         width = 3 + 4 * level.edges
         bounds = _bound_table(level)
@@ -113,7 +110,6 @@ class _Asked:
             self.least,
             zeros(width, int64),
             self.listing,
-            array(sorted(skip), int64),
             zeros(2, int64),
         )
 
@@ -156,7 +152,7 @@ def _set_up(job: Any, robot: Any, level: Level) -> None:
     """The job asks for what the level does, from the first run on."""
     job.lighthouse = lighthouse_address(level.lighthouse)
     job.laws = sum(1 << LAWS.index(law) for law in level.laws)
-    job.begin, job.pause, job.number, job.undefined = 0, 1 << 60, 0, 0
+    job.number, job.undefined = 0, 0
     job.log.watched = 1
     gluing = job.gluing
     gluing.edges, gluing.limit = level.edges, level.limit

@@ -86,19 +86,3 @@ def _record(log, motion, percept):
     log.marks[step] = percept.marks
     log.bearing[step] = percept.bearing
     log.cost = step + 1
-
-
-@inner
-def same_walk(log, other):
-    """Whether both episodes are one and the same sequence of motions and percepts."""
-    if log.cost != other.cost:
-        return False
-    for step in range(log.cost):
-        if (
-            log.motion[step] != other.motion[step]
-            or log.degree[step] != other.degree[step]
-            or log.marks[step] != other.marks[step]
-            or log.bearing[step] != other.bearing[step]
-        ):
-            return False
-    return True

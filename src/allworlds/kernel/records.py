@@ -240,12 +240,9 @@ JUDGED = dtype(
 
 JOB = dtype(
     [
-        # What is asked for: the address of the lighthouse, the laws that are checked, as a set,
-        # the number of the first run to be counted, and the one before which to come back.
+        # What is asked for: the address of the lighthouse, and the laws that are checked, as a set.
         ("lighthouse", int64),
         ("laws", int64),
-        ("begin", int64),
-        ("pause", int64),
         # The number of the next run; whether a run has a bound without a value.
         ("number", int64),
         ("undefined", int64),

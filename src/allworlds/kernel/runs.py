@@ -1,8 +1,7 @@
 """Every run of a unit, played, judged and tallied: the loop of the compiled judge.
 
 A run is a world with a place of the lighthouse.  Runs are numbered within their unit as those
-of the Python engine are (a world without a place counts as one), so that a worker that has
-died in one of them can go on behind it.
+of the Python engine are: a world without a place counts as one.
 """
 
 from __future__ import annotations
@@ -42,13 +41,11 @@ UNDEFINED = -(1 << 62)
 
 
 @entry
-def examine(
-    job, prefix, viable, bounds, met, budgets, counts, least, row, listed, skip, beat, halt
-):
-    """Whether the unit is done; else there is more, and the next call goes on.
+def examine(job, prefix, viable, bounds, met, budgets, counts, least, row, listed, beat, halt):
+    """Whether the unit is done; if not, it was given up.
 
     Args:
-        job: a record that is new but for what is asked for, then as the last call has left it.
+        job: a record that is new but for what is asked for.
         prefix: the decisions that the gluing of each map of the unit begins with.
         viable: by darts owed and darts open after a decision: a map can still be finished.
         bounds: the largest legal cost by vertices, degree of v0 and largest degree; the latter
@@ -59,37 +56,32 @@ def examine(
         least: the least runs that break a law, as rows: vertices, canonical code, place, law.
         row: room for one of these.
         listed: each run while there is room for its number.
-        skip: the numbers of runs that are counted but not played.
         beat: the number of the current run, and the explorer's turns in it.
         halt: ``halt[0]`` is not 0 once the work is to be given up.
     """
     g, world = job.gluing, job.world
-    while job.number < job.pause and halt[0] == 0:
+    while halt[0] == 0:
         if not advance(g, prefix, viable):
             return True
         settle(world, g)
         n = world.vertices
-        fresh = job.number >= job.begin
-        if fresh:
-            _count_world(world, counts)
+        _count_world(world, counts)
         call_with(job.lighthouse, world)
         if world.place == NONE:
-            counts[n, LEFT_OUT] += fresh
+            counts[n, LEFT_OUT] += 1
             job.number += 1
         while world.place != NONE:
-            if job.number >= job.begin:
-                counts[n, RUNS] += 1
-                if not _among(job.number, skip):
-                    beat[0] = job.number
-                    bound = _bound(job, bounds, met)
-                    if bound == UNDEFINED:
-                        return True
-                    law = _run(job, budgets[n], bound, beat)
-                    _count_run(job, counts)
-                    if law:
-                        _blame(world, law, least, row)
-                    if job.number < len(listed):
-                        _list(job.log, law, job.number, listed)
+            counts[n, RUNS] += 1
+            beat[0] = job.number
+            bound = _bound(job, bounds, met)
+            if bound == UNDEFINED:
+                return True
+            law = _run(job, budgets[n], bound, beat)
+            _count_run(job, counts)
+            if law:
+                _blame(world, law, least, row)
+            if job.number < len(listed):
+                _list(job.log, law, job.number, listed)
             job.number += 1
             call_with(job.lighthouse, world)
     return False
@@ -101,14 +93,6 @@ def _count_world(world, counts):
     counts[n, WORLDS] += 1
     counts[n, LOOP_EDGE] += kinds & 1
     counts[n, PARALLEL_EDGE] += kinds >> 1
-
-
-@inlined
-def _among(number, skip):
-    found = False
-    for other in skip:
-        found |= other == number
-    return found
 
 
 @inlined

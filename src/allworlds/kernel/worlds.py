@@ -36,23 +36,6 @@ def darken(world):
         world.bearing[dart] = NONE
 
 
-@inner
-def rename(world, other):
-    """The same world in ``other``, its darts in the opposite order."""
-    last = world.darts - 1
-    other.darts, other.told = world.darts, world.told
-    other.start = last - world.start
-    for dart in range(world.darts):
-        name = last - dart
-        other.ring[dart] = last - world.ring[dart]
-        other.spot[name] = world.spot[dart]
-        other.first[name] = world.first[dart]
-        other.degree[name] = world.degree[dart]
-        other.alpha[name] = last - world.alpha[dart]
-        other.marks[name] = world.marks[dart]
-        other.bearing[name] = world.bearing[dart]
-
-
 @inlined
 def arrival(world, dart, motion):
     """The dart arrived by after leaving ``motion`` places clockwise of the dart."""
