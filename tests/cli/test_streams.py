@@ -6,8 +6,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from printed import without_made_by
 
+from printed import without_made_by
 from processes import PATIENCE
 from small import slow
 
