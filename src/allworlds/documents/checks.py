@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal, TypeAlias, TypedDict
 
-from allworlds.documents.common import Extent, Report
+from allworlds.documents.common import Extent, InRows, Report
 from allworlds.documents.findings import Finding, Options
 from allworlds.documents.words import (
     Dart,
@@ -186,7 +186,7 @@ class Kill(TypedDict):
     equivalent: Annotated[str | None, "why it may live; null: it may not"]
 
 
-class MutantsReport(Report):
+class MutantsReport(InRows):
     """Report of 'mutants'."""
 
     edges: Annotated[Positive, "at most so many"]
