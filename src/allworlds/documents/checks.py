@@ -182,7 +182,9 @@ class Kill(TypedDict):
     kind: MutantKind
     breaks: Annotated[Text, "what is wrong with it"]
     killed_by: Annotated[str | None, "the law or the check that caught it; null: it lives"]
-    world: Annotated[World | None, "the smallest at which it is caught; null: no world is needed"]
+    world: Annotated[
+        World | None, "the smallest at which it is caught; null: it lives, or any may show it"
+    ]
     equivalent: Annotated[str | None, "why it may live; null: it may not"]
 
 

@@ -40,7 +40,8 @@ class Kill:
         kind: ``explorer``, ``judge`` or ``enumerator``.
         breaks: what is wrong with it.
         killed_by: the law or the check that caught it; empty for a survivor.
-        world: the smallest world at which it is caught; None for a survivor.
+        world: the smallest world at which it is caught; None for a survivor, and for one whose
+            plays differ: at which it is seen depends on the order in which it meets the worlds.
         equivalent: why it may survive; empty for one that must be killed.
     """
 
@@ -137,9 +138,8 @@ def _explorer(mutant: WrongExplorer, edges: int) -> Kill:
     if not report.findings:
         return row
     finding = report.findings[0]
-    return Kill(
-        row.mutant, row.kind, row.breaks, finding.law, finding.world, equivalent=row.equivalent
-    )
+    world = None if finding.law == "nondeterministic" else finding.world
+    return Kill(row.mutant, row.kind, row.breaks, finding.law, world, equivalent=row.equivalent)
 
 
 def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:

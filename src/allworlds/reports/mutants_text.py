@@ -34,7 +34,7 @@ def _verdict(matrix: KillMatrix) -> str:
 
 def _row(kill: Kill) -> list[str]:
     if kill.world is None:
-        return [kill.mutant, "-", "", "", ""]
+        return [kill.mutant, kill.killed_by or "-", "", "", ""]
     map_ = kill.world.map
     rotation = "".join(f"({' '.join(map(str, vertex))})" for vertex in map_.vertices)
     edges = " ".join(f"{a}-{b}" for a, b in map_.edges)
