@@ -60,7 +60,7 @@ class Player:
         except InputError as error:
             if casting.memory is not None and "memory" not in str(error):
                 error = InputError(f"memory {casting.memory} MB is probably too small: {error}")
-            self._connection.send(InputError(str(error)))
+            self._connection.send(error)
             return
         signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
         self._connection.send(Described(subject.keywords, _digest(subject)))
@@ -75,7 +75,7 @@ class Player:
             except OSError:
                 raise
             except InputError as error:  # a bound without a value for some world
-                self._connection.send(InputError(str(error)))
+                self._connection.send(error)
             except Exception:  # noqa: BLE001  # explorers' errors never get here: it is ours
                 self._connection.send(HarnessError(traceback.format_exc()))
 

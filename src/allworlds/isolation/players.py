@@ -10,7 +10,6 @@ from random import Random
 
 from allworlds.episode import Fault, Log, LostRun
 from allworlds.inputs import InputError
-from allworlds.isolation.heard import Garbled, read
 from allworlds.isolation.jobs import (
     Casting,
     Described,
@@ -80,11 +79,9 @@ def _described(process: Process, casting: Casting) -> Described:
                 f"{casting.name} does not import: it was at it for {IMPORT_TIMEOUT:g} s"
             )
     try:
-        described = process.receive(read)
+        described = process.receive()
     except EOFError:
         raise _not_imported(process, casting) from None
-    except Garbled as error:
-        raise InputError(f"{casting.name} does not import: it has said {error}") from None
     assert isinstance(described, Described)
     return described
 
@@ -117,12 +114,9 @@ def hear(process: Process, casting: Casting, alive: Callable[[], None] = lambda:
             raise _died(process)
         alive()
     try:
-        return process.receive(read)
+        return process.receive()
     except EOFError:
         raise _died(process) from None
-    except Garbled as error:
-        seen = f"words of its own in the pipe of its process: {error}"
-        raise Lost("crash", seen, _number(process), machine=False) from None
 
 
 def _died(process: Process) -> Lost:

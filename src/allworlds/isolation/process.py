@@ -6,14 +6,12 @@ import atexit
 import json
 import mmap
 import os
-import pickle
 import socket
 import subprocess
 import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable
 from contextlib import suppress
 from multiprocessing import Pipe
 from pathlib import Path
@@ -165,11 +163,8 @@ class Process:
         with suppress(OSError):
             self.connection.send(message)
 
-    def receive(self, read: Callable[[bytes], Any] = pickle.loads) -> Any:
+    def receive(self) -> Any:
         """The next message; waits for it.
-
-        Args:
-            read: makes a message of its bytes; whoever does not trust the process reads warily.
 
         Raises:
             EOFError: if the process has ended.
@@ -177,7 +172,7 @@ class Process:
             HarnessError: if the process itself has failed.
         """
         try:
-            message = read(self.connection.recv_bytes())
+            message = self.connection.recv()
         except OSError:
             raise EOFError from None
         if isinstance(message, InputError | HarnessError):
