@@ -1,0 +1,19 @@
+"""Right, but which way it goes first depends on the number of its process.
+
+verdict: refuted nondeterministic
+options: --edges 2 --laws map,pose
+"""
+
+import os
+from random import Random
+
+from allworlds import Move
+from allworlds.explorers import algorithm1
+
+
+def explore(first):
+    draw = Random(os.getpid())
+    for _ in range(16):
+        yield Move(draw.randrange(2))
+        yield Move(0)
+    return (yield from algorithm1(first))
