@@ -58,7 +58,7 @@ def attack_of(file):
     """What a file says of itself."""
     said = ast.get_docstring(ast.parse(file.read_text(encoding="utf-8")))
     *_, last = said.split("\n\n")
-    lines = dict(re.fullmatch(r"([\w ]+): (.*)", line).groups() for line in last.splitlines())
+    lines = dict(re.fullmatch(r"([\w. ]+): (.*)", line).groups() for line in last.splitlines())
     verdicts = {}
     for key in [key for key in lines if key.startswith("verdict")]:
         function = key.removeprefix("verdict").removeprefix(" of ") or "explore"

@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import sysconfig
 from pathlib import Path
 
 import pytest
@@ -18,6 +19,7 @@ import processes
 from attacks.reading import ATTACKS, KINDS, attack_of, attacks
 
 CODES = {"holds": 0, "refuted": 1, "refused": 2, "inconclusive": 3, "internal": 70}
+PROGRAM = Path(sysconfig.get_path("scripts"), "allworlds")
 HIDING = "print('I am not the module you want')\nimport os\nos._exit(0)\n"
 MARK = "ATTACKED"
 
@@ -34,14 +36,15 @@ class Scene:
 
     def start(self, *words):
         environment = {**os.environ, MARK: str(self.place), "TMPDIR": str(self.temporary)}
-        return subprocess.Popen(
-            [sys.executable, "-m", "allworlds", *map(str, words)],
-            cwd=self.place,
-            env=environment,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=self.err.open("w"),
-        )
+        with self.err.open("w") as err:
+            return subprocess.Popen(
+                [PROGRAM, *map(str, words)],
+                cwd=self.place,
+                env=environment,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=err,
+            )
 
     def ended(self, process):
         """The exit code and stdout, after nothing is left of the check."""
@@ -112,7 +115,7 @@ def tried():
                 yield pytest.param(attack, function, workers, marks=marks, id=name)
 
 
-@pytest.mark.parametrize(("attack", "function", "workers"), tried())
+@pytest.mark.parametrize(("attack", "function", "workers"), [*tried()])
 def test_an_attack_gets_its_verdict_and_leaves_nothing_behind(attack, function, workers, scene):
     words = placed(attack, function, scene)
     process = scene.start("check", *words, "--workers", workers, "--json")

@@ -199,7 +199,9 @@ def perform(
     run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
     ending = run.play(player, choices)
     actions = tuple([number_of(action) for action, _ in run.steps])
-    return Log(actions, tuple(run.checkpoints), ending, tuple(choices.record))
+    return Log(
+        actions, tuple(run.checkpoints), ending, tuple(choices.record), tuple(choices.widths)
+    )
 
 
 def retold(log: Log, world: Stage) -> Episode:

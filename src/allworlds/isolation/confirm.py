@@ -56,7 +56,7 @@ def examine_apart(
     with _players(subject, limits) as players:
         twice = PlayedTwice(examination, subject.name, players)
         lit = {0: OneRun(0, place, canonical)}
-        ((_, outcome),) = twice.outcomes(unit, lit, script=script)
+        ((_, outcome),) = twice.outcomes(unit, lit, given=script)
     if isinstance(outcome, Outcome):
         return outcome
     log, _ = _traced(Trace(rules, canonical, "one", script), subject, limits)

@@ -1,7 +1,7 @@
 """Replaces what plays it, and says that every run is done, without the log of any.
 
 verdict: internal
-says: has told
+says: has told that run
 """
 
 from allworlds.runs import Stagehand
