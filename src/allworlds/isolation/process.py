@@ -18,8 +18,9 @@ from pathlib import Path
 from typing import Any
 
 from allworlds.inputs import InputError
-from allworlds.isolation.guardian import Ask, End, Request, Spawn, receive, send
+from allworlds.isolation.guardian import ASKING, Ask, End, Request, Spawn, receive, send
 from allworlds.isolation.jobs import HarnessError
+from allworlds.isolation.saying import read
 
 _START = (
     "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
@@ -133,6 +134,10 @@ def child_path() -> list[str]:
     return [*ours, *(entry for entry in sys.path if entry in users and entry)]
 
 
+class Garbled(EOFError):
+    """What was said is no message, and nothing more can be heard."""
+
+
 class Process:
     """A child with its pipe and the memory in which its heart beats.
 
@@ -144,6 +149,7 @@ class Process:
 
     def __init__(self, guardian: Guardian, role: str, setup: object) -> None:
         self._guardian = guardian
+        self._foreign = role not in ASKING
         self.connection, theirs = Pipe()
         with tempfile.TemporaryFile() as memory:
             memory.truncate(8 * BEAT_WORDS)
@@ -168,16 +174,22 @@ class Process:
 
         Raises:
             EOFError: if the process has ended.
+            Garbled: if it has said what is no message: a player's pipe is open to foreign code.
             InputError: if it was given something that cannot be done.
             HarnessError: if the process itself has failed.
         """
         try:
-            message = self.connection.recv()
+            message = self._hear()
         except OSError:
             raise EOFError from None
+        except ValueError as error:
+            raise Garbled(str(error)) from None
         if isinstance(message, InputError | HarnessError):
             raise message
         return message
+
+    def _hear(self) -> Any:
+        return read(self.connection.recv_bytes()) if self._foreign else self.connection.recv()
 
     def silent_for(self) -> float:
         """Seconds since its heart has beaten, or since it has nothing to beat for."""

@@ -1,8 +1,8 @@
-"""A program that leaves a daemon behind, which holds its output open, and dies.
+"""A program that leaves a daemon behind, which holds its output open, and ends: it is silent.
 
 as: exec
-verdict: refuted crash
-options: --edges 1
+verdict: refuted timeout
+options: --edges 1 --answer-timeout 1
 """
 
 import os
