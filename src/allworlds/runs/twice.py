@@ -3,8 +3,9 @@
 The second play is not in the order of the first, and, where the explorer can be played in other
 processes, not in the process of the first nor in one that holds any world.  An explorer that
 keeps something from one run to the next, or looks at anything but its percepts, does not play
-the same way twice.  The orders are drawn anew for each check, so that nothing but its percepts
-tells an explorer which world it is in.
+the same way twice.  The orders are drawn anew for each check, and among the second plays are
+some of worlds that came long before, so that nothing but its percepts tells an explorer which
+world it is in.
 
 What a player tells is believed of its runs alone.  Which they are, which choices each was asked
 to make, and that none is left out, the referee knows by itself; the second play gets the choices
@@ -16,10 +17,12 @@ run that has cost its process its life, or that crashed, or was silent, in one o
 
 from __future__ import annotations
 
+import secrets
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
+from random import Random
 from typing import NamedTuple, Protocol
 
 from allworlds.episode import Episode, Fault, Log, LostRun, retold
@@ -48,6 +51,10 @@ ENOUGH = 32
 OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
 )
+
+
+FIRST, KEPT = 64, 256
+"""So many plays are kept to be played again among later ones; of these the first, for good."""
 
 
 class Players(Protocol):
@@ -139,12 +146,40 @@ class _Play(NamedTuple):
 
 
 @dataclass(slots=True)
+class Earlier:
+    """Plays that were the same twice, to be played again among those of other units and levels.
+
+    Otherwise one who counts the second plays would know which level they come from.
+
+    Attributes:
+        random: from which it is drawn which.
+    """
+
+    random: Random = field(default_factory=lambda: Random(secrets.randbits(64)))  # noqa: S311
+    _plays: list[_Play] = field(default_factory=list)
+
+    def some(self, plays: int) -> list[_Play]:
+        """Some of them, to go with so many others."""
+        wanted = max(ENOUGH // 2, plays // 8)
+        return self.random.sample(self._plays, min(wanted, len(self._plays)))
+
+    def keep(self, play: _Play) -> None:
+        """Keep one; what is kept beyond the first gives way to it."""
+        if len(self._plays) < KEPT:
+            self._plays.append(play)
+        else:
+            self._plays[self.random.randrange(FIRST, KEPT)] = play
+
+
+@dataclass(slots=True)
 class PlayedTwice:
     """The engine for a foreign explorer."""
 
     examination: Examination
     explorer: str
     players: Players
+    earlier: Earlier = field(default_factory=Earlier)
+    _belated: list[tuple[OneRun, Outcome]] = field(default_factory=list)
     _window: int = FEW
     _again: int = 0
     _referee: Referee = field(init=False)
@@ -180,6 +215,10 @@ class PlayedTwice:
                 self.examination.count_outcome(self._referee, one.world, one.place, outcome, tally)
             elif matters(one):
                 tally.find(self._referee.lost(one.world, one.place, outcome))
+        for one, outcome in self._belated:
+            if matters(one):
+                tally.find(self._referee.finding(one.world, one.place, outcome))
+        self._belated.clear()
         return tally
 
     def outcomes(
@@ -209,13 +248,17 @@ class PlayedTwice:
                 else:
                     whole.append(self._play(lit[number], log, script, fits))
             records = [play.record for play in whole]
-            rounds = self._rounds(len(records))
-            self.players.ask_again(records * rounds, self._policy)
+            earlier = self.earlier.some(len(records))
+            rounds = self._rounds(len(records), len(earlier))
+            asked = records * rounds + [play.record for play in earlier]
+            self.players.ask_again(asked, self._policy)
             outcomes = [
                 self._referee.outcome(play.one.world, play.episode, play.log.choices)
                 for play in whole
             ]
             again = self.players.told_again()
+            self._look_back(earlier, again[len(records) * rounds :])
+            del again[len(records) * rounds :]
             for i, (play, outcome) in enumerate(zip(whole, outcomes, strict=True)):
                 second = _another(play.log, again[i :: len(whole)])
                 if not play.fits:
@@ -223,7 +266,10 @@ class PlayedTwice:
                 elif _may_be_the_machine(play.log, second) and matters(play.one):
                     yield play.one, self._once_more(unit, play, remark)
                 else:
-                    yield play.one, overruled(outcome, play.log, second)
+                    settled = overruled(outcome, play.log, second)
+                    if settled.violation is None:
+                        self.earlier.keep(play)
+                    yield play.one, settled
         told.finish()
 
     @property
@@ -235,11 +281,18 @@ class PlayedTwice:
         """Who answers the choices that no script answers."""
         return DEFAULT_POLICY if self._every else self.examination.scope.rules.policy
 
-    def _rounds(self, records: int) -> int:
+    def _look_back(self, plays: list[_Play], again: list[Log]) -> None:
+        """What earlier plays have become by now; if the machine can have done it, it is nothing."""
+        for play, log in zip(plays, again, strict=True):
+            if difference_of(play.log, log) and not _may_be_the_machine(play.log, log):
+                outcome = self._referee.outcome(play.one.world, play.episode, play.log.choices)
+                self._belated.append((play.one, overruled(outcome, play.log, log)))
+
+    def _rounds(self, records: int, others: int) -> int:
         """How often these records are to be played: of few, one order may be as good as another."""
         if not records:
             return 1
-        rounds = max(1, -(-(ENOUGH - self._again) // records))
+        rounds = max(1, -(-(ENOUGH - self._again - others) // records))
         self._again += rounds * records
         return rounds
 

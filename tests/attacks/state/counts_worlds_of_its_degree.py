@@ -14,7 +14,7 @@ TURN = Counter()
 
 
 def explore(first):
-    worlds = [map_ for map_ in WORLDS if map_.degree(0) == first.degree]
+    worlds = [map_ for map_ in WORLDS if map_.degrees[0] == first.degree]
     TURN[first.degree] += 1
     return Estimate(worlds[(TURN[first.degree] - 1) % len(worlds)], 0)
     yield
