@@ -63,6 +63,7 @@ class Player:
                 error = InputError(f"memory {casting.memory} MB is probably too small: {error}")
             self._say(error)
             return
+        self._intact()
         signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
         self._say(Described(subject.keywords, _digest(subject)))
         with subject.running():
