@@ -249,18 +249,23 @@ class PlayedTwice:
                     whole.append(self._play(lit[number], log, script, fits))
             records = [play.record for play in whole]
             earlier = self.earlier.some(len(records))
-            rounds = self._rounds(len(records), len(earlier))
-            asked = records * rounds + [play.record for play in earlier]
+            # What ended in a fault is played again once: a silence need not be heard out for ever.
+            lively = [i for i, play in enumerate(whole) if not isinstance(play.log.ending, Fault)]
+            rounds = self._rounds(len(lively), len(earlier))
+            order = [*range(len(records)), *lively * (rounds - 1)]
+            asked = [*(records[i] for i in order), *(play.record for play in earlier)]
             self.players.ask_again(asked, self._policy)
             outcomes = [
                 self._referee.outcome(play.one.world, play.episode, play.log.choices)
                 for play in whole
             ]
             again = self.players.told_again()
-            self._look_back(earlier, again[len(records) * rounds :])
-            del again[len(records) * rounds :]
+            self._look_back(earlier, again[len(order) :])
+            seconds: dict[int, list[Log]] = {i: [] for i in range(len(whole))}
+            for i, log in zip(order, again, strict=False):
+                seconds[i].append(log)
             for i, (play, outcome) in enumerate(zip(whole, outcomes, strict=True)):
-                second = _another(play.log, again[i :: len(whole)])
+                second = _another(play.log, seconds[i])
                 if not play.fits:
                     yield play.one, replace(outcome, violation=nondeterministic(OTHER_CHOICES))
                 elif _may_be_the_machine(play.log, second) and matters(play.one):
