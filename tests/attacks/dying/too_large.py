@@ -1,7 +1,7 @@
 """Keeps more and more, until there is no memory for a run.
 
 verdict: inconclusive
-options: --edges 3 --memory 1500
+options: --edges 2 --memory 1500
 """
 
 from allworlds.explorers import algorithm1
@@ -10,5 +10,5 @@ KEPT = []
 
 
 def explore(first):
-    KEPT.append(bytearray(1 << 25))
+    KEPT.append(bytearray(1 << 27))
     return (yield from algorithm1(first))

@@ -62,8 +62,8 @@ class OwnMap(CombinatorialMap):
     pass
 
 
-def dressed(move=lambda action: action, answer=lambda estimate: estimate):
-    """Algorithm 1 with other moves and another answer."""
+def dressed(move=lambda action: action, answer=lambda estimate: estimate, show=lambda shown: shown):
+    """Algorithm 1 with other moves and checkpoints, and another answer."""
 
     def explore(first):
         walk, percept = algorithm1(first), None
@@ -72,7 +72,7 @@ def dressed(move=lambda action: action, answer=lambda estimate: estimate):
                 action = walk.send(percept)
             except StopIteration as stop:
                 return answer(stop.value)
-            percept = yield move(action) if type(action) is Move else action
+            percept = yield move(action) if type(action) is Move else show(action)
 
     return explore
 
@@ -91,6 +91,10 @@ def other_sequences(estimate):
     return Estimate(OwnMap(sigma, np.array(alpha)), np.uint8(estimate.here))
 
 
+def other_checkpoint(shown):
+    return Checkpoint(np.array(shown.sigma), (d for d in shown.alpha), Index(shown.here))
+
+
 integers = dressed(other_integer)
 sequences = dressed(answer=other_sequences)
 floats = dressed(lambda action: Move(float(action.k)))
@@ -98,17 +102,8 @@ booleans = dressed(lambda action: Move(True))
 moves_of_its_own = dressed(lambda action: OwnMove(action.k))
 estimates_of_its_own = dressed(answer=lambda said: OwnEstimate(said.map, said.here))
 pairs = dressed(answer=lambda said: (said.map, said.here))
+checkpoints = dressed(show=other_checkpoint)
 anonymous = lambda first: (yield from algorithm1(first))
-
-
-def checkpoints(first):
-    yield Checkpoint(np.arange(first.degree), (k for k in range(first.degree)), np.int64(0))
-    for k in range(first.degree):
-        yield Move(k)
-        yield Move(0)
-        yield Move(-k)
-        yield Move(0)
-    return (yield from dressed()(first))
 
 
 def walks_more(first):
