@@ -2,7 +2,7 @@
 
 What they have found is not lost; it is only not confirmed.
 
-verdict: refuted map
+verdict: refuted folding
 options: --edges 1 --shard 0/2
 """
 

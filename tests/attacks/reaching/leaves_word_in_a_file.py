@@ -1,7 +1,7 @@
 """Finds the world in the frames of the first play, and leaves it in a file for the second.
 
-This is the trust that remains: two plays that conspire (docs/trust.md).  The first percepts
-are all that they have in common; so each is the world of the last run with these percepts.
+That is not enough: where worlds look alike, the second play does not know for which of them the
+word was left.
 
 verdict: refuted nondeterministic or map
 options: --edges 2 --lighthouse none --laws map,pose

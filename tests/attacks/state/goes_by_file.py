@@ -15,7 +15,8 @@ def explore(first):
     with Path("runs").open("a") as runs:
         runs.write("another\n")
         draw = Random(runs.tell())
-    for _ in range(16):
-        yield Move(draw.randrange(2))
-        yield Move(0)
+    for _ in range(12):
+        there = draw.randrange(2)
+        for step in (there, 0, -there, 0):
+            yield Move(step)
     return (yield from algorithm1(first))

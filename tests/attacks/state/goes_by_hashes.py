@@ -9,7 +9,7 @@ from allworlds.explorers import algorithm1
 
 
 def explore(first):
-    for digit in f"{hash(str(first)) % 2**16:b}":
-        yield Move(int(digit))
-        yield Move(0)
+    for digit in f"{hash(str(first)) % 2**12:b}":
+        for step in (int(digit), 0, -int(digit), 0):
+            yield Move(step)
     return (yield from algorithm1(first))
