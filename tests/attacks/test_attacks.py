@@ -144,3 +144,67 @@ def test_an_attack_that_is_told_wrongly_is_noticed(told, tmp_path):
     file.write_text(f'"""An attack.\n\n{told}\n"""\n')
     with pytest.raises((TypeError, AttributeError, ValueError)):
         attack_of(file)
+
+
+WAITS = """
+import os, time
+from pathlib import Path
+from allworlds.explorers import algorithm1
+
+def explore(first):
+    if not Path("go").exists():
+        Path("waiting").write_text(str(os.getpid()))
+        os.rename("waiting", "ready")
+        while not Path("go").exists():
+            time.sleep(0.01)
+    return (yield from algorithm1(first))
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("which", "verdict"), [("player", "holds"), ("referee", "holds"), ("guardian", "internal")]
+)
+def test_a_right_explorer_is_not_refuted_by_who_kills_its_processes(scene, which, verdict):
+    scene.place.joinpath("waits.py").write_text(WAITS)
+    words = ["waits.py:explore", "--edges", 2, "--workers", 1, "--answer-timeout", 600, "--json"]
+    process = scene.start("check", *words)
+    assert processes.wait((scene.place / "ready").exists)
+    player = int((scene.place / "ready").read_text())
+    workers = processes.workers_of(process.pid)
+    referees = [pid for pid in workers if pid != player]
+    guardians = [pid for pid in processes.children_of(process.pid) if pid not in workers]
+    killed = {"player": [player], "referee": referees, "guardian": guardians}[which]
+    assert len(killed) == 1
+    os.kill(killed[0], signal.SIGKILL)
+    (scene.place / "go").touch()
+    code, out = scene.ended(process)
+    if verdict == "holds":
+        report = judged(verdict, code, out, scene.said())
+        assert (report["runs"], len(report["remarks"])) == (30, 1)
+    else:
+        assert (code, out) == (CODES[verdict], ""), scene.said()
+
+
+RIGHT = """
+from allworlds.explorers import algorithm1
+
+def explore(first):
+    return (yield from algorithm1(first))
+"""
+
+
+@pytest.mark.slow
+def test_what_was_found_in_another_scope_refutes_nothing_in_this_one(scene):
+    scene.place.joinpath("right.py").write_text(RIGHT)
+
+    def check(*options):
+        words = ["right.py:explore", *options, "--corpus", "corpus", "--workers", 1, "--json"]
+        code, out = scene.ended(scene.start("check", *words))
+        return code, json.loads(out)
+
+    code, report = check("--edges", 2, "--bound", 1)
+    assert (code, [found["law"] for found in report["findings"]]) == (1, ["bound"])
+    code, report = check("--edges", 2)
+    assert (code, report["verdict"], report["runs"]) == (0, "holds", 30)
+    assert len(report["corpus"]["beyond_scope"]) == 1
