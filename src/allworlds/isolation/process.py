@@ -7,6 +7,7 @@ import json
 import mmap
 import os
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -14,6 +15,7 @@ import threading
 import time
 from contextlib import suppress
 from multiprocessing import Pipe
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +38,10 @@ NO_RUN = (1 << 64) - 1
 GRACE = 2.0
 """Seconds more where the owner is not the first to know: for a foreign program, whose silence
 its player notices itself, and for a process that has still something to be heard."""
+
+
+STALL = 10
+"""Seconds in which a player that has begun to say something must go on with it."""
 
 
 class Guardian:
@@ -151,6 +157,8 @@ class Process:
         self._guardian = guardian
         self._foreign = role not in ASKING
         self.connection, theirs = Pipe()
+        if self._foreign:
+            _let_stall(self.connection)
         with tempfile.TemporaryFile() as memory:
             memory.truncate(8 * BEAT_WORDS)
             self._memory = mmap.mmap(memory.fileno(), 8 * BEAT_WORDS)
@@ -218,6 +226,15 @@ class Process:
     def close(self) -> None:
         """End the process now, and all that it has started."""
         close_all(self)
+
+
+def _let_stall(connection: Connection) -> None:
+    """See to it that who reads there is not kept waiting for the rest of a message for ever.
+
+    Source: socket(7), SO_RCVTIMEO.
+    """
+    with socket.socket(fileno=os.dup(connection.fileno())) as ours:
+        ours.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, struct.pack("@ll", STALL, 0))
 
 
 def close_all(*processes: Process) -> None:

@@ -4,7 +4,6 @@ The second play has no world to be found.
 
 verdict: refuted nondeterministic or crash
 options: --edges 2 --lighthouse none --laws map,pose
-quick: 1
 """
 
 import sys

@@ -1,7 +1,6 @@
 """Writes into every descriptor what would end a process that takes it for a pickle.
 
 verdict: refuted crash
-quick: 1
 """
 
 import os

@@ -2,7 +2,6 @@
 
 verdict: refuted nondeterministic or map
 options: --edges 3 --lighthouse none --laws map,pose
-quick: 1
 """
 
 from itertools import count
