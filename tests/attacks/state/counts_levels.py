@@ -27,10 +27,6 @@ TURN = count()
 STATE = {}
 
 
-def plays(unit, second):
-    return len(unit) * (-(-ENOUGH // len(unit)) if second else 1)
-
-
 def level():
     """The number of edges of the world in which it must be."""
     if not STATE:
@@ -38,7 +34,8 @@ def level():
         Path("first").touch()
     left = next(TURN)
     for edges, units in UNITS.items():
-        left -= sum(plays(unit, STATE["second"]) for unit in units)
+        often = ENOUGH if STATE["second"] and edges == 1 else 1
+        left -= often * sum(len(unit) for unit in units)
         if left < 0:
             return edges
     return max(UNITS)
