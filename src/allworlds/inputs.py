@@ -13,6 +13,9 @@ from typing import Any
 SHOWN = 200
 """The number of characters of a value that are shown."""
 
+LARGEST_SIZE = 100_000
+"""The largest number of edges, or of vertices, that is taken at all."""
+
 
 class InputError(ValueError):
     """Bad input: one line that names the offending value and what would be legal."""
@@ -42,7 +45,7 @@ def integer(value: object) -> int:
         TypeError: for booleans, floats, strings and everything else.
     """
     if isinstance(value, bool):
-        raise TypeError(f"{value!r} is a boolean, not an integer")
+        raise TypeError(f"{show(value)} is a boolean, not an integer")
     index = operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer
     return int.__index__(index)  # also for a subclass with operators of its own
 
@@ -57,6 +60,18 @@ def an_integer(name: str, value: object) -> int:
         return integer(value)
     except TypeError:
         raise InputError(f"{name} = {show(value)} is not an integer") from None
+
+
+def at_most(name: str, value: float, most: int) -> None:
+    """Nothing, if the value is no larger.
+
+    What follows from larger ones could not be counted, printed or waited for.
+
+    Raises:
+        InputError: naming it.
+    """
+    if value > most:
+        raise InputError(f"{name} = {show(value)} is too big; at most {most:,} is legal")
 
 
 def a_text(name: str, value: object) -> str:
@@ -115,7 +130,10 @@ def read_text(path: str) -> str:
     try:
         if path == "-":
             return sys.stdin.read()
-        return a_path("file", path).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
+        file = a_path("file", path)
+        if "\0" in path:
+            raise InputError(f"file {show(path)} cannot be read: no name holds the character NUL")
+        return file.read_text(encoding="utf-8")
+    except (OSError, UnicodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is no text"
         raise InputError(f"file {show(path)} cannot be read: {reason}") from None

@@ -19,7 +19,7 @@ from allworlds.checker import (
 from allworlds.findings import Finding
 from allworlds.fuzzer.sample import batches
 from allworlds.fuzzer.shrink import shrink
-from allworlds.inputs import InputError, an_integer
+from allworlds.inputs import InputError, an_integer, show
 from allworlds.isolation import Unsettled, confirmed, subject_of, workers_for
 from allworlds.maps.classes import Extent
 from allworlds.progress import Listener, Silent
@@ -80,7 +80,7 @@ def fuzz(
 def _positive(edges: object) -> int:
     number = an_integer("edges", edges)
     if number < 1:
-        raise InputError(f"edges = {number} is not positive")
+        raise InputError(f"edges = {show(number)} is not positive")
     return number
 
 

@@ -92,7 +92,7 @@ def _directory(out: str | Path | None) -> Path:
     try:
         directory.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"directory {str(out)!r} cannot be made: {error.strerror}") from None
+        raise InputError(f"directory {show(str(out))} cannot be made: {error.strerror}") from None
     return directory
 
 

@@ -13,7 +13,7 @@ from time import monotonic
 from typing import Literal as Name
 from typing import TypeAlias
 
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, show
 
 Status: TypeAlias = Name["sat", "unsat", "unknown"]
 
@@ -98,11 +98,11 @@ class ExternalSolver:
             ).stdout.strip()
         except (OSError, subprocess.TimeoutExpired, UnicodeDecodeError) as error:
             reason = getattr(error, "strerror", None) or type(error).__name__
-            raise InputError(f"solver {self.path!r} cannot be run: {reason}") from None
+            raise InputError(f"solver {show(self.path)} cannot be run: {reason}") from None
         version = re.match(r"([0-9]+)\.", said)
         if version is None or int(version[1]) < OLDEST:
             raise InputError(
-                f"solver {self.path!r} calls itself {said.splitlines()[:1] or 'nothing'}; "
+                f"solver {show(self.path)} calls itself {said.splitlines()[:1] or 'nothing'}; "
                 f"legal is CaDiCaL {OLDEST} or later"
             )
 

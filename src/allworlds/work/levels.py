@@ -9,6 +9,13 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
+from allworlds.progress import Listener
+
+MANY_WORLDS = 10_000_000
+"""Whoever asks for more of them is told so at once."""
+
+COUNTED_LEVELS = 24
+"""Later levels are not counted beforehand: those of a class that has worlds there are many."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,3 +51,17 @@ def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
 def level_size(extent: Extent, edges: int) -> int:
     """Their sum."""
     return sum(cells_of_level(extent, edges).values())
+
+
+def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
+    """Tell before the first level is begun if there are too many worlds to be soon done with."""
+    last = extent.levels[-1]
+    worlds = 0
+    for edges in extent.levels[:COUNTED_LEVELS]:
+        worlds += level_size(extent, edges)
+        if worlds // shards > MANY_WORLDS:
+            listener.notice(
+                f"there are over {MANY_WORLDS:,} worlds with up to {edges} edges, and {last} are "
+                "asked for: this takes long, or does not end; an interrupt ends it"
+            )
+            return
