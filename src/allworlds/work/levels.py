@@ -62,6 +62,11 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
         if worlds // shards > MANY_WORLDS:
             listener.notice(
                 f"there are over {MANY_WORLDS:,} worlds with up to {edges} edges, and {last} are "
-                "asked for: this takes long, or does not end; an interrupt ends it"
+                f"asked for: {_LONG}"
             )
             return
+    if last > COUNTED_LEVELS:
+        listener.notice(f"all levels up to {last} edges are asked for: {_LONG}")
+
+
+_LONG = "this takes long, or does not end; an interrupt ends it"
