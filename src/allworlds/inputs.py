@@ -94,6 +94,12 @@ def a_path(name: str, value: object) -> Path:
     """
     if value == "" or not isinstance(value, str | os.PathLike):
         raise InputError(f"{name} = {show(value)} is no path, not even of the current directory")
+    try:
+        nameable = b"\0" not in os.fsencode(value)
+    except UnicodeEncodeError:
+        nameable = False
+    if not nameable:
+        raise InputError(f"{name} = {show(value)} is no path: no file can be named so")
     return Path(value)
 
 
@@ -130,10 +136,7 @@ def read_text(path: str) -> str:
     try:
         if path == "-":
             return sys.stdin.read()
-        file = a_path("file", path)
-        if "\0" in path:
-            raise InputError(f"file {show(path)} cannot be read: no name holds the character NUL")
-        return file.read_text(encoding="utf-8")
+        return a_path("file", path).read_text(encoding="utf-8")
     except (OSError, UnicodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is no text"
         raise InputError(f"file {show(path)} cannot be read: {reason}") from None

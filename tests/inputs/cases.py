@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from random import Random
 
@@ -22,11 +22,23 @@ REFUSED = ("", "x", "-1", "1.5", "1_0", "nan", "9" * 5000, "9" * 3000, "\x1b[31m
 WORDS = {
     "COMMAND": ("", "'", "/", "missing", "./missing", "tests", grammar.LONG, "a\x00b", "'" * 999),
     "CLASS": ("maps", "simple", "planar", "planar-simple", "planr"),
-    "KIND": (
-        "none position directional compass cluster natural cluster:single=true "
-        "cluster:single=false cluster:single=no cluster:x=1 cluster: cluster:single "
-        "position:x=1 cluster:single=true,single=true lamp"
-    ).split(),
+    "KIND": [
+        "none",
+        "position",
+        "directional",
+        "compass",
+        "cluster",
+        "natural",
+        "cluster:single=true",
+        "cluster:single=false",
+        "cluster:single=no",
+        "cluster:x=1",
+        "cluster:",
+        "cluster:single",
+        "position:x=1",
+        "cluster:single=true,single=true",
+        "lamp",
+    ],
     "K/N": ("0/1", "0/2", "1/2", "2/2", "0/0", "-1/2", "0/999999999", "0/9999999999", "1_0/20"),
     "one|all": ("one", "all", "ALL", "two"),
     "POLICY": ("fifo", "lifo", "nearest", "random:0", "random:-1", "random:" + "9" * 5000, "r"),
@@ -35,8 +47,20 @@ WORDS = {
     # More of them would be more threads of this process.
     "N|auto": ("auto", "1", "2", "0", "-1", "10001", "9" * 5000),
     "I,I,...": ("0", "0,0", "1", "9" * 10, "-1", "0,", ",0", ",".join("0" * 3000)),
-    "F": ("lattice:2x2", "dense:4", "cycle:3", "random:3", "lattice:0x0", "dense:0", "cycle:-1",
-          "random:0", "lattice:2x", "dense:" + "9" * 5000, "tree:3", "lattice:99999x99999"),
+    "F": (
+        "lattice:2x2",
+        "dense:4",
+        "cycle:3",
+        "random:3",
+        "lattice:0x0",
+        "dense:0",
+        "cycle:-1",
+        "random:0",
+        "lattice:2x",
+        "dense:" + "9" * 5000,
+        "tree:3",
+        "lattice:99999x99999",
+    ),
     "P%": ("10%", "0.1", "100%", "-1%", "1e-3", "99.9999%", "0%%", "9" * 5000 + "%"),
     "shortest|simple": ("longest", "SIMPLE"),
     "K,K,...": ("0", "1,-1", "1000", "--1", ",".join("1" * 2000)),
@@ -57,7 +81,9 @@ def options() -> dict[str, list[tuple[str, str]]]:
     found = {}
     for name, command in typer.main.get_command(app).commands.items():
         below = getattr(command, "commands", None)
-        verbs = {f"{name} {sub}": under for sub, under in below.items()} if below else {name: command}
+        verbs = (
+            {f"{name} {sub}": under for sub, under in below.items()} if below else {name: command}
+        )
         for verb, under in verbs.items():
             found[verb] = [
                 (param.opts[0], param.metavar)
@@ -71,7 +97,7 @@ def _options(random: Random) -> Case:
     verb = random.choice(list(LEAST))
     if verb in ("search", *COSTLY) and random.random() < 0.5:
         verb = "check"
-    words = [*verb.split(), *_least(verb)]
+    words = [*verb.split(), *_json(random), *_least(verb)]
     known = options()[verb] or [("--edges", "M")]
     for option, metavar in random.choices(known, k=random.choice((1, 1, 2, 3))):
         value = random.choice(REFUSED) if verb in COSTLY else _value(metavar, random)
@@ -82,7 +108,7 @@ def _options(random: Random) -> Case:
         words.pop()
     if random.random() < 0.1:
         words.append(random.choice(("--egdes", "--" + grammar.LONG, "-x", "--info", "--help", "-")))
-    return Case("options", (*words, *_json(random)), {"f.json": _bytes(_finding(random))})
+    return Case("options", tuple(words), {"f.json": _bytes(_finding(random))})
 
 
 def _least(verb: str) -> list[str]:
@@ -110,7 +136,10 @@ def _bytes(document: object) -> bytes:
 
 
 def _worlds(random: Random) -> Case:
-    texts = [grammar.mutated(random.choice(grammar.worlds()), random) for _ in range(2)]
+    world = random.choice(grammar.worlds())
+    texts = [grammar.mutated(random.choice((world, world, grammar.a_world(random))), random)]
+    texts.append(_bytes(world))
+    random.shuffle(texts)
     files: dict[str, bytes] = {}
     given = []
     for i, text in enumerate(texts):
@@ -119,18 +148,16 @@ def _worlds(random: Random) -> Case:
             given.append(f"@{i}.json")
         else:
             given.append(text.decode(errors="surrogateescape"))
-    match random.randrange(5):
-        case 0:
+    explorer = random.choice(("algorithm1", "algorithm1-cluster", "algorithm1-natural"))
+    match random.randrange(6):
+        case 0 | 1:
             words = ["twins", *given]
-        case 1:
-            words = ["ambiguity", "class", given[0]]
         case 2:
-            explorer = random.choice(("algorithm1-cluster", "algorithm1-natural"))
-            words = ["run", explorer, given[0]]
+            words = ["ambiguity", "class", given[0]]
         case 3:
             return Case("worlds", ("run", "@-", *_json(random)), stdin=texts[0])
         case _:
-            words = ["run", "algorithm1", given[0]]
+            words = ["run", explorer, given[0]]
     return Case("worlds", (*words, *_json(random)), files)
 
 
@@ -165,8 +192,11 @@ def _expressions(random: Random) -> Case:
     return Case("expressions", (*verb, "--bound", grammar.expression(random), *_json(random)))
 
 
-SPEAKER = b'read first\ncat "$1"\n'
-"""A program that says its lines, whatever it is told."""
+SPEAKER = b"""read first
+printf '\\033[31mred\\007\\n' >&2
+cat "$1"
+"""
+"""A program that says its lines, whatever it is told, and would like to colour the terminal."""
 
 
 def _lines(random: Random) -> Case:
@@ -186,11 +216,11 @@ KINDS: dict[str, tuple[int, Callable[[Random], Case]]] = {
 """Every kind of input, with its share in a hundred."""
 
 
-def cases(seed: int, number: int) -> Iterator[tuple[str, Case]]:
-    """So many cases, each with a name from which it can be drawn again."""
+def cases(seed: int, numbers: Iterable[int]) -> Iterator[tuple[str, Case]]:
+    """The cases of these numbers, each with a name from which it can be drawn again."""
     shares = [share for share, _ in KINDS.values()]
-    for i in range(number):
-        name = f"{seed}/{i}"
+    for number in numbers:
+        name = f"{seed}/{number}"
         random = Random(name)
-        (_, draw) = random.choices(list(KINDS.values()), shares)[0]
+        [(_, draw)] = random.choices(list(KINDS.values()), shares)
         yield name, draw(random)

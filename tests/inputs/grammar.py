@@ -10,6 +10,7 @@ from random import Random
 from typing import Any
 
 from allworlds.corpora import own_corpus
+from allworlds.maps.families import random_map
 from allworlds.world import LIGHTHOUSES
 
 LONG = "x" * 5000
@@ -42,15 +43,18 @@ TEXTS = (
     ",".join("0" * 300),
 )
 NUMBERS = (
-    "0 1 2 -1 -0 +1 00 0.5 1e3 1_0 0x1 nan inf -inf 1e999 .".split()
-    + [str(HUGE), str(-HUGE), "9" * 100, "9" * 3000, "9" * 4300, "9" * 4301, "-" + "9" * 5000]
+    *("0", "1", "2", "-1", "-0", "+1", "00", "0.5", "1e3", "1_0", "0x1", ".", "nan", "inf", "-inf"),
+    *("1e999", str(HUGE), str(-HUGE), *("9" * digits for digits in (100, 3000, 4300, 4301))),
+    "-" + "9" * 5000,
 )
 RAW = (
-    "null true false 0 -1 1 2 3 5 0.0 1.0 1e999 -0 NaN Infinity -Infinity [] {} \"\" [[]] [0]".split()
-    + [str(HUGE), str(-(10**21)), "9" * 4300, "9" * 5000, "[" * 100_000, "[" * 900 + "]" * 900]
-    + ['{"a":' * 400 + "1" + "}" * 400, '"\\ud800"', '"\\u001b[31m\\u0000"', "'", "\\", "//"]
-    + [json.dumps(text) for text in TEXTS if "\udcff" not in text]
+    *("null", "true", "false", "0", "-1", "1", "2", "3", "5", "0.0", "1.0", "1e999", "-0", "NaN"),
+    *("Infinity", "-Infinity", "[]", "{}", '""', "[[]]", "[0]", str(HUGE), str(-(10**21))),
+    *("9" * 4300, "9" * 5000, "[" * 100_000, "[" * 900 + "]" * 900),
+    *('{"a":' * 400 + "1" + "}" * 400, '"\\ud800"', '"\\u001b[31m\\u0000"', "'", "\\", "//"),
+    *(json.dumps(text) for text in TEXTS if "\udcff" not in text),
 )
+OTHER_KEYS = ("strat", "lighthouse", "dart", "darts", "single", "version", "start", LONG, "\x1b")
 BYTES = (b"\xff", b"\xfe\xff", b"\x00", b"\xef\xbb\xbf", b"\xc3", b"\n", b"\r", b"\x1b[2J", b"}")
 
 
@@ -76,19 +80,19 @@ def text_of(tree: Any) -> str:
 
 def mutated(tree: Any, random: Random) -> bytes:
     """The bytes of a JSON text that is nearly that of the tree."""
-    for _ in range(random.choice((0, 1, 1, 1, 2, 4))):
+    for _ in range(random.choice((0, 1, 1, 1, 1, 1, 2, 4))):
         tree = _changed(tree, random)
     content = text_of(tree).encode("utf-8", "surrogatepass")
-    return _torn(content, random) if random.random() < 0.2 else content
+    return _torn(content, random) if random.random() < 0.08 else content
 
 
 def _changed(tree: Any, random: Random) -> Any:
     """One node is another, misses, or stands twice."""
-    if isinstance(tree, dict | list) and tree and random.random() < 0.85:
+    if isinstance(tree, dict | list) and tree and random.random() < 0.9:
         keys = list(tree) if isinstance(tree, dict) else list(range(len(tree)))
         key = random.choice(keys)
         changed = tree.copy()
-        match random.randrange(8):
+        match random.randrange(16):
             case 0:
                 del changed[key]
             case 1 if isinstance(tree, dict):
@@ -97,16 +101,14 @@ def _changed(tree: Any, random: Random) -> Any:
             case 1:
                 changed.insert(key, tree[key])
             case 2 if isinstance(tree, dict):
-                changed[random.choice(("strat", "lighthouse", "dart", "version", LONG, "\x1b"))] = (
-                    tree[key]
-                )
+                changed[random.choice(OTHER_KEYS)] = tree[key]
             case 2:
                 random.shuffle(changed)
             case _:
                 changed[key] = _changed(tree[key], random)
         return changed
-    if type(tree) is int and random.random() < 0.4:
-        return tree + random.choice((-2, -1, 1, 2))
+    if type(tree) is int and random.random() < 0.7:
+        return tree + random.choice((-2, -1, 1, 2, 3, HUGE, -HUGE, 10**21, -(10**21)))
     return Raw(random.choice(RAW))
 
 
@@ -148,6 +150,15 @@ def worlds() -> list[dict[str, Any]]:
     ]
 
 
+def a_world(random: Random) -> dict[str, Any]:
+    """A random world of up to 6 edges, under any lighthouse, whether it can stand there or not."""
+    map_ = random_map(random.randrange(1, 7), random)
+    light = {"kind": random.choice(list(LIGHTHOUSES)), "dart": random.choice(map_.darts)}
+    if random.random() < 0.3:
+        del light["dart"]
+    return {**map_.to_json(), "start": random.choice(map_.darts), "lighthouse": light}
+
+
 @cache
 def findings() -> list[dict[str, Any]]:
     """Those that the project keeps; the walks of some are long."""
@@ -161,7 +172,10 @@ def findings() -> list[dict[str, Any]]:
     ]
 
 
-EXPRESSION = "n m d0 D 0 1 2 7 63 64 65 ( ) + - * // ** / % min( max( , . not if else or 1if".split()
+EXPRESSION = (
+    *("n", "m", "d0", "D", "0", "1", "2", "7", "63", "64", "65", "(", ")", "+", "-", "*", "//"),
+    *("**", "/", "%", "min(", "max(", ",", ".", "not", "if", "else", "or", "1if"),
+)
 EXPRESSIONS = ("n+m", "2*m", "min(n,m)", "max(n, 2) ** 2", "-n // d0", "(n + m) * D", "paper")
 
 
@@ -171,7 +185,7 @@ def expression(random: Random) -> str:
         case 0:
             return random.choice(("(", "-", "n+", "min(", "9**")) * random.choice((3, 200, 3000))
         case 1:
-            return random.choice(NUMBERS + list(TEXTS))
+            return random.choice((*NUMBERS, *TEXTS))
         case 2:
             return " ".join(random.choices(EXPRESSION, k=random.randrange(1, 9)))
         case 3:

@@ -105,11 +105,17 @@ def said(case: Case, entry: Callable[[list[str]], int] = call) -> Said:
     before, sys.stdin = sys.stdin, io.TextIOWrapper(io.BytesIO(case.stdin), encoding="utf-8")
     try:
         with redirect_stdout(out), redirect_stderr(err), warnings.catch_warnings():
-            warnings.simplefilter("default")  # as they are shown to users
+            # As users are shown them: pytest keeps them to itself.
+            warnings.simplefilter("default")
+            warnings.showwarning = _show
             code = entry(list(case.arguments))
     finally:
         sys.stdin = before
     return Said(code, _text(out), _text(err))
+
+
+def _show(message, category, filename, lineno, file=None, line=None) -> None:
+    sys.stderr.write(warnings.formatwarning(message, category, filename, lineno, line))
 
 
 def _stream() -> io.TextIOWrapper:
@@ -126,7 +132,7 @@ def wrong(arguments: tuple[str, ...], told: Said) -> list[str]:
     lines = told.err.split("\n")[:-1] if told.err.endswith("\n") else told.err.split("\n")
     lines = [] if told.err == "" else lines
     found = []
-    if "Traceback" in told.err:
+    if any(line.startswith("Traceback") for line in lines):
         found.append("a traceback")
     if told.code not in codes_of(arguments):
         found.append(f"the exit code {told.code}")

@@ -71,7 +71,7 @@ def percept_named(text: str) -> Sensed:
         InputError: naming the text and what would be legal.
     """
     bare = a_text("percept", text).strip().strip("[]").replace(",", "")
-    match = re.fullmatch(r"([1-9][0-9]*)([AP]*)", bare)
+    match = re.fullmatch(r"([1-9][0-9]{0,8})([AP]*)", bare)
     if match is None or not match[2]:
         raise InputError(
             f"percept {show(text)} is not of the form 3A (marker absent) or 4P (present)"

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import monotonic
 
-from allworlds.inputs import InputError, a_path, show
+from allworlds.inputs import InputError, a_path, at_most, show
 from allworlds.smt.decode import decoded
 from allworlds.smt.formula import Formula, read_dimacs
 from allworlds.smt.lrat import check_lrat
@@ -19,6 +19,7 @@ from allworlds.smt.question import Question, Sizes, question
 from allworlds.smt.result import Searched, SearchResult, Twins
 from allworlds.smt.rup import ProofRefused, lrat_of_drat, write_lrat
 from allworlds.smt.solvers import (
+    LONGEST_WAIT,
     Clock,
     ExternalSolver,
     Solved,
@@ -80,6 +81,7 @@ def search(
     )
     if time_limit is not None and (not isinstance(time_limit, int | float) or not time_limit > 0):
         raise InputError(f"time-limit = {show(time_limit)}, but it must be more than 0 seconds")
+    at_most("time-limit", time_limit or 0, LONGEST_WAIT)
     external = None if solver is None else ExternalSolver(str(a_path("solver", solver)))
     hunt = _Search(asked, external, _directory(out), Clock(time_limit))
     return hunt.run()

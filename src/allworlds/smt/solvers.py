@@ -20,6 +20,9 @@ Status: TypeAlias = Name["sat", "unsat", "unknown"]
 OLDEST = 2
 """The first major version of CaDiCaL that writes LRAT."""
 
+LONGEST_WAIT = 10**6
+"""The most seconds that a solver can be waited for: both count milliseconds in 32 bits."""
+
 
 @dataclass(frozen=True, slots=True)
 class Solved:

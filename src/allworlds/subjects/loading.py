@@ -15,7 +15,7 @@ from types import ModuleType
 from typing import Any
 
 from allworlds.explorers import BUILT_IN
-from allworlds.inputs import SHOWN, InputError, let_users_interrupt, read_text, show
+from allworlds.inputs import SHOWN, InputError, a_path, let_users_interrupt, read_text, show
 from allworlds.protocol import ANSWER_TIMEOUT
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
@@ -50,8 +50,12 @@ def source_of(name: str) -> Source | None:
         )
     if not place.endswith(".py"):
         return None
-    file = Path(place).resolve()
-    if not file.is_file():
+    file = a_path("file", place).resolve()
+    try:
+        found = file.is_file()
+    except OSError as error:
+        raise InputError(f"file {show(place)} cannot be read: {error.strerror}") from None
+    if not found:
         raise InputError(f"there is no file {show(place)}")
     return Source(str(file), read_text(str(file)))
 

@@ -9,6 +9,7 @@ or ``{"estimate": {"sigma", "alpha", "here"}}``.  Unknown keys are ignored by bo
 from __future__ import annotations
 
 import contextlib
+import errno
 import json
 import os
 import secrets
@@ -261,6 +262,13 @@ class Program:
 def _obstacle(name: str) -> str:
     """Why what is named cannot be run."""
     path = Path(name)
+    try:
+        path.stat()
+    except OSError as error:
+        if error.errno != errno.ENOENT:
+            return f"{show(name)}: {error.strerror}"
+    except ValueError:
+        return f"there is no program {show(name)}: no file can be named so"
     if path.is_dir():
         return f"{show(name)} is a directory, not a program"
     if path.is_file():
