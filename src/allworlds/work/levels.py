@@ -14,8 +14,8 @@ from allworlds.progress import Listener
 MANY_WORLDS = 10_000_000
 """Whoever asks for more of them is told so at once."""
 
-COUNTED_LEVELS = 24
-"""Later levels are not counted beforehand: those of a class that has worlds there are many."""
+COUNTABLE_WORLDS = 10**12
+"""Levels with more of them take long to be counted, too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,18 +54,25 @@ def level_size(extent: Extent, edges: int) -> int:
 
 
 def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
-    """Tell before the first level is begun if there are too many worlds to be soon done with."""
+    """Tell before the first level is begun if there are too many worlds to be soon done with.
+
+    Cost: some milliseconds; a level of which most worlds lie beyond the extent ends the counting.
+    """
     last = extent.levels[-1]
-    worlds = 0
-    for edges in extent.levels[:COUNTED_LEVELS]:
-        worlds += level_size(extent, edges)
+    source = source_for(extent.map_class)
+    worlds = counted = 0
+    for edges in extent.levels:
+        everywhere = sum(source.cells(edges).values())
+        counted, worlds = edges, worlds + level_size(extent, edges)
         if worlds // shards > MANY_WORLDS:
             listener.notice(
                 f"there are over {MANY_WORLDS:,} worlds with up to {edges} edges, and {last} are "
                 f"asked for: {_LONG}"
             )
             return
-    if last > COUNTED_LEVELS:
+        if everywhere > min(MANY_WORLDS * shards, COUNTABLE_WORLDS):
+            break
+    if counted < last:
         listener.notice(f"all levels up to {last} edges are asked for: {_LONG}")
 
 
