@@ -25,7 +25,7 @@ from allworlds.judge import paper_bound
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
-from allworlds.outcome import SCHEMA, Exit
+from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Silent
 from allworlds.runs import Examiner, Scope, Tally
 from allworlds.subjects import load
@@ -101,16 +101,18 @@ class BenchReport:
         edges: the level of the compiled engines.
         measured: the contenders; the first is the reference.
         peak_mb: the largest memory that this process has had.
+        complete: False if the user has interrupted, and rounds are missing.
     """
 
     edges: int
     measured: tuple[Measured, ...]
     peak_mb: int
+    complete: bool = True
 
     @property
     def exit_code(self) -> Exit:
-        """0: measured."""
-        return Exit.ANSWERED
+        """0 measured, 130 interrupted."""
+        return Exit.ANSWERED if self.complete else Exit.INTERRUPTED
 
     def ratios(self) -> list[documents.Ratio]:
         """How many times the rate of each other contender the reference's is."""
@@ -132,6 +134,7 @@ class BenchReport:
             "schema": SCHEMA,
             "commit": commit(),
             "edges": self.edges,
+            "complete": self.complete,
             "rounds": len(self.measured[0].seconds),
             "peak_mb": self.peak_mb,
             "contenders": [measured.to_json() for measured in self.measured],
@@ -149,6 +152,7 @@ def bench(*, edges: int = 7, rounds: int = 3, peers: Sequence[str] = ()) -> Benc
 
     Raises:
         InputError: naming the offending option, or the peer that failed.
+        KeyboardInterrupt: if the user interrupts before the first round is over.
     """
     if isinstance(peers, str):
         raise InputError(f"peers = {show(peers)} is not a list of NAME=COMMAND")
@@ -161,18 +165,23 @@ def bench(*, edges: int = 7, rounds: int = 3, peers: Sequence[str] = ()) -> Benc
     for contender in contenders[: -len(peers) or None]:
         # Compiling and loading is not what is measured.
         _warm(contender)
-    seconds: list[list[float]] = [[] for _ in contenders]
-    for _ in range(rounds):
-        for contender, taken in zip(contenders, seconds, strict=True):
-            start = time.perf_counter()
-            contender.work()
-            taken.append(time.perf_counter() - start)
-    measured = tuple(
-        Measured(contender, tuple(taken))
-        for contender, taken in zip(contenders, seconds, strict=True)
-    )
+    finished, complete = until_interrupted(_round(contenders) for _ in range(rounds))
+    if not finished:
+        raise KeyboardInterrupt
+    taken = zip(contenders, zip(*finished, strict=True), strict=True)
+    measured = tuple(Measured(contender, seconds) for contender, seconds in taken)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
-    return BenchReport(edges, measured, peak)
+    return BenchReport(edges, measured, peak, complete)
+
+
+def _round(contenders: Sequence[Contender]) -> list[float]:
+    """The seconds that each of them takes for its turn."""
+    seconds = []
+    for contender in contenders:
+        start = time.perf_counter()
+        contender.work()
+        seconds.append(time.perf_counter() - start)
+    return seconds
 
 
 def own_contenders(edges: int) -> list[Contender]:

@@ -11,7 +11,7 @@ from allworlds.maps.canonical import automorphisms
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
-from allworlds.outcome import SCHEMA, Exit
+from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
 from allworlds.work import tell_of_size
 
@@ -70,17 +70,21 @@ class Census:
         extent: class and bounds.
         source: the independent source that every row has been compared with.
         rows: one a number of edges, ascending.
+        complete: False if the user has interrupted, and rows are missing.
     """
 
     extent: Extent
     source: str
     rows: tuple[CountRow, ...]
+    complete: bool = True
 
     @property
     def exit_code(self) -> Exit:
-        """0 counted, 4 nothing to count, 70 the source disagrees."""
+        """0 counted, 4 nothing to count, 70 the source disagrees, 130 interrupted."""
         if not all(row.agrees for row in self.rows):
             return Exit.DISAGREES
+        if not self.complete:
+            return Exit.INTERRUPTED
         return Exit.ANSWERED if any(row.rooted for row in self.rows) else Exit.VACUOUS
 
     def to_json(self) -> documents.CountReport:
@@ -91,6 +95,7 @@ class Census:
             "edges": self.extent.edges,
             "vertices": self.extent.vertices,
             "gate": {"source": self.source, "agrees": all(row.agrees for row in self.rows)},
+            "complete": self.complete,
             "rows": [row.to_json() for row in self.rows],
         }
 
@@ -118,8 +123,8 @@ def count(
     """
     extent = Extent(MapClass.named(map_class), edges, vertices)
     tell_of_size(extent, listener or Silent())
-    rows = tuple(_count_level(extent, level) for level in extent.levels)
-    return Census(extent, source_for(map_class).name, rows)
+    rows, complete = until_interrupted(_count_level(extent, level) for level in extent.levels)
+    return Census(extent, source_for(map_class).name, rows, complete)
 
 
 def _count_level(extent: Extent, edges: int) -> CountRow:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from enum import IntEnum, StrEnum
-from typing import Any, Final, Protocol
+from typing import Any, Final, Protocol, TypeVar
+
+T = TypeVar("T")
 
 SCHEMA: Final = 1
 """The version of every document that a verb writes, and of a corpus's manifest."""
@@ -51,6 +53,17 @@ _EXITS = {
     Verdict.VACUOUS: Exit.VACUOUS,
     Verdict.ERROR: Exit.INTERNAL,
 }
+
+
+def until_interrupted(rows: Iterable[T]) -> tuple[tuple[T, ...], bool]:
+    """The rows that were made before the user interrupted, and whether they are all."""
+    made: list[T] = []
+    try:
+        for row in rows:
+            made.append(row)  # noqa: PERF402  # what is made before an interrupt is kept
+    except KeyboardInterrupt:
+        return tuple(made), False
+    return tuple(made), True
 
 
 class Result(Protocol):

@@ -85,6 +85,9 @@ class Clock:
         leaps = sum((times > 3) + (times > 500) for times in self.read.values())
         return time.monotonic() / self.SLOW + leaps * self.LEAP
 
+    def sleep(self, seconds):
+        time.sleep(seconds)
+
 
 @pytest.fixture
 def clock(monkeypatch, tmp_path):

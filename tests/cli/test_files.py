@@ -1,5 +1,6 @@
-"""The options that write a report into a file: --junit and --html."""
+"""The options that write a report into a file: --junit, --html and --corpus."""
 
+import json
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -8,9 +9,10 @@ import pytest
 from allworlds.checker import check
 from allworlds.cli.files import Files
 from allworlds.fuzzer import fuzz
-from allworlds.inputs import InputError
 from allworlds.reports.html import page
 from allworlds.reports.junit import junit
+
+WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
@@ -92,6 +94,36 @@ def test_without_a_file_nothing_is_written(tmp_path, monkeypatch):
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
 @pytest.mark.parametrize("named", [("/dev/full", None), (None, "/dev/full")])
-def test_a_full_disk_is_bad_input(named):
-    with pytest.raises(InputError, match="/dev/full"):
-        Files(*named).write(check(edges=1))
+def test_a_disk_that_fills_up_loses_the_file_and_not_the_report(cli, monkeypatch, named):
+    option = "--junit" if named[0] else "--html"
+    monkeypatch.setattr("allworlds.cli.files._ensure_writable", lambda _: None)
+    code, out, err = cli("check", "--edges", 1, "--json", option, "/dev/full")
+    assert (code, json.loads(out)["verdict"]) == (0, "holds")
+    assert err.count("\n") == 1
+    assert "'/dev/full' cannot be written: No space left on device" in err
+
+
+def test_half_a_file_is_no_file(tmp_path, monkeypatch, capsys):
+    def full(path, text, **_):
+        with path.open("w") as file:
+            file.write(text[:5])
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_text", full)
+    Files(junit=str(tmp_path / "report.xml")).write(check(edges=1))
+    assert [*tmp_path.iterdir()] == []
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_a_corpus_that_is_full_loses_the_finding_and_not_the_report(cli, monkeypatch, tmp_path):
+    def full(*_, **__):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_text", full)
+    code, out, err = cli("check", WRONG, "--edges", 1, "--json", "--corpus", tmp_path / "corpus")
+    document = json.loads(out)
+    assert (code, document["verdict"], document["corpus"]["written"]) == (1, "refuted", [])
+    (remark,) = document["remarks"]
+    assert "could not take" in remark
+    assert remark in err
+    assert [*(tmp_path / "corpus").iterdir()] == []

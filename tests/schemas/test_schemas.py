@@ -93,6 +93,19 @@ DOCUMENTS = {
     "check of a shard": (whole("check"), lambda: check(edges=2, shard=(0, 2)).to_json()),
     "check without a bound": (whole("check"), lambda: check(edges=2, bound="none").to_json()),
     "check interrupted": (whole("check"), interrupted),
+    **{
+        f"{name} interrupted": (
+            whole(name),
+            lambda ask=ask: replace(ask(), complete=False).to_json(),
+        )
+        for name, ask in {
+            "count": lambda: count(edges=2),
+            "worst": lambda: worst(edges=2),
+            "mutants": lambda: mutants(edges=1),
+            "bench": lambda: bench(edges=4, rounds=1),
+            "ambiguity-census": lambda: census(edges=2),
+        }.items()
+    },
     "check refuted": (
         whole("check"),
         lambda: check(WRONG["mirror-image"].explorer(), edges=3, max_findings=3).to_json(),

@@ -14,7 +14,7 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
 from allworlds.maps.quotient import Quotient
-from allworlds.outcome import SCHEMA, Exit
+from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
 from allworlds.work import Here, LevelUnit, gather, level_size, tell_of_size, units_of_level
 from allworlds.world import Position, World
@@ -81,11 +81,13 @@ class AmbiguityCensus:
         extent: class and bounds; twins are looked for inside the class only.
         source: the independent source with which the numbers of rooted maps were compared.
         rows: one a number of edges, ascending.
+        complete: False if the user has interrupted, and rows are missing.
     """
 
     extent: Extent
     source: str
     rows: tuple[CensusRow, ...]
+    complete: bool = True
 
     @property
     def agrees(self) -> bool:
@@ -94,9 +96,11 @@ class AmbiguityCensus:
 
     @property
     def exit_code(self) -> Exit:
-        """0 counted, 4 nothing to count, 70 the source disagrees."""
+        """0 counted, 4 nothing to count, 70 the source disagrees, 130 interrupted."""
         if not self.agrees:
             return Exit.DISAGREES
+        if not self.complete:
+            return Exit.INTERRUPTED
         return Exit.ANSWERED if any(row.marked_worlds for row in self.rows) else Exit.VACUOUS
 
     def to_json(self) -> documents.AmbiguityCensusReport:
@@ -108,6 +112,7 @@ class AmbiguityCensus:
             "vertices": self.extent.vertices,
             "lighthouse": Position.kind,
             "gate": {"source": self.source, "agrees": self.agrees},
+            "complete": self.complete,
             "rows": [row.to_json() for row in self.rows],
         }
 
@@ -136,8 +141,10 @@ def census(
     heard = listener or Silent()
     tell_of_size(extent, heard)
     with Here() as here:
-        rows = tuple(_level(here, extent, level, heard) for level in extent.levels)
-    return AmbiguityCensus(extent, source_for(map_class).name, rows)
+        rows, complete = until_interrupted(
+            _level(here, extent, level, heard) for level in extent.levels
+        )
+    return AmbiguityCensus(extent, source_for(map_class).name, rows, complete)
 
 
 @dataclass(slots=True)

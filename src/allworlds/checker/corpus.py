@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from allworlds.findings import Finding, kept_findings, write_finding
+from allworlds.findings import Finding, file_name, kept_findings, write_finding
 from allworlds.isolation import confirmed, workers_for
 from allworlds.judge import LAWS
 from allworlds.maps.classes import Extent, MapClass
@@ -58,11 +58,14 @@ class UserCorpus:
         """The finding is one of the past that still stands, and has been confirmed."""
         return finding in self._standing
 
-    def write(self, findings: Iterable[Finding]) -> None:
-        """Add the findings that are new."""
+    def write(self, findings: Iterable[Finding]) -> Iterator[str]:
+        """Add the findings that are new; in words those that there was no room for."""
         for finding in findings:
             if not self.holds(finding):
-                self.written.append(write_finding(self.directory, finding))
+                try:
+                    self.written.append(write_finding(self.directory, finding))
+                except OSError as error:
+                    yield f"the corpus could not take {file_name(finding)}: {error.strerror}"
 
     def to_json(self) -> documents.Corpus:
         """As it stands in a report."""

@@ -150,7 +150,9 @@ class _Check:
         if unrepeated and not self._tally.findings and isinstance(ending, Completed):
             ending = Stopped("what happened to the explorer was not repeated by a fresh process")
         if corpus is not None:
-            corpus.write(self._tally.findings)
+            for lost in corpus.write(self._tally.findings):
+                self._tally.remark(lost)
+                self._listener.notice(lost)
         return ending
 
     def _confirmed(self, findings: list[Finding]) -> tuple[list[Finding], bool]:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
+import threading
 import traceback
 from collections.abc import Callable
 from functools import cache
 from importlib import import_module
 from itertools import pairwise
 from keyword import iskeyword
-from typing import Annotated, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
 
@@ -89,22 +91,32 @@ _add_verbs()
 
 def main() -> NoReturn:
     """Run a verb and end the process with its exit code."""
-    # To be terminated is to be interrupted: a report is left, and no worker.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
     prepare_streams()
-    sys.exit(call(sys.argv[1:]))
+    if os.name != "posix":
+        sys.exit(_refuse(f"{sys.platform} is not supported, but Linux is, and macOS"))
+    # To be terminated, or left by the terminal, is to be interrupted: a report is left, and no
+    # process.  What is to be ignored (nohup) stays so.
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, signal.default_int_handler)
+    code = call(sys.argv[1:])
+    if threading.active_count() > 1:
+        # A thread that could not be given up, such as a compiler's, is not waited for.
+        sys.stdout.flush()
+        os._exit(code)
+    sys.exit(code)
 
 
 def call(arguments: list[str]) -> int:
     """Run a verb in this process; its exit code, whatever happens."""
     try:
         with beginning(arguments):
-            code = _verbs()(args=arguments, standalone_mode=False)
+            code = _invoked(arguments)
     except InputError as error:
         return _refuse(str(error))
     except _ClickError as error:
         return _refuse(_complaint(error, arguments))
-    except (KeyboardInterrupt, typer.Abort):
+    except KeyboardInterrupt:
         complain("interrupted")
         return Exit.INTERRUPTED
     except OSError as error:
@@ -116,11 +128,24 @@ def call(arguments: list[str]) -> int:
         print(printable(traceback.format_exc()), end="", file=sys.stderr)
         complain("internal error; the lines above say where")
         return Exit.INTERNAL
-    return int(code or 0)
+    return code
+
+
+def _invoked(arguments: list[str]) -> int:
+    """The exit code of the verb.
+
+    Click's own ``main`` is left out: it makes an exit code of 1 of every broken pipe, which is
+    no verdict, and keeps interrupts to itself.
+    """
+    try:
+        with _verbs().make_context("allworlds", [*arguments]) as context:
+            return int(_verbs().invoke(context) or 0)
+    except typer.Exit as end:
+        return end.exit_code
 
 
 @cache
-def _verbs() -> Callable[..., int | None]:
+def _verbs() -> Any:
     """All verbs as click sees them; Typer needs longer to make them than a small verb runs."""
     return typer.main.get_command(app)
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import tempfile
+from contextlib import suppress
 from dataclasses import make_dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.output import complain
 from allworlds.inputs import InputError, a_path, show
 from allworlds.outcome import Result
 from allworlds.reports import FORMATS, written
@@ -28,14 +30,18 @@ class _Files:
     def write(self, report: Result) -> None:
         """The report in each file that was named.
 
-        Raises:
-            InputError: naming the file and the reason why it cannot be written.
+        A file that cannot be written any more, on a full disk, say, is lost with a word on
+        stderr; the report and its verdict are not.
         """
         for form, path in self._named().items():
+            text = written(form, report)
             try:
-                Path(path).write_text(written(form, report), encoding="utf-8")
+                Path(path).write_text(text, encoding="utf-8")
             except OSError as error:
-                raise _refusal(path, error) from None
+                complain(f"{_refusal(path, error)}; the report stands on stdout alone")
+                with suppress(OSError):  # half a report is none
+                    if Path(path).is_file():
+                        Path(path).unlink()
 
     def _named(self) -> dict[str, str]:
         given = {form: getattr(self, form) for form in FORMATS}

@@ -13,7 +13,7 @@ from typing import Any, Self, Unpack
 
 from allworlds.cli.made_by import Effort, made_by
 from allworlds.cli.options import Output
-from allworlds.outcome import Result
+from allworlds.outcome import Exit, Result
 from allworlds.reports import text
 from allworlds.streams import patient_stderr
 
@@ -55,6 +55,8 @@ def emit(result: Result, verb: str, output: Output, **effort: Unpack[Effort]) ->
         abandon_stdout()
     except OSError as error:
         raise OSError(error.errno, f"stdout cannot be written: {error.strerror}") from None
+    if result.exit_code == Exit.INTERRUPTED:
+        complain("interrupted; the report tells what was finished")
     return result.exit_code
 
 

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal, TypeAlias, TypedDict
 
-from allworlds.documents.common import Extent, Report
+from allworlds.documents.common import Extent, InRows, Report
 from allworlds.documents.findings import Finding, Options
 from allworlds.documents.words import (
     Dart,
@@ -182,11 +182,13 @@ class Kill(TypedDict):
     kind: MutantKind
     breaks: Annotated[Text, "what is wrong with it"]
     killed_by: Annotated[str | None, "the law or the check that caught it; null: it lives"]
-    world: Annotated[World | None, "the smallest at which it is caught; null: no world is needed"]
+    world: Annotated[
+        World | None, "the smallest at which it is caught; null: it lives, or any may show it"
+    ]
     equivalent: Annotated[str | None, "why it may live; null: it may not"]
 
 
-class MutantsReport(Report):
+class MutantsReport(InRows):
     """Report of 'mutants'."""
 
     edges: Annotated[Positive, "at most so many"]

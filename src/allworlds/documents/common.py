@@ -42,6 +42,12 @@ class Report(TypedDict):
     made_by: NotRequired[Annotated[MadeBy, "in Python; always there on the command line"]]
 
 
+class InRows(Report):
+    """What a verb writes that goes on row by row."""
+
+    complete: Annotated[bool, "every row is there; false: the user has interrupted"]
+
+
 OfClass = TypedDict("OfClass", {"class": Annotated[ClassName, "the class of maps"]})
 
 

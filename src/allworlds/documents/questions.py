@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal, NotRequired, TypedDict
 
-from allworlds.documents.common import Extent, Gate, OfClass, Report
+from allworlds.documents.common import Extent, Gate, InRows, OfClass, Report
 from allworlds.documents.words import (
     Dart,
     Figure,
@@ -40,7 +40,7 @@ class CountRow(TypedDict):
     ]
 
 
-class CountReport(Report, Extent):
+class CountReport(InRows, Extent):
     """Report of 'count'."""
 
     gate: Annotated[Gate, "the comparison of every row with an independent source"]
@@ -66,10 +66,12 @@ class WorstRow(TypedDict):
     ]
 
 
-class WorstReport(Report, OfClass):
+class WorstReport(InRows, OfClass):
     """Report of 'worst'."""
 
-    exit_code: Annotated[int, code(Exit.ANSWERED, Exit.REFUTED, Exit.VACUOUS, Exit.DISAGREES)]
+    exit_code: Annotated[
+        int, code(Exit.ANSWERED, Exit.REFUTED, Exit.VACUOUS, Exit.DISAGREES, Exit.INTERRUPTED)
+    ]
     explorer: Literal["algorithm1"]
     edges: Annotated[Positive, "at most so many"]
     transit: Annotated[
@@ -102,7 +104,7 @@ class CensusRow(TypedDict):
     largest_class: Annotated[Natural, "the members of the largest; 0: there is none"]
 
 
-class AmbiguityCensusReport(Report, Extent):
+class AmbiguityCensusReport(InRows, Extent):
     """Report of 'ambiguity census'."""
 
     lighthouse: Annotated[str, Keywords(const="position")]
@@ -175,7 +177,9 @@ class SearchReport(Report, OfClass):
     status: Annotated[
         Literal["sat", "unsat", "unknown"], "`sat`: a pair; `unsat`: there is none in the bounds"
     ]
-    exit_code: Annotated[int, code(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS)]
+    exit_code: Annotated[
+        int, code(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED)
+    ]
     pair: Annotated[
         Annotated[list[World], Two] | None, "two worlds that look alike; null unless `sat`"
     ]
@@ -226,7 +230,7 @@ class Ratio(TypedDict):
     ratio: Annotated[Spread, "the rate of the one divided by that of the other"]
 
 
-class BenchReport(Report):
+class BenchReport(InRows):
     """Report of 'bench'."""
 
     commit: Annotated[Text | None, "of the sources; null outside a checkout"]

@@ -111,14 +111,14 @@ class Log(NamedTuple):
 
     Attributes:
         actions: as numbers (see :func:`allworlds.protocol.number_of`).
-        checkpoints: each with the number of actions before it.
+        checkpoints: of each the number of actions before it, sigma, alpha, and here.
         ending: the answer, or what went wrong.
         choices: the index taken at each choice.
         widths: how many options there were, where every schedule is tried; else empty.
     """
 
     actions: tuple[int, ...]
-    checkpoints: tuple[tuple[int, Checkpoint], ...]
+    checkpoints: tuple[tuple[int, Sequence[int], Sequence[int], int], ...]
     ending: Said | Fault
     choices: tuple[int, ...] = ()
     widths: tuple[int, ...] = ()
@@ -199,7 +199,10 @@ def perform(
     run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
     ending = run.play(player, choices)
     actions = tuple([number_of(action) for action, _ in run.steps])
-    return Log(actions, tuple(run.checkpoints), ending, tuple(choices.record))
+    published = tuple(
+        [(steps, shown.sigma, shown.alpha, shown.here) for steps, shown in run.checkpoints]
+    )
+    return Log(actions, published, ending, tuple(choices.record))
 
 
 def retold(log: Log, world: Stage) -> Episode:
@@ -213,8 +216,10 @@ def retold(log: Log, world: Stage) -> Episode:
         action = action_numbered(number)
         state, percept = world.step(state, action)
         steps.append((action, percept))
-    ending = answered(log.ending)
-    return Episode(Transcript(world.first, tuple(steps)), log.checkpoints, ending)
+    published = tuple(
+        [(number, Checkpoint(sigma, alpha, here)) for number, sigma, alpha, here in log.checkpoints]
+    )
+    return Episode(Transcript(world.first, tuple(steps)), published, answered(log.ending))
 
 
 @dataclass(slots=True)
@@ -262,8 +267,7 @@ class _Run:
                 f"checkpoint {len(self.checkpoints) + 1}",
             )
         try:
-            sigma = tuple([integer(d) for d in message.sigma])
-            alpha = tuple([integer(d) for d in message.alpha])
+            sigma, alpha = _integers(message.sigma), _integers(message.alpha)
             here = integer(message.here)
         except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
             let_users_interrupt(error)
@@ -330,7 +334,10 @@ def _said(answer: object) -> Said | Fault:
 
 
 def _integers(values: Iterable[object]) -> tuple[int, ...]:
-    return tuple([integer(value) for value in values])
+    kept = tuple(values)
+    if {*map(type, kept)} <= {int}:  # as nearly always
+        return kept  # type: ignore[return-value]
+    return tuple([integer(value) for value in kept])
 
 
 def answered(ending: Said | Fault) -> Ending:

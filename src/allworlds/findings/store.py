@@ -57,8 +57,12 @@ def write_finding(directory: Path, finding: Finding) -> str:
     if not path.exists():
         # Whole or not at all: a reader never sees half a finding.
         draft = path.with_suffix(".tmp")
-        draft.write_text(text, encoding="utf-8")
-        draft.replace(path)
+        try:
+            draft.write_text(text, encoding="utf-8")
+            draft.replace(path)
+        except OSError:
+            draft.unlink(missing_ok=True)
+            raise
     return name
 
 

@@ -44,11 +44,15 @@ class RefereeProcess:
                 self._connection.send(error)
                 return
         cast = self._cast(appointment)
+        # One engine as long as the same is asked: it learns how long runs take.
+        engine: tuple[Examines, InParts] | None = None
         try:
             while True:
                 job: UnitJob = self._connection.recv()
                 self._alive()
-                self._examine(self._engine(appointment, cast, job.examination), job)
+                if engine is None or engine[0] != job.examination:
+                    engine = job.examination, self._engine(appointment, cast, job.examination)
+                self._examine(engine[1], job)
                 self._beat[1] = 0
         except EOFError:
             cast.close()

@@ -19,7 +19,7 @@ from allworlds.maps.counting import source_for
 from allworlds.mutation.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
 from allworlds.mutation.judges import WEAK_JUDGES
-from allworlds.outcome import SCHEMA, Exit
+from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.protocol import Choices
 from allworlds.subjects import subject_here
 from allworlds.world import Directional, World
@@ -40,7 +40,8 @@ class Kill:
         kind: ``explorer``, ``judge`` or ``enumerator``.
         breaks: what is wrong with it.
         killed_by: the law or the check that caught it; empty for a survivor.
-        world: the smallest world at which it is caught; None for a survivor.
+        world: the smallest world at which it is caught; None for a survivor, and for one whose
+            plays differ: at which it is seen depends on the order in which it meets the worlds.
         equivalent: why it may survive; empty for one that must be killed.
     """
 
@@ -75,10 +76,12 @@ class KillMatrix:
     Attributes:
         edges: the largest number of edges that was tried.
         kills: one row a mutant.
+        complete: False if the user has interrupted, and mutants are missing.
     """
 
     edges: int
     kills: tuple[Kill, ...]
+    complete: bool = True
 
     @property
     def survivors(self) -> list[str]:
@@ -87,7 +90,9 @@ class KillMatrix:
 
     @property
     def exit_code(self) -> Exit:
-        """1 if a mutant survived."""
+        """1 if a mutant survived, 130 interrupted."""
+        if not self.complete:
+            return Exit.INTERRUPTED
         return Exit.REFUTED if self.survivors else Exit.HOLDS
 
     def to_json(self) -> documents.MutantsReport:
@@ -95,6 +100,7 @@ class KillMatrix:
         return {
             "schema": SCHEMA,
             "edges": self.edges,
+            "complete": self.complete,
             "mutants": len(self.kills),
             "kill_matrix": [kill.to_json() for kill in self.kills],
             "survivors": self.survivors,
@@ -106,16 +112,23 @@ def mutants(*, edges: int = LARGEST_LEVEL) -> KillMatrix:
 
     Raises:
         InputError: for a bound that is not 1, 2, 3 or 4.
-        KeyboardInterrupt: if the user interrupts; half a matrix says nothing.
 
     Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
     """
     if not 1 <= an_integer("edges", edges) <= LARGEST_LEVEL:
         raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
-    kills = [_explorer(mutant, edges) for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)]
-    kills += _judges(edges, [kill.mutant for kill in kills if kill.killed_by in LAWS])
-    kills += [_enumerator(mutant, edges) for mutant in BROKEN_ENUMERATORS]
-    return KillMatrix(edges, tuple(kills))
+    return KillMatrix(edges, *until_interrupted(_kills(edges)))
+
+
+def _kills(edges: int) -> Iterator[Kill]:
+    refuted = []
+    for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS):
+        kill = _explorer(mutant, edges)
+        refuted += [kill.mutant] if kill.killed_by in LAWS else []
+        yield kill
+    yield from _judges(edges, refuted)
+    for broken in BROKEN_ENUMERATORS:
+        yield _enumerator(broken, edges)
 
 
 def _explorer(mutant: WrongExplorer, edges: int) -> Kill:
@@ -125,9 +138,8 @@ def _explorer(mutant: WrongExplorer, edges: int) -> Kill:
     if not report.findings:
         return row
     finding = report.findings[0]
-    return Kill(
-        row.mutant, row.kind, row.breaks, finding.law, finding.world, equivalent=row.equivalent
-    )
+    world = None if finding.law == "nondeterministic" else finding.world
+    return Kill(row.mutant, row.kind, row.breaks, finding.law, world, equivalent=row.equivalent)
 
 
 def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:

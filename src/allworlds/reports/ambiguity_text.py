@@ -13,7 +13,7 @@ from allworlds.ambiguity import (
 )
 from allworlds.drawing import draw, scene_of
 from allworlds.maps.quotient import Quotient
-from allworlds.reports.layout import entry, table
+from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import number, plural
 from allworlds.world import World
 
@@ -87,7 +87,8 @@ def census_text(census: AmbiguityCensus, width: int) -> str:
         "maps with one marked vertex, up to isomorphism; ambiguous are those from which no "
         f"motion tells another world of the class {universe}"
     )
-    lines += ["", *entry("scope", text, width)]
+    lines += ["", *interruption(complete=census.complete, width=width)]
+    lines += entry("scope", text, width)
     if census.agrees:
         text = f"the rooted maps that were met number as in: {census.source}"
         return "\n".join([*lines, *entry("gate", text, width)])

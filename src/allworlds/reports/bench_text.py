@@ -6,7 +6,7 @@ from statistics import median
 
 from allworlds.benching import BenchReport, commit
 from allworlds.host import host
-from allworlds.reports.layout import entry, table
+from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import number
 
 
@@ -34,6 +34,7 @@ def bench_text(report: BenchReport, width: int) -> str:
     facts = host()
     rounds = len(report.measured[0].seconds)
     lines += [""]
+    lines += interruption(complete=report.complete, width=width)
     lines += entry("rounds", f"{rounds}, in turns; medians", width)
     lines += entry(
         "machine",

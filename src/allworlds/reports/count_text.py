@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from allworlds.counter import Census
-from allworlds.reports.layout import entry, table
+from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import number, plural
 
 
@@ -21,6 +21,7 @@ def count_text(census: Census, width: int) -> str:
     lines = table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "rrrl")
     total = sum(row.rooted for row in census.rows)
     lines += ["", f"{plural(total, 'rooted map')} of the class {census.extent.map_class}", ""]
+    lines += interruption(complete=census.complete, width=width)
     if all(row.agrees for row in census.rows):
         lines += entry("gate", f"every count agrees with: {census.source}", width)
     else:

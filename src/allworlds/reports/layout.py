@@ -25,3 +25,9 @@ def entry(name: str, text: str, width: int) -> list[str]:
     indent = 11
     lines = wrap(text, max(width - indent, 30), break_on_hyphens=False) or [""]
     return [(f"{name} " if i == 0 else "").ljust(indent) + line for i, line in enumerate(lines)]
+
+
+def interruption(*, complete: bool, width: int) -> list[str]:
+    """A paragraph for what the user has interrupted; nothing for what is complete."""
+    text = "here stands what was finished before; nothing is known of the rest"
+    return [] if complete else entry("INTERRUPTED", text, width)

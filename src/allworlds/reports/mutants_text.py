@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from allworlds.mutation import Kill, KillMatrix
-from allworlds.reports.layout import entry, table
+from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import plural
 
 
@@ -20,14 +20,21 @@ def mutants_text(matrix: KillMatrix, width: int) -> str:
     killed = sum(bool(kill.killed_by) for kill in matrix.kills)
     text = f"{plural(len(matrix.kills), 'mutant')}, {killed} killed, "
     text += f"{len(equivalent)} equivalent, worlds with at most {plural(matrix.edges, 'edge')}"
-    lines += ["", *entry("SURVIVORS" if matrix.survivors else "ALL KILLED", text, width)]
+    lines += ["", *interruption(complete=matrix.complete, width=width)]
+    lines += entry(_verdict(matrix), text, width)
     lines += [f"  {name}" for name in matrix.survivors]
     return "\n".join(lines)
 
 
+def _verdict(matrix: KillMatrix) -> str:
+    if matrix.survivors:
+        return "SURVIVORS"
+    return "ALL KILLED" if matrix.complete else "TRIED"
+
+
 def _row(kill: Kill) -> list[str]:
     if kill.world is None:
-        return [kill.mutant, "-", "", "", ""]
+        return [kill.mutant, kill.killed_by or "-", "", "", ""]
     map_ = kill.world.map
     rotation = "".join(f"({' '.join(map(str, vertex))})" for vertex in map_.vertices)
     edges = " ".join(f"{a}-{b}" for a, b in map_.edges)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.reports.layout import entry, table
+from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import number, plural, size
 from allworlds.worst_case import WorstReport
 
@@ -18,6 +18,7 @@ def worst_text(report: WorstReport, width: int) -> str:
     tests = sum(row.tests for row in report.rows)
     wrong = sum(row.wrong for row in report.rows)
     lines += [""]
+    lines += interruption(complete=report.complete, width=width)
     lines += entry(
         "scope",
         f"every schedule of algorithm1 in every map of the class {report.extent.map_class.value} "

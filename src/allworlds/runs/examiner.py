@@ -153,7 +153,8 @@ def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
     if difference is None or not _may_be_overruled(outcome.violation):
         return outcome
     faults = [log.ending for log in (second, first) if isinstance(log.ending, Fault)]
-    return replace(outcome, violation=difference, detail=faults[0].detail if faults else "")
+    detail = next((fault.detail for fault in faults if fault.detail), "")
+    return replace(outcome, violation=difference, detail=detail)
 
 
 def _may_be_overruled(violation: Violation | None) -> bool:

@@ -113,7 +113,9 @@ class Stagehand:
             self.beat[0] = number
             record = records[number]
             choices = Choices(policy_named(policy, record.name), record.choices)
-            logs[number] = perform(Recorded(record), self.player, choices, record.budget, self.beat)
+            log = perform(Recorded(record), self.player, choices, record.budget, self.beat)
+            # What was published is judged once, and must not influence the walk.
+            logs[number] = log._replace(checkpoints=())
             self.intact()
         return [logs[number] for number in range(len(records))]
 

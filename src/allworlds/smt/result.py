@@ -72,6 +72,7 @@ class SearchResult:
         searched: in the order in which they were decided.
         vacuous: unsat, because not even one world exists within the bounds.
         notices: sentences for the reader.
+        interrupted: by the user; the status is ``unknown``, or twins had been found before.
     """
 
     question: Question
@@ -82,6 +83,7 @@ class SearchResult:
     searched: tuple[Searched, ...]
     vacuous: bool
     notices: tuple[str, ...]
+    interrupted: bool = False
 
     @property
     def pair(self) -> tuple[World, World] | None:
@@ -95,7 +97,9 @@ class SearchResult:
 
     @property
     def exit_code(self) -> Exit:
-        """0 answered, 3 unknown, 4 no world within the bounds."""
+        """0 answered, 3 unknown, 4 no world within the bounds, 130 interrupted."""
+        if self.interrupted:
+            return Exit.INTERRUPTED
         if self.status == "unknown":
             return Exit.INCONCLUSIVE
         return Exit.VACUOUS if self.vacuous else Exit.ANSWERED

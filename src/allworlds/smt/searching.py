@@ -108,13 +108,28 @@ class _Search:
     clock: Clock
     done: list[Searched] = field(default_factory=list)
     notices: list[str] = field(default_factory=list)
+    best: Twins | None = None
 
     def run(self) -> SearchResult:
+        try:
+            return self._answer()
+        except KeyboardInterrupt:
+            if self.best:
+                self.notices.append("interrupted before fewer vertices were tried")
+                return replace(self._found(self.best), interrupted=True)
+            self.notices.append("interrupted; no answer follows from the sizes that are decided")
+            return replace(self._result("unknown"), interrupted=True)
+
+    def _answer(self) -> SearchResult:
         for sizes in self.question.sizes():
             found = self._decide(sizes)
             if found.twins:
                 return self._found(self._fewer_vertices(sizes, found.twins))
             if found.status == "unknown":
+                undecided = found.sizes.name
+                self.notices.append(
+                    f"the sizes {undecided} are undecided; no answer follows from them"
+                )
                 return self._result("unknown")
         if not self._some_world_exists():
             self.notices.append("vacuous: no world at all exists within these bounds")
@@ -145,6 +160,7 @@ class _Search:
             status, proof = "unknown", None
         searched = Searched(sizes, status, path, monotonic() - began, proof, tuple(same), twins)
         self.done.append(searched)
+        self.best = twins or self.best
         return searched
 
     def _solve(self, path: Path) -> Solved:
@@ -191,9 +207,6 @@ class _Search:
     def _result(
         self, status: Status, twins: Twins | None = None, certificate: Path | None = None
     ) -> SearchResult:
-        if status == "unknown":
-            undecided = self.done[-1].sizes.name
-            self.notices.append(f"the sizes {undecided} are undecided; no answer follows from them")
         return SearchResult(
             question=self.question,
             status=status,

@@ -76,4 +76,4 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
         listener.notice(f"all levels up to {last} edges are asked for: {_LONG}")
 
 
-_LONG = "this takes long, or does not end; an interrupt ends it"
+_LONG = "this takes long, or does not end; an interrupt ends it with what is finished"

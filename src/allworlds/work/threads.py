@@ -42,10 +42,11 @@ class Threads:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, *_: object) -> None:
+    def __exit__(self, *error: object) -> None:
         if self._engine is not None:
             self._engine.halt()
-        self._pool.shutdown(cancel_futures=True)
+        # Whoever interrupts does not wait for what cannot be given up, such as a compiler.
+        self._pool.shutdown(wait=not any(error), cancel_futures=True)
 
     def map(self, engine: Haltable[U, R], units: Iterable[U]) -> Iterator[Part[U, R]]:
         """The parts of all units, in the order in which their batches are done."""

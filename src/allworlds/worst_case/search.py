@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, get_args
 
@@ -12,7 +13,7 @@ from allworlds.judge import paper_bound
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
-from allworlds.outcome import SCHEMA, Exit
+from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
 from allworlds.subjects import load
 from allworlds.work import Threads, cells_of_level, gather, units_of_level
@@ -97,6 +98,7 @@ class WorstReport:
     source: str
     rows: tuple[WorstRow, ...]
     missing: tuple[tuple[int, int], ...] = ()
+    complete: bool = True
 
     @property
     def agrees(self) -> bool:
@@ -105,9 +107,11 @@ class WorstReport:
 
     @property
     def exit_code(self) -> Exit:
-        """0 answered, 1 Algorithm 1 is refuted, 4 no world, 70 engines or counts disagree."""
+        """0 answered, 1 refuted, 4 no world, 70 engines or counts disagree, 130 interrupted."""
         if not self.agrees:
             return Exit.DISAGREES
+        if not self.complete:
+            return Exit.INTERRUPTED
         if any(row.wrong or row.worst > row.bound for row in self.rows):
             return Exit.REFUTED
         return Exit.ANSWERED if self.rows else Exit.VACUOUS
@@ -125,6 +129,7 @@ class WorstReport:
             "symmetry": "one world for each start vertex: every choice of dart is tried, so the "
             "dart faced at the start and the bearing make no difference",
             "gate": {"source": self.source, "agrees": self.agrees},
+            "complete": self.complete,
             "rows": [row.to_json() for row in self.rows],
         }
 
@@ -165,18 +170,26 @@ def worst(
     engine = ScheduleSearch(extent, way)
     if not engine.is_compiled():
         heard.notice(COMPILING)
-    rows: list[WorstRow] = []
     missing: list[tuple[int, int]] = []
-    with Threads(workers) as threads:
-        for level in extent.levels:
-            cells = cells_of_level(extent, level)
-            heard.level(level, sum(cells.values()))
-            dearest = DearestWorlds()
-            gather(threads, engine, units_of_level(extent, level), dearest, heard)
-            for n, row in sorted(dearest.by_vertices.items()):
-                rows.append(_replayed(_row(level, row, cells.get(n, 0)), way))
-            missing += [(level, n) for n, count in cells.items() if count and n not in dearest]
-    return WorstReport(extent, way, source_for(map_class).name, tuple(rows), tuple(missing))
+
+    def level_rows(threads: Threads, level: int) -> list[WorstRow]:
+        cells = cells_of_level(extent, level)
+        heard.level(level, sum(cells.values()))
+        dearest = DearestWorlds()
+        gather(threads, engine, units_of_level(extent, level), dearest, heard)
+        found = sorted(dearest.by_vertices.items())
+        rows = [_replayed(_row(level, row, cells.get(n, 0)), way) for n, row in found]
+        missing.extend((level, n) for n, count in cells.items() if count and n not in dearest)
+        return rows
+
+    def levels() -> Iterator[list[WorstRow]]:
+        with Threads(workers) as threads:
+            for level in extent.levels:
+                yield level_rows(threads, level)
+
+    finished, complete = until_interrupted(levels())
+    rows = tuple(row for level in finished for row in level)
+    return WorstReport(extent, way, source_for(map_class).name, rows, tuple(missing), complete)
 
 
 def _row(edges: int, dearest: Dearest, counted: int) -> WorstRow:

@@ -1,0 +1,193 @@
+"""Whoever interrupts gets what is finished, in one line on stderr the word, and code 130."""
+
+import json
+import signal
+import sys
+import threading
+from types import SimpleNamespace
+
+import pytest
+
+from allworlds.cli import app
+from allworlds.outcome import until_interrupted
+from allworlds.smt.searching import _Search
+from allworlds.work import Threads
+
+# A verb; what it goes through once for each of its rows; its words; where its rows stand.
+ROWS = {
+    "count": ("allworlds.counter._count_level", "--edges 4", "rows"),
+    "ambiguity census": ("allworlds.ambiguity.census._level", "--edges 4", "rows"),
+    "worst": ("allworlds.worst_case.search.gather", "--edges 4", "rows"),
+    "mutants": ("allworlds.mutation.matrix._explorer", "--edges 1", "kill_matrix"),
+    "bench": ("allworlds.benching._round", "--edges 4 --rounds 4", "contenders"),
+}
+
+
+class InterruptedAt:
+    """A function that the user interrupts when it has been called so often."""
+
+    def __init__(self, function, times):
+        self.function, self.times = function, times
+
+    def __call__(self, *arguments):
+        self.times -= 1
+        if self.times < 0:
+            raise KeyboardInterrupt
+        return self.function(*arguments)
+
+
+@pytest.fixture
+def interrupt(monkeypatch):
+    """Interrupt what has that path when it is called for the n-th time, counted from 0."""
+
+    def at(path, times):
+        home, _, name = path.rpartition(".")
+        module = sys.modules[home]  # a function of the package may have its name, too
+        monkeypatch.setattr(module, name, InterruptedAt(getattr(module, name), times))
+
+    return at
+
+
+@pytest.mark.parametrize("verb", ROWS)
+def test_the_rows_before_an_interrupt_are_told(cli, interrupt, verb):
+    path, words, rows = ROWS[verb]
+    cli(*verb.split(), *words.split(), "-q")  # everything is loaded, and compiled
+    interrupt(path, 2)
+    code, out, err = cli(*verb.split(), *words.split(), "--json")
+    document = json.loads(out)
+    assert (code, err) == (130, "allworlds: interrupted; the report tells what was finished\n")
+    assert document["complete"] is False
+    finished = document["rounds"] if verb == "bench" else len(document[rows])
+    assert finished == (5 if verb == "worst" else 2)  # of 1 edge 2 sizes, of 2 edges 3
+
+
+@pytest.mark.parametrize("verb", ROWS)
+def test_the_text_of_what_was_interrupted_says_so(cli, interrupt, verb):
+    path, words, _ = ROWS[verb]
+    cli(*verb.split(), *words.split(), "-q")
+    interrupt(path, 1)
+    code, out, _ = cli(*verb.split(), *words.split())
+    assert code == 130
+    assert "INTERRUPTED here stands what was finished before" in out
+    assert "ALL KILLED" not in out
+
+
+def test_before_the_first_round_there_is_nothing_to_tell(cli, interrupt):
+    cli("bench", "--edges", 4, "--rounds", 1, "-q")
+    interrupt("allworlds.benching._round", 0)
+    assert cli("bench", "--edges", 4) == (130, "", "allworlds: interrupted\n")
+
+
+SEARCH = "search --lighthouse position --class simple --vertices 4 --edges 6 --json --out"
+
+
+def test_a_search_that_is_interrupted_is_undecided(cli, interrupt, tmp_path):
+    cli(*SEARCH.split(), tmp_path, "-q")
+    interrupt("allworlds.smt.searching.pair_formula", 1)
+    code, out, err = cli(*SEARCH.split(), tmp_path)
+    document = json.loads(out)
+    assert (code, document["exit_code"], document["status"]) == (130, 130, "unknown")
+    assert len(document["levels"]) == 1
+    assert all(line.startswith("allworlds: interrupted") for line in err.splitlines())
+
+
+def test_twins_that_were_found_before_an_interrupt_are_told(cli, monkeypatch, tmp_path):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(_Search, "_fewer_vertices", interrupted)
+    code, out, _ = cli(*SEARCH.split(), tmp_path)
+    document = json.loads(out)
+    assert (code, document["status"], len(document["pair"])) == (130, "sat", 2)
+    assert (tmp_path / "pair.json").exists()
+
+
+@pytest.mark.parametrize("words", ["twins k4 k4", "ambiguity class k4"])
+def test_what_has_one_answer_has_none(cli, monkeypatch, words):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("allworlds.world.world_named", interrupted)
+    assert cli(*words.split()) == (130, "", "allworlds: interrupted\n")
+
+
+def test_rows_until_an_interrupt():
+    def rows():
+        yield 1
+        yield 2
+        raise KeyboardInterrupt
+
+    assert until_interrupted(rows()) == ((1, 2), False)
+    assert until_interrupted([3]) == ((3,), True)
+    assert until_interrupted([]) == ((), True)
+
+
+def test_a_thread_that_cannot_be_given_up_is_not_waited_for():
+    busy, on = threading.Event(), threading.Event()
+
+    class Stubborn:
+        def halt(self):
+            pass
+
+        def parts(self, unit):
+            busy.set()
+            assert on.wait(60)
+            yield unit
+
+    def use():
+        with Threads(1) as threads:
+            parts = threads.map(Stubborn(), [1])
+            consumer = threading.Thread(target=lambda: [*parts], daemon=True)
+            consumer.start()
+            assert busy.wait(60)
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        use()
+    assert not on.is_set()
+    on.set()
+
+
+def test_threads_that_are_not_interrupted_finish():
+    class Doubling:
+        def halt(self):
+            pass
+
+        def parts(self, unit):
+            yield 2 * unit
+
+    with Threads(2) as threads:
+        assert sorted(part.result for part in threads.map(Doubling(), [1, 2, 3])) == [2, 4, 6]
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize("ignored", [False, True])
+def test_to_be_left_is_to_be_interrupted_unless_it_is_to_be_ignored(monkeypatch, number, ignored):
+    handled = {}
+    before = signal.SIG_IGN if ignored else signal.SIG_DFL
+    monkeypatch.setattr(signal, "getsignal", lambda _: before)
+    monkeypatch.setattr(signal, "signal", handled.__setitem__)
+    monkeypatch.setattr(app, "prepare_streams", lambda: None)
+    monkeypatch.setattr(app, "call", lambda _: 5)
+    with pytest.raises(SystemExit, match="5"):
+        app.main()
+    assert handled.get(number) == (None if ignored else signal.default_int_handler)
+
+
+def test_windows_is_refused(monkeypatch, capsys):
+    monkeypatch.setattr(app, "os", SimpleNamespace(name="nt"))
+    monkeypatch.setattr(app, "prepare_streams", lambda: None)
+    with pytest.raises(SystemExit, match="2"):
+        app.main()
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1
+    assert "is not supported, but Linux is, and macOS" in said
+
+
+def test_a_broken_pipe_is_no_verdict(cli, monkeypatch):
+    def broken(*_, **__):
+        raise BrokenPipeError(32, "Broken pipe")
+
+    monkeypatch.setattr("allworlds.checker.check", broken)
+    code, out, err = cli("check", "--edges", 1)
+    assert (code, out, err) == (70, "", "allworlds: Broken pipe\n")
