@@ -26,6 +26,9 @@ from allworlds.progress import Listener, Silent
 from allworlds.runs import Examination, GivenWorlds, Sample, Scope, Tally
 from allworlds.work import Limits, TimeIsUp, Transport, gather
 
+MANY_EDGES = 10_000_000
+"""Whoever asks for worlds with more of them in all is told that it takes long."""
+
 
 def fuzz(
     explore: str | Callable[..., Any] = "algorithm1",
@@ -86,7 +89,13 @@ def _positive(edges: object) -> int:
 
 def _try(workers: Transport[Examination], scope: Scope, tally: Tally, listener: Listener) -> None:
     assert isinstance(scope.coverage, Sample)
-    listener.level(scope.extent.levels[-1], scope.coverage.runs)
+    edges, runs = scope.extent.levels[-1], scope.coverage.runs
+    if edges * runs > MANY_EDGES:
+        listener.notice(
+            f"{runs} worlds with up to {edges} edges take long; an interrupt ends it with what is "
+            "finished"
+        )
+    listener.level(edges, runs)
     gather(workers, Examination(scope, tally.keep), batches(scope.coverage), tally, listener)
 
 
