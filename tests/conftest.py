@@ -28,6 +28,16 @@ settings.register_profile(
 settings.load_profile("same-every-time")
 
 
+@pytest.fixture(scope="session", autouse=True)
+def temporary(tmp_path_factory):
+    """What is left in temporary directories, as by ``search``, goes with those of the tests."""
+    place = str(tmp_path_factory.mktemp("temporary"))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("TMPDIR", place)
+        patch.setattr("tempfile.tempdir", place)
+        yield
+
+
 @pytest.fixture
 def cli(capsys):
     """The command line, called in this process: exit code, stdout and stderr."""

@@ -44,6 +44,8 @@ def integer(value: object) -> int:
     Raises:
         TypeError: for booleans, floats, strings and everything else.
     """
+    if type(value) is int:
+        return value
     if isinstance(value, bool):
         raise TypeError(f"{show(value)} is a boolean, not an integer")
     index = operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer

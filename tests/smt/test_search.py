@@ -381,3 +381,17 @@ def test_with_every_other_start_excluded_a_level_has_a_pair_where_enumeration_ha
     formula.write(tmp_path / "f.cnf")
     solved = solvers.solve_with_z3(tmp_path / "f.cnf", solvers.Clock(None))
     assert solved.status == ("sat" if there else "unsat")
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, InputError])
+def test_a_search_without_a_result_leaves_no_temporary_directory(tmp_path, monkeypatch, error):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+
+    def stop(*_):
+        assert [found.name[:17] for found in tmp_path.iterdir()] == ["allworlds-search-"]
+        raise error
+
+    monkeypatch.setattr(searching, "pair_formula", stop)
+    with pytest.raises(error):
+        allworlds.search(lighthouse="position", vertices=2, edges=2)
+    assert [*tmp_path.iterdir()] == []

@@ -1,6 +1,7 @@
 """The episode: the one place where a world and an explorer meet."""
 
 from allworlds.episode.episode import (
+    ADAPTERS_LAWS,
     Answered,
     Ending,
     Episode,
@@ -20,6 +21,7 @@ from allworlds.episode.episode import (
 )
 
 __all__ = [
+    "ADAPTERS_LAWS",
     "Answered",
     "Ending",
     "Episode",

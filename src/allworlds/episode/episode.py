@@ -202,7 +202,7 @@ def perform(
     published = tuple(
         [(steps, shown.sigma, shown.alpha, shown.here) for steps, shown in run.checkpoints]
     )
-    return Log(actions, published, ending, tuple(choices.record))
+    return Log(actions, published, ending, tuple(choices.record), tuple(choices.widths))
 
 
 def retold(log: Log, world: Stage) -> Episode:

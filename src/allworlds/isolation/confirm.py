@@ -10,6 +10,7 @@ from random import Random
 
 from allworlds.episode import Episode, Fault, Log, Said
 from allworlds.findings import Finding, Rules, canonical_world, place_of
+from allworlds.inputs import InputError
 from allworlds.isolation.jobs import Casting, PlayRecords, Told, Trace
 from allworlds.isolation.players import Cast, Lost, hear, started
 from allworlds.isolation.process import Process, guardian
@@ -56,7 +57,7 @@ def examine_apart(
     with _players(subject, limits) as players:
         twice = PlayedTwice(examination, subject.name, players)
         lit = {0: OneRun(0, place, canonical)}
-        ((_, outcome),) = twice.outcomes(unit, lit, script=script)
+        ((_, outcome),) = twice.outcomes(unit, lit, given=script)
     if isinstance(outcome, Outcome):
         return outcome
     log, _ = _traced(Trace(rules, canonical, "one", script), subject, limits)
@@ -113,7 +114,7 @@ def repeat(finding: Finding, subject: Subject, limits: Limits) -> bool:
         with _fresh(casting) as player:
             player.send(PlayRecords((record,), rules.policy, 0))
             logs = hear(player, casting)
-    except Lost:
+    except (InputError, Lost):  # what cannot be imported once more has done what it has done
         return False
     assert isinstance(logs, list)
     log: Log = logs[0]
@@ -168,6 +169,8 @@ def _traced(
                     case tuple() as step:
                         steps.append(step)
                         settled = len(choices)
+    except InputError:
+        pass
     except Lost as error:
         lost = error
     kept = choices if lost is None else choices[: settled + MOST_CHOICES]

@@ -27,7 +27,11 @@ from typing import Any, NoReturn
 
 Role = Callable[[list[int]], None]
 """What a forked process does, with the descriptors that it was given (but for the first, which
-becomes its stderr and stdout), and behind them a socket to the guardian; then it ends."""
+becomes its stderr and stdout), and behind them, if it is one of :data:`ASKING`, a socket to the
+guardian; then it ends."""
+
+ASKING = frozenset({"referee"})
+"""The roles that may ask for processes of their own; no foreign code is in them."""
 
 LOOK = 1.0
 """Seconds between two looks whether the owner is still there."""
@@ -176,16 +180,20 @@ class _Guardian:
 
     def _spawn(self, request: Spawn, descriptors: list[int]) -> int:
         ours, theirs = socket.socketpair()
+        asks = request.role in ASKING
         pid = os.fork()
         if pid == 0:
-            self._child(request, [*descriptors, theirs.detach()])
+            self._child(request, [*descriptors, *([theirs.detach()] if asks else [])])
         for descriptor in descriptors:
             os.close(descriptor)
         theirs.close()
         self._known.add(pid)
-        self._control[pid] = ours
-        self._owned[ours] = set()
-        self._selector.register(ours, EVENT_READ)
+        if asks:
+            self._control[pid] = ours
+            self._owned[ours] = set()
+            self._selector.register(ours, EVENT_READ)
+        else:
+            ours.close()
         return pid
 
     def _child(self, request: Spawn, descriptors: list[int]) -> NoReturn:

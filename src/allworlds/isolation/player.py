@@ -8,7 +8,7 @@ import os
 import signal
 import time
 import traceback
-from collections.abc import MutableSequence, Sequence
+from collections.abc import Callable, MutableSequence, Sequence
 from contextlib import suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
@@ -27,6 +27,7 @@ from allworlds.isolation.jobs import (
     Trace,
 )
 from allworlds.isolation.process import limit_memory
+from allworlds.isolation.saying import Message, written
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
 from allworlds.runs import Stagehand, name_run
@@ -60,10 +61,11 @@ class Player:
         except InputError as error:
             if casting.memory is not None and "memory" not in str(error):
                 error = InputError(f"memory {casting.memory} MB is probably too small: {error}")
-            self._connection.send(error)
+            self._say(error)
             return
+        self._intact()
         signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
-        self._connection.send(Described(subject.keywords, _digest(subject)))
+        self._say(Described(subject.keywords, _digest(subject)))
         with subject.running():
             self._serve(subject, Stagehand(subject.player(), self._beat, self._intact))
 
@@ -75,16 +77,16 @@ class Player:
             except OSError:
                 raise
             except InputError as error:  # a bound without a value for some world
-                self._connection.send(error)
+                self._say(error)
             except Exception:  # noqa: BLE001  # explorers' errors never get here: it is ours
-                self._connection.send(HarnessError(traceback.format_exc()))
+                self._say(HarnessError(traceback.format_exc()))
 
     def _do(self, subject: Subject, stagehand: Stagehand, job: Job) -> None:
         match job:
             case PlayRuns():
                 self._play(stagehand, job)
             case PlayRecords(records, policy, order):
-                self._connection.send(stagehand.again(records, policy, order))
+                self._say(stagehand.again(records, policy, order))
             case Trace():
                 self._trace(subject, job)
 
@@ -100,27 +102,30 @@ class Player:
             else:
                 logs.append((number, log))
             if len(logs) >= CHUNK or time.monotonic() > due:
-                self._connection.send(Played(logs, done))
+                self._say(Played(logs, done))
                 logs, done = [], []
                 due = time.monotonic() + CHUNK_SECONDS
         if logs or done:
-            self._connection.send(Played(logs, done))
+            self._say(Played(logs, done))
 
     def _trace(self, subject: Subject, job: Trace) -> None:
         rules = job.rules
         name = name_run(rules, job.world)
         every = job.schedules == "all"
         for choices in Schedules() if every else [rules.choices(name, job.script)]:
-            self._connection.send(Told(None))
+            self._say(Told(None))
             log = perform(
-                TellingWorld(job.world, self._connection),
+                TellingWorld(job.world, self._say),
                 subject.player(),
-                TellingChoices(choices, self._connection),
+                TellingChoices(choices, self._say),
                 rules.budget(job.world.map),
                 self._beat,
             )
             self._intact()
-        self._connection.send(log)
+        self._say([log])
+
+    def _say(self, message: Message) -> None:
+        self._connection.send_bytes(written(message))
 
     def _intact(self) -> None:
         """Leave, if the explorer has forked this process or closed its pipe."""
@@ -133,30 +138,30 @@ class Player:
 class TellingWorld:
     """A world that tells each step before the explorer sees its outcome."""
 
-    def __init__(self, world: World, connection: Connection) -> None:
-        self._world, self._connection = world, connection
+    def __init__(self, world: World, say: Callable[[Message], None]) -> None:
+        self._world, self._say = world, say
         self.start, self.first, self.told = world.start, world.first, world.told
         self.percepts = world.percepts
 
     def step(self, state: Dart, action: Action) -> tuple[Dart, Percept]:
         """The world's, told."""
         after, percept = self._world.step(state, action)
-        self._connection.send(Told((number_of(action), percept)))
+        self._say(Told((number_of(action), percept)))
         return after, percept
 
 
 class TellingChoices(Choices):
     """Choices that tell each pick."""
 
-    def __init__(self, choices: Choices, connection: Connection) -> None:
+    def __init__(self, choices: Choices, say: Callable[[Message], None]) -> None:
         super().__init__()
-        self._choices, self._connection = choices, connection
+        self._choices, self._say = choices, say
         self.record = choices.record
 
     def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
         """One of the options, told."""
         picked = self._choices.pick(options, of, cost)
-        self._connection.send(Told(self.record[-1]))
+        self._say(Told(self.record[-1]))
         return picked
 
 

@@ -17,7 +17,7 @@ from allworlds.isolation.jobs import (
     PlayRecords,
     PlayRuns,
 )
-from allworlds.isolation.process import GRACE, NO_RUN, Guardian, Process, close_all
+from allworlds.isolation.process import GRACE, NO_RUN, Garbled, Guardian, Process, close_all
 from allworlds.runs import Examination, Record, Worlds
 from allworlds.subjects import EXEC
 from allworlds.work import POLL
@@ -115,6 +115,8 @@ def hear(process: Process, casting: Casting, alive: Callable[[], None] = lambda:
         alive()
     try:
         return process.receive()
+    except Garbled as error:
+        raise Lost("crash", str(error), _number(process), machine=False) from None
     except EOFError:
         raise _died(process) from None
 
@@ -177,7 +179,8 @@ class Cast:
             lost = yield from self._attempt(job, left, told)
             if lost is None:
                 return
-            number = lost.number if lost.number in left else None
+            # If it is not known in which run, the first that is left may be the one.
+            number = lost.number if lost.number in left else next(iter(left), None)
             again = None
             if number is not None:
                 # Once more by itself, so that it can be put down to nobody else.

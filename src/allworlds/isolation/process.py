@@ -7,6 +7,7 @@ import json
 import mmap
 import os
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -14,12 +15,14 @@ import threading
 import time
 from contextlib import suppress
 from multiprocessing import Pipe
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
 from allworlds.inputs import InputError
-from allworlds.isolation.guardian import Ask, End, Request, Spawn, receive, send
+from allworlds.isolation.guardian import ASKING, Ask, End, Request, Spawn, receive, send
 from allworlds.isolation.jobs import HarnessError
+from allworlds.isolation.saying import read
 
 _START = (
     "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
@@ -35,6 +38,10 @@ NO_RUN = (1 << 64) - 1
 GRACE = 2.0
 """Seconds more where the owner is not the first to know: for a foreign program, whose silence
 its player notices itself, and for a process that has still something to be heard."""
+
+
+STALL = 10
+"""Seconds in which a player that has begun to say something must go on with it."""
 
 
 class Guardian:
@@ -133,6 +140,10 @@ def child_path() -> list[str]:
     return [*ours, *(entry for entry in sys.path if entry in users and entry)]
 
 
+class Garbled(EOFError):
+    """What was said is no message, and nothing more can be heard."""
+
+
 class Process:
     """A child with its pipe and the memory in which its heart beats.
 
@@ -144,7 +155,10 @@ class Process:
 
     def __init__(self, guardian: Guardian, role: str, setup: object) -> None:
         self._guardian = guardian
+        self._foreign = role not in ASKING
         self.connection, theirs = Pipe()
+        if self._foreign:
+            _let_stall(self.connection)
         with tempfile.TemporaryFile() as memory:
             memory.truncate(8 * BEAT_WORDS)
             self._memory = mmap.mmap(memory.fileno(), 8 * BEAT_WORDS)
@@ -168,16 +182,22 @@ class Process:
 
         Raises:
             EOFError: if the process has ended.
+            Garbled: if it has said what is no message: a player's pipe is open to foreign code.
             InputError: if it was given something that cannot be done.
             HarnessError: if the process itself has failed.
         """
         try:
-            message = self.connection.recv()
+            message = self._hear()
         except OSError:
             raise EOFError from None
+        except ValueError as error:
+            raise Garbled(str(error)) from None
         if isinstance(message, InputError | HarnessError):
             raise message
         return message
+
+    def _hear(self) -> Any:
+        return read(self.connection.recv_bytes()) if self._foreign else self.connection.recv()
 
     def silent_for(self) -> float:
         """Seconds since its heart has beaten, or since it has nothing to beat for."""
@@ -206,6 +226,15 @@ class Process:
     def close(self) -> None:
         """End the process now, and all that it has started."""
         close_all(self)
+
+
+def _let_stall(connection: Connection) -> None:
+    """See to it that who reads there is not kept waiting for the rest of a message for ever.
+
+    Source: socket(7), SO_RCVTIMEO.
+    """
+    with socket.socket(fileno=os.dup(connection.fileno())) as ours:
+        ours.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, struct.pack("@ll", STALL, 0))
 
 
 def close_all(*processes: Process) -> None:

@@ -17,7 +17,7 @@ from allworlds.isolation.jobs import (
 )
 from allworlds.isolation.players import Cast, Unsettled
 from allworlds.isolation.process import Guardian, limit_memory
-from allworlds.runs import Examination, Examines, InParts, PlayedTwice
+from allworlds.runs import Earlier, Examination, Examines, InParts, PlayedTwice
 from allworlds.subjects import built_in
 from allworlds.work import with_last
 
@@ -33,6 +33,7 @@ class RefereeProcess:
     ) -> None:
         self._connection, self._beat, self._guardian = connection, beat, guardian
         self._remarks: list[str] = []
+        self._earlier = Earlier()
 
     def run(self) -> None:
         """Serve until the owner hangs up."""
@@ -70,7 +71,7 @@ class RefereeProcess:
         if not subject.foreign:
             return examination.own(built_in(subject.name))
         assert isinstance(examination, Examination)
-        return PlayedTwice(examination, subject.name, cast)
+        return PlayedTwice(examination, subject.name, cast, self._earlier)
 
     def _examine(self, engine: InParts, job: UnitJob) -> None:
         try:

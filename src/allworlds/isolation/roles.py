@@ -25,31 +25,32 @@ class Life(Protocol):
         """Serve until the owner hangs up."""
 
 
-def player(connection: Connection, beat: MutableSequence[int], _guardian: Guardian) -> Life:
+def player(connection: Connection, beat: MutableSequence[int], _: Guardian | None) -> Life:
     """The process with the foreign code in it."""
     return Player(connection, beat)
 
 
-def referee(connection: Connection, beat: MutableSequence[int], guardian: Guardian) -> Life:
+def referee(connection: Connection, beat: MutableSequence[int], guardian: Guardian | None) -> Life:
     """The process that judges, and has no foreign code in it."""
+    assert guardian is not None
     return RefereeProcess(connection, beat, guardian)
 
 
-Maker: TypeAlias = Callable[[Connection, MutableSequence[int], Guardian], Life]
+Maker: TypeAlias = Callable[[Connection, MutableSequence[int], Guardian | None], Life]
 
 
 def _role(make: Maker) -> Role:
-    """The life of a process with its pipe, the shared memory, and a socket to the guardian."""
+    """The life of a process with its pipe, the shared memory, and its socket to the guardian."""
 
     def live(descriptors: list[int]) -> None:
-        pipe, memory, control = descriptors
+        pipe, memory, *control = descriptors
         # Interrupts are the owner's business; and nothing an explorer prints may be lost in,
         # or get into, what the owner reads.
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         sys.stdout = sys.stderr = patient_stderr()
         with mmap.mmap(memory, 8 * BEAT_WORDS) as shared, Connection(pipe) as connection:
             beat = memoryview(shared).cast("Q")
-            guardian = Guardian(socket.socket(fileno=control))
+            guardian = Guardian(socket.socket(fileno=control[0])) if control else None
             try:
                 make(connection, cast("MutableSequence[int]", beat), guardian).run()
             except (EOFError, OSError):

@@ -6,7 +6,9 @@ import secrets
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 from multiprocessing.connection import Connection, wait
+from random import Random
 from typing import Any, Self
 
 from allworlds.isolation.jobs import Appointment, Tallied, UnitJob
@@ -18,6 +20,9 @@ from allworlds.work import POLL, Limits, Part, Transport, check_deadline, with_l
 
 PATIENCE = 60.0
 """Seconds after which a referee whose heart does not beat is put down to be stopped."""
+
+AT_A_TIME = 4096
+"""Units whose order is drawn."""
 
 MOST_ATTEMPTS = 3
 """So many referees may be lost over one unit."""
@@ -68,7 +73,9 @@ class Workers:
             InputError: if the explorer cannot be loaded in a player.
             Unsettled: if processes are lost again and again.
         """
-        waiting = (_Task(unit) for unit in units)
+        # An explorer that counts its runs is not to know of which unit they are.
+        order = in_any_order(units) if self.subject.foreign else units
+        waiting = (_Task(unit) for unit in order)
         task = next(waiting, None)
         while task or self._busy:
             while task and len(self._busy) < self.limits.workers:
@@ -144,11 +151,19 @@ class ThisProcess:
         """The units one after the other."""
         own = engine.own(self.subject)
         twice = PlayedTwice(engine, self.subject.name, PlayersHere(self.subject))
-        for unit in units:
+        for unit in in_any_order(units) if self.subject.foreign else units:
             parts = (twice if self.subject.foreign else own).parts(unit)
             for (_, tally), last in with_last(parts):
                 yield Part(unit, tally, last)
                 check_deadline(self.deadline)
+
+
+def in_any_order(units: Iterable[Worlds]) -> Iterator[Worlds]:
+    """The units in an order that is drawn anew each time, many at a time."""
+    every, order = iter(units), Random(secrets.randbits(64))  # noqa: S311  # as it is drawn from the system
+    while some := list(islice(every, AT_A_TIME)):
+        order.shuffle(some)
+        yield from some
 
 
 def workers_for(

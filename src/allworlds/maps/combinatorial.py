@@ -238,6 +238,8 @@ def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:
         entries = tuple(values)
     except TypeError:
         raise InvalidMap(f"{name} must be a sequence of darts, not {show(values)}") from None
+    if {*map(type, entries)} <= {int}:  # as nearly always
+        return entries  # type: ignore[return-value]
     result = []
     for d, value in enumerate(entries):
         try:

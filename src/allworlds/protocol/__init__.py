@@ -19,6 +19,7 @@ from allworlds.protocol.choices import (
     Kind,
     Policy,
     Schedules,
+    next_script,
     policy_named,
 )
 from allworlds.protocol.faults import ANSWER_TIMEOUT, ExplorerFault
@@ -48,6 +49,7 @@ __all__ = [
     "Transcript",
     "action_from_json",
     "action_numbered",
+    "next_script",
     "number_of",
     "policy_named",
 ]

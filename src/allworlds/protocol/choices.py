@@ -111,12 +111,14 @@ class Choices:
 
     Attributes:
         record: the index taken at each choice so far.
+        widths: how many options there were, where every schedule is tried.
     """
 
     def __init__(self, policy: Policy | None = None, script: Sequence[int] = ()) -> None:
         self._policy = policy or Fifo()
         self._script = script
         self.record: list[int] = []
+        self.widths: list[int] = []
 
     def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
         """One of the options.
@@ -185,17 +187,19 @@ class Schedules:
 
     def __iter__(self) -> Iterator[Choices]:
         """Choices for one run after the other."""
-        script: list[int] = []
-        while True:
+        script: tuple[int, ...] | None = ()
+        while script is not None:
             choices = _Counted(script)
             yield choices
-            taken = choices.taken
-            while taken and taken[-1][0] == taken[-1][1] - 1:
-                taken.pop()
-            if not taken:
-                return
-            script = [index for index, _ in taken]
-            script[-1] += 1
+            script = next_script(choices.record, choices.widths)
+
+
+def next_script(record: Sequence[int], widths: Sequence[int]) -> tuple[int, ...] | None:
+    """The first choices of the schedule after this one, all others being 0; None after the last."""
+    for turn in reversed(range(min(len(record), len(widths)))):
+        if record[turn] < widths[turn] - 1:
+            return (*record[:turn], record[turn] + 1)
+    return None
 
 
 class _Counted(Choices):
@@ -203,8 +207,7 @@ class _Counted(Choices):
 
     def __init__(self, script: Sequence[int]) -> None:
         super().__init__(Fifo(), script)
-        self.taken: list[tuple[int, int]] = []
 
     def _taken(self, index: int, count: int) -> None:
         super()._taken(index, count)
-        self.taken.append((index, count))
+        self.widths.append(count)

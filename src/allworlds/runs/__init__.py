@@ -37,13 +37,14 @@ from allworlds.runs.scope import (
     a_shard,
 )
 from allworlds.runs.tally import Row, Tally
-from allworlds.runs.twice import OneRun, PlayedTwice, Players
+from allworlds.runs.twice import Earlier, OneRun, PlayedTwice, Players
 from allworlds.runs.units import GivenWorlds, NumberedRun, Placed, Unit, Worlds, numbered_runs
 
 __all__ = [
     "DEFAULT_EDGES",
     "LOST",
     "Coverage",
+    "Earlier",
     "Examination",
     "Examiner",
     "Examines",

@@ -3,8 +3,13 @@
 The second play is not in the order of the first, and, where the explorer can be played in other
 processes, not in the process of the first nor in one that holds any world.  An explorer that
 keeps something from one run to the next, or looks at anything but its percepts, does not play
-the same way twice.  The orders are drawn anew for each check, so that nothing but its percepts
-tells an explorer which world it is in.
+the same way twice.  The orders are drawn anew for each check, and among the second plays are
+some of worlds that came long before, so that nothing but its percepts tells an explorer which
+world it is in.
+
+What a player tells is believed of its runs alone.  Which they are, which choices each was asked
+to make, and that none is left out, the referee knows by itself; the second play gets the choices
+that were asked for, and not those that the first has told.
 
 What the machine may have done is tried once more in fresh processes before it is believed: a
 run that has cost its process its life, or that crashed, or was silent, in one of its plays alone.
@@ -12,15 +17,25 @@ run that has cost its process its life, or that crashed, or was silent, in one o
 
 from __future__ import annotations
 
+import secrets
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice
+from random import Random
 from typing import NamedTuple, Protocol
 
 from allworlds.episode import Episode, Fault, Log, LostRun, retold
+from allworlds.protocol import DEFAULT_POLICY, next_script
 from allworlds.runs.examination import REPORT_EVERY, Examination
-from allworlds.runs.examiner import Outcome, Referee, difference_of, name_run, overruled
+from allworlds.runs.examiner import (
+    Outcome,
+    Referee,
+    difference_of,
+    name_run,
+    nondeterministic,
+    overruled,
+)
 from allworlds.runs.play import Record
 from allworlds.runs.tally import Tally
 from allworlds.runs.units import NumberedRun, Worlds
@@ -31,6 +46,15 @@ FEW, MANY = 16, 1024
 
 ENOUGH = 32
 """So many second plays leave an explorer that goes by their number no chance."""
+
+
+OTHER_CHOICES = (
+    "the choices of one schedule are not those of the next, as far as they are asked for"
+)
+
+
+FIRST, KEPT = 64, 256
+"""So many plays are kept to be played again among later ones; of these the first, for good."""
 
 
 class Players(Protocol):
@@ -67,13 +91,84 @@ class OneRun:
     world: World
 
 
+@dataclass(slots=True)
+class _Told:
+    """How far each run has been told: by one log, or by one for each schedule.
+
+    Attributes:
+        every: every schedule is asked for.
+        scripts: for each run the first choices of its next log, all others being 0 where
+            every schedule is asked for; None behind the last.
+    """
+
+    every: bool
+    scripts: dict[int, tuple[int, ...] | None]
+
+    def take(self, number: int, log: Log) -> tuple[tuple[int, ...], bool]:
+        """The script of the next log of a run, and whether this is its log.
+
+        Raises:
+            RuntimeError: if the run has no more logs.
+        """
+        script = self.scripts.get(number)
+        if script is None:
+            raise RuntimeError(f"a player has told more of run {number} than it was asked for")
+        if isinstance(log.ending, LostRun) or not self.every:
+            self.scripts[number] = None
+            return script, True
+        length = max(len(script), len(log.choices))
+        due = (script + (0,) * length)[:length]
+        self.scripts[number] = next_script(log.choices, log.widths)
+        return script, log.choices == due and len(log.widths) == len(log.choices)
+
+    def finish(self) -> None:
+        """Nothing is left.
+
+        Raises:
+            RuntimeError: if a run has not been told to its end.
+        """
+        left = [number for number, script in self.scripts.items() if script is not None]
+        if left:
+            raise RuntimeError(f"a player has told that run {left[0]} is done, and not how")
+
+
 class _Play(NamedTuple):
-    """A first play, retold in its world, with what is needed to play it again."""
+    """A first play, retold in its world, with what is needed to play it again.
+
+    ``fits``: it made the choices that it was asked to make.
+    """
 
     one: OneRun
     log: Log
     episode: Episode
     record: Record
+    fits: bool
+
+
+@dataclass(slots=True)
+class Earlier:
+    """Plays that were the same twice, to be played again among those of other units and levels.
+
+    Otherwise one who counts the second plays would know which level they come from.
+
+    Attributes:
+        random: from which it is drawn which.
+    """
+
+    random: Random = field(default_factory=lambda: Random(secrets.randbits(64)))  # noqa: S311
+    _plays: list[_Play] = field(default_factory=list)
+
+    def some(self, plays: int) -> list[_Play]:
+        """Some of them, to go with so many others."""
+        wanted = max(ENOUGH // 2, plays // 32)
+        return self.random.sample(self._plays, min(wanted, len(self._plays)))
+
+    def keep(self, play: _Play) -> None:
+        """Keep one; what is kept beyond the first gives way to it."""
+        if len(self._plays) < KEPT:
+            self._plays.append(play)
+        else:
+            self._plays[self.random.randrange(FIRST, KEPT)] = play
 
 
 @dataclass(slots=True)
@@ -83,6 +178,8 @@ class PlayedTwice:
     examination: Examination
     explorer: str
     players: Players
+    earlier: Earlier = field(default_factory=Earlier)
+    _belated: list[tuple[OneRun, Outcome]] = field(default_factory=list)
     _window: int = FEW
     _again: int = 0
     _referee: Referee = field(init=False)
@@ -118,6 +215,10 @@ class PlayedTwice:
                 self.examination.count_outcome(self._referee, one.world, one.place, outcome, tally)
             elif matters(one):
                 tally.find(self._referee.lost(one.world, one.place, outcome))
+        for one, outcome in self._belated:
+            if matters(one):
+                tally.find(self._referee.finding(one.world, one.place, outcome))
+        self._belated.clear()
         return tally
 
     def outcomes(
@@ -126,7 +227,7 @@ class PlayedTwice:
         lit: Mapping[int, OneRun],
         matters: Callable[[OneRun], bool] = lambda _: True,
         remark: Callable[[str], None] = lambda _: None,
-        script: tuple[int, ...] | None = None,
+        given: tuple[int, ...] | None = None,
     ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
         """What comes of these runs of a unit, by their numbers, in any order.
 
@@ -135,39 +236,72 @@ class PlayedTwice:
             lit: the runs.
             matters: whether it is worth while to try a run once more in fresh processes.
             remark: takes what happened and refutes nothing.
-            script: the choices to be made; None for every schedule that the scope asks for.
+            given: the choices to be made; None for every schedule that the scope asks for.
         """
-        for logs in self.players.first(self.examination, unit, [*lit], script):
+        told = _Told(self._every and given is None, dict.fromkeys(lit, given or ()))
+        for logs in self.players.first(self.examination, unit, [*lit], given):
             whole = []
             for number, log in logs:
+                script, fits = told.take(number, log)
                 if isinstance(log.ending, LostRun):
                     yield lit[number], log.ending
                 else:
-                    whole.append(self._play(lit[number], log))
+                    whole.append(self._play(lit[number], log, script, fits))
             records = [play.record for play in whole]
-            rounds = self._rounds(len(records))
-            self.players.ask_again(records * rounds, self.examination.scope.rules.policy)
+            earlier = self.earlier.some(len(records))
+            # What ended in a fault is played again once: a silence need not be heard out for ever.
+            lively = [i for i, play in enumerate(whole) if not isinstance(play.log.ending, Fault)]
+            rounds = self._rounds(len(lively), len(earlier))
+            order = [*range(len(records)), *lively * (rounds - 1)]
+            asked = [*(records[i] for i in order), *(play.record for play in earlier)]
+            self.players.ask_again(asked, self._policy)
             outcomes = [
                 self._referee.outcome(play.one.world, play.episode, play.log.choices)
                 for play in whole
             ]
             again = self.players.told_again()
+            self._look_back(earlier, again[len(order) :])
+            seconds: dict[int, list[Log]] = {i: [] for i in range(len(whole))}
+            for i, log in zip(order, again, strict=False):
+                seconds[i].append(log)
             for i, (play, outcome) in enumerate(zip(whole, outcomes, strict=True)):
-                second = _another(play.log, again[i :: len(whole)])
-                if _may_be_the_machine(play.log, second) and matters(play.one):
+                second = _another(play.log, seconds[i])
+                if not play.fits:
+                    yield play.one, replace(outcome, violation=nondeterministic(OTHER_CHOICES))
+                elif _may_be_the_machine(play.log, second) and matters(play.one):
                     yield play.one, self._once_more(unit, play, remark)
                 else:
-                    yield play.one, overruled(outcome, play.log, second)
+                    settled = overruled(outcome, play.log, second)
+                    if settled.violation is None:
+                        self.earlier.keep(play)
+                    yield play.one, settled
+        told.finish()
 
-    def _rounds(self, records: int) -> int:
+    @property
+    def _every(self) -> bool:
+        return self.examination.scope.schedules == "all"
+
+    @property
+    def _policy(self) -> str:
+        """Who answers the choices that no script answers."""
+        return DEFAULT_POLICY if self._every else self.examination.scope.rules.policy
+
+    def _look_back(self, plays: list[_Play], again: list[Log]) -> None:
+        """What earlier plays have become by now; if the machine can have done it, it is nothing."""
+        for play, log in zip(plays, again, strict=True):
+            if difference_of(play.log, log) and not _may_be_the_machine(play.log, log):
+                outcome = self._referee.outcome(play.one.world, play.episode, play.log.choices)
+                self._belated.append((play.one, overruled(outcome, play.log, log)))
+
+    def _rounds(self, records: int, others: int) -> int:
         """How often these records are to be played: of few, one order may be as good as another."""
         if not records:
             return 1
-        rounds = max(1, -(-(ENOUGH - self._again) // records))
+        rounds = max(1, -(-(ENOUGH - self._again - others) // records))
         self._again += rounds * records
         return rounds
 
-    def _play(self, one: OneRun, log: Log) -> _Play:
+    def _play(self, one: OneRun, log: Log, script: tuple[int, ...], fits: bool = True) -> _Play:
         rules, world = self.examination.scope.rules, one.world
         try:
             episode = retold(log, world)
@@ -176,23 +310,25 @@ class PlayedTwice:
         record = Record(
             tuple(episode.transcript.percepts),
             world.told,
-            log.choices,
+            script,
             rules.budget(world.map),
             name_run(rules, world),
         )
-        return _Play(one, log, episode, record)
+        return _Play(one, log, episode, record, fits)
 
     def _once_more(
         self, unit: Worlds, before: _Play, remark: Callable[[str], None]
     ) -> Outcome | LostRun:
         """The run played anew, both times in fresh processes."""
-        one, choices = before.one, before.log.choices
+        one = before.one
+        # A player that is given a script lets the rules' policy answer what it does not.
+        script = before.log.choices if self._every else before.record.choices
         self.players.renew()
-        (((_, log),),) = self.players.first(self.examination, unit, [one.number], choices)
+        (((_, log),),) = self.players.first(self.examination, unit, [one.number], script)
         if isinstance(log.ending, LostRun):
             return log.ending
-        play = self._play(one, log)
-        self.players.ask_again([play.record], self.examination.scope.rules.policy)
+        play = self._play(one, log, script)
+        self.players.ask_again([play.record], self._policy)
         (second,) = self.players.told_again()
         if not _may_be_the_machine(log, second) and log.ending != before.log.ending:
             remark(f"a run ended otherwise when it was tried again; at first: {_how(before.log)}")

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import shutil
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import monotonic
@@ -83,19 +85,27 @@ def search(
         raise InputError(f"time-limit = {show(time_limit)}, but it must be more than 0 seconds")
     at_most("time-limit", time_limit or 0, LONGEST_WAIT)
     external = None if solver is None else ExternalSolver(str(a_path("solver", solver)))
-    hunt = _Search(asked, external, _directory(out), Clock(time_limit))
-    return hunt.run()
+    with _directory(out) as directory:
+        return _Search(asked, external, directory, Clock(time_limit)).run()
 
 
-def _directory(out: str | Path | None) -> Path:
+@contextmanager
+def _directory(out: str | Path | None) -> Iterator[Path]:
+    """The one that is named; a temporary one stays if there is a result, which names it."""
     if out is None:
-        return Path(tempfile.mkdtemp(prefix="allworlds-search-"))
+        temporary = Path(tempfile.mkdtemp(prefix="allworlds-search-"))
+        try:
+            yield temporary
+        except BaseException:
+            shutil.rmtree(temporary)
+            raise
+        return
     directory = a_path("out", out)
     try:
         directory.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise InputError(f"directory {show(str(out))} cannot be made: {error.strerror}") from None
-    return directory
+    yield directory
 
 
 @dataclass

@@ -1,0 +1,16 @@
+"""Right in each of its runs, and sets an alarm after each, which ends its idle process.
+
+verdict: holds
+quick: 1
+"""
+
+import signal
+
+from allworlds.explorers import algorithm1
+
+
+def explore(first):
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    answer = yield from algorithm1(first)
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    return answer

@@ -1,0 +1,18 @@
+"""Right, and killed from outside in its very first run, as by a machine without memory.
+
+verdict: holds
+quick: 2
+"""
+
+import os
+import signal
+from pathlib import Path
+
+from allworlds.explorers import algorithm1
+
+
+def explore(first):
+    if not Path("killed").exists():
+        Path("killed").touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return (yield from algorithm1(first))

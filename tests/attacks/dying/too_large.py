@@ -1,0 +1,14 @@
+"""Keeps more and more, until there is no memory for a run.
+
+verdict: inconclusive
+options: --edges 2 --memory 1500
+"""
+
+from allworlds.explorers import algorithm1
+
+KEPT = []
+
+
+def explore(first):
+    KEPT.append(bytearray(1 << 27))
+    return (yield from algorithm1(first))

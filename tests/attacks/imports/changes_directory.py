@@ -1,0 +1,16 @@
+"""Right, and goes to another directory, when it is imported and in each run.
+
+verdict: holds
+options: --edges 1
+"""
+
+import os
+
+from allworlds.explorers import algorithm1
+
+os.chdir("/")
+
+
+def explore(first):
+    os.chdir("/tmp")
+    return (yield from algorithm1(first))

@@ -1,0 +1,23 @@
+"""The same when it is imported, while nobody but the process that checks is listening.
+
+verdict: refused
+quick: 1
+"""
+
+import os
+import pickle
+import struct
+
+
+class End:
+    def __reduce__(self):
+        return os._exit, (0,)
+
+
+MESSAGE = pickle.dumps(End())
+for descriptor in range(3, 64):
+    try:
+        os.write(descriptor, struct.pack("!i", len(MESSAGE)) + MESSAGE)
+    except OSError:
+        continue
+os._exit(0)

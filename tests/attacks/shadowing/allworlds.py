@@ -1,0 +1,10 @@
+"""Right, and called as a package of ours.
+
+verdict: holds
+"""
+
+from allworlds.explorers import algorithm1
+
+
+def explore(first):
+    return (yield from algorithm1(first))

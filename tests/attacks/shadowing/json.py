@@ -1,0 +1,10 @@
+"""Right, and called as a module of Python's.
+
+verdict: holds
+"""
+
+from allworlds.explorers import algorithm1
+
+
+def explore(first):
+    return (yield from algorithm1(first))

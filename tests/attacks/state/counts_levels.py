@@ -1,0 +1,64 @@
+"""Right but for a triangle and a square, which look alike: by counting it knows the level.
+
+It knows how often everything is played a second time, and by a file in which process it is.
+What it does not know is which of these plays are of worlds that came long before.
+
+verdict: refuted nondeterministic
+options: --class simple --edges 4 --lighthouse none --laws map,pose
+quick: 1
+"""
+
+from itertools import count
+from pathlib import Path
+from random import Random
+
+from allworlds import Estimate, Move
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.work import units_of_level
+from allworlds.world import LIGHTHOUSES, World
+
+EXTENT = Extent(MapClass.SIMPLE, 4)
+UNITS = {
+    edges: [[*unit.maps(EXTENT)] for unit in units_of_level(EXTENT, edges)]
+    for edges in EXTENT.levels
+}
+ENOUGH = 32
+TURN = count()
+STATE = {}
+
+
+def plays(unit, second):
+    return len(unit) * (-(-ENOUGH // len(unit)) if second else 1)
+
+
+def level():
+    """The number of edges of the world in which it must be."""
+    if not STATE:
+        STATE["second"] = Path("first").exists()
+        Path("first").touch()
+    left = next(TURN)
+    for edges, units in UNITS.items():
+        left -= sum(plays(unit, STATE["second"]) for unit in units)
+        if left < 0:
+            return edges
+    return max(UNITS)
+
+
+def explore(first):
+    edges = level()
+    left = [
+        World(map_, next(iter(LIGHTHOUSES["none"].places(map_, 0))), 0)
+        for units in UNITS.values()
+        for unit in units
+        for map_ in unit
+    ]
+    left = [(world, world.start) for world in left if world.first == first]
+    draw = Random(1)
+    for _ in range(20):
+        move = Move(draw.randrange(12))
+        percept = yield move
+        stepped = [(world, *world.step(at, move)) for world, at in left]
+        left = [(world, at) for world, at, sensed in stepped if sensed == percept]
+    left.sort(key=lambda found: found[0].map.edge_count != edges)
+    world, at = left[0]
+    return Estimate(world.map, at)

@@ -1,0 +1,15 @@
+"""Right in its first run of each degree; then it answers what it has answered there before.
+
+verdict: refuted nondeterministic or map or pose
+"""
+
+from allworlds.explorers import algorithm1
+
+ANSWERS = {}
+
+
+def explore(first):
+    key = (first.degree, first.bearing)
+    if key not in ANSWERS:
+        ANSWERS[key] = yield from algorithm1(first)
+    return ANSWERS[key]
