@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 from allworlds.checker import ENGINES, Job
 from allworlds.episode import default_step_budget
 from allworlds.findings import Rules
-from allworlds.inputs import InputError, a_text, an_integer, show
+from allworlds.inputs import InputError, a_text, an_integer, at_most, show
 from allworlds.judge import paper_bound
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import source_for
@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 
 REFERENCE = "kernel"
 """The contender to whose rate all others are compared."""
+
+MOST_ROUNDS = 1000
 
 PYTHON_EDGES = 4
 JUDGED_EDGES = 6
@@ -155,9 +157,10 @@ def bench(*, edges: int = 7, rounds: int = 3, peers: Sequence[str] = ()) -> Benc
     if isinstance(peers, str):
         raise InputError(f"peers = {show(peers)} is not a list of NAME=COMMAND")
     if not 4 <= an_integer("edges", edges) <= 10:
-        raise InputError(f"edges = {edges}; a benchmark takes 4 up to 10")
+        raise InputError(f"edges = {show(edges)}; a benchmark takes 4 up to 10")
     if an_integer("rounds", rounds) < 1:
-        raise InputError(f"rounds = {rounds} is not positive")
+        raise InputError(f"rounds = {show(rounds)} is not positive")
+    at_most("rounds", rounds, MOST_ROUNDS)
     contenders = [*own_contenders(edges), *(peer(text, edges) for text in peers)]
     for contender in contenders[: -len(peers) or None]:
         # Compiling and loading is not what is measured.
@@ -202,7 +205,7 @@ def peer(text: str, edges: int) -> Contender:
     """
     match = re.fullmatch(r"([^=@]+)(?:@([0-9]+))?=(.+)", a_text("peer", text))
     if match is None:
-        raise InputError(f"peer {text!r} is not of the form NAME=COMMAND or NAME@M=COMMAND")
+        raise InputError(f"peer {show(text)} is not of the form NAME=COMMAND or NAME@M=COMMAND")
     name, level, command = match.groups()
     return Contender(name, int(level or edges), command, lambda: _run(name, command))
 
@@ -213,11 +216,11 @@ def _run(name: str, command: str) -> None:
             shlex.split(command), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False
         )
     except (OSError, ValueError) as error:
-        raise InputError(f"peer {name!r} does not start: {error}") from None
+        raise InputError(f"peer {show(name)} does not start: {error}") from None
     if done.returncode:
         said = done.stderr.decode(errors="replace").strip().splitlines()
         what = said[-1] if said else "it has printed nothing on stderr"
-        raise InputError(f"peer {name!r} ended with {done.returncode}: {what}")
+        raise InputError(f"peer {show(name)} ended with {done.returncode}: {what}")
 
 
 def _warm(contender: Contender) -> None:

@@ -6,7 +6,10 @@ no motion tells apart, and counts, with their provenance and what is expected of
 
 from __future__ import annotations
 
+import errno
 import hashlib
+import os
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -67,7 +70,8 @@ class Corpus:
             if entry.name == name:
                 return entry
         raise InputError(
-            f"corpus entry {name!r} is none of {', '.join(entry.name for entry in self.entries)}"
+            f"corpus entry {show(name)} is none of "
+            f"{', '.join(entry.name for entry in self.entries)}"
         )
 
     def document(self, entry: Entry) -> Any:
@@ -77,37 +81,55 @@ class Corpus:
             InputError: naming the entry, if its file is missing or is not what it was.
         """
         try:
-            content = (self.directory / entry.file).read_bytes()
+            content = _bytes(self.directory / entry.file)
+            text = content.decode()
         except OSError as error:
-            raise InputError(f"corpus entry {entry.name!r}: {error.strerror}") from None
+            raise InputError(f"corpus entry {show(entry.name)}: {error.strerror}") from None
+        except UnicodeDecodeError:
+            raise InputError(
+                f"corpus entry {show(entry.name)}: {show(entry.file)} is no text"
+            ) from None
         digest = hashlib.sha256(content).hexdigest()
         if digest != entry.sha256:
             raise InputError(
-                f"corpus entry {entry.name!r}: {entry.file} has the digest {digest[:12]}..., "
-                f"but its manifest says {entry.sha256[:12]}..."
+                f"corpus entry {show(entry.name)}: {show(entry.file)} has the digest "
+                f"{digest[:12]}..., but its manifest says {show(entry.sha256[:12])}..."
             )
-        return parse_json(content.decode())
+        return parse_json(text)
 
 
 def load_corpus(directory: Path) -> Corpus:
     """The corpus of a directory.
 
     Raises:
-        InputError: if there is no manifest, or naming the entry that is none.
+        InputError: if there is no manifest, or naming what in it is none.
     """
     try:
-        text = (directory / MANIFEST).read_text(encoding="utf-8")
+        text = _bytes(directory / MANIFEST).decode()
     except OSError as error:
         raise InputError(f"corpus {directory}: {MANIFEST}: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError(f"corpus {directory}: {MANIFEST} is no text") from None
     manifest = parse_json(text)
     if not isinstance(manifest, dict) or manifest.get("schema") != SCHEMA:
         raise InputError(f"corpus {directory}: {MANIFEST} is not of schema {SCHEMA}")
-    entries = [_entry(row) for row in manifest.get("entries", [])]
-    names = [entry.name for entry in entries]
-    for name in names:
-        if names.count(name) > 1:
-            raise InputError(f"corpus entry {name!r} occurs twice")
+    rows = manifest.get("entries", [])
+    if not isinstance(rows, list):
+        raise InputError(f"corpus {directory}: entries are a list, not {show(rows)}")
+    entries = [_entry(row) for row in rows]
+    names = Counter(entry.name for entry in entries)
+    for name, times in names.items():
+        if times > 1:
+            raise InputError(f"corpus entry {show(name)} occurs twice")
     return Corpus(directory, tuple(entries))
+
+
+def _bytes(file: Path) -> bytes:
+    """What a file holds; a name that no file can have is that of none."""
+    try:
+        return file.read_bytes()
+    except ValueError:
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT)) from None
 
 
 @cache

@@ -12,6 +12,8 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
+from allworlds.progress import Listener, Silent
+from allworlds.work import tell_of_size
 
 if TYPE_CHECKING:
     from allworlds import documents
@@ -99,7 +101,11 @@ class Census:
 
 
 def count(
-    *, edges: int | None = None, vertices: int | None = None, map_class: str = "maps"
+    *,
+    edges: int | None = None,
+    vertices: int | None = None,
+    map_class: str = "maps",
+    listener: Listener | None = None,
 ) -> Census:
     """Enumerate every rooted map of a class and count.
 
@@ -107,6 +113,7 @@ def count(
         edges: the largest number of edges.
         vertices: the largest number of vertices; alone only for the simple classes.
         map_class: one of :class:`~allworlds.maps.classes.MapClass`.
+        listener: is told if that will take long.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -115,6 +122,7 @@ def count(
     100 ns; constant memory.
     """
     extent = Extent(MapClass.named(map_class), edges, vertices)
+    tell_of_size(extent, listener or Silent())
     rows, complete = until_interrupted(_count_level(extent, level) for level in extent.levels)
     return Census(extent, source_for(map_class).name, rows, complete)
 

@@ -13,6 +13,9 @@ from typing import Any
 SHOWN = 200
 """The number of characters of a value that are shown."""
 
+LARGEST_SIZE = 100_000
+"""The largest number of edges, or of vertices, that is taken at all."""
+
 
 class InputError(ValueError):
     """Bad input: one line that names the offending value and what would be legal."""
@@ -44,7 +47,7 @@ def integer(value: object) -> int:
     if type(value) is int:
         return value
     if isinstance(value, bool):
-        raise TypeError(f"{value!r} is a boolean, not an integer")
+        raise TypeError(f"{show(value)} is a boolean, not an integer")
     index = operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer
     return int.__index__(index)  # also for a subclass with operators of its own
 
@@ -59,6 +62,18 @@ def an_integer(name: str, value: object) -> int:
         return integer(value)
     except TypeError:
         raise InputError(f"{name} = {show(value)} is not an integer") from None
+
+
+def at_most(name: str, value: float, most: int) -> None:
+    """Nothing, if the value is no larger.
+
+    What follows from larger ones could not be counted, printed or waited for.
+
+    Raises:
+        InputError: naming it.
+    """
+    if value > most:
+        raise InputError(f"{name} = {show(value)} is too big; at most {most:,} is legal")
 
 
 def a_text(name: str, value: object) -> str:
@@ -81,6 +96,12 @@ def a_path(name: str, value: object) -> Path:
     """
     if value == "" or not isinstance(value, str | os.PathLike):
         raise InputError(f"{name} = {show(value)} is no path, not even of the current directory")
+    try:
+        nameable = b"\0" not in os.fsencode(value)
+    except UnicodeEncodeError:
+        nameable = False
+    if not nameable:
+        raise InputError(f"{name} = {show(value)} is no path: no file can be named so")
     return Path(value)
 
 
@@ -118,6 +139,6 @@ def read_text(path: str) -> str:
         if path == "-":
             return sys.stdin.read()
         return a_path("file", path).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, UnicodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is no text"
         raise InputError(f"file {show(path)} cannot be read: {reason}") from None

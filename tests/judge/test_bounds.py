@@ -352,3 +352,10 @@ def test_a_bound_knows_what_it_depends_on(text, variables):
         if bound.value(*{**base, name: 1}.values()) != bound.value(*base.values())
     }
     assert moved == variables
+
+
+@pytest.mark.parametrize("text", ["1if n else 2", "65or(65)", "0and 1", "n is 1", "1(n)", "'\\d'"])
+def test_what_python_thinks_of_a_text_besides_is_not_told(text):
+    # Warnings are errors in tests, and would be another one than this.
+    with pytest.raises(InputError, match="bound"):
+        bound_named(text)

@@ -275,3 +275,76 @@ def test_what_is_no_sequence_is_refused_by_the_name_of_its_type(given):
         Choices().pick(given, of="edge")
     with pytest.raises(ValueError, match=f"cost of the type {kind} is no sequence"):
         Choices().pick("ab", of="edge", cost=given)
+
+
+class Lenless:
+    def __getitem__(self, index):
+        return index
+
+
+class Lying(list):
+    """One longer each time that it is asked for its length."""
+
+    asked = 0
+
+    def __len__(self):
+        self.asked += 1
+        return self.asked
+
+
+@pytest.mark.parametrize("make", [Choices, lambda: next(iter(Schedules()))])
+def test_options_without_a_length_are_no_sequence_and_not_recorded(make):
+    choices = make()
+    with pytest.raises(ValueError, match="options of the type Lenless is no sequence"):
+        choices.pick(Lenless(), of="edge")
+    assert choices.record == []
+
+
+def test_options_are_asked_for_their_length_once():
+    for policy in POLICIES:
+        options = Lying("abc")
+        assert Choices(policy_named(policy), [5]).pick(options, of="edge") == "a"
+        assert options.asked == 1
+
+
+def test_options_that_claim_more_than_they_hold_are_refused_and_not_recorded():
+    options = Lying()
+    options.asked = 3
+    choices = Choices(script=[2])
+    with pytest.raises(ValueError, match="of 4 options of edge there is none at 2"):
+        choices.pick(options, of="edge")
+    assert choices.record == []
+
+
+@pytest.mark.parametrize("broken", [TypeError, IndexError, KeyError])
+def test_a_choice_that_was_refused_leaves_the_schedules_as_they_are(broken):
+    class Raising(list):
+        def __getitem__(self, index):
+            raise broken
+
+    found = []
+    for choices in Schedules():
+        with pytest.raises((ValueError, broken)):
+            choices.pick(Raising("ab"), of="edge")
+        found.append(choices.pick("ab", of="edge"))
+    assert found == ["a", "b"]
+
+
+def test_options_that_choose_when_they_are_looked_at_are_refused():
+    choices = next(iter(Schedules()))
+
+    class Choosing(list):
+        def __getitem__(self, index):
+            return choices.pick("abc", of="path")
+
+    with pytest.raises(ValueError, match="a choice of its own"):
+        choices.pick(Choosing("ab"), of="edge")
+
+
+def test_a_record_that_an_explorer_has_changed_does_not_stop_the_schedules():
+    runs = 0
+    for choices in Schedules():
+        choices.pick("ab", of="edge")
+        choices.record += [7, 7]
+        runs += 1
+    assert runs == 2

@@ -91,3 +91,24 @@ def test_built_in_explorers_take_what_they_need_and_bring_what_they_keep():
     assert own_bound("algorithm1-cluster", "cluster:single=true") == "two-vertices"
     assert own_bound("algorithm1-cluster", "natural") is None
     assert own_bound("algorithm1", "directional") is own_bound("a:b", "directional") is None
+
+
+UNPRINTABLE = {
+    "raises": "class Odd(Exception):\n    def __str__(self): raise RuntimeError\nraise Odd",
+    "raises itself": "class Odd(BaseException):\n    def __str__(self): raise Odd\nraise Odd",
+    "is no text": "class Odd(Exception):\n    def __str__(self): return 3\nraise Odd",
+    "is huge": "raise ValueError('x' * 10**6)",
+    "is an order to a terminal": "raise ValueError('\\x1b[31m\\u2028\\r\\n' * 999)",
+    "has a huge name": "raise type('Odd' * 9999, (BaseException,), {})",
+    "is no error": "raise SystemExit(0)",
+    "is no text in any language": "raise ValueError('\\ud800')",
+}
+
+
+@pytest.mark.parametrize("text", UNPRINTABLE.values(), ids=UNPRINTABLE)
+def test_an_import_error_is_told_in_one_line_whatever_it_says(refused, tmp_path, text):
+    file = tmp_path / "odd.py"
+    file.write_text(text + "\n\ndef explore(first):\n    yield\n")
+    line = refused("check", f"{file}:explore", "--edges", "1")
+    assert "does not import" in line
+    assert len(line) <= 301

@@ -3,6 +3,7 @@ from random import Random
 
 import pytest
 
+from allworlds.inputs import show
 from allworlds.maps.combinatorial import InvalidMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Drop, Move, Percept, Pick
@@ -358,3 +359,17 @@ def test_kinds_are_found_by_name():
         lighthouse_named("Directional")
     with pytest.raises(InvalidWorld, match="no options, not 'markers=2'"):
         lighthouse_named("directional:markers=2")
+
+
+@pytest.mark.parametrize("kind", LIGHTHOUSES)
+@pytest.mark.parametrize("start", [4, 5, -1, -(10**21), 10**21, HUGE], ids=show)
+@pytest.mark.parametrize("place", [{}, {"dart": 0}])
+def test_a_start_that_is_no_dart_is_refused_whatever_the_lighthouse(kind, start, place):
+    place = {"darts": [0, 1, 3]} if place and kind == "compass" else place
+    place = {} if kind == "none" else place
+    document = {**DOCUMENT, "start": start, "lighthouse": {"kind": kind, **place}}
+    with pytest.raises(InvalidWorld, match=r"^start = .* is no dart; darts are 0\.\.3$"):
+        World.from_json(document)
+    del document["lighthouse"]
+    with pytest.raises(InvalidWorld, match=r"^start = "):
+        World.from_json(document, missing=kind)

@@ -16,7 +16,7 @@ from allworlds.maps.counting import source_for
 from allworlds.maps.quotient import Quotient
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
-from allworlds.work import Here, LevelUnit, gather, level_size, units_of_level
+from allworlds.work import Here, LevelUnit, gather, level_size, tell_of_size, units_of_level
 from allworlds.world import Position, World
 
 if TYPE_CHECKING:
@@ -139,6 +139,7 @@ def census(
     """
     extent = Extent(MapClass.named(map_class), edges, vertices)
     heard = listener or Silent()
+    tell_of_size(extent, heard)
     with Here() as here:
         rows, complete = until_interrupted(
             _level(here, extent, level, heard) for level in extent.levels

@@ -122,8 +122,8 @@ def class_of(
         raise Disagreement(f"the criterion and Burnside's count {size} differ on {quotient}")
     if size > limit and universe is not MapClass.MAPS:
         raise InputError(
-            f"limit {limit} is too small: {size} worlds must be made to see which of them are "
-            f"{universe}"
+            f"limit {show(limit)} is too small: {size} worlds must be made to see which of them "
+            f"are {universe}"
         )
     own = least_rooting(world.map, [d for d, q in enumerate(classes) if q == 0])
     found = _members(quotient, limit, own)
@@ -151,7 +151,7 @@ def _checked(world: World, limit: int, map_class: str) -> MapClass:
             "at one vertex can be infinite; legal are the lighthouses position and directional"
         )
     if an_integer("limit", limit) < 1:
-        raise InputError(f"limit {limit} is too small; at least the world itself is listed")
+        raise InputError(f"limit {show(limit)} is too small; at least the world itself is listed")
     universe = MapClass.named(map_class)
     if not universe.includes(world.map):
         raise InputError(f"the world itself is not {universe}, so its class there is empty")

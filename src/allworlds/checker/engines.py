@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, show
 from allworlds.isolation import workers_for
 from allworlds.runs import Examination, Scope
 from allworlds.subjects import Subject
@@ -99,7 +99,7 @@ class Compiled:
         """The first option that it does not know."""
         if subject.foreign:
             # Said before the kernel is loaded, which takes half a second.
-            return f"runs only built-in explorers, not {subject.name!r}"
+            return f"runs only built-in explorers, not {show(subject.name)}"
         from allworlds.checker.questions import obstacle
 
         return obstacle(scope, subject)
@@ -136,7 +136,7 @@ def engine_for(name: str, scope: Scope, subject: Subject) -> Engine:
         small = scope.extent.levels[-1] < COMPILED_FROM
         return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled
     if name not in ENGINES:
-        raise InputError(f"engine {name!r} is none of auto, {', '.join(ENGINES)}")
+        raise InputError(f"engine {show(name)} is none of auto, {', '.join(ENGINES)}")
     if obstacle := ENGINES[name].obstacle(scope, subject):
-        raise InputError(f"engine {name!r} {obstacle}; give auto or python")
+        raise InputError(f"engine {show(name)} {obstacle}; give auto or python")
     return ENGINES[name]

@@ -21,7 +21,7 @@ from allworlds.checker.report import (
     Stopped,
 )
 from allworlds.findings import Finding
-from allworlds.inputs import InputError, a_path, an_integer
+from allworlds.inputs import InputError, a_path, an_integer, show
 from allworlds.isolation import Unsettled, confirmed, subject_of
 from allworlds.maps.classes import Extent
 from allworlds.outcome import Verdict
@@ -36,7 +36,7 @@ from allworlds.runs import (
     a_shard,
     nondeterministic,
 )
-from allworlds.work import Limits, TimeIsUp, gather, level_size
+from allworlds.work import Limits, TimeIsUp, gather, level_size, tell_of_size
 
 
 def check(
@@ -98,7 +98,7 @@ def check(
 def _positive(name: str, value: object) -> int:
     number = an_integer(name, value)
     if number < 1:
-        raise InputError(f"{name} {number} is not positive and finite")
+        raise InputError(f"{name} {show(number)} is not positive and finite")
     return number
 
 
@@ -208,6 +208,7 @@ class _Check:
 
     def _all_levels(self, way: Way) -> Ending:
         extent, keep = self._scope.extent, self._job.keep
+        tell_of_size(extent, self._listener, self._shards)
         for edges in extent.levels:
             self._level(way, edges)
             self._levels.append(edges)
@@ -220,11 +221,15 @@ class _Check:
             return Completed()
         return Completed(missing_witnesses(extent, self._subject, self._tally.witnesses))
 
+    @property
+    def _shards(self) -> int:
+        coverage = self._scope.coverage
+        return coverage.count if isinstance(coverage, Shard) else 1
+
     def _level(self, way: Way, edges: int) -> None:
         """One level, whole: its counts stand in the report only if it is finished."""
         scope, extent = self._scope, self._scope.extent
-        shards = scope.coverage.count if isinstance(scope.coverage, Shard) else 1
-        self._listener.level(edges, level_size(extent, edges) // shards)
+        self._listener.level(edges, level_size(extent, edges) // self._shards)
         tally = Tally(self._job.keep)
         finished = False
         try:

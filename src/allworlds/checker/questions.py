@@ -7,7 +7,7 @@ from functools import cache
 from allworlds import kernel
 from allworlds.episode import default_step_budget
 from allworlds.findings import Rules
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, show
 from allworlds.judge import LAWS, paper_bound
 from allworlds.kernel import Bounds, Level, Tables, tables
 from allworlds.maps.classes import Extent, MapClass
@@ -28,15 +28,15 @@ def obstacle(scope: Scope, subject: Subject) -> str:
     """Why the kernel cannot do a check; empty if it can."""
     rules, extent = scope.rules, scope.extent
     if subject.name not in kernel.EXPLORERS:
-        return f"runs only {', '.join(kernel.EXPLORERS)}, not {subject.name!r}"
+        return f"runs only {', '.join(kernel.EXPLORERS)}, not {show(subject.name)}"
     if kind_of(rules.kind) not in kernel.LIGHTHOUSES:
-        return f"does not know the lighthouse {rules.lighthouse!r}"
+        return f"does not know the lighthouse {show(rules.lighthouse)}"
     if extent.map_class not in CLASSES:
         return f"does not know the class {extent.map_class}"
     if extent.levels[-1] > kernel.MOST_EDGES:
         return f"has room for {kernel.MOST_EDGES} edges, not for {extent.levels[-1]}"
     if rules.policy not in ("fifo", "lifo", "nearest"):
-        return f"knows the policies fifo, lifo and nearest, not {rules.policy!r}"
+        return f"knows the policies fifo, lifo and nearest, not {show(rules.policy)}"
     if unknown := [law for law in rules.applying if law not in kernel.CHECKED]:
         return f"does not check the law {unknown[0]!r}"
     if scope.schedules != "one":

@@ -158,7 +158,7 @@ def _complaint(error: Exception, arguments: list[str]) -> str:
         return f"No such option: {error.option_name}; it is {renamed}"  # type: ignore[attr-defined]
     options = getattr(getattr(error, "param", None), "opts", ())
     for option, value in pairwise(arguments):
-        if option in options and repr(value) not in said:
+        if option in options and show(value) not in said:
             return f"{said}, not {show(value)}"
     return said
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from allworlds.cli import options as opt
-from allworlds.cli.output import emit
+from allworlds.cli.output import Progress, emit
 
 
 def count(*, bounds: opt.Bounds, output: opt.Output) -> int:
@@ -14,7 +14,11 @@ def count(*, bounds: opt.Bounds, output: opt.Output) -> int:
     """
     import allworlds
 
-    census = allworlds.count(
-        edges=bounds.edges, vertices=bounds.vertices, map_class=bounds.map_class
-    )
+    with Progress(quiet=output.quiet) as progress:
+        census = allworlds.count(
+            edges=bounds.edges,
+            vertices=bounds.vertices,
+            map_class=bounds.map_class,
+            listener=progress,
+        )
     return emit(census, "count", output)

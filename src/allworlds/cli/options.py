@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from allworlds.cli.values import integer, law_names, seconds, worker_count
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, show
 from allworlds.judge import LAWS
 from allworlds.maps.classes import MapClass
 from allworlds.protocol import ANSWER_TIMEOUT, DEFAULT_POLICY, POLICIES, SEEDED
@@ -196,5 +196,5 @@ def explorer_name(explorer: str | None, command: str | None) -> str:
     if command is None:
         return "algorithm1" if explorer is None else explorer
     if explorer is not None:
-        raise InputError(f"give EXPLORER {explorer!r} or --exec {command!r}, not both")
+        raise InputError(f"give EXPLORER {show(explorer)} or --exec {show(command)}, not both")
     return EXEC + command

@@ -19,6 +19,9 @@ from allworlds.streams import patient_stderr
 
 NARROWEST = 40
 
+LONGEST, KEPT_END, CUT = 300, 120, " [...] "
+"""The longest line on stderr, how much of its end is kept, and what stands for the rest."""
+
 
 def width() -> int:
     """The width for texts: the terminal's, 100 where there is none."""
@@ -64,8 +67,17 @@ def abandon_stdout() -> None:
 
 
 def complain(text: str) -> None:
-    """One line on stderr."""
-    print(f"allworlds: {printable(' '.join(text.split()))}", file=sys.stderr)
+    """One line on stderr, of at most ``LONGEST`` characters, whatever is in the text.
+
+    Of one that is longer both ends are kept: the first says what is wrong, the last what is legal.
+    """
+    line = f"allworlds: {printable(' '.join(text.split()))}"
+    # What stderr cannot show it shows by numbers, which are longer.
+    encoding = getattr(sys.stderr, "encoding", None) or "utf-8"
+    line = line.encode(encoding, "backslashreplace").decode(encoding)
+    if len(line) > LONGEST:
+        line = line[: LONGEST - KEPT_END - len(CUT)] + CUT + line[-KEPT_END:]
+    print(line, file=sys.stderr)
 
 
 def prepare_streams() -> None:

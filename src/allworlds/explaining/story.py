@@ -46,7 +46,8 @@ class Story:
         self.checkpoint = finding.step
         if finding.step is not None and finding.step >= len(self.walked):
             raise InputError(
-                f"step = {finding.step} is behind the walk, which has {len(self.walked) - 1} steps"
+                f"step = {show(finding.step)} is behind the walk, which has "
+                f"{len(self.walked) - 1} steps"
             )
 
     def vertex(self, dart: Dart) -> str:

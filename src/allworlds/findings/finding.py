@@ -134,6 +134,9 @@ class Finding:
         step = document.get("step")
         if step is not None and (type(step) is not int or step < 0):
             raise InputError(f"step must be an integer from 0 on, not {show(step)}")
+        detail = document.get("detail", "")
+        if not isinstance(detail, str):
+            raise InputError(f"detail must be a text, not {show(detail)}")
         try:
             transcript = Transcript.from_json(document.get("transcript"))
         except ValueError as error:
@@ -148,7 +151,7 @@ class Finding:
             transcript,
             _value(document.get("expected")),
             _value(document.get("seen")),
-            document.get("detail", ""),
+            detail,
             step,
             confirmed=document.get("confirmed") is True,
             minimal=document.get("minimal") is True,
@@ -157,7 +160,11 @@ class Finding:
 
 def _value(given: Any) -> documents.Value:
     """What is told of what was expected, or seen; a finding may leave it out."""
-    return "not recorded" if given is None else given
+    if given is None:
+        return "not recorded"
+    if isinstance(given, Mapping | str) or type(given) is int:
+        return given  # type: ignore[return-value]  # whoever tells it looks at the map
+    raise InputError(f"expected and seen are a rooted map, an integer or a text, not {show(given)}")
 
 
 def _of_report(document: Any) -> Any:

@@ -75,7 +75,7 @@ class Rules:
                 f"{', '.join(self.laws or ())}"
             )
         if self.step_budget is not None and an_integer("step_budget", self.step_budget) < 1:
-            raise InputError(f"step budget {self.step_budget} is not positive")
+            raise InputError(f"step budget {show(self.step_budget)} is not positive")
 
     @property
     def kind(self) -> type[Lighthouse]:

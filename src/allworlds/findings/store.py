@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from allworlds.findings.finding import Finding
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, show
 
 DIGITS = 12
 """The hexadecimal digits of the digest in a file's name."""
@@ -35,14 +35,15 @@ def kept_findings(directory: Path) -> list[KeptFinding]:
         try:
             text = file.read_text(encoding="utf-8")
         except (OSError, UnicodeDecodeError) as error:
-            raise InputError(f"corpus file {file.name!r} cannot be read: {error}") from None
+            reason = error.strerror if isinstance(error, OSError) else "it is no text"
+            raise InputError(f"corpus file {show(file.name)} cannot be read: {reason}") from None
         written = re.search(rf"-([0-9a-f]{{{DIGITS}}})\.json$", file.name)
         if written and written[1] != _digest(text):
-            raise InputError(f"corpus file {file.name!r} has been changed since it was written")
+            raise InputError(f"corpus file {show(file.name)} has been changed since it was written")
         try:
             finding = Finding.from_json(text)
         except ValueError as error:
-            raise InputError(f"corpus file {file.name!r}: {error}") from None
+            raise InputError(f"corpus file {show(file.name)}: {error}") from None
         past.append(KeptFinding(file.name, finding))
     return sorted(past, key=lambda one: (one.finding.key, one.name))
 

@@ -19,12 +19,15 @@ from allworlds.checker import (
 from allworlds.findings import Finding
 from allworlds.fuzzer.sample import batches
 from allworlds.fuzzer.shrink import shrink
-from allworlds.inputs import InputError, an_integer
+from allworlds.inputs import InputError, an_integer, show
 from allworlds.isolation import Unsettled, confirmed, subject_of, workers_for
 from allworlds.maps.classes import Extent
 from allworlds.progress import Listener, Silent
 from allworlds.runs import Examination, GivenWorlds, Sample, Scope, Tally
 from allworlds.work import Limits, TimeIsUp, Transport, gather
+
+MANY_EDGES = 10_000_000
+"""Whoever asks for worlds with more of them in all is told that it takes long."""
 
 
 def fuzz(
@@ -80,13 +83,19 @@ def fuzz(
 def _positive(edges: object) -> int:
     number = an_integer("edges", edges)
     if number < 1:
-        raise InputError(f"edges = {number} is not positive")
+        raise InputError(f"edges = {show(number)} is not positive")
     return number
 
 
 def _try(workers: Transport[Examination], scope: Scope, tally: Tally, listener: Listener) -> None:
     assert isinstance(scope.coverage, Sample)
-    listener.level(scope.extent.levels[-1], scope.coverage.runs)
+    edges, runs = scope.extent.levels[-1], scope.coverage.runs
+    if edges * runs > MANY_EDGES:
+        listener.notice(
+            f"{runs} worlds with up to {edges} edges take long; an interrupt ends it with what is "
+            "finished"
+        )
+    listener.level(edges, runs)
     gather(workers, Examination(scope, tally.keep), batches(scope.coverage), tally, listener)
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from random import Random
 
 from allworlds.episode import Fault, Log, LostRun
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, show
 from allworlds.isolation.jobs import (
     Casting,
     Described,
@@ -76,7 +76,7 @@ def _described(process: Process, casting: Casting) -> Described:
             raise _not_imported(process, casting)
         if time.monotonic() > deadline:
             raise InputError(
-                f"{casting.name} does not import: it was at it for {IMPORT_TIMEOUT:g} s"
+                f"{show(casting.name)} does not import: it was at it for {IMPORT_TIMEOUT:g} s"
             )
     try:
         described = process.receive()
@@ -89,7 +89,7 @@ def _described(process: Process, casting: Casting) -> Described:
 def _not_imported(process: Process, casting: Casting) -> InputError:
     limit = "" if casting.memory is None else f", with memory limited to {casting.memory} MB"
     return InputError(
-        f"a process came to {process.death()[0]} when it imported {casting.name}{limit}"
+        f"a process came to {process.death()[0]} when it imported {show(casting.name)}{limit}"
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import operator
 import re
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -84,7 +85,10 @@ def bound_named(text: str) -> Bound:
     try:
         # Python would take other letters that look like n and m for n and m, and 1_0 for 10.
         plain = text.isascii() and not re.search("[0-9]_", text)
-        tree = ast.parse(text if plain else "", mode="eval")
+        with warnings.catch_warnings():
+            # What Python thinks of the text besides is not for those who asked for a bound.
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text if plain else "", mode="eval")
     except (SyntaxError, ValueError, MemoryError, RecursionError):
         raise InputError(
             f"bound {show(text)} is none of paper, two-vertices, none or an expression"

@@ -46,16 +46,16 @@ def from_rotation(
         for w in around:
             if w not in known:
                 legal = ", ".join(map(repr, known))
-                raise InvalidMap(f"vertex {v!r} lists {w!r}, but the vertices are {legal}")
+                raise InvalidMap(f"vertex {show(v)} lists {show(w)}, but the vertices are {legal}")
             if w == v:
-                raise InvalidMap(f"vertex {v!r} lists itself; write loops with from_cycles")
+                raise InvalidMap(f"vertex {show(v)} lists itself; write loops with from_cycles")
             if w in seen:
                 raise InvalidMap(
-                    f"vertex {v!r} lists {w!r} twice; write parallel edges with from_cycles"
+                    f"vertex {show(v)} lists {show(w)} twice; write parallel edges with from_cycles"
                 )
             if v not in known[w]:
                 raise InvalidMap(
-                    f"vertex {v!r} lists {w!r}, but {w!r} does not list {v!r}; "
+                    f"vertex {show(v)} lists {show(w)}, but {show(w)} does not list {show(v)}; "
                     "an edge is listed at both its ends"
                 )
             seen.add(w)
@@ -79,15 +79,15 @@ def from_cycles(vertices: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
 
 def _around(vertex: object, listed: object) -> Sequence[Any]:
     if not isinstance(listed, Sequence):
-        raise InvalidMap(f"vertex {vertex!r} must have a clockwise list, not {listed!r}")
+        raise InvalidMap(f"vertex {show(vertex)} must have a clockwise list, not {show(listed)}")
     if not listed:
-        raise InvalidMap(f"vertex {vertex!r} has an empty list; a vertex has at least one edge")
+        raise InvalidMap(f"vertex {show(vertex)} has an empty list; a vertex has at least one edge")
     for entry in listed:
         try:
             hash(entry)
         except TypeError:
             raise InvalidMap(
-                f"vertex {vertex!r} lists {entry!r}, which cannot be a name; "
+                f"vertex {show(vertex)} lists {show(entry)}, which cannot be a name; "
                 "use numbers, strings or tuples of them"
             ) from None
     return listed
@@ -108,7 +108,7 @@ def _assembled(vertices: Mapping[Any, Sequence[Any]]) -> CombinatorialMap:
     for name, darts in darts_of.items():
         if len(darts) != 2:
             raise InvalidMap(
-                f"edge {name!r} has {len(darts)} ends; every name must stand exactly twice"
+                f"edge {show(name)} has {len(darts)} ends; every name must stand exactly twice"
             )
         d, e = darts
         alpha[d], alpha[e] = e, d
@@ -116,7 +116,8 @@ def _assembled(vertices: Mapping[Any, Sequence[Any]]) -> CombinatorialMap:
     for v in vertices:
         if _part(part, v) != _part(part, vertex_at[0]):
             raise InvalidMap(
-                f"vertex {v!r} cannot be reached from vertex {vertex_at[0]!r}; a map is connected"
+                f"vertex {show(v)} cannot be reached from vertex {show(vertex_at[0])}; "
+                "a map is connected"
             )
     return CombinatorialMap(tuple(sigma), tuple(alpha))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from allworlds.inputs import InputError, an_integer, show
+from allworlds.inputs import LARGEST_SIZE, InputError, an_integer, at_most, show
 from allworlds.maps.combinatorial import CombinatorialMap
 
 
@@ -82,16 +82,18 @@ class Extent:
         for name in ("edges", "vertices"):
             if (value := getattr(self, name)) is not None:
                 object.__setattr__(self, name, an_integer(name, value))
+                at_most(name, value, LARGEST_SIZE)
         if self.edges is not None and self.edges < 1:
-            raise InputError(f"edges = {self.edges}, but a map has at least 1 edge")
+            raise InputError(f"edges = {show(self.edges)}, but a map has at least 1 edge")
         if self.vertices is not None and self.vertices < 2:
-            raise InputError(f"vertices = {self.vertices}, but the bound must be at least 2")
+            raise InputError(f"vertices = {show(self.vertices)}, but the bound must be at least 2")
         if self.edges is None and self.vertices is None:
             raise InputError("a class needs a bound: edges, or vertices for the simple classes")
         if self.edges is None and not self.map_class.simple:
             raise InputError(
-                f"vertices = {self.vertices} alone bounds no class with loops or parallel edges; "
-                f"give edges too, or the class simple or planar-simple instead of {self.map_class}"
+                f"vertices = {show(self.vertices)} alone bounds no class with loops or parallel "
+                "edges; give edges too, or the class simple or planar-simple instead of "
+                f"{self.map_class}"
             )
 
     @property

@@ -42,7 +42,7 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
             return build(sizes, holes, seed)
         except ValueError as error:
             raise InputError(f"family {text}: {error}") from None
-    raise InputError(f"family {text!r} is none of {_FORMS}")
+    raise InputError(f"family {show(text)} is none of {_FORMS}")
 
 
 def random_map(edges: int, random: Random) -> CombinatorialMap:

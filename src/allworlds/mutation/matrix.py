@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from allworlds.checker import check, worlds
 from allworlds.episode import Answered, default_step_budget, play
 from allworlds.findings import canonical_world
-from allworlds.inputs import InputError, an_integer
+from allworlds.inputs import InputError, an_integer, show
 from allworlds.judge import LAWS, Case, judge, paper_bound
 from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
 from allworlds.maps.canonical import rooted_code
@@ -116,7 +116,7 @@ def mutants(*, edges: int = LARGEST_LEVEL) -> KillMatrix:
     Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
     """
     if not 1 <= an_integer("edges", edges) <= LARGEST_LEVEL:
-        raise InputError(f"edges = {edges}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
+        raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
     return KillMatrix(edges, *until_interrupted(_kills(edges)))
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence, Sized
 from random import Random
 from typing import Literal, Protocol, TypeAlias, TypeVar, get_args
 
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, show
 
 T = TypeVar("T")
 
@@ -26,7 +26,7 @@ class Policy(Protocol):
     """Answers choices.  It sees how many options there are, their kind and their costs."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        """An index below ``len(options)``."""
+        """An index below ``len(options)``, which is at least 1."""
 
 
 class Fifo:
@@ -97,7 +97,7 @@ def policy_named(name: str, run: str = "") -> Policy:
         return Seeded(f"{seed.lstrip('0') or '0'}/{run}")
     if name not in POLICIES:
         legal = ", ".join([*POLICIES, SEEDED])
-        raise InputError(f"policy {name!r} is none of {legal} (SEED = 0, 1, 2, ...)")
+        raise InputError(f"policy {show(name)} is none of {legal} (SEED = 0, 1, 2, ...)")
     return POLICIES[name]()
 
 
@@ -131,32 +131,42 @@ class Choices:
         Raises:
             ValueError: for a kind that is none, no option at all, options or costs that are no
                 sequence, or costs that are not one for each option; inside an explorer that is
-                a ``crash``.
+                a ``crash``.  Nothing is recorded then.
         """
         if of not in KINDS:
-            raise ValueError(f"of={of!r} is none of {', '.join(KINDS)}")
+            raise ValueError(f"of={show(of)} is none of {', '.join(KINDS)}")
         _check_sequence("options", options)
+        # Asked once: it may be the explorer's code, and say something else the next time.
+        count = len(options)
+        if not count:
+            raise ValueError(f"there is nothing to choose from: no option of {of}")
         if cost is not None:
             _check_sequence("cost", cost)
             # Others may compute their length; a policy that looks at them checks it.
             if type(cost) in (list, tuple):
                 _check_costs(options, cost)
         turn = len(self.record)
-        if turn < len(self._script) and 0 <= self._script[turn] < len(options):
+        if turn < len(self._script) and 0 <= self._script[turn] < count:
             index = self._script[turn]
         else:
-            index = self._policy.choose(of, options, cost)
+            index = self._policy.choose(of, range(count), cost)
         try:
             picked = options[index]
         except IndexError:
-            raise ValueError(f"there is nothing to choose from: no option of {of}") from None
-        self.record.append(index)
+            raise ValueError(f"of {count} options of {of} there is none at {index}") from None
+        if len(self.record) != turn:
+            raise ValueError("to look at the options was a choice of its own")
+        self._taken(index, count)
         return picked
+
+    def _taken(self, index: int, count: int) -> None:
+        """One more choice has been made, among so many options."""
+        self.record.append(index)
 
 
 def _check_sequence(name: str, given: object) -> None:
     """Nothing for what has an element at each index; else raises ValueError."""
-    if not hasattr(given, "__getitem__") or isinstance(given, dict):
+    if not (hasattr(given, "__getitem__") and hasattr(given, "__len__")) or isinstance(given, dict):
         raise ValueError(f"{name} of the type {type(given).__name__} is no sequence, as a list is")
 
 
@@ -198,7 +208,6 @@ class _Counted(Choices):
     def __init__(self, script: Sequence[int]) -> None:
         super().__init__(Fifo(), script)
 
-    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
-        picked = super().pick(options, of, cost)
-        self.widths.append(len(options))
-        return picked
+    def _taken(self, index: int, count: int) -> None:
+        super()._taken(index, count)
+        self.widths.append(count)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, assert_never
 
-from allworlds.inputs import integer
+from allworlds.inputs import integer, show
 from allworlds.protocol.actions import Action, Drop, Move, Pick
 from allworlds.protocol.percept import Percept
 
@@ -57,7 +57,9 @@ class Transcript:
         for i, row in enumerate(rows[1:], 1):
             action = action_from_json(row)
             if action is None:
-                raise ValueError(f"row {i} of the transcript has no move, drop or pick: {row!r}")
+                raise ValueError(
+                    f"row {i} of the transcript has no move, drop or pick: {show(row)}"
+                )
             steps.append((action, _percept(i, row)))
         return cls(_percept(0, rows[0]), tuple(steps))
 
@@ -95,7 +97,7 @@ def percept_from_json(value: object) -> Percept:
         ValueError: if it is none.
     """
     if not isinstance(value, Mapping):
-        raise ValueError(f"a percept is an object with a degree, not {value!r}")
+        raise ValueError(f"a percept is an object with a degree, not {show(value)}")
     try:
         bearing = value.get("bearing")
         return Percept(
@@ -104,7 +106,7 @@ def percept_from_json(value: object) -> Percept:
             None if bearing is None else integer(bearing),
         )
     except TypeError:
-        raise ValueError(f"a percept holds integers: {value!r}") from None
+        raise ValueError(f"a percept holds integers: {show(value)}") from None
 
 
 def _percept(i: int, row: object) -> Percept:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias, cast, get_args
 
 from allworlds.findings import Rules
-from allworlds.inputs import InputError, an_integer, show
+from allworlds.inputs import InputError, an_integer, at_most, show
 from allworlds.maps.classes import Extent
 from allworlds.protocol import Choices, Schedules
 from allworlds.runs.units import Unit
@@ -16,6 +16,7 @@ from allworlds.work import units_of_level
 Schedule: TypeAlias = Literal["one", "all"]
 
 DEFAULT_EDGES = 5
+MOST_RUNS = 10**12
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,8 +59,9 @@ class Sample:
     def __post_init__(self) -> None:
         for name in ("runs", "seed"):
             object.__setattr__(self, name, an_integer(name, getattr(self, name)))
+        at_most("runs", self.runs, MOST_RUNS)
         if self.seed < 0:
-            raise InputError(f"seed = {self.seed}, but seeds are 0, 1, 2, ...")
+            raise InputError(f"seed = {show(self.seed)}, but seeds are 0, 1, 2, ...")
         if self.runs < 1:
             raise InputError(f"runs = {self.runs} is not positive")
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from allworlds.inputs import InputError, a_text, an_integer, show
+from allworlds.inputs import LARGEST_SIZE, InputError, a_text, an_integer, at_most, show
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import Dart
 from allworlds.smt.one_world import Degrees, Size
@@ -71,15 +71,17 @@ def percept_named(text: str) -> Sensed:
         InputError: naming the text and what would be legal.
     """
     bare = a_text("percept", text).strip().strip("[]").replace(",", "")
-    match = re.fullmatch(r"([1-9][0-9]*)([AP]*)", bare)
+    match = re.fullmatch(r"([1-9][0-9]{0,8})([AP]*)", bare)
     if match is None or not match[2]:
-        raise InputError(f"percept {text!r} is not of the form 3A (marker absent) or 4P (present)")
+        raise InputError(
+            f"percept {show(text)} is not of the form 3A (marker absent) or 4P (present)"
+        )
     if match[2].count("P") > 1:
         raise InputError(
-            f"percept {text!r} has {match[2].count('P')} position markers, but a world has one"
+            f"percept {show(text)} has {match[2].count('P')} position markers, but a world has one"
         )
     if len(match[2]) > 1:
-        raise InputError(f"percept {text!r} says more than once whether the marker is there")
+        raise InputError(f"percept {show(text)} says more than once whether the marker is there")
     return Sensed(int(match[1]), match[2] == "P")
 
 
@@ -124,10 +126,13 @@ class Question:
     def __post_init__(self) -> None:
         for name, value in (("vertices", self.vertices), ("edges", self.edges)):
             if an_integer(f"{name}", value) < 1:
-                raise InputError(f"{name} = {value}, but a map has at least 1")
+                raise InputError(f"{name} = {show(value)}, but a map has at least 1")
+            at_most(name, value, LARGEST_SIZE)
         for name, degree in (("marked", self.degrees.root), ("others", self.degrees.others)):
             if degree is not None and an_integer(f"degree-{name}", degree) < 1:
-                raise InputError(f"degree-{name} = {degree}, but every vertex has at least 1 dart")
+                raise InputError(
+                    f"degree-{name} = {show(degree)}, but every vertex has at least 1 dart"
+                )
         if not self.sensing.marks_v0:
             for percept in self.walk.percepts:
                 if percept.present:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import monotonic
 
-from allworlds.inputs import InputError, a_path, show
+from allworlds.inputs import InputError, a_path, at_most, show
 from allworlds.smt.decode import decoded
 from allworlds.smt.formula import Formula, read_dimacs
 from allworlds.smt.lrat import check_lrat
@@ -21,6 +21,7 @@ from allworlds.smt.question import Question, Sizes, question
 from allworlds.smt.result import Searched, SearchResult, Twins
 from allworlds.smt.rup import ProofRefused, lrat_of_drat, write_lrat
 from allworlds.smt.solvers import (
+    LONGEST_WAIT,
     Clock,
     ExternalSolver,
     Solved,
@@ -82,6 +83,7 @@ def search(
     )
     if time_limit is not None and (not isinstance(time_limit, int | float) or not time_limit > 0):
         raise InputError(f"time-limit = {show(time_limit)}, but it must be more than 0 seconds")
+    at_most("time-limit", time_limit or 0, LONGEST_WAIT)
     external = None if solver is None else ExternalSolver(str(a_path("solver", solver)))
     with _directory(out) as directory:
         return _Search(asked, external, directory, Clock(time_limit)).run()
@@ -102,7 +104,7 @@ def _directory(out: str | Path | None) -> Iterator[Path]:
     try:
         directory.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"directory {str(out)!r} cannot be made: {error.strerror}") from None
+        raise InputError(f"directory {show(str(out))} cannot be made: {error.strerror}") from None
     yield directory
 
 

@@ -13,12 +13,15 @@ from time import monotonic
 from typing import Literal as Name
 from typing import TypeAlias
 
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, show
 
 Status: TypeAlias = Name["sat", "unsat", "unknown"]
 
 OLDEST = 2
 """The first major version of CaDiCaL that writes LRAT."""
+
+LONGEST_WAIT = 10**6
+"""The most seconds that a solver can be waited for: both count milliseconds in 32 bits."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,11 +101,11 @@ class ExternalSolver:
             ).stdout.strip()
         except (OSError, subprocess.TimeoutExpired, UnicodeDecodeError) as error:
             reason = getattr(error, "strerror", None) or type(error).__name__
-            raise InputError(f"solver {self.path!r} cannot be run: {reason}") from None
+            raise InputError(f"solver {show(self.path)} cannot be run: {reason}") from None
         version = re.match(r"([0-9]+)\.", said)
         if version is None or int(version[1]) < OLDEST:
             raise InputError(
-                f"solver {self.path!r} calls itself {said.splitlines()[:1] or 'nothing'}; "
+                f"solver {show(self.path)} calls itself {said.splitlines()[:1] or 'nothing'}; "
                 f"legal is CaDiCaL {OLDEST} or later"
             )
 

@@ -7,6 +7,7 @@ import importlib.util
 import inspect
 import linecache
 import sys
+import warnings
 from collections.abc import Callable
 from contextlib import redirect_stdout
 from pathlib import Path
@@ -14,7 +15,7 @@ from types import ModuleType
 from typing import Any
 
 from allworlds.explorers import BUILT_IN
-from allworlds.inputs import InputError, let_users_interrupt, read_text, show
+from allworlds.inputs import SHOWN, InputError, a_path, let_users_interrupt, read_text, show
 from allworlds.protocol import ANSWER_TIMEOUT
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
@@ -49,8 +50,12 @@ def source_of(name: str) -> Source | None:
         )
     if not place.endswith(".py"):
         return None
-    file = Path(place).resolve()
-    if not file.is_file():
+    file = a_path("file", place).resolve()
+    try:
+        found = file.is_file()
+    except OSError as error:
+        raise InputError(f"file {show(place)} cannot be read: {error.strerror}") from None
+    if not found:
         raise InputError(f"there is no file {show(place)}")
     return Source(str(file), read_text(str(file)))
 
@@ -111,7 +116,11 @@ def _file(place: str, source: Source) -> Any:
     linecache.cache[source.path] = (len(source.text), None, lines, source.path)
 
     def execute() -> Any:
-        exec(compile(source.text, source.path, "exec"), module.__dict__)  # noqa: S102  # the explorer
+        with warnings.catch_warnings():
+            # Every player would say the same of the text.
+            warnings.simplefilter("ignore")
+            code = compile(source.text, source.path, "exec")
+        exec(code, module.__dict__)  # noqa: S102  # the explorer
         return module
 
     return _imported(place, execute)
@@ -131,11 +140,11 @@ def _said(error: BaseException) -> str:
     """The first line of what an exception says, if it can be shown."""
     name = type(error).__name__
     try:
-        said = str.__str__(str(error)).splitlines()
+        said = str.__str__(str(error)).split("\n", 1)[0]
     except BaseException as another:  # noqa: BLE001  # an exception may not even be printable
         let_users_interrupt(another)
         return f"{name}, which cannot be shown"
-    return f"{name}: {said[0][:200]}" if said else name
+    return f"{name}: {said[:SHOWN]}" if said else name
 
 
 def _attribute(module: Any, attribute: str, place: str) -> Any:

@@ -9,6 +9,7 @@ or ``{"estimate": {"sigma", "alpha", "here"}}``.  Unknown keys are ignored by bo
 from __future__ import annotations
 
 import contextlib
+import errno
 import json
 import os
 import secrets
@@ -22,7 +23,7 @@ from pathlib import Path
 from random import Random
 from typing import Any, Literal
 
-from allworlds.inputs import InputError
+from allworlds.inputs import SHOWN, InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol import (
     Action,
@@ -54,12 +55,14 @@ class Program:
         try:
             self._arguments = shlex.split(command)
         except ValueError as error:
-            raise InputError(f"--exec {command!r} cannot be split into words: {error}") from None
+            raise InputError(
+                f"--exec {show(command)} cannot be split into words: {error}"
+            ) from None
         if not self._arguments:
             raise InputError("--exec needs a command, not an empty string")
         found = shutil.which(self._arguments[0])
         if found is None:
-            raise InputError(f"--exec {command!r}: {_obstacle(self._arguments[0])}")
+            raise InputError(f"--exec {show(command)}: {_obstacle(self._arguments[0])}")
         self.path = found
         self._timeout = answer_timeout
         self._process: subprocess.Popen[bytes] | None = None
@@ -259,13 +262,22 @@ class Program:
 def _obstacle(name: str) -> str:
     """Why what is named cannot be run."""
     path = Path(name)
+    try:
+        path.stat()
+    except OSError as error:
+        if error.errno != errno.ENOENT:
+            return f"{show(name)}: {error.strerror}"
+    except ValueError:
+        return f"there is no program {show(name)}: no file can be named so"
     if path.is_dir():
-        return f"{name!r} is a directory, not a program"
+        return f"{show(name)} is a directory, not a program"
     if path.is_file():
         if os.sep in name:
-            return f"the file {name!r} is not executable; chmod +x, or name its interpreter first"
-        return f"there is no program {name!r}; for the file here write './{name}'"
-    return f"there is no program {name!r}"
+            return (
+                f"the file {show(name)} is not executable; chmod +x, or name its interpreter first"
+            )
+        return f"there is no program {show(name)}; for the file here write './{name}'"
+    return f"there is no program {show(name)}"
 
 
 def _checkpoint(value: object) -> Checkpoint:
@@ -293,9 +305,12 @@ def _missing(value: dict[str, Any]) -> str:
 
 
 def _short(value: object) -> str:
-    text = json.dumps(value)
-    return text if len(text) <= 200 else text[:197] + "..."
+    try:
+        text = json.dumps(value)
+    except (RecursionError, ValueError):  # nested too deeply, or an integer too long
+        return show(value)
+    return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
 
 
 def _text(line: bytes | bytearray) -> str:
-    return repr(line[:200].decode(errors="replace"))
+    return repr(line[:SHOWN].decode(errors="replace"))

@@ -23,7 +23,13 @@ from allworlds.work.effort import (
 )
 from allworlds.work.gather import gather
 from allworlds.work.here import Here, with_last
-from allworlds.work.levels import LevelUnit, cells_of_level, level_size, units_of_level
+from allworlds.work.levels import (
+    LevelUnit,
+    cells_of_level,
+    level_size,
+    tell_of_size,
+    units_of_level,
+)
 from allworlds.work.threads import Threads
 from allworlds.work.work import Engine, Part, Sum, Transport, Unit
 
@@ -45,6 +51,7 @@ __all__ = [
     "check_deadline",
     "gather",
     "level_size",
+    "tell_of_size",
     "units_of_level",
     "with_last",
 ]

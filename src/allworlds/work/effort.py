@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 from math import inf
 from typing import Any, TypedDict, cast
 
-from allworlds.inputs import InputError, an_integer, show
+from allworlds.inputs import InputError, an_integer, at_most, show
 from allworlds.protocol import ANSWER_TIMEOUT
 
 LEAST_TIMEOUT = 0.1
@@ -15,6 +15,9 @@ LEAST_TIMEOUT = 0.1
 
 POLL = LEAST_TIMEOUT
 """Seconds between two looks at what goes on elsewhere."""
+
+MOST = {"workers": 10_000, "answer-timeout": 10**6, "time-limit": 10**9, "memory": 10**9}
+"""The largest legal value of each limit: an operating system does not count further."""
 
 
 class EffortOptions(TypedDict, total=False):
@@ -63,7 +66,8 @@ class Limits:
             if name in ("workers", "memory"):
                 an_integer(legal, value)
             if not 0 < value < inf:
-                raise InputError(f"{legal} {value} is not positive and finite")
+                raise InputError(f"{legal} {show(value)} is not positive and finite")
+            at_most(legal, value, MOST[legal])
         if self.answer_timeout < LEAST_TIMEOUT:
             raise InputError(
                 f"answer-timeout {self.answer_timeout} s is shorter than silence is noticed; the "

@@ -9,6 +9,13 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
+from allworlds.progress import Listener
+
+MANY_WORLDS = 10_000_000
+"""Whoever asks for more of them is told so at once."""
+
+COUNTABLE_WORLDS = 10**12
+"""Levels with more of them take long to be counted, too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,3 +51,29 @@ def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
 def level_size(extent: Extent, edges: int) -> int:
     """Their sum."""
     return sum(cells_of_level(extent, edges).values())
+
+
+def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
+    """Tell before the first level is begun if there are too many worlds to be soon done with.
+
+    Cost: some milliseconds; a level of which most worlds lie beyond the extent ends the counting.
+    """
+    last = extent.levels[-1]
+    source = source_for(extent.map_class)
+    worlds = counted = 0
+    for edges in extent.levels:
+        everywhere = sum(source.cells(edges).values())
+        counted, worlds = edges, worlds + level_size(extent, edges)
+        if worlds // shards > MANY_WORLDS:
+            listener.notice(
+                f"there are over {MANY_WORLDS:,} worlds with up to {edges} edges, and {last} are "
+                f"asked for: {_LONG}"
+            )
+            return
+        if everywhere > min(MANY_WORLDS * shards, COUNTABLE_WORLDS):
+            break
+    if counted < last:
+        listener.notice(f"all levels up to {last} edges are asked for: {_LONG}")
+
+
+_LONG = "this takes long, or does not end; an interrupt ends it with what is finished"

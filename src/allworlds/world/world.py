@@ -39,15 +39,7 @@ class World:
     start: Dart = 0
 
     def __post_init__(self) -> None:
-        try:
-            start = integer(self.start)
-        except TypeError:
-            raise InvalidWorld(f"start = {show(self.start)} is not an integer") from None
-        if start not in self.map.darts:
-            raise InvalidWorld(
-                f"start = {show(start)} is no dart; darts are 0..{len(self.map.sigma) - 1}"
-            )
-        self.lighthouse.check(self.map, self.start)
+        self.lighthouse.check(self.map, _a_start(self.start, self.map))
 
     @cached_property
     def percepts(self) -> tuple[Percept, ...]:
@@ -115,10 +107,18 @@ class World:
         if document.get("lighthouse", "") is None:
             raise InvalidWorld(f"lighthouse = None is no object; without one it is {missing}")
         map_ = CombinatorialMap.from_json(document)
-        try:
-            start = integer(document.get("start", 0))
-        except TypeError:
-            given = show(document["start"])
-            raise InvalidWorld(f"start = {given} is not an integer") from None
+        # A lighthouse looks for its place from the start, which must be one then.
+        start = _a_start(document.get("start", 0), map_)
         lighthouse = lighthouse_from_json(document.get("lighthouse"), map_, start, missing)
         return cls(map_, lighthouse, start)
+
+
+def _a_start(given: object, map_: CombinatorialMap) -> Dart:
+    """The start, if it is a dart of the map; else raises InvalidWorld."""
+    try:
+        start = integer(given)
+    except TypeError:
+        raise InvalidWorld(f"start = {show(given)} is not an integer") from None
+    if start not in map_.darts:
+        raise InvalidWorld(f"start = {show(start)} is no dart; darts are 0..{len(map_.sigma) - 1}")
+    return start

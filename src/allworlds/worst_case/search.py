@@ -157,10 +157,10 @@ def worst(
     if transit not in get_args(Transit):
         raise InputError(f"transit {show(transit)} is none of {', '.join(get_args(Transit))}")
     if an_integer("workers", workers) < 1:
-        raise InputError(f"workers {workers} is not positive")
+        raise InputError(f"workers {show(workers)} is not positive")
     edges = DEFAULT_EDGES if edges is None else an_integer("edges", edges)
     if edges > MOST_EDGES:
-        raise InputError(f"edges = {edges}, but there is room for {MOST_EDGES} at most")
+        raise InputError(f"edges = {show(edges)}, but there is room for {MOST_EDGES} at most")
     from allworlds.kernel import COMPILING
     from allworlds.worst_case.dearest import DearestWorlds, ScheduleSearch
 

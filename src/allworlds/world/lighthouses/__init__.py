@@ -38,7 +38,7 @@ def lighthouse_named(text: str) -> type[Lighthouse]:
     """
     kind, colon, rest = text.partition(":")
     if kind not in LIGHTHOUSES:
-        raise InvalidWorld(f"lighthouse {kind!r} is none of {', '.join(sorted(LIGHTHOUSES))}")
+        raise InvalidWorld(f"lighthouse {show(kind)} is none of {', '.join(sorted(LIGHTHOUSES))}")
     return LIGHTHOUSES[kind].with_options(_options(text, rest)) if colon else LIGHTHOUSES[kind]
 
 
@@ -48,9 +48,11 @@ def _options(text: str, rest: str) -> dict[str, str]:
     for part in rest.split(","):
         key, equals, value = part.partition("=")
         if not equals:
-            raise InvalidWorld(f"{part!r} in lighthouse {text!r} is not of the form key=value")
+            raise InvalidWorld(
+                f"{show(part)} in lighthouse {show(text)} is not of the form key=value"
+            )
         if key in options:
-            raise InvalidWorld(f"lighthouse {text!r} names {key!r} twice")
+            raise InvalidWorld(f"lighthouse {show(text)} names {show(key)} twice")
         options[key] = value
     return options
 

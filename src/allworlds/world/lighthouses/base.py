@@ -60,7 +60,7 @@ class Lighthouse(ABC):
             InvalidWorld: naming the option, or the value, that the kind does not have.
         """
         given = ",".join(f"{key}={value}" for key, value in options.items())
-        raise InvalidWorld(f"the {cls.kind} lighthouse takes no options, not {given!r}")
+        raise InvalidWorld(f"the {cls.kind} lighthouse takes no options, not {show(given)}")
 
     @classmethod
     @abstractmethod

@@ -44,10 +44,13 @@ class Cluster(Lighthouse):
         """The kind with ``single=true`` or ``single=false``."""
         for key, value in options.items():
             if key != "single":
-                raise InvalidWorld(f"the cluster lighthouse has no option {key!r}; legal is single")
+                raise InvalidWorld(
+                    f"the cluster lighthouse has no option {show(key)}; legal is single"
+                )
             if value not in ("true", "false"):
                 raise InvalidWorld(
-                    f"option single = {value!r} of the cluster lighthouse is neither true nor false"
+                    f"option single = {show(value)} of the cluster lighthouse is neither true "
+                    "nor false"
                 )
         return SingleCluster if options.get("single") == "true" else Cluster
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from allworlds.inputs import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
     BelievedWalk,
@@ -59,8 +60,8 @@ class Natural(Lighthouse):
             degree = map_.degree_at[dart]
             if vertices[degree] > 1:
                 raise InvalidWorld(
-                    f"lighthouse.dart = {self.dart}: the {name} has degree {degree}, and so have "
-                    f"{vertices[degree]} vertices; a natural lighthouse needs unique degrees"
+                    f"lighthouse.dart = {show(self.dart)}: the {name} has degree {degree}, and so "
+                    f"have {vertices[degree]} vertices; a natural lighthouse needs unique degrees"
                 )
 
     def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # any map
