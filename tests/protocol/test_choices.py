@@ -300,18 +300,24 @@ def test_options_without_a_length_are_no_sequence_and_not_recorded(make):
     assert choices.record == []
 
 
-def test_options_are_asked_for_their_length_once():
-    for policy in POLICIES:
-        options = Lying("abc")
-        assert Choices(policy_named(policy), [5]).pick(options, of="edge") == "a"
-        assert options.asked == 1
+def test_every_schedule_asks_options_for_their_length_once():
+    options = Lying("abc")
+    choices = next(iter(Schedules()))
+    assert choices.pick(options, of="edge") == "a"
+    assert (options.asked, choices.widths) == (1, [1])
+
+
+def test_who_takes_the_first_option_does_not_ask_how_many_there_are():
+    options = Lying("abc")
+    assert Choices().pick(options, of="edge") == "a"
+    assert options.asked == 0
 
 
 def test_options_that_claim_more_than_they_hold_are_refused_and_not_recorded():
     options = Lying()
     options.asked = 3
     choices = Choices(script=[2])
-    with pytest.raises(ValueError, match="of 4 options of edge there is none at 2"):
+    with pytest.raises(ValueError, match="there is nothing to choose from"):
         choices.pick(options, of="edge")
     assert choices.record == []
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence, Sized
 from random import Random
-from typing import Literal, Protocol, TypeAlias, TypeVar, get_args
+from typing import Literal, Protocol, TypeAlias, TypeVar, get_args, overload
 
 from allworlds.inputs import InputError, show
 
@@ -26,7 +26,7 @@ class Policy(Protocol):
     """Answers choices.  It sees how many options there are, their kind and their costs."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        """An index below ``len(options)``, which is at least 1."""
+        """An index below ``len(options)``; anything if that is 0."""
 
 
 class Fifo:
@@ -64,7 +64,8 @@ class Seeded:
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
         """Uniform."""
-        return self._random.randrange(len(options))
+        count = len(options)
+        return self._random.randrange(count) if count else 0
 
 
 POLICIES: dict[str, type[Fifo | Lifo | Nearest]] = {
@@ -136,32 +137,25 @@ class Choices:
         if of not in KINDS:
             raise ValueError(f"of={show(of)} is none of {', '.join(KINDS)}")
         _check_sequence("options", options)
-        # Asked once: it may be the explorer's code, and say something else the next time.
-        count = len(options)
-        if not count:
-            raise ValueError(f"there is nothing to choose from: no option of {of}")
         if cost is not None:
             _check_sequence("cost", cost)
             # Others may compute their length; a policy that looks at them checks it.
             if type(cost) in (list, tuple):
                 _check_costs(options, cost)
         turn = len(self.record)
-        if turn < len(self._script) and 0 <= self._script[turn] < count:
-            index = self._script[turn]
-        else:
-            index = self._policy.choose(of, range(count), cost)
         try:
+            # Options may compute their number; who need not know it does not ask.
+            if turn < len(self._script) and 0 <= self._script[turn] < len(options):
+                index = self._script[turn]
+            else:
+                index = self._policy.choose(of, options, cost)
             picked = options[index]
         except IndexError:
-            raise ValueError(f"of {count} options of {of} there is none at {index}") from None
+            raise ValueError(f"there is nothing to choose from: no option of {of}") from None
         if len(self.record) != turn:
             raise ValueError("to look at the options was a choice of its own")
-        self._taken(index, count)
-        return picked
-
-    def _taken(self, index: int, count: int) -> None:
-        """One more choice has been made, among so many options."""
         self.record.append(index)
+        return picked
 
 
 def _check_sequence(name: str, given: object) -> None:
@@ -208,6 +202,27 @@ class _Counted(Choices):
     def __init__(self, script: Sequence[int]) -> None:
         super().__init__(Fifo(), script)
 
-    def _taken(self, index: int, count: int) -> None:
-        super()._taken(index, count)
+    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
+        _check_sequence("options", options)
+        # Asked once: it may be the explorer's code, and say something else the next time.
+        count = len(options)
+        picked = super().pick(_Fixed(options, count), of, cost)
         self.widths.append(count)
+        return picked
+
+
+class _Fixed(Sequence[T]):
+    """Options that are as many as they were when they were counted."""
+
+    def __init__(self, options: Sequence[T], count: int) -> None:
+        self._options, self._count = options, count
+
+    def __len__(self) -> int:
+        return self._count
+
+    @overload
+    def __getitem__(self, index: int) -> T: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[T]: ...
+    def __getitem__(self, index: int | slice) -> T | Sequence[T]:
+        return self._options[index]
