@@ -12,6 +12,7 @@ only the groups of its own children can be ended.
 from __future__ import annotations
 
 import ctypes
+import gc
 import os
 import pickle
 import signal
@@ -130,6 +131,8 @@ class _Guardian:
     def run(self) -> NoReturn:
         """Serve until the owner is gone; then end everything."""
         _control(_SUBREAPER)
+        # What is imported stays: nobody that is forked looks for garbage there.
+        gc.freeze()
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         for terminating in (signal.SIGTERM, signal.SIGHUP):
             signal.signal(terminating, lambda *_: self._end_all())
