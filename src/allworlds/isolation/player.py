@@ -39,6 +39,9 @@ T = TypeVar("T")
 CHUNK, CHUNK_SECONDS = 64, 0.1
 """So many logs, or seconds, after which some are handed over."""
 
+TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
+"""What an explorer may leave behind to go off when it is not its turn."""
+
 Job = PlayRuns | PlayRecords | Trace
 """Everything that a player can be asked to do after its casting."""
 
@@ -128,7 +131,9 @@ class Player:
         self._connection.send_bytes(written(message))
 
     def _intact(self) -> None:
-        """Leave, if the explorer has forked this process or closed its pipe."""
+        """Leave, if the explorer has forked this process or closed its pipe; stop its timers."""
+        for timer in TIMERS:
+            signal.setitimer(timer, 0)
         if os.getpid() != self._pid:
             # The original goes on with the work; its copy must not do it a second time.
             os._exit(0)

@@ -13,6 +13,7 @@ from allworlds.inputs import InputError, show
 from allworlds.isolation.jobs import (
     Casting,
     Described,
+    HarnessError,
     Played,
     PlayRecords,
     PlayRuns,
@@ -126,6 +127,12 @@ def _died(process: Process) -> Lost:
     return Lost("crash", seen, _number(process), machine=machine)
 
 
+def _interfered(process: Process, error: HarnessError) -> Lost:
+    """A player has failed where the explorer has no turn; a signal of it may have come then."""
+    last = (str(error).strip().splitlines() or ["an error"])[-1]
+    return Lost("crash", f"{last}, out of its turn", _number(process), machine=True)
+
+
 def _number(process: Process) -> int | None:
     number = process.beat[0]
     return None if number == NO_RUN else number
@@ -172,6 +179,8 @@ class Cast:
 
         Raises:
             Unsettled: if processes are lost again and again, and no fresh one repeats it.
+            HarnessError: if a player fails otherwise than by what an explorer does in its turn,
+                and a fresh one does so, too.
         """
         left, told = list(numbers), Counter[int]()
         while left:
@@ -185,7 +194,7 @@ class Cast:
             if number is not None:
                 # Once more by itself, so that it can be put down to nobody else.
                 alone = replace(job, numbers=(number,))
-                again = yield from self._attempt(alone, left, told)
+                again = yield from self._attempt(alone, left, told, last=True)
             if again is None:
                 self._note(lost)
             elif number in left:
@@ -193,13 +202,14 @@ class Cast:
                 yield [(number, again.log(LostRun))]
 
     def _attempt(
-        self, job: PlayRuns, left: list[int], told: Counter[int]
+        self, job: PlayRuns, left: list[int], told: Counter[int], *, last: bool = False
     ) -> Generator[list[tuple[int, Log]], None, Lost | None]:
         """The logs of a job that have not been told before; how it was lost, if it was.
 
         What has no more logs is taken out of ``left``.
         """
         before = Counter(told)
+        player = None
         try:
             player = self._player("first")
             player.beat[0] = NO_RUN
@@ -223,6 +233,12 @@ class Cast:
         except Lost as lost:
             self._dismiss("first")
             return lost
+        except HarnessError as error:
+            if last or player is None:
+                raise
+            interfered = _interfered(player, error)
+            self._dismiss("first")
+            return interfered
         return None
 
     def ask_again(self, records: Sequence[Record], policy: str) -> None:
@@ -240,6 +256,10 @@ class Cast:
         except Lost as lost:
             self._dismiss("second")
             return self._one_by_one(lost)
+        except HarnessError as error:
+            interfered = _interfered(self._player("second"), error)
+            self._dismiss("second")
+            return self._one_by_one(interfered)
         assert isinstance(logs, list)
         return logs
 
