@@ -6,6 +6,10 @@ from pathlib import Path
 PATIENCE = 60.0
 """Seconds that only a hang takes, on any machine and under any load."""
 
+SOON = 4.0
+"""Seconds after which whoever is silent for ever is given up; if a slow machine makes others silent
+for as long, the smallest finding is the same."""
+
 
 def running():
     """(pid, parent) of each process that has not ended."""

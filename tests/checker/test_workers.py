@@ -8,17 +8,22 @@ from allworlds.findings import Finding
 from allworlds.inputs import InputError
 from allworlds.isolation.confirm import MOST_CHOICES
 from allworlds.world import Directional, World
-from processes import PATIENCE
+from processes import PATIENCE, SOON
 
 EDGE = World(small.EDGE, Directional(0))
 LOOP = World(small.LOOP, Directional(0))
+SILENT = (
+    *("hang", "hang_gil", "hang_regex", "hang_in_the_middle", "hang_after_choices"),
+    *("chooses_for_ever", "chooses_for_ever_whatever_is_raised"),
+)
 RUNS = 3  # with one edge: one run in the edge, two in the loop
 
 pytestmark = pytest.mark.usefixtures("no_orphans", "clock")
 
 
 def only_finding(name, **options):
-    report = check(name, edges=1, **{"answer_timeout": PATIENCE, **options})
+    limit = SOON if name.partition(":")[2] in SILENT else PATIENCE
+    report = check(name, edges=1, **{"answer_timeout": limit, **options})
     assert report.exit_code == 1
     assert report.runs == RUNS
     (finding,) = report.findings
@@ -29,9 +34,9 @@ def only_finding(name, **options):
 @pytest.mark.parametrize(
     ("name", "law", "seen"),
     [
-        ("hang", "timeout", "silent for 60 s"),
-        ("hang_gil", "timeout", "silent for 60 s"),
-        ("hang_regex", "timeout", "silent for 60 s"),
+        ("hang", "timeout", "silent for 4 s"),
+        ("hang_gil", "timeout", "silent for 4 s"),
+        ("hang_regex", "timeout", "silent for 4 s"),
         ("os_exit", "crash", "exit code 0"),
         ("segfault", "crash", "signal 11"),
         ("reads", "crash", "EOFError"),
@@ -61,7 +66,7 @@ def test_memory_beyond_the_limit_is_a_crash(wrong):
 
 
 def test_a_limit_of_memory_beyond_all_memory_is_none(wrong):
-    assert check(wrong("right"), edges=1, memory=10**30, bound="none").exit_code == 0
+    assert check(wrong("right"), edges=1, memory=10**9, bound="none").exit_code == 0
 
 
 @pytest.mark.parametrize("name", ["foreign", "built-in"])
