@@ -39,7 +39,7 @@ from allworlds.judge import Case, paper_bound
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
 from allworlds.protocol import Choices
 from allworlds.protocol.choices import policy_named
-from allworlds.subjects import load, subject_of
+from allworlds.subjects import load, subject_here
 from certified_checker import CHECKER, checkers_agree, judge_program
 from certified_folding import FOLDING, foldings_agree
 
@@ -175,7 +175,7 @@ def judges_agree(edges: int) -> bool:
 def _cases(edges: int) -> Iterator[tuple[str, Case]]:
     """Every answer of every explorer, with the world and the walk it belongs to."""
     everyone = (WrongExplorer(Algorithm1), *WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)
-    players = [(mutant.name, subject_of(mutant.explorer()).player()) for mutant in everyone]
+    players = [(mutant.name, subject_here(mutant.explorer()).player()) for mutant in everyone]
     for world in worlds(edges=edges):
         budget = 8 * paper_bound(world.map.vertex_count, world.map.edge_count) + 100
         for name, player in players:

@@ -27,7 +27,7 @@ from allworlds.kernel.records import FOLD, LOG, NONE, WORLD
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
 from allworlds.protocol import Choices, Move, Percept, Transcript
 from allworlds.protocol.choices import policy_named
-from allworlds.subjects import load, subject_of
+from allworlds.subjects import load, subject_here
 
 FOLDING = Path(__file__).resolve().parent / "coq" / "folding"
 POLICIES = ("fifo", "lifo", "nearest")
@@ -38,7 +38,7 @@ def logs(edges: int) -> Iterator[tuple[str, Transcript]]:
     mutants = (WrongExplorer(Algorithm1), *WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)
     players = [
         *((f"algorithm1 {name}", load("algorithm1").player(), name) for name in POLICIES),
-        *((mutant.name, subject_of(mutant.explorer()).player(), "fifo") for mutant in mutants),
+        *((mutant.name, subject_here(mutant.explorer()).player(), "fifo") for mutant in mutants),
     ]
     for world in worlds(edges=edges, places="all"):
         # All that answer within their bound, and the one that then walks every edge both ways.

@@ -19,7 +19,7 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.enumeration import prefixes
 from allworlds.protocol import Checkpoint
 from allworlds.runs import Examiner, Scope, Unit
-from allworlds.subjects import subject_of
+from allworlds.subjects import subject_here
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -221,7 +221,7 @@ def laws_of(monkeypatch, explore, only):
     bound = "n - 1" if only in (None, "bound") else None
     rules = Rules(laws=None if only is None else (only,), bound=bound)
     monkeypatch.setitem(kernel.EXPLORERS, "algorithm1", lambda: addresses(*WRONG[explore]))
-    examiner = Examiner(subject_of(explore), rules)
+    examiner = Examiner(subject_here(explore), rules)
     for edges in EDGES:
         extent = Extent(MapClass.MAPS, edges)
         listing = Listing(Scope(extent, rules))
