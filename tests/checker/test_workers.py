@@ -155,7 +155,9 @@ def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong
 def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
     finding = only_finding(wrong("crashes_the_second_time"))
     assert finding.law == "nondeterministic"
-    assert "crash: ZeroDivisionError" in finding.seen
+    # Which of the plays crashes depends on the order; it may be one in a fresh process.
+    assert "crash" in finding.seen
+    assert "ZeroDivisionError" in finding.seen
     assert "Traceback" in finding.detail
 
 

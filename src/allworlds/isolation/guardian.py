@@ -285,12 +285,15 @@ def _control(option: int, value: int = 1) -> None:
 def _children() -> dict[int, list[int]]:
     """The children of every process, read from /proc; empty where there is none."""
     found: dict[int, list[int]] = {}
-    for entry in Path("/proc").glob("[0-9]*/stat"):
-        with suppress(OSError, ValueError, IndexError):
-            # The name in parentheses may hold anything, parentheses and blanks included.
-            fields = entry.read_text(errors="replace").rpartition(")")[2].split()
-            if fields[0] != "Z":
-                found.setdefault(int(fields[1]), []).append(int(entry.parent.name))
+    with suppress(FileNotFoundError):
+        # A process may end while it is looked at, so that nothing but its own entry is asked for.
+        for name in filter(str.isdigit, os.listdir("/proc")):  # noqa: PTH208
+            with suppress(OSError, ValueError, IndexError):
+                # The name in parentheses may hold anything, parentheses and blanks included.
+                text = Path("/proc", name, "stat").read_text(errors="replace")
+                fields = text.rpartition(")")[2].split()
+                if fields[0] != "Z":
+                    found.setdefault(int(fields[1]), []).append(int(name))
     return found
 
 
