@@ -1,5 +1,6 @@
 """The compiled judge against the Python judge, run by run, on explorers that are wrong."""
 
+from dataclasses import replace
 from functools import cache
 
 import pytest
@@ -18,7 +19,7 @@ from allworlds.kernel.records import ACTION, ANSWER, PERCEPT, ROBOT
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.enumeration import prefixes
 from allworlds.protocol import Checkpoint
-from allworlds.runs import Examiner, Scope, Unit
+from allworlds.runs import Scope, Unit
 from allworlds.subjects import subject_here
 
 pytestmark = pytest.mark.usefixtures("compiled")
@@ -221,12 +222,12 @@ def laws_of(monkeypatch, explore, only):
     bound = "n - 1" if only in (None, "bound") else None
     rules = Rules(laws=None if only is None else (only,), bound=bound)
     monkeypatch.setitem(kernel.EXPLORERS, "algorithm1", lambda: addresses(*WRONG[explore]))
-    examiner = Examiner(subject_here(explore), rules)
+    subject = replace(subject_here(explore), explore=explore)
     for edges in EDGES:
         extent = Extent(MapClass.MAPS, edges)
-        listing = Listing(Scope(extent, rules))
+        listing = Listing(Scope(extent, rules)).own(subject)
         for prefix in prefixes(edges, depth=1):
-            for _, listed in listing.parts(examiner, Unit(edges, prefix)):
+            for _, listed in listing.parts(Unit(edges, prefix)):
                 level = level_of("algorithm1", rules, extent, edges)
                 judged = kernel.judge(level, prefix, listed=len(listed)).listed
                 yield [run.law for run in listed], [run.law for run in judged]
