@@ -7,6 +7,7 @@ import operator
 import os
 import signal
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -50,6 +51,11 @@ def integer(value: object) -> int:
         raise TypeError(f"{show(value)} is a boolean, not an integer")
     index = operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer
     return int.__index__(index)  # also for a subclass with operators of its own
+
+
+def are_plain(values: Iterable[object]) -> bool:
+    """Whether all are of the type ``int`` itself, as nearly always; then none need be converted."""
+    return {*map(type, values)} <= {int}
 
 
 def an_integer(name: str, value: object) -> int:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequ
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
-from allworlds.inputs import SHOWN, integer, let_users_interrupt, show
+from allworlds.inputs import SHOWN, are_plain, integer, let_users_interrupt, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap
 from allworlds.protocol import (
     Action,
@@ -335,7 +335,7 @@ def _said(answer: object) -> Said | Fault:
 
 def _integers(values: Iterable[object]) -> tuple[int, ...]:
     kept = tuple(values)
-    if {*map(type, kept)} <= {int}:  # as nearly always
+    if are_plain(kept):
         return kept  # type: ignore[return-value]
     return tuple([integer(value) for value in kept])
 

@@ -170,7 +170,7 @@ def _traced(
                         steps.append(step)
                         settled = len(choices)
     except InputError:
-        pass
+        pass  # as in repeat: what is no longer imported has done what it has done
     except Lost as error:
         lost = error
     kept = choices if lost is None else choices[: settled + MOST_CHOICES]

@@ -12,7 +12,7 @@ import pickle
 from typing import Any, NoReturn, TypeAlias, assert_never
 
 from allworlds.episode import ADAPTERS_LAWS, Fault, Log, Said
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, are_plain
 from allworlds.isolation.jobs import Described, HarnessError, Played, Told
 from allworlds.protocol import Percept
 
@@ -127,7 +127,7 @@ def _integer(value: Any) -> int:
 
 
 def _integers(values: Any) -> tuple[int, ...]:
-    if type(values) is not tuple or not set(map(type, values)) <= {int}:
+    if type(values) is not tuple or not are_plain(values):
         raise TypeError(values)
     return values
 

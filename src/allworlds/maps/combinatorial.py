@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from allworlds.inputs import InputError, integer, parse_json, show
+from allworlds.inputs import InputError, are_plain, integer, parse_json, show
 
 if TYPE_CHECKING:
     from allworlds import documents
@@ -238,7 +238,7 @@ def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:
         entries = tuple(values)
     except TypeError:
         raise InvalidMap(f"{name} must be a sequence of darts, not {show(values)}") from None
-    if {*map(type, entries)} <= {int}:  # as nearly always
+    if are_plain(entries):
         return entries  # type: ignore[return-value]
     result = []
     for d, value in enumerate(entries):

@@ -91,6 +91,7 @@ class WorstReport:
         source: the independent source of the counts.
         rows: ascending by (edges, vertices).
         missing: sizes of which the source knows maps, and none was met.
+        complete: False if the user has interrupted, and levels are missing.
     """
 
     extent: Extent
