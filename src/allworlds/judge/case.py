@@ -47,7 +47,7 @@ class Case:
 
     @cached_property
     def walked(self) -> dict[Dart, int]:
-        """For each dart of an edge that was traversed, the number of steps before the first time."""
+        """For each dart of an edge that was crossed, the number of steps before the first time."""
         walked: dict[Dart, int] = {}
         for step, (action, _) in enumerate(self.transcript.steps):
             if type(action) is Move:

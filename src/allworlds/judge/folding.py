@@ -106,7 +106,7 @@ class _Folding:
                 start = len(sigma)
                 sigma.extend(range(start + 1, start + degree))
                 sigma.append(start)
-                number.update(zip(range(first, first + degree), range(start, start + degree), strict=True))
+                number.update((first + i, start + i) for i in range(degree))
         alpha = []
         for d, own in number.items():
             target = self.link[d]
@@ -171,9 +171,7 @@ class _Folding:
 def _check(percept: Percept) -> None:
     """A vertex has a dart, and exactly the marked one has a bearing, below its degree."""
     degree, bearing = percept.degree, percept.bearing
-    if percept.marks:
-        legal = bearing is not None and 0 <= bearing < degree
-    else:
-        legal = bearing is None
+    sensed = bearing is not None and 0 <= bearing < degree
+    legal = sensed if percept.marks else bearing is None
     if degree < 1 or not legal:
         raise Contradiction(f"no directional lighthouse is sensed like this: {percept}")
