@@ -60,7 +60,9 @@ def run(
     from allworlds.world import World, world_of_family
 
     explorer, place = explorer_and_world(
-        list(arguments or []), family=family is not None, program=any(given is not None for given in (command, native))
+        list(arguments or []),
+        family=family is not None,
+        program=any(given is not None for given in (command, native)),
     )
     name = opt.explorer_name(explorer, command, native)
     world: World | str = place

@@ -7,7 +7,7 @@ import os
 import time
 from collections.abc import Generator
 from contextlib import suppress
-from typing import Any
+from typing import Any, Literal
 
 from allworlds.libraries.guarded import Guarded
 from allworlds.libraries.library import (
@@ -37,7 +37,7 @@ from allworlds.protocol import (
 )
 from allworlds.protocol import Pick as PickUp
 
-THREADS_END = 2.0
+THREADS_END = 0.5
 """Seconds in which a thread that has been joined is gone for good."""
 
 
@@ -92,7 +92,7 @@ class NativeExplorer:
         library, action, state = self.library, self._action, self.state()
         here, there = ctypes.addressof(self._percept), ctypes.addressof(action)
         asked = _Asked(choices)
-        if library.chooses:
+        if library.choose is not None:
             self._picks = Pick(asked.pick)  # who may still ask a picker must find it
             library.choose(state, self._picks, None)
         sensed = self._sense(first)
@@ -124,7 +124,7 @@ class NativeExplorer:
         return percept.degree
 
     def _published(
-        self, state: int, sensed: int, law: str
+        self, state: int, sensed: int, law: Literal["illegal-action", "no-estimate"]
     ) -> tuple[tuple[int, ...], tuple[int, ...], int]:
         """Sigma, alpha and ``here``, as the library has them now."""
         capacity = max(ROOM, sensed)

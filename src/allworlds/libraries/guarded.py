@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import ctypes
 import mmap
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
-T = TypeVar("T", bound="ctypes.Structure | ctypes.Array[Any]")
+T = TypeVar("T")
 
 _NO_ACCESS = 0
 
@@ -32,7 +32,7 @@ class Guarded:
         self.address = start + whole - size
 
     def as_a(self, kind: type[T]) -> T:
-        """The memory as a value of that type, which must not outlive it."""
-        value = kind.from_address(self.address)
-        value._memory = self  # type: ignore[union-attr]  # noqa: SLF001  # keeps it alive
-        return value
+        """The memory as a value of that type of :mod:`ctypes`."""
+        value: Any = kind.from_address(self.address)  # type: ignore[attr-defined]
+        value.memory = self  # keeps it
+        return cast("T", value)
