@@ -28,11 +28,10 @@ from allworlds.isolation.jobs import (
 )
 from allworlds.isolation.process import address_space, limit_memory
 from allworlds.isolation.saying import Message, written
-from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
 from allworlds.runs import Stagehand, name_run
 from allworlds.subjects import Subject, load
-from allworlds.world import World
+from allworlds.world import State, World
 
 T = TypeVar("T")
 
@@ -150,10 +149,9 @@ class TellingWorld:
 
     def __init__(self, world: World, say: Callable[[Message], None]) -> None:
         self._world, self._say = world, say
-        self.start, self.first, self.told = world.start, world.first, world.told
-        self.percepts = world.percepts
+        self.initial, self.first, self.told = world.initial, world.first, world.told
 
-    def step(self, state: Dart, action: Action) -> tuple[Dart, Percept]:
+    def step(self, state: State, action: Action) -> tuple[State, Percept]:
         """The world's, told."""
         after, percept = self._world.step(state, action)
         self._say(Told((number_of(action), percept)))
