@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from allworlds.inputs import SHOWN, are_plain, integer, let_users_interrupt, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol import (
     Action,
     Checkpoint,
@@ -30,8 +30,8 @@ class Stage(Protocol):
     """What an explorer plays against: a world, or what stands in for one."""
 
     @property
-    def start(self) -> Dart:
-        """The state at the start."""
+    def initial(self) -> Any:
+        """The state at the start; what it is, is the stage's affair."""
 
     @property
     def first(self) -> Percept:
@@ -41,11 +41,7 @@ class Stage(Protocol):
     def told(self) -> int | None:
         """What the lighthouse tells before the start, if anything."""
 
-    @property
-    def percepts(self) -> Sequence[Percept]:
-        """For each state what is sensed in it."""
-
-    def step(self, state: Dart, action: Action) -> tuple[Dart, Percept]:
+    def step(self, state: Any, action: Action) -> tuple[Any, Percept]:
         """The state after the action, and what is sensed there; may raise IllegalAction."""
 
 
@@ -140,6 +136,10 @@ class Episode:
 
 
 ADAPTERS_LAWS = ("crash", "timeout", "illegal-action", "no-estimate")
+FREE = 10
+"""So many markers may be dropped and picked up for each traversal of the budget, and as many more:
+they are free, and without a limit an explorer could go on so for ever."""
+
 LONGEST = 20_000
 """The number of characters that are kept of a traceback."""
 
@@ -211,7 +211,7 @@ def retold(log: Log, world: Stage) -> Episode:
     Raises:
         IllegalAction: if it is no log of this world.
     """
-    state, steps = world.start, []
+    state, steps = world.initial, []
     for number in log.actions:
         action = action_numbered(number)
         state, percept = world.step(state, action)
@@ -231,10 +231,12 @@ class _Run:
     steps: list[tuple[Action, Percept]] = field(default_factory=list)
     checkpoints: list[tuple[int, Checkpoint]] = field(default_factory=list)
     cost: int = 0
+    degree: int = 0
 
     def play(self, player: Player, choices: Choices) -> Said | Fault:
         world, beat = self.world, self.beat
-        state: Dart = world.start
+        state = world.initial
+        self.degree = world.first.degree
         reply: Percept | None = None
         ticks = 1
         beat[1] = ticks
@@ -279,8 +281,8 @@ class _Run:
         self.checkpoints.append((len(self.steps), Checkpoint(sigma, alpha, here)))
         return None
 
-    def _act(self, state: Dart, message: object) -> tuple[Fault | None, Dart, Percept | None]:
-        action = _action(message, self.world.percepts[state].degree)
+    def _act(self, state: Any, message: object) -> tuple[Fault | None, Any, Percept | None]:
+        action = _action(message, self.degree)
         if isinstance(action, Fault):
             return action, state, None
         if type(action) is Move:
@@ -292,11 +294,19 @@ class _Run:
                 )
                 return fault, state, None
             self.cost += 1
+        elif len(self.steps) - self.cost == FREE * (self.budget + 1):
+            fault = Fault(
+                "budget",
+                f"at most {FREE * (self.budget + 1)} markers dropped and picked up",
+                f"{show(message)} as number {FREE * (self.budget + 1) + 1}",
+            )
+            return fault, state, None
         try:
             state, percept = self.world.step(state, action)
         except IllegalAction as error:
             return Fault("illegal-action", str(error), show(message)), state, None
         self.steps.append((action, percept))
+        self.degree = percept.degree
         return None, state, self.hand(percept)
 
 

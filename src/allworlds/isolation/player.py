@@ -26,18 +26,20 @@ from allworlds.isolation.jobs import (
     Told,
     Trace,
 )
-from allworlds.isolation.process import limit_memory
+from allworlds.isolation.process import address_space, limit_memory
 from allworlds.isolation.saying import Message, written
-from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
 from allworlds.runs import Stagehand, name_run
 from allworlds.subjects import Subject, load
-from allworlds.world import World
+from allworlds.world import State, World
 
 T = TypeVar("T")
 
 CHUNK, CHUNK_SECONDS = 64, 0.1
 """So many logs, or seconds, after which some are handed over."""
+
+NATIVE_MEMORY = 2048
+"""MB of address space that a shared library has, unless another limit is named."""
 
 TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 """What an explorer may leave behind to go off when it is not its turn."""
@@ -61,6 +63,8 @@ class Player:
             if casting.memory is not None:
                 limit_memory(casting.memory)
             subject = load(casting.name, casting.answer_timeout, casting.source)
+            if subject.native is not None and casting.memory is None:
+                limit_memory(address_space() + NATIVE_MEMORY)
         except InputError as error:
             if casting.memory is not None and "memory" not in str(error):
                 error = InputError(f"memory {casting.memory} MB is probably too small: {error}")
@@ -145,10 +149,9 @@ class TellingWorld:
 
     def __init__(self, world: World, say: Callable[[Message], None]) -> None:
         self._world, self._say = world, say
-        self.start, self.first, self.told = world.start, world.first, world.told
-        self.percepts = world.percepts
+        self.initial, self.first, self.told = world.initial, world.first, world.told
 
-    def step(self, state: Dart, action: Action) -> tuple[Dart, Percept]:
+    def step(self, state: State, action: Action) -> tuple[State, Percept]:
         """The world's, told."""
         after, percept = self._world.step(state, action)
         self._say(Told((number_of(action), percept)))
@@ -175,6 +178,8 @@ def _digest(subject: Subject) -> str:
     if subject.source is not None:
         return subject.source.digest
     with suppress(Exception):  # whatever an explorer's module makes of being looked at
+        if subject.native is not None:
+            return subject.native.library.digest
         if subject.program is not None:
             return hashlib.sha256(Path(subject.program.path).read_bytes()).hexdigest()
         file = inspect.getsourcefile(inspect.unwrap(subject.explore))  # type: ignore[arg-type]
