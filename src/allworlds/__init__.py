@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from allworlds.counter import count
     from allworlds.explaining import explain
     from allworlds.fuzzer import fuzz
+    from allworlds.joining import merge, status
     from allworlds.mutation import mutants
     from allworlds.smt import search
     from allworlds.worst_case import worst
@@ -62,10 +63,12 @@ __all__ = [
     "count",
     "explain",
     "fuzz",
+    "merge",
     "mutants",
     "replay",
     "run",
     "search",
+    "status",
     "twins",
     "worlds",
     "worst",
