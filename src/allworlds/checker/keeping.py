@@ -9,13 +9,12 @@ from functools import partial
 from typing import Any
 
 from allworlds.checker.engines import ENGINES, Engine, Job, Way
-from allworlds.explorers import BUILT_IN
 from allworlds.findings import Finding, Rules
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.progress import Listener
 from allworlds.runs import Sample, Scope, Tally, finding_kept, kept_finding
 from allworlds.store import Identity, Records, Shelf, canonical
-from allworlds.subjects import Subject, built_in, content_digest
+from allworlds.subjects import Subject, content_digest, subject_known
 from allworlds.work import Here, Limits, Whole
 
 VERB = "check"
@@ -62,12 +61,7 @@ def job_of(identity: Identity, listener: Listener) -> tuple[Job, Engine]:
     if rules["laws"] is not None:
         rules["laws"] = tuple(rules["laws"])
     extent = Extent(MapClass(told["class"]), told["edges"], told["vertices"])
-    name = identity.explorer["name"]
-    subject = (
-        built_in(name)
-        if name in BUILT_IN
-        else Subject(name, frozenset(identity.explorer["keywords"]))
-    )
+    subject = subject_known(identity.explorer["name"], identity.explorer["keywords"])
     limits = Limits(answer_timeout=told["answer_timeout"], memory=told["memory"])
     scope = Scope(extent, Rules(**rules), told["schedules"], Whole())
     job = Job(scope, subject, limits, told["max_findings"], None, listener.notice)

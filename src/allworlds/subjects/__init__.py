@@ -22,6 +22,7 @@ from allworlds.subjects.subject import (
     own_bound,
     own_lighthouse,
     subject_here,
+    subject_known,
 )
 
 __all__ = [
@@ -37,4 +38,5 @@ __all__ = [
     "own_lighthouse",
     "source_of",
     "subject_here",
+    "subject_known",
 ]
