@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
+from allworlds.world import State
 
 EDGE = CombinatorialMap((0, 1), (1, 0))
 LOOP = CombinatorialMap((1, 0), (1, 0))
@@ -19,6 +20,12 @@ LASSO = CombinatorialMap((1, 2, 0, 3), (1, 0, 3, 2))
 # Around one vertex the edges a, b stand as aabb (plane) and as abab (torus).
 PLANE = CombinatorialMap((1, 2, 3, 0), (1, 0, 3, 2))
 TORUS = CombinatorialMap((1, 2, 3, 0), (2, 3, 0, 1))
+
+
+def stepped(world, dart, action):
+    """The dart after an action of a robot without markers, and what is sensed there."""
+    state, percept = world.step(State(dart), action)
+    return state.dart, percept
 
 
 def slow(*values):

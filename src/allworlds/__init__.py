@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from allworlds.explaining import explain
     from allworlds.fuzzer import fuzz
     from allworlds.joining import merge, status
+    from allworlds.libraries import native
     from allworlds.mutation import mutants
     from allworlds.smt import search
     from allworlds.worst_case import worst
@@ -65,6 +66,7 @@ __all__ = [
     "fuzz",
     "merge",
     "mutants",
+    "native",
     "replay",
     "run",
     "search",

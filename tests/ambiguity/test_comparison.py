@@ -12,6 +12,7 @@ from allworlds.maps.canonical import rooted_code
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Move
 from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World
+from small import stepped
 
 twins_module = sys.modules["allworlds.ambiguity.comparison"]
 KINDS = [Nothing, Position, Compass, Directional]
@@ -34,7 +35,7 @@ def named(name, kind="position", start=0):
 def walked(world, motions):
     dart, seen = world.start, [world.first]
     for k in motions:
-        dart, percept = world.step(dart, Move(k))
+        dart, percept = stepped(world, dart, Move(k))
         seen.append(percept)
     return tuple(seen)
 

@@ -6,7 +6,7 @@ from allworlds.maps import named_map
 from allworlds.protocol import Transcript
 from allworlds.world import Directional, World
 from allworlds.world.lighthouses import Compass
-from small import EDGE, LOOP, TRIANGLE
+from small import EDGE, LOOP, TRIANGLE, stepped
 
 THETA = named_map("theta")
 
@@ -14,7 +14,7 @@ THETA = named_map("theta")
 def walk(world, *motions):
     dart, steps = world.start, []
     for k in motions:
-        dart, percept = world.step(dart, Move(k))
+        dart, percept = stepped(world, dart, Move(k))
         steps.append((Move(k), percept))
     return Transcript(world.first, tuple(steps))
 

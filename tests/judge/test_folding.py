@@ -11,6 +11,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Checkpoint, Drop, Move, Percept, Pick, Transcript
 from allworlds.world import Directional, World
+from small import stepped
 
 
 def worlds(largest):
@@ -24,7 +25,7 @@ def walk(world, motions):
     """The log, and the robot's dart at its end."""
     dart, steps = world.start, []
     for k in motions:
-        dart, percept = world.step(dart, Move(k))
+        dart, percept = stepped(world, dart, Move(k))
         steps.append((Move(k), percept))
     return Transcript(world.first, tuple(steps)), dart
 
@@ -39,7 +40,7 @@ def explored(world):
             return Transcript(world.first, tuple(steps)), dart
         reply = None
         if not isinstance(message, Checkpoint):
-            dart, reply = world.step(dart, message)
+            dart, reply = stepped(world, dart, message)
             steps.append((message, reply))
 
 
@@ -197,7 +198,7 @@ def test_an_injective_fold_is_open_exactly_where_nobody_has_walked():
         met += 1
         dart, walked = world.start, set()
         for action, _ in log.steps:
-            dart, _ = world.step(dart, action)
+            dart, _ = stepped(world, dart, action)
             walked |= {dart, world.map.alpha[dart]}
         assert {d for d, e in enumerate(folded.alpha) if d == e} == {
             d for d, true in image.items() if true not in walked

@@ -7,14 +7,14 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Checkpoint, Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World
-from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS
+from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS, stepped
 
 
 def walked(world, *motions):
     """The log of these motions."""
     dart, steps = world.start, []
     for k in motions:
-        dart, percept = world.step(dart, Move(k))
+        dart, percept = stepped(world, dart, Move(k))
         steps.append((Move(k), percept))
     return Transcript(world.first, tuple(steps))
 
@@ -38,7 +38,7 @@ def finished(world):
             checkpoints.append((len(steps), message))
             reply = None
         else:
-            dart, reply = world.step(dart, message)
+            dart, reply = stepped(world, dart, message)
             steps.append((message, reply))
 
 
@@ -77,7 +77,7 @@ def test_the_trail_is_where_the_world_says_that_the_robot_is():
         dart, trail = 0, [0]
         motions = (1, 2, 0, -1, 3, 5, 1)
         for k in motions:
-            dart, _ = world.step(dart, Move(k))
+            dart, _ = stepped(world, dart, Move(k))
             trail.append(dart)
         case = Case(map_, 0, walked(world, *motions), (), Estimate(map_, 0))
         assert case.trail == tuple(trail)

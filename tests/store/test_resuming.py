@@ -17,8 +17,7 @@ from allworlds import ambiguity, check, worst
 from allworlds.progress import Silent
 from allworlds.runs import OwnExamination
 from allworlds.worst_case.dearest import ScheduleSearch
-from kept_jobs import EXPLORERS, JOBS, stable
-
+from kept_jobs import EXPLORERS, stable
 
 CENSUS = "allworlds.ambiguity.census"
 
@@ -91,9 +90,7 @@ def test_what_is_finished_is_not_done_again(name, tmp_path, monkeypatch):
 
 
 @pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize(
-    "name", ["raises", "everywhere", "here_of_another", "sys_exit"]
-)
+@pytest.mark.parametrize("name", ["raises", "everywhere", "here_of_another", "sys_exit"])
 def test_a_finding_that_was_kept_is_the_same_finding(name, tmp_path):
     job = lambda **more: check(wrong(name), edges=3, max_findings=4, **more)  # noqa: E731
     whole = job()
@@ -150,7 +147,7 @@ def killed_often(command, directory, times, seed):
         process = started(command, directory)
         wait_for_units(process, directory, count(directory) + draw.randrange(3))
         with suppress(subprocess.TimeoutExpired):
-            process.wait(draw.random() / 5)
+            process.wait(draw.random() / 10)
         if process.poll() is None:
             os.kill(process.pid, signal.SIGKILL)
             kills += 1
@@ -158,21 +155,25 @@ def killed_often(command, directory, times, seed):
     return kills
 
 
-SLOW_ONE = "check {explorers}/wrong.py:right --edges 4 --workers 2"
+LONGER = {
+    "foreign": f"check {EXPLORERS}/wrong.py:right --edges 4 --workers 2",
+    "compiled": "check --edges 7 --engine kernel",
+    "worst": "worst --edges 5",
+    "census": "ambiguity census --edges 4",
+}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["foreign", "check-compiled", "worst", "census"])
+@pytest.mark.parametrize("name", LONGER)
 def test_a_job_that_is_killed_at_random_moments_says_the_same(name, tmp_path):
-    command = JOBS.get(name, SLOW_ONE.format(explorers=EXPLORERS))
-    times = 20 if name == "foreign" else 4
+    command, times = LONGER[name], 20 if name == "foreign" else 4
     whole = subprocess.run(
         [sys.executable, "-m", "allworlds", *command.split(), "--json"],
         check=True,
         capture_output=True,
     )
     kills = killed_often(command, tmp_path / "run", times, seed=13)
-    assert kills >= times // 2
+    assert kills >= times // 4  # those before the first unit at least
     last = started(command, tmp_path / "run")
     out, err = last.communicate()
     assert last.returncode == 0, err

@@ -16,7 +16,7 @@ from allworlds.world import (
     World,
     lighthouse_named,
 )
-from small import LASSO, PATH, all_maps
+from small import LASSO, PATH, all_maps, stepped
 
 SINGLE = lighthouse_named("cluster:single=true")
 KINDS = [Cluster, SINGLE, Natural]
@@ -142,7 +142,7 @@ def test_json_goes_there_and_back_and_names_the_kind_without_its_options(kind):
 def test_no_marker_can_be_taken_or_laid():
     for kind in (Cluster, Natural):
         with pytest.raises(IllegalAction, match=f"the {kind.kind} lighthouse gives no markers"):
-            worlds(kind, 2)[0].step(0, Drop())
+            stepped(worlds(kind, 2)[0], 0, Drop())
 
 
 # ---------------------------------------------------------------- default places, and none
@@ -197,7 +197,10 @@ def test_options_choose_places_and_nothing_else():
         ("cluster:", "'' .* is not of the form key=value"),
         ("cluster:single=true,single=false", "names 'single' twice"),
         ("natural:single=true", "the natural lighthouse takes no options, not 'single=true'"),
-        ("clusters", "'clusters' is none of cluster, compass, directional, natural"),
+        (
+            "clusters",
+            "'clusters' is none of cluster, compass, directional, labels, movable, natural",
+        ),
     ],
 )
 def test_an_option_that_is_none_is_named(text, named):

@@ -103,6 +103,11 @@ def twins(a: World, b: World) -> Comparison:
             f"the worlds have the lighthouses {kinds[0]} and {kinds[1]}; two worlds are compared "
             "under one lighthouse"
         )
+    if a.lighthouse.in_hand or b.lighthouse.in_hand:
+        raise InputError(
+            f"the lighthouse {kinds[0]} is in the robot's hand, and twins are compared by motions "
+            "alone; legal are lighthouses that stand where they are"
+        )
     if a.told != b.told:
         raise InputError(
             f"the lighthouse {kinds[0]} tells {a.told} in one world and {b.told} in the other: an "
@@ -133,11 +138,15 @@ def separation(a: World, b: World) -> Separation:
         if a.percepts[x] != b.percepts[y]:
             return _told(a, b, _way(came, pair))
         for k in range(a.percepts[x].degree):
-            reached = (a.step(x, Move(k))[0], b.step(y, Move(k))[0])
+            reached = (_along(a, x, k), _along(b, y, k))
             if reached not in came:
                 came[reached] = (pair, k)
                 queue.append(reached)
     raise Disagreement(f"no motion tells {a} from {b}, but their quotients differ")
+
+
+def _along(world: World, dart: Dart, k: int) -> Dart:
+    return world.map.alpha[world.map.turn(dart, k)]
 
 
 def _way(
@@ -157,9 +166,9 @@ def _told(a: World, b: World, motions: list[int]) -> Separation:
 
 def sensed(world: World, motions: list[int] | tuple[int, ...]) -> tuple[Percept, ...]:
     """What is sensed at the start and after each of the motions."""
-    dart, percepts = world.start, [world.first]
+    state, percepts = world.initial, [world.first]
     for k in motions:
-        dart, percept = world.step(dart, Move(k))
+        state, percept = world.step(state, Move(k))
         percepts.append(percept)
     return tuple(percepts)
 

@@ -48,6 +48,13 @@ class CountReport(InRows, Extent):
     rows: Annotated[list[CountRow], "one a number of edges, ascending"]
 
 
+class NativeReport(Report):
+    """Report of 'native'."""
+
+    version: Annotated[Positive, "of the interface: `ALLWORLDS_VERSION`"]
+    header: Annotated[Text, "`allworlds.h`"]
+
+
 class WorstRow(TypedDict):
     """What every schedule can cost in the worlds of one size."""
 
@@ -254,7 +261,7 @@ class Entry(TypedDict):
     """One thing that a corpus keeps."""
 
     name: Annotated[Text, "unique in the corpus"]
-    kind: Annotated[Literal["world", "finding", "pair", "counts"], "what the file holds"]
+    kind: Annotated[Literal["world", "finding", "pair", "counts", "check"], "what the file holds"]
     file: Annotated[Text, "where it stands, below the corpus"]
     sha256: Annotated[str, Keywords(pattern="^[0-9a-f]{64}$"), "of the file"]
     provenance: Annotated[Text, "where it comes from"]

@@ -40,7 +40,9 @@ class StatusReport(Report):
     ]
     units: Annotated[DoneOf, "pieces of work"]
     worlds: Annotated[DoneOf, "rooted maps; of a shard `all` is about its part"]
-    rate: Annotated[Figure | None, "worlds a second since somebody last began; null: none yet"]
+    rate: Annotated[
+        Figure | None, "worlds a second since somebody last began; null: none yet, or all are"
+    ]
     left_s: Annotated[
         Seconds | None, "until the end at this rate: a guess; null where there is no rate"
     ]

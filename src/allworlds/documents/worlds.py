@@ -38,7 +38,16 @@ class AtDart(Lighthouse):
 class AtDarts(Lighthouse):
     """A lighthouse that stands at several darts."""
 
-    darts: Annotated[list[Dart], Some, "where it stands, ascending"]
+    darts: Annotated[
+        list[Dart], Some, "where it stands: of a compass ascending, of labels in their order"
+    ]
+
+
+class InHand(Lighthouse):
+    """A lighthouse in the robot's hand."""
+
+    markers: Annotated[Positive, "how many markers"]
+    pick: Annotated[bool, "whether one that was dropped may be taken up again"]
 
 
 class World(Map):
@@ -61,9 +70,14 @@ class LighthouseRead(TypedDict):
     kind: Annotated[Text, "its name"]
     dart: NotRequired[Annotated[Dart, "where it stands; else at the first place"]]
     darts: NotRequired[
-        Annotated[list[Dart], "the same of a compass; else the smallest of each vertex"]
+        Annotated[
+            list[Dart],
+            "of a compass one dart of each vertex, else the smallest; of labels, in their order",
+        ]
     ]
     single: NotRequired[Annotated[bool, "of a cluster: exactly one edge joins v0 and v1"]]
+    markers: NotRequired[Annotated[Positive, "of movable: how many are in hand; else 1"]]
+    pick: NotRequired[Annotated[bool, "of movable: they may be taken up again; else true"]]
 
 
 class WorldRead(Map):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -81,7 +82,9 @@ class Scene:
         The dart at bearing 0 is pointed along, and a vertex with marks is marked.
         """
         known = list(percepts)
-        marks = {map_.vertex_of[dart]: p.marks for dart, p in known if p.marks}
+        # What is sensed last holds: markers can be taken away.
+        marks = {map_.vertex_of[dart]: p.marks for dart, p in known}
+        marks = {vertex: number for vertex, number in marks.items() if number}
         pointed = {map_.turn(dart, p.bearing) for dart, p in known if p.bearing is not None}
         return cls(map_, start, robot, marks, sorted(pointed), labels, walked)
 
@@ -90,10 +93,14 @@ def scene_of(
     world: World,
     *,
     robot: Dart | None = None,
+    dropped: Collection[int] = (),
     labels: Sequence[str] | None = None,
     walked: Collection[Dart] = (),
 ) -> Scene:
-    """A world with all that can be sensed in it."""
-    return Scene.sensed(
-        world.map, world.start, enumerate(world.percepts), robot=robot, labels=labels, walked=walked
-    )
+    """A world with all that can be sensed in it.
+
+    ``dropped`` holds the vertices at which the robot has dropped markers, one entry a marker.
+    """
+    map_, lying = world.map, Counter(dropped)
+    percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
+    return Scene.sensed(map_, world.start, percepts, robot=robot, labels=labels, walked=walked)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from allworlds.inputs import SHOWN, are_plain, integer, let_users_interrupt, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol import (
     Action,
     Checkpoint,
@@ -30,8 +30,8 @@ class Stage(Protocol):
     """What an explorer plays against: a world, or what stands in for one."""
 
     @property
-    def start(self) -> Dart:
-        """The state at the start."""
+    def initial(self) -> Any:
+        """The state at the start; what it is, is the stage's affair."""
 
     @property
     def first(self) -> Percept:
@@ -41,11 +41,7 @@ class Stage(Protocol):
     def told(self) -> int | None:
         """What the lighthouse tells before the start, if anything."""
 
-    @property
-    def percepts(self) -> Sequence[Percept]:
-        """For each state what is sensed in it."""
-
-    def step(self, state: Dart, action: Action) -> tuple[Dart, Percept]:
+    def step(self, state: Any, action: Action) -> tuple[Any, Percept]:
         """The state after the action, and what is sensed there; may raise IllegalAction."""
 
 
@@ -106,19 +102,23 @@ class Said:
     here: int
 
 
+Shown: TypeAlias = tuple[int, Sequence[int], Sequence[int], int]
+"""A checkpoint: the number of actions before it, sigma, alpha, and here."""
+
+
 class Log(NamedTuple):
     """What an explorer did in one run, without a word about the world.
 
     Attributes:
         actions: as numbers (see :func:`allworlds.protocol.number_of`).
-        checkpoints: of each the number of actions before it, sigma, alpha, and here.
+        checkpoints: what was published.
         ending: the answer, or what went wrong.
         choices: the index taken at each choice.
         widths: how many options there were, where every schedule is tried; else empty.
     """
 
     actions: tuple[int, ...]
-    checkpoints: tuple[tuple[int, Sequence[int], Sequence[int], int], ...]
+    checkpoints: tuple[Shown, ...]
     ending: Said | Fault
     choices: tuple[int, ...] = ()
     widths: tuple[int, ...] = ()
@@ -140,6 +140,10 @@ class Episode:
 
 
 ADAPTERS_LAWS = ("crash", "timeout", "illegal-action", "no-estimate")
+FREE = 10
+"""So many markers may be dropped and picked up for each traversal of the budget, and as many more:
+they are free, and without a limit an explorer could go on so for ever."""
+
 LONGEST = 20_000
 """The number of characters that are kept of a traceback."""
 
@@ -184,7 +188,7 @@ def play(
     """
     run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
     ending = answered(run.play(player, choices))
-    return Episode(Transcript(world.first, tuple(run.steps)), tuple(run.checkpoints), ending)
+    return Episode(Transcript(world.first, tuple(run.steps)), _published(run.checkpoints), ending)
 
 
 def perform(
@@ -198,11 +202,11 @@ def perform(
     """The same run as a log that says nothing of the world; see :func:`play`."""
     run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
     ending = run.play(player, choices)
-    actions = tuple([number_of(action) for action, _ in run.steps])
-    published = tuple(
-        [(steps, shown.sigma, shown.alpha, shown.here) for steps, shown in run.checkpoints]
+    actions = tuple(
+        [action.k if type(action) is Move else number_of(action) for action, _ in run.steps]
     )
-    return Log(actions, published, ending, tuple(choices.record), tuple(choices.widths))
+    shown = tuple(run.checkpoints)
+    return Log(actions, shown, ending, tuple(choices.record), tuple(choices.widths))
 
 
 def retold(log: Log, world: Stage) -> Episode:
@@ -211,15 +215,17 @@ def retold(log: Log, world: Stage) -> Episode:
     Raises:
         IllegalAction: if it is no log of this world.
     """
-    state, steps = world.start, []
+    state, steps = world.initial, []
     for number in log.actions:
         action = action_numbered(number)
         state, percept = world.step(state, action)
         steps.append((action, percept))
-    published = tuple(
-        [(number, Checkpoint(sigma, alpha, here)) for number, sigma, alpha, here in log.checkpoints]
-    )
-    return Episode(Transcript(world.first, tuple(steps)), published, answered(log.ending))
+    transcript = Transcript(world.first, tuple(steps))
+    return Episode(transcript, _published(log.checkpoints), answered(log.ending))
+
+
+def _published(shown: Iterable[Shown]) -> tuple[tuple[int, Checkpoint], ...]:
+    return tuple([(steps, Checkpoint(sigma, alpha, here)) for steps, sigma, alpha, here in shown])
 
 
 @dataclass(slots=True)
@@ -229,12 +235,14 @@ class _Run:
     beat: MutableSequence[int]
     hand: Callable[[Percept], Percept]
     steps: list[tuple[Action, Percept]] = field(default_factory=list)
-    checkpoints: list[tuple[int, Checkpoint]] = field(default_factory=list)
+    checkpoints: list[Shown] = field(default_factory=list)
     cost: int = 0
+    degree: int = 0
 
     def play(self, player: Player, choices: Choices) -> Said | Fault:
         world, beat = self.world, self.beat
-        state: Dart = world.start
+        state = world.initial
+        self.degree = world.first.degree
         reply: Percept | None = None
         ticks = 1
         beat[1] = ticks
@@ -276,11 +284,11 @@ class _Run:
                 "a checkpoint of two sequences of integers and an integer",
                 show(message),
             )
-        self.checkpoints.append((len(self.steps), Checkpoint(sigma, alpha, here)))
+        self.checkpoints.append((len(self.steps), sigma, alpha, here))
         return None
 
-    def _act(self, state: Dart, message: object) -> tuple[Fault | None, Dart, Percept | None]:
-        action = _action(message, self.world.percepts[state].degree)
+    def _act(self, state: Any, message: object) -> tuple[Fault | None, Any, Percept | None]:
+        action = _action(message, self.degree)
         if isinstance(action, Fault):
             return action, state, None
         if type(action) is Move:
@@ -292,11 +300,19 @@ class _Run:
                 )
                 return fault, state, None
             self.cost += 1
+        elif len(self.steps) - self.cost == FREE * (self.budget + 1):
+            fault = Fault(
+                "budget",
+                f"at most {FREE * (self.budget + 1)} markers dropped and picked up",
+                f"{show(message)} as number {FREE * (self.budget + 1) + 1}",
+            )
+            return fault, state, None
         try:
             state, percept = self.world.step(state, action)
         except IllegalAction as error:
             return Fault("illegal-action", str(error), show(message)), state, None
         self.steps.append((action, percept))
+        self.degree = percept.degree
         return None, state, self.hand(percept)
 
 
@@ -309,8 +325,7 @@ def _action(message: object, degree: int) -> Action | Fault:
         except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
             let_users_interrupt(error)
             return Fault("illegal-action", "Move(k) with an integer k", show(message))
-        k %= degree
-        return action_numbered(k)
+        return action_numbered(k % degree)
     if type(message) is Drop or type(message) is Pick:
         return message
     return Fault("illegal-action", "a Move, Drop, Pick or Checkpoint", show(message))

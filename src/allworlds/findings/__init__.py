@@ -21,6 +21,7 @@ from allworlds.findings.walks import (
     believed_trail,
     recorded_trail,
     true_trail,
+    true_walk,
 )
 
 __all__ = [
@@ -39,5 +40,6 @@ __all__ = [
     "place_of",
     "recorded_trail",
     "true_trail",
+    "true_walk",
     "write_finding",
 ]

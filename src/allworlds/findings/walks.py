@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from allworlds.inputs import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import Move, Percept, Transcript
-from allworlds.world import BelievedWalk, IllegalAction, World
+from allworlds.protocol import Drop, Move, Percept, Pick, Transcript
+from allworlds.world import BelievedWalk, IllegalAction, State, World
 
 
 def true_trail(world: World, transcript: Transcript) -> list[Dart]:
     """The robot's dart in the world at the start and after each step."""
-    trail = [world.start]
+    return [state.dart for state, _ in true_walk(world, transcript)]
+
+
+def true_walk(world: World, transcript: Transcript) -> list[tuple[State, Percept]]:
+    """The world's state at the start and after each step, and what is sensed in it."""
+    walk = [(world.initial, world.first)]
     for action in transcript.actions:
-        trail.append(world.step(trail[-1], action)[0])
-    return trail
+        walk.append(world.step(walk[-1][0], action))
+    return walk
 
 
 def recorded_trail(world: World, transcript: Transcript) -> list[Dart]:
@@ -23,17 +30,17 @@ def recorded_trail(world: World, transcript: Transcript) -> list[Dart]:
         InputError: naming the first step that does not fit.
     """
     try:
-        trail = true_trail(world, transcript)
+        walk = true_walk(world, transcript)
     except IllegalAction as error:
         raise InputError(f"the finding's transcript is no walk in its world: {error}") from None
     sensed = transcript.percepts
-    for step, (dart, percept) in enumerate(zip(trail, sensed, strict=True)):
-        if percept != world.percepts[dart]:
+    for step, ((_, truth), percept) in enumerate(zip(walk, sensed, strict=True)):
+        if percept != truth:
             raise InputError(
                 f"the finding's transcript is no walk in its world: at step {step} it has "
-                f"{percept!s}, where the world has {world.percepts[dart]!s}"
+                f"{percept!s}, where the world has {truth!s}"
             )
-    return trail
+    return [state.dart for state, _ in walk]
 
 
 def believed_trail(estimate: CombinatorialMap, here: Dart, transcript: Transcript) -> list[Dart]:
@@ -65,4 +72,11 @@ def believed_percepts(
     if lighthouse is None:
         return None
     percepts = lighthouse.percepts(estimate)
-    return [percepts[dart] for dart in trail]
+    dropped: Counter[int] = Counter()
+    expected = [percepts[trail[0]]]
+    for dart, action in zip(trail[1:], transcript.actions, strict=True):
+        vertex = estimate.vertex_of[dart]
+        dropped[vertex] += (type(action) is Drop) - (type(action) is Pick)
+        # A wrong answer may make the robot take up what it has never dropped there.
+        expected.append(percepts[dart].marked(max(dropped[vertex], 0)))
+    return expected

@@ -26,21 +26,26 @@ from allworlds.isolation.jobs import (
     Told,
     Trace,
 )
-from allworlds.isolation.process import limit_memory
+from allworlds.isolation.process import address_space, limit_memory
 from allworlds.isolation.saying import Message, written
-from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
 from allworlds.runs import Stagehand, name_run
 from allworlds.subjects import Subject, load
-from allworlds.world import World
+from allworlds.world import State, World
 
 T = TypeVar("T")
 
-CHUNK, CHUNK_SECONDS = 64, 0.1
+CHUNK, CHUNK_SECONDS = 16, 0.1
 """So many logs, or seconds, after which some are handed over."""
+
+NATIVE_MEMORY = 2048
+"""MB of address space that a shared library has, unless another limit is named."""
 
 TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 """What an explorer may leave behind to go off when it is not its turn."""
+
+LOOK = 0.002
+"""Seconds between two looks at timers and pipe: each costs as much as a short run."""
 
 Job = PlayRuns | PlayRecords | Trace
 """Everything that a player can be asked to do after its casting."""
@@ -53,6 +58,7 @@ class Player:
         self._connection = connection
         self._beat = beat
         self._pid = os.getpid()
+        self._look_at = 0.0
 
     def run(self) -> None:
         """Serve until the owner hangs up."""
@@ -61,6 +67,8 @@ class Player:
             if casting.memory is not None:
                 limit_memory(casting.memory)
             subject = load(casting.name, casting.answer_timeout, casting.source)
+            if subject.native is not None and casting.memory is None:
+                limit_memory(address_space() + NATIVE_MEMORY)
         except InputError as error:
             if casting.memory is not None and "memory" not in str(error):
                 error = InputError(f"memory {casting.memory} MB is probably too small: {error}")
@@ -77,6 +85,7 @@ class Player:
             job = self._connection.recv()
             try:
                 self._do(subject, stagehand, job)
+                self._look()
             except OSError:
                 raise
             except InputError as error:  # a bound without a value for some world
@@ -131,13 +140,19 @@ class Player:
         self._connection.send_bytes(written(message))
 
     def _intact(self) -> None:
-        """Leave, if the explorer has forked this process or closed its pipe; stop its timers."""
-        for timer in TIMERS:
-            signal.setitimer(timer, 0)
+        """Leave, if the explorer has forked this process; now and then look at the rest, too."""
         if os.getpid() != self._pid:
             # The original goes on with the work; its copy must not do it a second time.
             os._exit(0)
+        if time.monotonic() > self._look_at:
+            self._look()
+
+    def _look(self) -> None:
+        """Leave, if the explorer has closed this process's pipe; stop its timers."""
+        for timer in TIMERS:
+            signal.setitimer(timer, 0)
         os.fstat(self._connection.fileno())
+        self._look_at = time.monotonic() + LOOK
 
 
 class TellingWorld:
@@ -145,10 +160,9 @@ class TellingWorld:
 
     def __init__(self, world: World, say: Callable[[Message], None]) -> None:
         self._world, self._say = world, say
-        self.start, self.first, self.told = world.start, world.first, world.told
-        self.percepts = world.percepts
+        self.initial, self.first, self.told = world.initial, world.first, world.told
 
-    def step(self, state: Dart, action: Action) -> tuple[Dart, Percept]:
+    def step(self, state: State, action: Action) -> tuple[State, Percept]:
         """The world's, told."""
         after, percept = self._world.step(state, action)
         self._say(Told((number_of(action), percept)))
@@ -175,6 +189,8 @@ def _digest(subject: Subject) -> str:
     if subject.source is not None:
         return subject.source.digest
     with suppress(Exception):  # whatever an explorer's module makes of being looked at
+        if subject.native is not None:
+            return subject.native.library.digest
         if subject.program is not None:
             return hashlib.sha256(Path(subject.program.path).read_bytes()).hexdigest()
         file = inspect.getsourcefile(inspect.unwrap(subject.explore))  # type: ignore[arg-type]

@@ -42,7 +42,7 @@ class Standing:
         state: whether somebody adds to it, and whether anything is left to add.
         units: how many are finished, and of how many.
         worlds: the same; of a shard the second number is about its part.
-        rate: worlds a second since somebody last began to add; None before the first.
+        rate: worlds a second since somebody last began; None before the first, and at the end.
         worst: the largest cost so far; None where there is none.
         findings: in the finished units.
     """
@@ -121,7 +121,7 @@ def status(run: str | Path) -> Standing:
         state,
         (units, sum(1 for level in expected for _ in level)),
         (worlds, size // shards_of(identity.portion)),
-        recent / (until - began) if recent and until > began else None,
+        recent / (until - began) if recent and until > began and not ended else None,
         worst,
         findings,
     )

@@ -4,8 +4,7 @@ An explorer is a **generator function** ``explore(first)``.  It gets percepts, y
 and returns an answer; it never holds a world.  Turning is free and has no action of its own:
 it is folded into the next :class:`Move`, or into ``here`` of the answer.
 
-:class:`Drop`, :class:`Pick` and :class:`Ambiguous` are reserved: no lighthouse gives markers
-yet, and no law judges such an answer.
+:class:`Ambiguous` is reserved: no law judges such an answer yet.
 """
 
 from allworlds.protocol.actions import Action, Drop, Move, Pick, action_numbered, number_of

@@ -24,6 +24,10 @@ class Percept:
     marks: int = 0
     bearing: int | None = None
 
+    def marked(self, markers: int) -> Percept:
+        """The same with so many markers more."""
+        return Percept(self.degree, self.marks + markers, self.bearing) if markers else self
+
     def __reduce__(self) -> tuple[type[Percept], tuple[int, int, int | None]]:
         """Pickled so several times faster than a frozen dataclass is by itself."""
         return Percept, (self.degree, self.marks, self.bearing)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from allworlds.drawing import Scene, scene_of
-from allworlds.findings import believed_percepts, believed_trail, true_trail
+from allworlds.findings import believed_percepts, believed_trail, true_walk
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Estimate, Move, Transcript
 from allworlds.world import World
@@ -16,8 +16,11 @@ ANSWER = "the answer (S is traced back from R)"
 
 def walk_in_world(world: World, transcript: Transcript) -> Scene:
     """The world with what is sensed in it, and the robot at the end of its walk."""
-    trail = true_trail(world, transcript)
-    return scene_of(world, robot=trail[-1], walked=_arrivals(trail, transcript))
+    states = [state for state, _ in true_walk(world, transcript)]
+    trail = [state.dart for state in states]
+    return scene_of(
+        world, robot=trail[-1], dropped=states[-1].lying, walked=_arrivals(trail, transcript)
+    )
 
 
 def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Scene:

@@ -36,14 +36,14 @@ class Record(NamedTuple):
 class Recorded:
     """In place of a world: answers every action with the next recorded percept.
 
-    The state, which is a dart of a world elsewhere, is the number of the step.
+    The state, which is a world's elsewhere, is the number of the step.
     """
 
     def __init__(self, record: Record) -> None:
-        self.start = 0
+        self.initial = 0
         self.first = record.percepts[0]
         self.told = record.told
-        self.percepts = record.percepts
+        self._percepts = record.percepts
 
     def step(self, state: int, _action: Action) -> tuple[int, Percept]:
         """The next percept.
@@ -51,9 +51,9 @@ class Recorded:
         Raises:
             IllegalAction: past the end of the record.
         """
-        if state + 1 == len(self.percepts):
+        if state + 1 == len(self._percepts):
             raise IllegalAction("nothing: the record ends here")
-        return state + 1, self.percepts[state + 1]
+        return state + 1, self._percepts[state + 1]
 
 
 @dataclass(slots=True)

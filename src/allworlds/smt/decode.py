@@ -77,8 +77,8 @@ def _fits(world: World, asked: Question) -> bool:
 
 def sensed(world: World, motions: tuple[int, ...]) -> list[Percept]:
     """What is sensed after each motion of a walk from the start."""
-    dart, percepts = world.start, []
+    state, percepts = world.initial, []
     for motion in motions:
-        dart, percept = world.step(dart, Move(motion))
+        state, percept = world.step(state, Move(motion))
         percepts.append(percept)
     return percepts

@@ -15,6 +15,7 @@ from allworlds.subjects.loading import load, source_of
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
     EXEC,
+    NATIVE,
     Source,
     Subject,
     built_in,
@@ -27,6 +28,7 @@ from allworlds.subjects.subject import (
 
 __all__ = [
     "EXEC",
+    "NATIVE",
     "Program",
     "Source",
     "Subject",

@@ -11,14 +11,14 @@ from pathlib import Path
 
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError, show
-from allworlds.subjects.subject import EXEC, Subject, entry_points
+from allworlds.subjects.subject import EXEC, NATIVE, Subject, entry_points
 
 OURS = "built-in"
 """The digest of an explorer that comes with this program, and changes with its version alone."""
 
 
 def content_digest(subject: Subject) -> str:
-    """SHA-256 of the explorer's text, in hexadecimal; of a program with the files that it names.
+    """SHA-256 of the explorer's text, in hexadecimal; of a program, with the files that it names.
 
     Of a module it is the module's own file: what that imports is not looked at.
 
@@ -36,6 +36,8 @@ def content_digest(subject: Subject) -> str:
         )
     if subject.name.startswith(EXEC):
         files = _files_of(subject.name.removeprefix(EXEC))
+    elif subject.name.startswith(NATIVE):
+        files = [Path(subject.name.removeprefix(NATIVE))]
     else:
         files = [module_file(_module_of(subject.name))]
     digest = hashlib.sha256()

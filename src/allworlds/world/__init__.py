@@ -2,6 +2,8 @@
 
 ``lighthouses``
     what is marked, and what of it can be sensed; one kind a module;
+``state``
+    what a step changes: where the robot is, and where its markers are;
 ``world``
     the three together, and what a step does;
 ``named``
@@ -15,7 +17,9 @@ from allworlds.world.lighthouses import (
     Compass,
     Directional,
     InvalidWorld,
+    Labels,
     Lighthouse,
+    Movable,
     Natural,
     Nothing,
     Position,
@@ -25,6 +29,7 @@ from allworlds.world.lighthouses import (
     lighthouse_named,
 )
 from allworlds.world.named import world_named, world_of_family
+from allworlds.world.state import State
 from allworlds.world.world import IllegalAction, World
 
 __all__ = [
@@ -35,11 +40,14 @@ __all__ = [
     "Directional",
     "IllegalAction",
     "InvalidWorld",
+    "Labels",
     "Lighthouse",
+    "Movable",
     "Natural",
     "Nothing",
     "Position",
     "Sensing",
+    "State",
     "Where",
     "World",
     "lighthouse_from_json",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from allworlds.inputs import integer, parse_json, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import Action, Move, Percept
+from allworlds.protocol import Action, Drop, Move, Percept
 from allworlds.world.lighthouses import (
     Directional,
     InvalidWorld,
@@ -17,6 +17,7 @@ from allworlds.world.lighthouses import (
     lighthouse_from_json,
     refuse_other_keys,
 )
+from allworlds.world.state import State, without_markers
 
 if TYPE_CHECKING:
     from allworlds import documents
@@ -43,8 +44,13 @@ class World:
 
     @cached_property
     def percepts(self) -> tuple[Percept, ...]:
-        """For each dart what is sensed by a robot that has arrived by it."""
+        """For each dart what is sensed by a robot that has arrived by it and dropped nothing."""
         return self.lighthouse.percepts(self.map)
+
+    @property
+    def initial(self) -> State:
+        """The state at the start."""
+        return State(self.start, (), self.lighthouse.in_hand)
 
     @property
     def first(self) -> Percept:
@@ -56,16 +62,33 @@ class World:
         """What the lighthouse tells the explorer before the start, if anything."""
         return self.lighthouse.told(self.map)
 
-    def step(self, state: Dart, action: Action) -> tuple[Dart, Percept]:
-        """The robot's dart after the action, and what it senses there.
+    def step(self, state: State, action: Action) -> tuple[State, Percept]:
+        """The state after the action, and what the robot senses then.
 
         Raises:
-            IllegalAction: for markers where there are none.
+            IllegalAction: for markers that there are not, with what would be legal.
         """
-        if type(action) is not Move:
-            raise IllegalAction(f"the {self.lighthouse.kind} lighthouse gives no markers")
-        arrived = self.map.alpha[self.map.turn(state, action.k)]
-        return arrived, self.percepts[arrived]
+        if type(action) is Move:
+            dart = self.map.alpha[self.map.turn(state.dart, action.k)]
+            if state.lying or state.hand:
+                after = State(dart, state.lying, state.hand)
+                return after, self.sensed(after)
+            return without_markers(dart), self.percepts[dart]
+        here, lying = self.map.vertex_of[state.dart], [*state.lying]
+        if refusal := self.lighthouse.refusal(action, lying.count(here), state.hand):
+            raise IllegalAction(refusal)
+        if type(action) is Drop:
+            lying.append(here)
+        else:
+            lying.remove(here)
+        hand = state.hand + len(state.lying) - len(lying)
+        after = State(state.dart, tuple(sorted(lying)), hand)
+        return after, self.sensed(after)
+
+    def sensed(self, state: State) -> Percept:
+        """What the robot senses in a state: what has been dropped is one mark each."""
+        percept = self.percepts[state.dart]
+        return percept.marked(state.lying.count(self.map.vertex_of[state.dart]))
 
     def relabelled(self, names: Sequence[Dart]) -> World:
         """The same world with dart ``d`` renamed to ``names[d]``."""

@@ -49,7 +49,7 @@ def explore(first):
         for unit in units
         for map_ in unit
     ]
-    left = [(world, world.start) for world in left if world.first == first]
+    left = [(world, world.initial) for world in left if world.first == first]
     draw = Random(1)
     for _ in range(20):
         move = Move(draw.randrange(12))
@@ -58,4 +58,4 @@ def explore(first):
         left = [(world, at) for world, at, sensed in stepped if sensed == percept]
     left.sort(key=lambda found: found[0].map.edge_count != edges)
     world, at = left[0]
-    return Estimate(world.map, at)
+    return Estimate(world.map, at.dart)

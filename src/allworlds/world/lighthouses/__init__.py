@@ -19,13 +19,16 @@ from allworlds.world.lighthouses.base import (
 from allworlds.world.lighthouses.cluster import Cluster
 from allworlds.world.lighthouses.compass import Compass
 from allworlds.world.lighthouses.directional import Directional
+from allworlds.world.lighthouses.labels import Labels
+from allworlds.world.lighthouses.movable import Movable
 from allworlds.world.lighthouses.natural import Natural
 from allworlds.world.lighthouses.nothing import Nothing
 from allworlds.world.lighthouses.position import Position
 from allworlds.world.lighthouses.sensing import Sensing, Where
 
 LIGHTHOUSES: dict[str, type[Lighthouse]] = {
-    kind.kind: kind for kind in (Nothing, Position, Directional, Compass, Cluster, Natural)
+    kind.kind: kind
+    for kind in (Nothing, Position, Directional, Compass, Cluster, Natural, Movable, Labels)
 }
 """Every kind of lighthouse by its name."""
 
@@ -77,7 +80,9 @@ __all__ = [
     "Compass",
     "Directional",
     "InvalidWorld",
+    "Labels",
     "Lighthouse",
+    "Movable",
     "Natural",
     "Nothing",
     "Position",

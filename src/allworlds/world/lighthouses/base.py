@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from allworlds.inputs import InputError, integer, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import Percept
+from allworlds.protocol import Action, Percept
 from allworlds.world.lighthouses.sensing import Sensing
 
 if TYPE_CHECKING:
@@ -109,6 +109,21 @@ class Lighthouse(ABC):
         places = type(self).places(walk.map, walk.trail[0])
         return next(islice(places, self.number(map_, start), None), None)
 
+    @property
+    def in_hand(self) -> int:
+        """The number of markers in the robot's hand at the start."""
+        return 0
+
+    def refusal(self, action: Action, lying: int, hand: int) -> str:  # noqa: ARG002  # none
+        """What is legal where that action is not; empty where it is.
+
+        Args:
+            action: what the robot wants to do.
+            lying: the number of markers at its vertex that have been dropped there.
+            hand: the number of markers in its hand.
+        """
+        return f"the {self.kind} lighthouse gives no markers"
+
     def told(self, map_: CombinatorialMap) -> int | None:  # noqa: ARG002  # for kinds that need it
         """What the explorer is told before the start; nothing, unless a kind says otherwise."""
         return None
@@ -145,6 +160,36 @@ def check_leads_away(dart: object, map_: CombinatorialMap, start: Dart) -> None:
             f"lighthouse.dart = {show(dart)} leads back to the start's vertex, not to another one; "
             f"legal are {', '.join(map(str, legal)) or 'none'}"
         )
+
+
+def the_darts(values: object) -> tuple[Dart, ...]:
+    """The integers of a list; else raises InvalidWorld."""
+    if not isinstance(values, list | tuple):
+        raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
+    found = []
+    for i, value in enumerate(values):
+        try:
+            found.append(integer(value))
+        except TypeError:
+            raise InvalidWorld(f"lighthouse.darts[{i}] = {show(value)} is not an integer") from None
+    return tuple(found)
+
+
+def check_one_of_each_vertex(darts: Sequence[Dart], map_: CombinatorialMap) -> None:
+    """Nothing, if these are darts, one of each vertex; else raises InvalidWorld."""
+    for dart in darts:
+        if dart not in map_.darts:
+            raise InvalidWorld(
+                f"lighthouse.darts names {show(dart)}, which is no dart; "
+                f"darts are 0..{len(map_.sigma) - 1}"
+            )
+    chosen = [map_.vertex_of[dart] for dart in darts]
+    for v, vertex in enumerate(map_.vertices):
+        if chosen.count(v) != 1:
+            raise InvalidWorld(
+                f"lighthouse.darts = {show(list(darts))} has {chosen.count(v)} darts of the "
+                f"vertex {show(list(vertex))}; it must have one of each vertex"
+            )
 
 
 def no_place(name: str, start: Dart) -> InvalidWorld:

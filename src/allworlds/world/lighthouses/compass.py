@@ -7,10 +7,16 @@ from dataclasses import dataclass
 from itertools import islice, product
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from allworlds.inputs import integer, show
+from allworlds.inputs import show
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import BelievedWalk, InvalidWorld, Lighthouse
+from allworlds.world.lighthouses.base import (
+    BelievedWalk,
+    InvalidWorld,
+    Lighthouse,
+    check_one_of_each_vertex,
+    the_darts,
+)
 from allworlds.world.lighthouses.sensing import Sensing, Where
 
 if TYPE_CHECKING:
@@ -53,22 +59,10 @@ class Compass(Lighthouse):
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any start
         """The reference darts are ascending integers, one at each vertex."""
-        darts = _integers(self.darts)
-        for dart in darts:
-            if dart not in map_.darts:
-                raise InvalidWorld(
-                    f"lighthouse.darts names {show(dart)}, which is no dart; "
-                    f"darts are 0..{len(map_.sigma) - 1}"
-                )
+        darts = the_darts(self.darts)
         if list(darts) != sorted(darts):
             raise InvalidWorld(f"lighthouse.darts = {show(list(darts))} must be ascending")
-        chosen = [map_.vertex_of[dart] for dart in darts]
-        for v, vertex in enumerate(map_.vertices):
-            if chosen.count(v) != 1:
-                raise InvalidWorld(
-                    f"lighthouse.darts = {show(list(darts))} has {chosen.count(v)} darts of the "
-                    f"vertex {show(list(vertex))}; it must have one of each vertex"
-                )
+        check_one_of_each_vertex(darts, map_)
 
     def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # it knows
         """The dart of each vertex."""
@@ -101,16 +95,4 @@ class Compass(Lighthouse):
         """With ``darts`` in any order; where they are left out, the smallest of each vertex."""
         if "darts" not in document:
             return cls(tuple(vertex[0] for vertex in map_.vertices))
-        return cls(tuple(sorted(_integers(document["darts"]))))
-
-
-def _integers(values: object) -> tuple[int, ...]:
-    if not isinstance(values, list | tuple):
-        raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
-    found = []
-    for i, value in enumerate(values):
-        try:
-            found.append(integer(value))
-        except TypeError:
-            raise InvalidWorld(f"lighthouse.darts[{i}] = {show(value)} is not an integer") from None
-    return tuple(found)
+        return cls(tuple(sorted(the_darts(document["darts"]))))

@@ -18,6 +18,7 @@ class Where(Enum):
     AT_V0 = "at the start's vertex"
     AT_V0_AND_V1 = "at the start's vertex and at a neighbour of it"
     EVERYWHERE = "everywhere"
+    EVERYWHERE_NUMBERED = "everywhere, and each vertex has a number of its own"
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,16 +38,29 @@ class Sensing:
         """One mark lies at v0: what is sensed at one vertex alone tells it from all others."""
         return self.where in (Where.AT_V0, Where.AT_V0_AND_V1)
 
-    def percepts(self, map_: CombinatorialMap, references: Sequence[Dart]) -> tuple[Percept, ...]:
+    @property
+    def marks(self) -> bool:
+        """There are marks at all."""
+        return self.marks_v0 or self.where is Where.EVERYWHERE_NUMBERED
+
+    def percepts(
+        self,
+        map_: CombinatorialMap,
+        references: Sequence[Dart],
+        numbers: Sequence[int] | None = None,
+    ) -> tuple[Percept, ...]:
         """For each dart what is sensed by a robot that has arrived by it.
 
         ``references`` holds one dart of each vertex at which more than the degree is sensed.
-        Where there are marks, one lies at the first of these vertices, two at the second.
+        Where there are marks, ``numbers`` says how many lie at each of these vertices; by
+        default one at the first, two at the second.
         """
+        if numbers is None:
+            numbers = range(1, len(references) + 1)
         sensed = [_percept(degree) for degree in map_.degree_at]
         # The first comes last: where a wrong answer takes v1 for v0, what is sensed is v0.
-        for number, reference in reversed([*enumerate(references, 1)]):
-            marks = number if self.marks_v0 else 0
+        for number, reference in reversed([*zip(numbers, references, strict=True)]):
+            marks = number if self.marks else 0
             degree = map_.degree_at[reference]
             for back in range(degree):
                 # sigma^back(d) is the reference dart for the dart d that lies back places before.

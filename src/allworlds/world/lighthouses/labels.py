@@ -1,0 +1,100 @@
+"""A baseline: every vertex has a number of its own and a direction."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from allworlds.inputs import show
+from allworlds.maps.canonical import numbering
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol import Percept
+from allworlds.world.lighthouses.base import (
+    BelievedWalk,
+    InvalidWorld,
+    Lighthouse,
+    check_one_of_each_vertex,
+    the_darts,
+)
+from allworlds.world.lighthouses.sensing import Sensing, Where
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+
+@dataclass(frozen=True, slots=True)
+class Labels(Lighthouse):
+    """Every vertex has a number of its own, and a reference dart.
+
+    Sensed at a vertex: as many marks as its number, the bearing of its reference dart, and
+    the degree.  Nothing is left to be told apart: it is what other lighthouses are measured
+    by.
+
+    Attributes:
+        darts: the reference dart of each vertex, in the order of their numbers.
+        numbers: those; 1, 2, 3 ... in every world.
+    """
+
+    darts: tuple[Dart, ...]
+    numbers: tuple[int, ...]
+
+    kind: ClassVar[str] = "labels"
+    sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE_NUMBERED, bearing=True)
+    default_bound: ClassVar[str] = "none"
+    folds: ClassVar[bool] = False
+    keys: ClassVar[tuple[str, ...]] = ("darts",)
+
+    @classmethod
+    def of(cls, darts: tuple[Dart, ...]) -> Labels:
+        """With these reference darts, numbered in their order from 1 on."""
+        return cls(darts, tuple(range(1, len(darts) + 1)))
+
+    @classmethod
+    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Labels]:
+        """One place: vertices and their first darts in canonical numbering from ``start``."""
+        first: dict[int, Dart] = {}
+        for dart in numbering(map_.sigma, map_.alpha, start):
+            first.setdefault(map_.vertex_of[dart], dart)
+        yield cls.of(tuple(first.values()))
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any start
+        """The reference darts are integers, one at each vertex."""
+        darts = the_darts(self.darts)
+        check_one_of_each_vertex(darts, map_)
+        if list(self.numbers) != list(range(1, len(darts) + 1)):
+            raise InvalidWorld(
+                f"the labels {show(list(self.numbers))} are not 1 to {len(darts)}, one a vertex"
+            )
+
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # it knows
+        """The dart of each vertex."""
+        return self.darts
+
+    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
+        """For each dart what is sensed by a robot that has arrived by it."""
+        return self.sensing.percepts(map_, self.darts, self.numbers)
+
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Labels:  # noqa: ARG002  # sensed
+        """At each vertex what was sensed when the robot first came there; else its number is 0."""
+        answer = walk.map
+        at = {vertex: (darts[0], 0) for vertex, darts in enumerate(answer.vertices)}
+        for dart, percept in reversed([*zip(walk.trail, walk.sensed, strict=True)]):
+            assert percept.bearing is not None
+            at[answer.vertex_of[dart]] = (answer.turn(dart, percept.bearing), percept.marks)
+        return Labels(tuple(dart for dart, _ in at.values()), tuple(n for _, n in at.values()))
+
+    def relabelled(self, names: Sequence[Dart]) -> Labels:
+        """The renamed reference darts."""
+        return Labels(tuple(names[dart] for dart in self.darts), self.numbers)
+
+    def to_json(self) -> documents.AtDarts:
+        """``{"kind": "labels", "darts": [...]}``."""
+        return {"kind": self.kind, "darts": list(self.darts)}
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart) -> Labels:
+        """With ``darts`` in the order of the numbers; where they are left out, its place."""
+        if "darts" not in document:
+            return next(cls.places(map_, start))
+        return cls.of(the_darts(document["darts"]))
