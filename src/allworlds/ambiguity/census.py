@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeAlias
 
-from allworlds.ambiguity.criterion import Disagreement, class_size, is_ambiguous
 from allworlds.ambiguity.marked import is_least_rooting
 from allworlds.ambiguity.members import projection_of
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
+from allworlds.maps.criterion import Disagreement, class_size, is_ambiguous
 from allworlds.maps.quotient import Quotient
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
