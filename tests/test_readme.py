@@ -163,7 +163,7 @@ def paths_in(text):
 
 def modules_in(text):
     """What a page names as a part of the package, with all that it is in."""
-    return set(re.findall(r"`(allworlds(?:\.[a-z_]\w*)+)", text))
+    return set(re.findall(r"`(allworlds(?:\.[a-z_]\w*)+)", text)) - {"allworlds.h"}
 
 
 def is_there(name):

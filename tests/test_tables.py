@@ -155,10 +155,10 @@ def test_what_every_verb_says_is_recorded():
 # other words.  What a function takes alone: who listens, and values in place of their names.
 PRINTED = {"as_json", "quiet", "help", *FORMATS}
 ONLY_CLI = {
-    "check": {"explorer", "command"},
-    "fuzz": {"explorer", "command"},
-    "run": {"arguments", "command", "family", "holes", "seed"},
-    "replay": {"file", "explorer", "command"},
+    "check": {"explorer", "command", "native"},
+    "fuzz": {"explorer", "command", "native"},
+    "run": {"arguments", "command", "native", "family", "holes", "seed"},
+    "replay": {"file", "explorer", "command", "native"},
     "explain": {"file"},
     "twins": {"lighthouse"},
     "ambiguity class": {"lighthouse"},

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from allworlds.counter import count
     from allworlds.explaining import explain
     from allworlds.fuzzer import fuzz
+    from allworlds.libraries import native
     from allworlds.mutation import mutants
     from allworlds.smt import search
     from allworlds.worst_case import worst
@@ -63,6 +64,7 @@ __all__ = [
     "explain",
     "fuzz",
     "mutants",
+    "native",
     "replay",
     "run",
     "search",

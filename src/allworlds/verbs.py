@@ -113,6 +113,13 @@ VERBS = (
         "This program and others side by side.",
     ),
     Verb(
+        "native",
+        "libraries:native",
+        "native_text:native_text",
+        "native",
+        "The C header of explorers in shared libraries.",
+    ),
+    Verb(
         "ambiguity census",
         "ambiguity:census",
         "ambiguity_text:census_text",

@@ -39,6 +39,7 @@ LEAST = {
     "twins": "k4 k4",
     "search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
     "bench": "--edges 4 --rounds 1",
+    "native": "--header",
     "ambiguity census": "--edges 1",
     "ambiguity class": "k4",
 }
@@ -109,6 +110,7 @@ COMMANDS = {
     "search-none": (
         "search --lighthouse none --class simple --vertices 4 --edges 4 --out none --json"
     ),
+    "native": "native --header --json",
     "mutants": "mutants --edges 3 --json",
     "mutants-text": "mutants --edges 2",
     "refused-verb": "chekc",

@@ -17,6 +17,7 @@ from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
 from allworlds.fuzzer import fuzz
+from allworlds.libraries import native
 from allworlds.maps import named_map
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
@@ -116,6 +117,7 @@ DOCUMENTS = {
         lambda: fuzz(WRONG["pose-lost"].explorer(), edges=6, runs=3).to_json(),
     ),
     "count": (whole("count"), lambda: count(edges=3).to_json()),
+    "native": (whole("native"), lambda: native(header=True).to_json()),
     "count simple": (whole("count"), lambda: count(vertices=4, map_class="simple").to_json()),
     "run": (whole("run"), lambda: run("algorithm1", World(THETA, Directional(0))).to_json()),
     "run refuted": (

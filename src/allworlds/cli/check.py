@@ -14,6 +14,7 @@ def check(
     explorer: opt.Explorer = None,
     *,
     command: opt.Exec = None,
+    native: opt.Native = None,
     bounds: opt.Bounds,
     lighthouse: opt.LighthouseName = None,
     shard: Annotated[
@@ -57,7 +58,7 @@ def check(
     ensure_directory(corpus)
     with Progress(quiet=output.quiet) as progress:
         report = allworlds.check(
-            opt.explorer_name(explorer, command),
+            opt.explorer_name(explorer, command, native),
             edges=bounds.edges,
             vertices=bounds.vertices,
             schedules=schedules,

@@ -16,6 +16,7 @@ def fuzz(
     runs: Annotated[int, opt.number(opt.SCOPE, "R", "How many worlds.")],
     seed: Annotated[int, opt.number(opt.SCOPE, "S", "Which sample.")] = 0,
     command: opt.Exec = None,
+    native: opt.Native = None,
     map_class: opt.MapClassName = "maps",
     lighthouse: opt.LighthouseName = None,
     rules: opt.Rules,
@@ -33,7 +34,7 @@ def fuzz(
     files.ensure_writable()
     with Progress(quiet=output.quiet) as progress:
         report = allworlds.fuzz(
-            opt.explorer_name(explorer, command),
+            opt.explorer_name(explorer, command, native),
             edges=edges,
             runs=runs,
             seed=seed,

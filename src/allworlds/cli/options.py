@@ -13,7 +13,7 @@ from allworlds.inputs import InputError, show
 from allworlds.judge import LAWS
 from allworlds.maps.classes import MapClass
 from allworlds.protocol import ANSWER_TIMEOUT, DEFAULT_POLICY, POLICIES, SEEDED
-from allworlds.subjects import EXEC
+from allworlds.subjects import EXEC, NATIVE
 from allworlds.world import LIGHTHOUSES
 
 if TYPE_CHECKING:
@@ -55,6 +55,15 @@ FindingFile = Annotated[
 Exec = Annotated[
     str | None,
     option(SCOPE, "COMMAND", "In place of EXPLORER: a program that speaks JSON lines.", "--exec"),
+]
+Native = Annotated[
+    str | None,
+    option(
+        SCOPE,
+        "PATH",
+        "In place of EXPLORER: a shared library with the functions of allworlds.h.",
+        "--native",
+    ),
 ]
 Workers = Annotated[str, option(EFFORT, "N|auto", "Processes, or threads.")]
 MapClassName = Annotated[str, option(SCOPE, "CLASS", f"{one_of(MapClass)}.", "--class")]
@@ -191,10 +200,16 @@ class Output:
     ] = False
 
 
-def explorer_name(explorer: str | None, command: str | None) -> str:
+def explorer_name(
+    explorer: str | None, command: str | None = None, native: str | None = None
+) -> str:
     """The name of the subject; ``algorithm1`` where none is given."""
-    if command is None:
-        return "algorithm1" if explorer is None else explorer
-    if explorer is not None:
-        raise InputError(f"give EXPLORER {show(explorer)} or --exec {show(command)}, not both")
-    return EXEC + command
+    given = {
+        f"EXPLORER {show(explorer)}": explorer,
+        f"--exec {show(command)}": None if command is None else EXEC + command,
+        f"--native {show(native)}": None if native is None else NATIVE + native,
+    }
+    named = {option: name for option, name in given.items() if name is not None}
+    if len(named) > 1:
+        raise InputError(f"give {' or '.join(named)}, not both")
+    return next(iter(named.values()), "algorithm1")

@@ -25,6 +25,16 @@ def replay(
             "--exec",
         ),
     ] = None,
+    native: Annotated[
+        str | None,
+        opt.option(
+            opt.SCOPE,
+            "PATH",
+            "In place of the recorded explorer: a shared library with the functions of "
+            "allworlds.h.",
+            "--native",
+        ),
+    ] = None,
     answer_timeout: opt.AnswerTimeout = ANSWER_TIMEOUT,
     output: opt.Output,
 ) -> int:
@@ -37,8 +47,8 @@ def replay(
     from allworlds.findings import Finding
 
     another = None
-    if explorer is not None or command is not None:
-        another = opt.explorer_name(explorer, command)
+    if any(given is not None for given in (explorer, command, native)):
+        another = opt.explorer_name(explorer, command, native)
     finding = Finding.from_json(read_text(file))
     replayed = allworlds.replay(finding, another, answer_timeout=answer_timeout)
     if replayed.notice:

@@ -25,6 +25,7 @@ def run(
     ] = None,
     *,
     command: opt.Exec = None,
+    native: opt.Native = None,
     family: Annotated[
         str | None,
         opt.option(opt.SCOPE, "F", "In place of WORLD: lattice:RxC, dense:N, cycle:N or random:M."),
@@ -59,9 +60,11 @@ def run(
     from allworlds.world import World, world_of_family
 
     explorer, place = explorer_and_world(
-        list(arguments or []), family=family is not None, program=command is not None
+        list(arguments or []),
+        family=family is not None,
+        program=any(given is not None for given in (command, native)),
     )
-    name = opt.explorer_name(explorer, command)
+    name = opt.explorer_name(explorer, command, native)
     world: World | str = place
     if family is not None:
         world = world_of_family(family, holes, seed, own_lighthouse(name))

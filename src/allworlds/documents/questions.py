@@ -47,6 +47,13 @@ class CountReport(InRows, Extent):
     rows: Annotated[list[CountRow], "one a number of edges, ascending"]
 
 
+class NativeReport(Report):
+    """Report of 'native'."""
+
+    version: Annotated[Positive, "of the interface: `ALLWORLDS_VERSION`"]
+    header: Annotated[Text, "`allworlds.h`"]
+
+
 class WorstRow(TypedDict):
     """What every schedule can cost in the worlds of one size."""
 

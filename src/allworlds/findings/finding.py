@@ -14,7 +14,7 @@ from allworlds.inputs import InputError, parse_json, show
 from allworlds.judge import PRECEDENCE
 from allworlds.maps.canonical import Code, numbering, rooted_code
 from allworlds.protocol import Transcript
-from allworlds.subjects import EXEC, own_bound
+from allworlds.subjects import EXEC, NATIVE, own_bound
 from allworlds.world import World
 
 if TYPE_CHECKING:
@@ -73,6 +73,8 @@ class Finding:
         command = ["allworlds", "run"]
         if self.explorer.startswith(EXEC):
             command += ["--exec", self.explorer.removeprefix(EXEC)]
+        elif self.explorer.startswith(NATIVE):
+            command += ["--native", self.explorer.removeprefix(NATIVE)]
         else:
             command += [self.explorer]
         command += [json.dumps(self.world.to_json(), separators=(",", ":"))]

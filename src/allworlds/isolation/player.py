@@ -26,7 +26,7 @@ from allworlds.isolation.jobs import (
     Told,
     Trace,
 )
-from allworlds.isolation.process import limit_memory
+from allworlds.isolation.process import address_space, limit_memory
 from allworlds.isolation.saying import Message, written
 from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
 from allworlds.runs import Stagehand, name_run
@@ -37,6 +37,9 @@ T = TypeVar("T")
 
 CHUNK, CHUNK_SECONDS = 64, 0.1
 """So many logs, or seconds, after which some are handed over."""
+
+NATIVE_MEMORY = 2048
+"""MB of address space that a shared library has, unless another limit is named."""
 
 TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 """What an explorer may leave behind to go off when it is not its turn."""
@@ -60,6 +63,8 @@ class Player:
             if casting.memory is not None:
                 limit_memory(casting.memory)
             subject = load(casting.name, casting.answer_timeout, casting.source)
+            if subject.native is not None and casting.memory is None:
+                limit_memory(address_space() + NATIVE_MEMORY)
         except InputError as error:
             if casting.memory is not None and "memory" not in str(error):
                 error = InputError(f"memory {casting.memory} MB is probably too small: {error}")
@@ -173,6 +178,8 @@ def _digest(subject: Subject) -> str:
     if subject.source is not None:
         return subject.source.digest
     with suppress(Exception):  # whatever an explorer's module makes of being looked at
+        if subject.native is not None:
+            return subject.native.library.digest
         if subject.program is not None:
             return hashlib.sha256(Path(subject.program.path).read_bytes()).hexdigest()
         file = inspect.getsourcefile(inspect.unwrap(subject.explore))  # type: ignore[arg-type]

@@ -249,6 +249,14 @@ def close_all(*processes: Process) -> None:
         process._memory.close()  # noqa: SLF001
 
 
+def address_space() -> int:
+    """MB of address space that this process has; 0 where that cannot be known."""
+    with suppress(OSError):
+        pages = int(Path("/proc/self/statm").read_text().split()[0])
+        return pages * mmap.PAGESIZE >> 20
+    return 0
+
+
 def limit_memory(megabytes: int) -> None:
     """Bound the address space of this process.
 

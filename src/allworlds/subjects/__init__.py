@@ -12,6 +12,7 @@ from allworlds.subjects.loading import load, source_of
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
     EXEC,
+    NATIVE,
     Source,
     Subject,
     built_in,
@@ -23,6 +24,7 @@ from allworlds.subjects.subject import (
 
 __all__ = [
     "EXEC",
+    "NATIVE",
     "Program",
     "Source",
     "Subject",

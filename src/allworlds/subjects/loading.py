@@ -16,10 +16,12 @@ from typing import Any
 
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import SHOWN, InputError, a_path, let_users_interrupt, read_text, show
+from allworlds.libraries import Library, NativeExplorer, library_path
 from allworlds.protocol import ANSWER_TIMEOUT
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
     EXEC,
+    NATIVE,
     Source,
     Subject,
     built_in,
@@ -35,6 +37,9 @@ def source_of(name: str) -> Source | None:
         InputError: if the name is that of no explorer, or the file cannot be read.
     """
     if name in BUILT_IN or name.startswith(EXEC) or name in entry_points():
+        return None
+    if name.startswith(NATIVE):
+        library_path(name.removeprefix(NATIVE))
         return None
     place, colon, attribute = name.rpartition(":")
     if not colon:
@@ -78,6 +83,9 @@ def load(
     if name.startswith(EXEC):
         program = Program(name.removeprefix(EXEC), answer_timeout)
         return Subject(name, frozenset({"told"}), program.explore, program=program)
+    if name.startswith(NATIVE):
+        native = NativeExplorer(Library(name.removeprefix(NATIVE)))
+        return Subject(name, native.keywords, native.explore, native=native)
     points = entry_points()
     if name in points:
         return _subject(name, _imported(name, points[name].load))

@@ -16,11 +16,13 @@ from typing import Any
 from allworlds.episode import Player
 from allworlds.explorers import BUILT_IN, BuiltIn, Size, nobody
 from allworlds.inputs import InputError
+from allworlds.libraries import NativeExplorer
 from allworlds.protocol import Choices, Percept
 from allworlds.subjects.program import Program
 
 ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
+NATIVE = "native:"
 
 LIGHTHOUSE = "directional"
 """What foreign explorers are run under unless another lighthouse is named."""
@@ -50,13 +52,14 @@ class Subject:
 
     Attributes:
         name: what finds it again: a built-in name, ``module:attribute``,
-            ``path/to/file.py:attribute``, an entry point, or ``exec:COMMAND``.
+            ``path/to/file.py:attribute``, an entry point, ``exec:COMMAND`` or ``native:PATH``.
         keywords: those of ``choices``, ``told`` and ``notice`` that it takes.
         explore: the generator function; None where another process finds it by its name, so
             that its code never gets into this one.
         own: its entry among the built-in explorers, if it is one.
         source: the text of its file, if it stands in a file.
         program: the foreign program behind it, if it is one, and is to be run here.
+        native: the same for a shared library.
     """
 
     name: str
@@ -65,6 +68,7 @@ class Subject:
     own: BuiltIn | None = None
     source: Source | None = None
     program: Program | None = None
+    native: NativeExplorer | None = None
 
     @property
     def foreign(self) -> bool:
@@ -107,8 +111,9 @@ class Subject:
         return play
 
     def running(self) -> AbstractContextManager[object]:
-        """A context at whose end the program behind the explorer, if any, is stopped."""
-        return closing(self.program) if self.program else nullcontext()
+        """A context at whose end what is behind the explorer, if anything, is stopped."""
+        behind = self.program or self.native
+        return closing(behind) if behind else nullcontext()
 
 
 def own_bound(name: str, lighthouse: str) -> str | None:
