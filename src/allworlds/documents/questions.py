@@ -252,7 +252,7 @@ class Entry(TypedDict):
     """One thing that a corpus keeps."""
 
     name: Annotated[Text, "unique in the corpus"]
-    kind: Annotated[Literal["world", "finding", "pair", "counts"], "what the file holds"]
+    kind: Annotated[Literal["world", "finding", "pair", "counts", "check"], "what the file holds"]
     file: Annotated[Text, "where it stands, below the corpus"]
     sha256: Annotated[str, Keywords(pattern="^[0-9a-f]{64}$"), "of the file"]
     provenance: Annotated[Text, "where it comes from"]

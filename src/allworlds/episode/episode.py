@@ -127,19 +127,23 @@ class SaidAmbiguous(Said):
     marks: tuple[int, ...]
 
 
+Shown: TypeAlias = tuple[int, Sequence[int], Sequence[int], int]
+"""A checkpoint: the number of actions before it, sigma, alpha, and here."""
+
+
 class Log(NamedTuple):
     """What an explorer did in one run, without a word about the world.
 
     Attributes:
         actions: as numbers (see :func:`allworlds.protocol.number_of`).
-        checkpoints: of each the number of actions before it, sigma, alpha, and here.
+        checkpoints: what was published.
         ending: the answer, or what went wrong.
         choices: the index taken at each choice.
         widths: how many options there were, where every schedule is tried; else empty.
     """
 
     actions: tuple[int, ...]
-    checkpoints: tuple[tuple[int, Sequence[int], Sequence[int], int], ...]
+    checkpoints: tuple[Shown, ...]
     ending: Said | Fault
     choices: tuple[int, ...] = ()
     widths: tuple[int, ...] = ()
@@ -209,7 +213,7 @@ def play(
     """
     run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
     ending = answered(run.play(player, choices))
-    return Episode(Transcript(world.first, tuple(run.steps)), tuple(run.checkpoints), ending)
+    return Episode(Transcript(world.first, tuple(run.steps)), _published(run.checkpoints), ending)
 
 
 def perform(
@@ -223,11 +227,11 @@ def perform(
     """The same run as a log that says nothing of the world; see :func:`play`."""
     run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
     ending = run.play(player, choices)
-    actions = tuple([number_of(action) for action, _ in run.steps])
-    published = tuple(
-        [(steps, shown.sigma, shown.alpha, shown.here) for steps, shown in run.checkpoints]
+    actions = tuple(
+        [action.k if type(action) is Move else number_of(action) for action, _ in run.steps]
     )
-    return Log(actions, published, ending, tuple(choices.record), tuple(choices.widths))
+    shown = tuple(run.checkpoints)
+    return Log(actions, shown, ending, tuple(choices.record), tuple(choices.widths))
 
 
 def retold(log: Log, world: Stage) -> Episode:
@@ -241,10 +245,12 @@ def retold(log: Log, world: Stage) -> Episode:
         action = action_numbered(number)
         state, percept = world.step(state, action)
         steps.append((action, percept))
-    published = tuple(
-        [(number, Checkpoint(sigma, alpha, here)) for number, sigma, alpha, here in log.checkpoints]
-    )
-    return Episode(Transcript(world.first, tuple(steps)), published, answered(log.ending))
+    transcript = Transcript(world.first, tuple(steps))
+    return Episode(transcript, _published(log.checkpoints), answered(log.ending))
+
+
+def _published(shown: Iterable[Shown]) -> tuple[tuple[int, Checkpoint], ...]:
+    return tuple([(steps, Checkpoint(sigma, alpha, here)) for steps, sigma, alpha, here in shown])
 
 
 @dataclass(slots=True)
@@ -254,7 +260,7 @@ class _Run:
     beat: MutableSequence[int]
     hand: Callable[[Percept], Percept]
     steps: list[tuple[Action, Percept]] = field(default_factory=list)
-    checkpoints: list[tuple[int, Checkpoint]] = field(default_factory=list)
+    checkpoints: list[Shown] = field(default_factory=list)
     cost: int = 0
     degree: int = 0
 
@@ -303,7 +309,7 @@ class _Run:
                 "a checkpoint of two sequences of integers and an integer",
                 show(message),
             )
-        self.checkpoints.append((len(self.steps), Checkpoint(sigma, alpha, here)))
+        self.checkpoints.append((len(self.steps), sigma, alpha, here))
         return None
 
     def _act(self, state: Any, message: object) -> tuple[Fault | None, Any, Percept | None]:
@@ -344,8 +350,7 @@ def _action(message: object, degree: int) -> Action | Fault:
         except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
             let_users_interrupt(error)
             return Fault("illegal-action", "Move(k) with an integer k", show(message))
-        k %= degree
-        return action_numbered(k)
+        return action_numbered(k % degree)
     if type(message) is Drop or type(message) is Pick:
         return message
     return Fault("illegal-action", "a Move, Drop, Pick or Checkpoint", show(message))

@@ -8,6 +8,9 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from allworlds.explorers.algorithm1 import Algorithm1, Walk, algorithm1, nobody
+from allworlds.explorers.greedy import greedy
+from allworlds.explorers.prudent import prudent
+from allworlds.explorers.remembering import remembering
 from allworlds.explorers.undirected import algorithm1_cluster, algorithm1_natural
 
 Size: TypeAlias = tuple[int, int]
@@ -38,6 +41,14 @@ class BuiltIn:
     bound: str | None = None
     about: str = ""
 
+
+_NEVER_FORGETS = {
+    "case-1": ((3, 2), (5, 4)),
+    "case-2": ((2, 2), (4, 4)),
+    "empty-H": ((1, 2), (1, 2)),
+    "loop": ((1, 1), (3, 3)),
+    "non-loop": ((1, 2), (1, 2)),
+}
 
 BUILT_IN: dict[str, BuiltIn] = {
     "algorithm1": BuiltIn(
@@ -86,6 +97,25 @@ BUILT_IN: dict[str, BuiltIn] = {
         "two-vertices",
         "as `algorithm1-cluster`, with the degrees of v0 and v1 for marks",
     ),
+    "remembering": BuiltIn(
+        remembering,
+        "directional",
+        _NEVER_FORGETS,
+        about="Algorithm 1 on the folded log of its whole walk: what contradicts anything that "
+        "was ever seen is not tested; oldest dart, oldest hypothesis",
+    ),
+    "greedy": BuiltIn(
+        greedy,
+        "directional",
+        _NEVER_FORGETS,
+        about="as `remembering`, but the nearest dart, and the test that is finished first",
+    ),
+    "prudent": BuiltIn(
+        prudent,
+        "directional",
+        _NEVER_FORGETS,
+        about="as `greedy` while the settled part is round, nearest to v0 first while it is long",
+    ),
 }
 """The built-in explorers by the names they have on the command line."""
 
@@ -98,5 +128,8 @@ __all__ = [
     "algorithm1",
     "algorithm1_cluster",
     "algorithm1_natural",
+    "greedy",
     "nobody",
+    "prudent",
+    "remembering",
 ]

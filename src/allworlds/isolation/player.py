@@ -35,7 +35,7 @@ from allworlds.world import State, World
 
 T = TypeVar("T")
 
-CHUNK, CHUNK_SECONDS = 64, 0.1
+CHUNK, CHUNK_SECONDS = 16, 0.1
 """So many logs, or seconds, after which some are handed over."""
 
 NATIVE_MEMORY = 2048
@@ -43,6 +43,9 @@ NATIVE_MEMORY = 2048
 
 TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 """What an explorer may leave behind to go off when it is not its turn."""
+
+LOOK = 0.002
+"""Seconds between two looks at timers and pipe: each costs as much as a short run."""
 
 Job = PlayRuns | PlayRecords | Trace
 """Everything that a player can be asked to do after its casting."""
@@ -55,6 +58,7 @@ class Player:
         self._connection = connection
         self._beat = beat
         self._pid = os.getpid()
+        self._look_at = 0.0
 
     def run(self) -> None:
         """Serve until the owner hangs up."""
@@ -81,6 +85,7 @@ class Player:
             job = self._connection.recv()
             try:
                 self._do(subject, stagehand, job)
+                self._look()
             except OSError:
                 raise
             except InputError as error:  # a bound without a value for some world
@@ -135,13 +140,19 @@ class Player:
         self._connection.send_bytes(written(message))
 
     def _intact(self) -> None:
-        """Leave, if the explorer has forked this process or closed its pipe; stop its timers."""
-        for timer in TIMERS:
-            signal.setitimer(timer, 0)
+        """Leave, if the explorer has forked this process; now and then look at the rest, too."""
         if os.getpid() != self._pid:
             # The original goes on with the work; its copy must not do it a second time.
             os._exit(0)
+        if time.monotonic() > self._look_at:
+            self._look()
+
+    def _look(self) -> None:
+        """Leave, if the explorer has closed this process's pipe; stop its timers."""
+        for timer in TIMERS:
+            signal.setitimer(timer, 0)
         os.fstat(self._connection.fileno())
+        self._look_at = time.monotonic() + LOOK
 
 
 class TellingWorld:

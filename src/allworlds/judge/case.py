@@ -47,6 +47,17 @@ class Case:
         return tuple(trail)
 
     @cached_property
+    def walked(self) -> dict[Dart, int]:
+        """For each dart of an edge that was crossed, the number of steps before the first time."""
+        walked: dict[Dart, int] = {}
+        for step, (action, _) in enumerate(self.transcript.steps):
+            if type(action) is Move:
+                entered = self.trail[step + 1]
+                walked.setdefault(entered, step)
+                walked.setdefault(self.map.alpha[entered], step)
+        return walked
+
+    @cached_property
     def answer(self) -> Literal["right", "pose", "map", "open"]:
         """What the estimate is worth: right, or which of its two parts is wrong.
 
