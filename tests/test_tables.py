@@ -299,7 +299,9 @@ def test_no_report_is_left_out_of_its_table():
 def test_every_law_is_explained_and_told_in_the_order_of_precedence():
     assert tuple(TELLERS) == PRECEDENCE
     assert tuple(rows(section(PROTOCOL, "Laws"))) == PRECEDENCE
-    assert PRECEDENCE[-len(LAWS) :] == tuple(LAWS)
+    # One law of finished runs cannot be left out.
+    finished = [law for law in PRECEDENCE if law != "ambiguity"][-len(LAWS) :]
+    assert finished == [*LAWS]
 
 
 @pytest.mark.parametrize("law", LAWS)

@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
-from allworlds.ambiguity.criterion import Disagreement, class_size, is_ambiguous
 from allworlds.ambiguity.marked import is_least_rooting
 from allworlds.ambiguity.members import projection_of, quotient_to_json
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
+from allworlds.maps.criterion import Disagreement, class_size, is_ambiguous
 from allworlds.maps.quotient import Quotient
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent

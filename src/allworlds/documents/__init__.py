@@ -43,7 +43,9 @@ def _of_verb(document: str) -> Page:
 
 PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
     "finding": Page(FindingRead, {"written": Finding, "options": Options}),
-    "world": Page(WorldRead, {"written": World, "rooted": Rooted}),
+    "world": Page(
+        WorldRead, {"written": World, "rooted": Rooted, "rooted_quotient": RootedQuotient}
+    ),
     "transcript": Page(
         Transcript, {"percept": Percept, "read": TranscriptRead, "percept_read": PerceptRead}
     ),

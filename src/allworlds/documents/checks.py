@@ -1,6 +1,6 @@
 """What is written about runs: one explorer in every world, in one, or in one again."""
 
-from typing import Annotated, Literal, TypeAlias, TypedDict
+from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
 from allworlds.documents.common import Extent, InRows, Report
 from allworlds.documents.findings import Finding, Options
@@ -19,7 +19,7 @@ from allworlds.documents.words import (
     VerdictName,
     code,
 )
-from allworlds.documents.worlds import Rooted, Transcript, World
+from allworlds.documents.worlds import Rooted, RootedQuotient, Transcript, World
 from allworlds.outcome import Exit
 
 
@@ -139,6 +139,9 @@ class RunReport(Report):
     cost: Annotated[Natural, "traversals"]
     bound: Annotated[int | None, "of the traversals; null without one"]
     estimate: Annotated[Rooted | None, "the answer; null where there is none"]
+    ambiguous: NotRequired[
+        Annotated[RootedQuotient, "the answer that names no map, where there is one"]
+    ]
     transcript: Annotated[Transcript, "the log"]
     finding: Annotated[Finding | None, "null: no law is broken"]
 
