@@ -8,9 +8,11 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from allworlds.inputs import SHOWN, are_plain, integer, let_users_interrupt, show
+from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol import (
     Action,
+    Ambiguous,
     Checkpoint,
     Choices,
     Drop,
@@ -85,7 +87,18 @@ class LostRun(Fault):
     """The run cost its process its life, so its walk is not known."""
 
 
-Ending: TypeAlias = Answered | Fault
+@dataclass(frozen=True, slots=True)
+class Undecided:
+    """The explorer has returned a well-formed rooted quotient, and no map.
+
+    Attributes:
+        quotient: its permutations are, and ``here`` is one of its darts.
+    """
+
+    quotient: Ambiguous
+
+
+Ending: TypeAlias = Answered | Undecided | Fault
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,6 +113,18 @@ class Said:
     sigma: tuple[int, ...]
     alpha: tuple[int, ...]
     here: int
+
+
+@dataclass(frozen=True, slots=True)
+class SaidAmbiguous(Said):
+    """The same of an answer that names no map.
+
+    Attributes:
+        degree, marks: of each dart.
+    """
+
+    degree: tuple[int, ...]
+    marks: tuple[int, ...]
 
 
 Shown: TypeAlias = tuple[int, Sequence[int], Sequence[int], int]
@@ -332,10 +357,13 @@ def _action(message: object, degree: int) -> Action | Fault:
 
 
 _ESTIMATE = "Estimate(map, here) with a dart of the map"
+_AMBIGUOUS = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
 
 
 def _said(answer: object) -> Said | Fault:
     """The integers of an answer: what is handed over may be a subclass, or tampered with."""
+    if type(answer) is Ambiguous:
+        return _said_ambiguous(answer)
     if type(answer) is not Estimate:
         return Fault("no-estimate", _ESTIMATE, show(answer))
     try:
@@ -348,6 +376,20 @@ def _said(answer: object) -> Said | Fault:
         return Fault("no-estimate", _ESTIMATE, show(answer))
 
 
+def _said_ambiguous(answer: Ambiguous) -> Said | Fault:
+    try:
+        return SaidAmbiguous(
+            _integers(answer.sigma),
+            _integers(answer.alpha),
+            integer(answer.here),
+            _integers(answer.degree),
+            _integers(answer.marks),
+        )
+    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+        let_users_interrupt(error)
+        return Fault("no-estimate", _AMBIGUOUS, show(answer))
+
+
 def _integers(values: Iterable[object]) -> tuple[int, ...]:
     kept = tuple(values)
     if are_plain(kept):
@@ -356,9 +398,11 @@ def _integers(values: Iterable[object]) -> tuple[int, ...]:
 
 
 def answered(ending: Said | Fault) -> Ending:
-    """The answer, if it is a map with a dart of it."""
+    """The answer, if it is a map with a dart of it, or a quotient with one."""
     if isinstance(ending, Fault):
         return ending
+    if isinstance(ending, SaidAmbiguous):
+        return _undecided(ending)
     try:
         map_ = CombinatorialMap(ending.sigma, ending.alpha)
     except InvalidMap as error:
@@ -368,6 +412,31 @@ def answered(ending: Said | Fault) -> Ending:
         last = len(map_.sigma) - 1
         return Fault("no-estimate", _ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}")
     return Answered(Estimate(map_, here))
+
+
+def _undecided(ending: SaidAmbiguous) -> Undecided | Fault:
+    if flaw := _flaw(ending):
+        return Fault("no-estimate", _AMBIGUOUS, flaw)
+    return Undecided(
+        Ambiguous(ending.sigma, ending.alpha, ending.degree, ending.marks, ending.here)
+    )
+
+
+def _flaw(said: SaidAmbiguous) -> str:
+    """What makes it no rooted quotient; empty if it is one."""
+    size = len(said.sigma)
+    for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):
+        if len(values) != size:
+            return f"{name} has {len(values)} entries, and sigma {size}"
+    if said.here not in range(size):
+        return f"here = {show(said.here)}, but the darts are 0..{size - 1}"
+    for name, values in (("sigma", said.sigma), ("alpha", said.alpha)):
+        if sorted(values) != list(range(size)):
+            return f"{name} = {show(list(values))} is no permutation of 0..{size - 1}"
+    if any(said.alpha[other] != dart for dart, other in enumerate(said.alpha)):
+        return f"alpha = {show(list(said.alpha))} is no involution"
+    reached = len(numbering(said.sigma, said.alpha, said.here))
+    return "" if reached == size else f"only {reached} of {size} darts are reached from here"
 
 
 def _raised(error: BaseException) -> Fault:

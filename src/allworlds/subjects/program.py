@@ -3,7 +3,8 @@
 One process plays many episodes.  To it: ``{"episode": 1, "percept": P}`` (with ``"told"``
 where there is something to tell), then ``{"percept": P}`` after each action.  From it:
 ``{"move": k}``, ``{"drop": true}``, ``{"pick": true}``, ``{"checkpoint": {...}}`` (unanswered)
-or ``{"estimate": {"sigma", "alpha", "here"}}``.  Unknown keys are ignored by both sides.
+or ``{"estimate": {"sigma", "alpha", "here"}}`` or ``{"ambiguous": {"sigma", "alpha", "degree",
+"marks", "here"}}``.  Unknown keys are ignored by both sides.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ import shlex
 import shutil
 import subprocess
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from functools import lru_cache
 from pathlib import Path
 from random import Random
@@ -28,6 +29,8 @@ from allworlds.inputs import SHOWN, InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol import (
     Action,
+    Ambiguous,
+    Answer,
     Checkpoint,
     Estimate,
     ExplorerFault,
@@ -37,7 +40,7 @@ from allworlds.protocol import (
 
 STDERR_KEPT = 4096
 LONGEST_LINE = 1 << 24
-SAYINGS = {"move", "drop", "pick", "checkpoint", "estimate"}
+SAYINGS = {"move", "drop", "pick", "checkpoint", "estimate", "ambiguous"}
 """A line of the program has exactly one of these keys."""
 
 
@@ -75,7 +78,7 @@ class Program:
 
     def explore(
         self, first: Percept, *, told: int | None = None
-    ) -> Generator[Action | Checkpoint, Percept, Estimate]:
+    ) -> Generator[Action | Checkpoint, Percept, Answer]:
         """One episode: what the program says, as an explorer would say it.
 
         Raises:
@@ -91,17 +94,17 @@ class Program:
                 action = action_from_json(message)
                 if action is not None:
                     percept = yield action
-                    self._send(_answer(percept))
+                    self._send(_answering(percept))
                 elif "checkpoint" in message:
                     yield _checkpoint(message["checkpoint"])
-                elif "estimate" in message:
+                elif "estimate" in message or "ambiguous" in message:
                     if self._out:
                         raise self._fault(
-                            "illegal-action", f"a line after its estimate: {_text(self._out)}"
+                            "illegal-action", f"a line after its answer: {_text(self._out)}"
                         )
-                    estimate = _estimate(message["estimate"])
+                    answer = _answer(message)
                     finished = True
-                    return estimate
+                    return answer
                 else:
                     raise self._fault("illegal-action", f"the line {_short(message)}")
         finally:
@@ -264,7 +267,7 @@ class Program:
 
 
 @lru_cache(maxsize=1 << 12)
-def _answer(percept: Percept) -> bytes:
+def _answering(percept: Percept) -> bytes:
     """The line that answers an action."""
     return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
 
@@ -298,6 +301,12 @@ def _checkpoint(value: object) -> Checkpoint:
     return Checkpoint(value["sigma"], value["alpha"], value["here"])
 
 
+def _answer(message: dict[str, Any]) -> Answer:
+    if "estimate" in message:
+        return _estimate(message["estimate"])
+    return _ambiguous(message["ambiguous"])
+
+
 def _estimate(value: object) -> Estimate:
     if not isinstance(value, dict):
         raise ExplorerFault("no-estimate", f"an estimate that is no object: {_short(value)}")
@@ -309,9 +318,17 @@ def _estimate(value: object) -> Estimate:
         raise ExplorerFault("no-estimate", f"no map: {error}") from None
 
 
-def _missing(value: dict[str, Any]) -> str:
-    """The keys that a checkpoint or an estimate lacks."""
-    return " and ".join(key for key in ("sigma", "alpha", "here") if key not in value)
+def _ambiguous(value: object) -> Ambiguous:
+    if not isinstance(value, dict):
+        raise ExplorerFault("no-estimate", f"a quotient that is no object: {_short(value)}")
+    if missing := _missing(value, ("sigma", "alpha", "degree", "marks", "here")):
+        raise ExplorerFault("no-estimate", f"a quotient without {missing}: {_short(value)}")
+    return Ambiguous(*(value[key] for key in ("sigma", "alpha", "degree", "marks", "here")))
+
+
+def _missing(value: dict[str, Any], keys: Sequence[str] = ("sigma", "alpha", "here")) -> str:
+    """The keys that a checkpoint or an answer lacks."""
+    return " and ".join(key for key in keys if key not in value)
 
 
 def _short(value: object) -> str:
