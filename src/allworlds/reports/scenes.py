@@ -10,7 +10,7 @@ from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Estimate, Move, Transcript
 from allworlds.world import World
 
-ANSWER = "the answer (S: where the walk begins in it, R: where it says that the robot is)"
+ANSWER = "the answer (R: where it says that the robot is)"
 """The caption of an answer."""
 
 OTHER = "another world, where the robot senses the same"
