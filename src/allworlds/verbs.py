@@ -20,6 +20,7 @@ class Verb:
         text: what tells its result, as ``module:name`` of :mod:`allworlds.reports`.
         document: the schema of its document, one of :data:`allworlds.documents.PAGES`.
         summary: one line of the help.
+        brief: what tells it in one line, likewise, for ``--quiet``; empty where nothing does.
     """
 
     name: str
@@ -27,6 +28,7 @@ class Verb:
     text: str
     document: str
     summary: str
+    brief: str = ""
 
     @property
     def group(self) -> str:
@@ -41,6 +43,7 @@ VERBS = (
         "check_text:check_text",
         "check",
         "Every world of a class, one explorer, a verdict: the main job.",
+        brief="check_text:verdict_line",
     ),
     Verb(
         "run",
@@ -55,6 +58,7 @@ VERBS = (
         "check_text:check_text",
         "check",
         "Random worlds beyond the exhaustive bound.",
+        brief="check_text:verdict_line",
     ),
     Verb(
         "replay",

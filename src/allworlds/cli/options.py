@@ -218,7 +218,10 @@ class Output:
         bool, typer.Option("--json", help="One JSON document on stdout.", rich_help_panel=OUTPUT)
     ] = False
     quiet: Annotated[
-        bool, typer.Option("-q", "--quiet", help="No progress.", rich_help_panel=OUTPUT)
+        bool,
+        typer.Option(
+            "-q", "--quiet", help="No progress, and of a verdict one line.", rich_help_panel=OUTPUT
+        ),
     ] = False
 
 

@@ -14,7 +14,7 @@ from typing import Any, Self, Unpack
 from allworlds.cli.made_by import Effort, made_by
 from allworlds.cli.options import Output
 from allworlds.outcome import Exit, Result
-from allworlds.reports import text
+from allworlds.reports import brief, text
 from allworlds.streams import patient_stderr
 
 NARROWEST = 40
@@ -36,6 +36,32 @@ def printable(text: str) -> str:
     return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", lambda found: f"\\x{ord(found[0]):02x}", text)
 
 
+COLOURS = {
+    "HOLDS": 32,
+    "FIXED": 32,
+    "REFUTED": 31,
+    "REPRODUCED": 31,
+    "ERROR": 31,
+    "NOT-REFUTED": 33,
+    "INCONCLUSIVE": 33,
+    "VACUOUS": 33,
+    "EMPTY": 33,
+}
+"""The colour in which a terminal shows the word that begins the line of a verdict."""
+
+
+def coloured(text: str) -> str:
+    """The text with its verdicts in colour, if it goes to a terminal that is to have colours."""
+    if not sys.stdout.isatty() or os.environ.get("NO_COLOR"):
+        return text
+    return re.sub(
+        rf"^({'|'.join(COLOURS)})(?=[ :])",
+        lambda word: f"\x1b[1;{COLOURS[word[0]]}m{word[0]}\x1b[0m",
+        text,
+        flags=re.MULTILINE,
+    )
+
+
 def emit(result: Result, verb: str, output: Output, **effort: Unpack[Effort]) -> int:
     """Print a verb's result in the form that was asked for; its exit code.
 
@@ -48,7 +74,8 @@ def emit(result: Result, verb: str, output: Output, **effort: Unpack[Effort]) ->
         if output.as_json:
             print(json.dumps({**result.to_json(), "made_by": made_by(effort)}, indent=2))
         else:
-            print(printable(text(verb, result, width())))
+            told = brief if output.quiet else text
+            print(coloured(printable(told(verb, result, width()))))
         sys.stdout.flush()
     except BrokenPipeError:
         # The reader has gone (a pipe to head); the exit code is still to be told.

@@ -41,11 +41,20 @@ FORMATS = {
 
 
 _TEXTS = {verb.name: verb.text for verb in VERBS}
+_BRIEFS = {verb.name: verb.brief for verb in VERBS}
 
 
 def text(verb: str, result: Any, width: int) -> str:
     """The text of a verb's result for a terminal with so many columns."""
     made: str = _load(_TEXTS[verb])(result, width)
+    return made
+
+
+def brief(verb: str, result: Any, width: int) -> str:
+    """What ``--quiet`` leaves of it: one line where the verb has one, else all."""
+    if not _BRIEFS[verb]:
+        return text(verb, result, width)
+    made: str = _load(_BRIEFS[verb])(result)
     return made
 
 
@@ -60,4 +69,4 @@ def _load(home: str) -> Any:
     return getattr(import_module(f"allworlds.reports.{module}"), function)
 
 
-__all__ = ["FORMATS", "Format", "text", "written"]
+__all__ = ["FORMATS", "Format", "brief", "text", "written"]

@@ -11,16 +11,19 @@ from allworlds.reports.run_text import finding_text
 
 
 def check_text(report: Report, width: int) -> str:
-    """What was seen, the verdict with its scope, and the findings."""
+    """What was seen, its scope, the findings, and the verdict last, where it is seen first."""
     header, rows = size_table(report)
     scope = [line for name, text in scope_words(report) for line in entry(name, text, width)]
-    blocks = [table(header, rows, "r" * len(header)), _verdict(report, width), scope]
+    blocks = [table(header, rows, "r" * len(header)), scope]
     blocks += [
         [finding_text(finding, width, origin_words(report, finding))] for finding in report.findings
     ]
+    word, text = verdict_words(report)
+    blocks.append(entry(word, text, width) if len(word) < 11 else wrap(f"{word}: {text}", width))
     return "\n\n".join("\n".join(block) for block in blocks if block)
 
 
-def _verdict(report: Report, width: int) -> list[str]:
+def verdict_line(report: Report) -> str:
+    """The verdict in one line."""
     word, text = verdict_words(report)
-    return entry(word, text, width) if len(word) < 11 else wrap(f"{word}: {text}", width)
+    return f"{word}: {text}"
