@@ -1,0 +1,40 @@
+"""How much is printed, and in which colours."""
+
+import pytest
+
+from allworlds.cli.output import COLOURS, coloured
+from allworlds.outcome import Verdict
+
+VERDICT = "12 worlds, 30 runs, 67 traversals: no law is broken"
+
+
+def test_the_verdict_stands_last(cli):
+    _, out, _ = cli("check", "--edges", 2, "--workers", 1)
+    assert out.splitlines()[-1] == f"HOLDS      {VERDICT}"
+
+
+def test_quiet_leaves_the_verdict_alone_in_one_line(cli):
+    assert cli("check", "--edges", 2, "--workers", 1, "-q") == (0, f"HOLDS: {VERDICT}\n", "")
+    code, out, _ = cli("check", "--edges", 2, "--bound", "1", "--workers", 1, "-q")
+    assert (code, out.count("\n")) == (1, 1)
+    assert out.startswith("REFUTED: law bound is broken; ")
+
+
+def test_a_verb_without_a_verdict_says_all_of_it(cli):
+    assert cli("count", "--edges", 2, "-q")[1] == cli("count", "--edges", 2)[1]
+
+
+def test_every_verdict_has_a_colour():
+    assert {verdict.value.upper() for verdict in Verdict} <= set(COLOURS)
+
+
+@pytest.mark.parametrize("word", COLOURS)
+def test_a_terminal_shows_verdicts_in_colour_and_nothing_else(word, monkeypatch):
+    text = f"worlds\n{word}: {word} once more\n  {word} within"
+    assert coloured(text) == text
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    shown = f"worlds\n\x1b[1;{COLOURS[word]}m{word}\x1b[0m: {word} once more\n  {word} within"
+    assert coloured(text) == shown
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert coloured(text) == text
