@@ -9,12 +9,8 @@ from typing import Any, Protocol
 from allworlds.inputs import InputError, show
 from allworlds.isolation import workers_for
 from allworlds.runs import Examination, Scope
-from allworlds.subjects import Subject
+from allworlds.subjects import NATIVE, Subject
 from allworlds.work import Limits, Threads, Transport
-
-
-class EnginesDisagree(Exception):
-    """Two engines say different things about one world."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +80,7 @@ class General:
 
 
 class Compiled:
-    """The built-in explorers and the judge in compiled code, in threads."""
+    """The judge in compiled code, with built-in explorers in threads, or a native one in processes."""
 
     name = "kernel"
 
@@ -97,15 +93,23 @@ class Compiled:
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """The first option that it does not know."""
-        if subject.foreign:
+        if subject.foreign and not subject.name.startswith(NATIVE):
             # Said before the kernel is loaded, which takes half a second.
-            return f"runs only built-in explorers, not {show(subject.name)}"
+            return f"runs only built-in explorers and shared libraries, not {show(subject.name)}"
         from allworlds.checker.questions import obstacle
 
         return obstacle(scope, subject)
 
     def ready(self, job: Job) -> Way:
-        """Threads, after both engines have agreed on every small world."""
+        """Threads, after both engines have agreed on every small world.
+
+        For a native explorer processes, as its code is foreign: there both agree as they go.
+        """
+        if job.subject.foreign:
+            from allworlds.checker.native import NativeExamination
+
+            workers = workers_for(job.subject, job.limits, job.deadline)
+            return Way(workers, NativeExamination(job.scope, job.keep))
         from allworlds.checker.compiled import BATCH, CompiledExamination
 
         threads = Threads(job.limits.workers, job.deadline, BATCH)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Unpack
 
 from allworlds.checker.corpus import UserCorpus
-from allworlds.checker.engines import Engine, EnginesDisagree, Job, Way, engine_for
+from allworlds.checker.engines import Engine, Job, Way, engine_for
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
 from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
 from allworlds.checker.report import (
@@ -29,6 +29,7 @@ from allworlds.progress import Listener, Silent
 from allworlds.runs import (
     DEFAULT_EDGES,
     LOST,
+    EnginesDisagree,
     Scope,
     Shard,
     Tally,

@@ -11,6 +11,8 @@ lock only to start and to end, so that threads share the work.
     what is judged: maps, finished one after the other, as worlds with every lighthouse;
 ``algorithm1``, ``two_vertices``
     explorers, each behind the C interface of all explorers;
+``native``, ``batches``
+    explorers in shared libraries, played in processes of their own, many runs at a time;
 ``walk``, ``ways``, ``tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``dearest``
@@ -26,6 +28,7 @@ This package is imported where it is used: the first use compiles for some secon
 load what was compiled.
 """
 
+from allworlds.kernel.batches import LONGEST_STRETCH, Actors, Laid, Stretch, UnitJudge
 from allworlds.kernel.compiling import is_compiled
 from allworlds.kernel.dearest import Dearest, dearest_of_unit
 from allworlds.kernel.engine import (
@@ -54,17 +57,22 @@ __all__ = [
     "COMPILING",
     "EXPLORERS",
     "LIGHTHOUSES",
+    "LONGEST_STRETCH",
     "MOST_BUDGET",
     "MOST_EDGES",
     "UNDEFINED",
+    "Actors",
     "Bounds",
     "Broken",
     "Counts",
     "Dearest",
+    "Laid",
     "Level",
     "Listed",
     "Rows",
+    "Stretch",
     "Tables",
+    "UnitJudge",
     "by_vertices_and_faces",
     "compile_apart",
     "costs",
