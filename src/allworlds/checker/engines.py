@@ -80,7 +80,7 @@ class General:
 
 
 class Compiled:
-    """The judge in compiled code, with built-in explorers in threads, or a native one in processes."""
+    """The judge in compiled code: built-in explorers in threads, native ones in processes."""
 
     name = "kernel"
 
@@ -108,6 +108,7 @@ class Compiled:
         if job.subject.foreign:
             from allworlds.checker.native import NativeExamination
 
+            NativeExamination.compiled(job)
             workers = workers_for(job.subject, job.limits, job.deadline)
             return Way(workers, NativeExamination(job.scope, job.keep))
         from allworlds.checker.compiled import BATCH, CompiledExamination
@@ -118,6 +119,14 @@ class Compiled:
 
 ENGINES: dict[str, Engine] = {engine.name: engine for engine in (General(), Compiled())}
 """Every engine by its name."""
+
+
+def why_not_compiled(scope: Scope, subject: Subject) -> str:
+    """Why a native explorer is not judged in compiled code, in a large check; else empty."""
+    if not subject.name.startswith(NATIVE) or scope.extent.levels[-1] < COMPILED_FROM:
+        return ""
+    obstacle = ENGINES["kernel"].obstacle(scope, subject)
+    return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""
 
 
 COMPILED_FROM = 5

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Unpack
 
 from allworlds.checker.corpus import UserCorpus
-from allworlds.checker.engines import Engine, Job, Way, engine_for
+from allworlds.checker.engines import Engine, Job, Way, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
 from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
 from allworlds.checker.report import (
@@ -92,6 +92,8 @@ def check(
     chosen = engine_for(engine, scope, subject)
     directory = None if corpus is None else UserCorpus(a_path("corpus", corpus))
     listener = listener or Silent()
+    if engine == "auto" and (why := why_not_compiled(scope, subject)):
+        listener.notice(why)
     job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice)
     return _Check(job, chosen, listener, directory).run()
 

@@ -1,10 +1,10 @@
 """Native explorers in the compiled engine: stretches of runs, played twice, and judged between.
 
-A stretch is laid out and judged by a referee, which has no foreign code in it; its two players play it,
-the one in worlds, the other against what was sensed there, each in an order of its own.  Whatever goes
-wrong there, a lost player, threads left behind, logs that cannot be read, is left to the general
-engine, which plays the stretch anew; and what the kernel says of a broken law, the general engine must
-say too, or nothing is believed.
+A stretch is laid out and judged by a referee, which has no foreign code in it; its two players play
+it, the one in worlds, the other against what was sensed there, each in an order of its own.
+Whatever goes wrong there, a lost player, threads left behind, logs that cannot be read, is left to
+the general engine, which plays the stretch anew; and what the kernel says of a broken law, the
+general engine must say too, or nothing is believed.
 """
 
 from __future__ import annotations
@@ -14,12 +14,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import islice
-from typing import Any
+from typing import Any, NamedTuple
 
 from allworlds import kernel
 from allworlds.checker.compiled import tally_of
+from allworlds.checker.engines import Job
 from allworlds.checker.questions import level_of
-from allworlds.isolation import Cast, Shared
+from allworlds.isolation import Cast, Shared, guardian
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.runs import (
     LOST,
@@ -46,12 +47,20 @@ AGREEMENT_EDGES = 3
 """Up to so many edges both engines do everything, and must count the same."""
 
 AT_FIRST, AFTER_LOSS = 512, 64
-"""How many runs the first stretch has, and the one after a loss; each next one has twice as many."""
+"""The runs of the first stretch, and of the one after a loss; each next one has twice as many."""
 
 MOST_DIFFERING = 16
 """So many runs whose plays differ are looked at in one stretch."""
 
+KEPT = 64
+"""So many plays are kept to be played again among later ones."""
+
 DIFFERENT = "the second walk or answer differs"
+
+
+def load() -> None:
+    """Have all that is needed loaded, this module included."""
+    kernel.load_native()
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +74,13 @@ class NativeExamination:
     scope: Scope
     keep: int
 
+    @staticmethod
+    def compiled(job: Job) -> None:
+        """Have what is needed compiled or loaded once, for all processes that will be."""
+        if not (kernel.is_compiled(kernel.play_worlds) and kernel.is_compiled(kernel.examine)):
+            job.notice(kernel.COMPILING)
+        guardian().prepare(__name__, load.__name__)
+
     def own(self, subject: Subject) -> InParts:
         """See :class:`allworlds.runs.Examines`; explorers of ours need no such thing."""
         return Examination(self.scope, self.keep).own(subject)
@@ -72,6 +88,14 @@ class NativeExamination:
     def foreign(self, explorer: str, cast: Cast, earlier: Earlier) -> InParts:
         """See :class:`allworlds.isolation.PlaysApart`."""
         return PlayedByStretches(Examination(self.scope, self.keep), explorer, cast, earlier)
+
+
+class _Earlier(NamedTuple):
+    """A play that was the same twice, to be played again among those of other units and levels."""
+
+    unit: Unit
+    number: int
+    kept: kernel.Kept
 
 
 @dataclass(slots=True)
@@ -90,6 +114,7 @@ class PlayedByStretches:
     _referee: Referee = field(init=False)
     _most: int = AT_FIRST
     _worst: list[tuple[Any, ...]] = field(default_factory=list)
+    _kept: list[_Earlier] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self._general = PlayedTwice(self.examination, self.explorer, self.cast, self.earlier)
@@ -128,22 +153,38 @@ class PlayedByStretches:
             if played is None:
                 return None
             size = played
-        rows, readable = judge.judge(laid, size)
+        few = min(kernel.MOST_EARLIER, len(self._kept)) if laid.runs else 0
+        earlier = self.cast.random.sample(self._kept, few)
+        again = [play.kept for play in earlier]
+        rows, readable = judge.judge(laid, size, again)
         if not readable:
             return None
-        differing: Sequence[int] = ()
+        differing: list[int] = []
         if laid.runs:
-            again = second.played(self.cast, "second", laid.runs, policy)
-            if again is None:
+            played = second.played(self.cast, "second", laid.runs + few, policy)
+            if played is None:
                 return None
-            differing = judge.differing(laid, again)
+            differing = judge.differing(laid, played, again)
         tally = tally_of(rows, unit, self.examination.scope, self.examination.keep)
-        if differing:
-            self._find_differing(unit, differing, tally)
+        ours = [judge.number(row) for row in differing if row < laid.runs]
+        if ours:
+            self._find_differing(unit, ours, tally)
         else:
             for broken in rows.broken:
                 self._find(unit, broken, tally)
+        for play in (earlier[row - laid.runs] for row in differing if row >= laid.runs):
+            self._find_differing(play.unit, [play.number], tally)
+        if not differing and laid.runs:
+            row = self.cast.random.randrange(laid.runs)
+            self._keep(_Earlier(unit, judge.number(row), judge.kept(row)))
         return tally
+
+    def _keep(self, play: _Earlier) -> None:
+        """Keep a play to be played again later; of many the first stay for good."""
+        if len(self._kept) < KEPT:
+            self._kept.append(play)
+        else:
+            self._kept[self.cast.random.randrange(KEPT // 4, KEPT)] = play
 
     def _by_the_general_engine(self, unit: Unit, laid: kernel.Laid) -> Tally:
         tally = self.examination.tally()
@@ -210,9 +251,10 @@ class PlayedByStretches:
             if not isinstance(outcome, Outcome):
                 tally.find(self._referee.lost(one.world, one.place, outcome))
                 continue
-            if outcome.violation is None or outcome.violation.law != "nondeterministic":
-                outcome = replace(outcome, violation=nondeterministic(DIFFERENT))
-            tally.find(self._referee.finding(one.world, one.place, outcome))
+            told = outcome
+            if told.violation is None or told.violation.law != "nondeterministic":
+                told = replace(outcome, violation=nondeterministic(DIFFERENT))
+            tally.find(self._referee.finding(one.world, one.place, told))
 
 
 def _one(run: NumberedRun) -> OneRun:

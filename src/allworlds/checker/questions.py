@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from functools import cache
 
 from allworlds import kernel
@@ -29,6 +30,8 @@ def obstacle(scope: Scope, subject: Subject) -> str:
     rules, extent = scope.rules, scope.extent
     if not subject.name.startswith(NATIVE) and subject.name not in kernel.EXPLORERS:
         return f"runs only {', '.join(kernel.EXPLORERS)}, not {show(subject.name)}"
+    if subject.name.startswith(NATIVE) and not hasattr(os, "memfd_create"):
+        return "plays shared libraries on Linux alone"
     if kind_of(rules.kind) not in kernel.LIGHTHOUSES:
         return f"does not know the lighthouse {show(rules.lighthouse)}"
     if extent.map_class not in CLASSES:

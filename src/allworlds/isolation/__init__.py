@@ -24,6 +24,7 @@ from allworlds.isolation.confirm import confirmed, examine_apart
 from allworlds.isolation.jobs import HarnessError
 from allworlds.isolation.looking import subject_of
 from allworlds.isolation.players import Cast, PlaysApart, Unsettled
+from allworlds.isolation.process import guardian
 from allworlds.isolation.stretches import Shared
 from allworlds.isolation.workers import Workers, workers_for
 
@@ -36,6 +37,7 @@ __all__ = [
     "Workers",
     "confirmed",
     "examine_apart",
+    "guardian",
     "subject_of",
     "workers_for",
 ]

@@ -28,7 +28,16 @@ This package is imported where it is used: the first use compiles for some secon
 load what was compiled.
 """
 
-from allworlds.kernel.batches import LONGEST_STRETCH, Actors, Laid, Stretch, UnitJudge
+from allworlds.kernel.batches import (
+    LONGEST_STRETCH,
+    MOST_EARLIER,
+    Actors,
+    Kept,
+    Laid,
+    Stretch,
+    UnitJudge,
+    load_native,
+)
 from allworlds.kernel.compiling import is_compiled
 from allworlds.kernel.dearest import Dearest, dearest_of_unit
 from allworlds.kernel.engine import (
@@ -46,6 +55,7 @@ from allworlds.kernel.engine import (
     walk,
 )
 from allworlds.kernel.laws import CHECKED
+from allworlds.kernel.native import play_worlds
 from allworlds.kernel.rows import Bounds, Broken, Counts, Level, Listed, Rows, walk_number
 from allworlds.kernel.runs import examine
 from allworlds.kernel.schedules import search
@@ -59,6 +69,7 @@ __all__ = [
     "LIGHTHOUSES",
     "LONGEST_STRETCH",
     "MOST_BUDGET",
+    "MOST_EARLIER",
     "MOST_EDGES",
     "UNDEFINED",
     "Actors",
@@ -66,6 +77,7 @@ __all__ = [
     "Broken",
     "Counts",
     "Dearest",
+    "Kept",
     "Laid",
     "Level",
     "Listed",
@@ -83,6 +95,8 @@ __all__ = [
     "is_compiled",
     "judge",
     "load_judge",
+    "load_native",
+    "play_worlds",
     "search",
     "tables",
     "walk",

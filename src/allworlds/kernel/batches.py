@@ -1,8 +1,8 @@
 """Runs of a native explorer, many at a time: laid out and judged here, played in other processes.
 
-:class:`Stretch` is what one process hands to another: memory that both see.  :class:`UnitJudge` lays out
-and judges, and has no explorer; :class:`Actors` is the explorer's side.  What stands in the memory that
-is shared with foreign code is copied before it is looked at, and is looked at as what it may be.
+:class:`Stretch` is what one process hands to another: memory that both see.  :class:`UnitJudge`
+lays out and judges, and has no explorer; :class:`Actors` is the explorer's side.  What stands in
+memory that is shared with foreign code is copied before it is looked at.
 """
 
 from __future__ import annotations
@@ -11,19 +11,30 @@ import ctypes
 import mmap
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
-from numpy import array, asarray, frombuffer, int32, int64, ndarray, uint8, zeros
+from numpy import array, asarray, concatenate, frombuffer, int32, int64, uint8, zeros
 from numpy.random import default_rng
 
 from allworlds.kernel import native, runs
+from allworlds.kernel.compiling import uncollected
 from allworlds.kernel.engine import asked_of, rows_of, set_up
 from allworlds.kernel.names import POLICIES
 from allworlds.kernel.records import JOB, POLICY, READER, ROBOT, new
-from allworlds.kernel.rows import Level, Rows
+from allworlds.kernel.rows import Bounds, Level, Rows
+from allworlds.kernel.tables import tables
 
 LONGEST_STRETCH = 4096
 """The largest number of runs in a stretch, but for those of its last world."""
+
+ROWS = LONGEST_STRETCH + 2 * native.MOST_PLACES
+"""Room for the runs of a stretch, of its last world, and for earlier ones."""
+
+LONGEST_KEPT = 4096
+"""So many bytes are kept of a log to be compared later."""
+
+MOST_EARLIER = 16
+"""So many earlier runs are played again among those of a stretch."""
 
 LOG_BYTES = 1 << 21
 """Room for the logs of a stretch, and as much for its percepts: 512 bytes a run."""
@@ -44,7 +55,7 @@ class Stretch:
     """
 
     def __init__(self, memory: mmap.mmap, edges: int) -> None:
-        rows = LONGEST_STRETCH + native.MOST_PLACES
+        rows = ROWS
         self._at = 0
         self._memory = memory
         self.heads = self._array(int32, rows, native.HEAD)
@@ -57,7 +68,7 @@ class Stretch:
     @staticmethod
     def size(edges: int) -> int:
         """The number of bytes."""
-        rows = LONGEST_STRETCH + native.MOST_PLACES
+        rows = ROWS
         return rows * (4 * native.HEAD + 8 + native.WIDE * 2 * edges) + 2 * LOG_BYTES
 
     def _array(self, kind: Any, *shape: int) -> Any:
@@ -127,7 +138,7 @@ class UnitJudge:
         if self._job.number < laid.until:
             self.judge(laid, 0)
 
-    def judge(self, laid: Laid, size: int) -> tuple[Rows, bool]:
+    def judge(self, laid: Laid, size: int, earlier: Sequence[Kept] = ()) -> tuple[Rows, bool]:
         """What the logs in the memory are worth, and whether all of them could be judged.
 
         The percepts for the second play come to stand in its memory.
@@ -135,39 +146,87 @@ class UnitJudge:
         Args:
             laid: the stretch.
             size: of the logs, in bytes.
+            earlier: what is to be played again among them.
         """
         reader, job, asked = self._reader, self._job, self._asked
-        stretch, records = self._stretch, self._records
-        size = max(0, min(size, LOG_BYTES))
-        self.logs, self.begins = stretch.logs[:size].copy(), stretch.begins[: laid.runs].copy()
-        reader.logs, reader.size = self.logs.ctypes.data, size
-        reader.begins = self.begins.ctypes.data
+        stretch, size = self._stretch, max(0, min(size, LOG_BYTES))
+        logs, begins = stretch.logs[:size].copy(), stretch.begins[: laid.runs].copy()
+        reader.logs, reader.size = logs.ctypes.data, size
+        reader.begins = begins.ctypes.data
         percepts, starts = zeros(LOG_BYTES, uint8), zeros(laid.runs + 1, int32)
         reader.percepts, reader.room = percepts.ctypes.data, LOG_BYTES
         reader.ends, reader.noted = starts.ctypes.data, 0
         reader.run = reader.strange = 0
         job.until = laid.until
         asked.clear()
-        self._robot.events[:] = 0
         runs.examine(job, *asked.arguments, self._never)
         starts[laid.runs] = reader.noted
-        noted = int(reader.noted)
-        records.percepts[:noted] = percepts[:noted]
-        records.starts[: laid.runs] = starts[: laid.runs]
         self._heads[:, native.RUN_MOTIONS] = (starts[1:] - starts[:-1]) // 3 - 1
-        records.heads[: laid.runs] = self._heads
-        good = reader.strange == 0 and reader.run == laid.runs
-        return rows_of(asked, job, self._robot), good and job.undefined == 0
+        self._first = _Logs(self._heads, percepts, starts, logs, begins)
+        self._hand_over(laid, earlier)
+        good = reader.strange == 0 and reader.run == laid.runs and job.undefined == 0
+        return rows_of(asked, job, self._robot), good
 
-    def differing(self, laid: Laid, size: int) -> list[int]:
-        """The numbers of the runs whose second logs are not as their first ones."""
-        records = self._records
+    def _hand_over(self, laid: Laid, earlier: Sequence[Kept]) -> None:
+        """What was sensed, here and earlier, to the second player."""
+        records, first, end = self._records, self._first, int(self._first.starts[laid.runs])
+        records.percepts[:end] = first.percepts[:end]
+        records.starts[: laid.runs] = first.starts[: laid.runs]
+        records.heads[: laid.runs] = first.heads
+        for row, kept in enumerate(earlier, laid.runs):
+            length = len(kept.percepts)
+            records.percepts[end : end + length] = kept.percepts
+            records.starts[row], records.heads[row] = end, kept.head
+            end += length
+
+    def differing(self, laid: Laid, size: int, earlier: Sequence[Kept] = ()) -> list[int]:
+        """Which runs have second logs that are not as their first ones.
+
+        Those of the stretch, and behind them those of earlier ones, are numbered as they were laid
+        out.
+        """
+        records, count = self._records, laid.runs + len(earlier)
         size = max(0, min(size, LOG_BYTES))
-        logs, begins = records.logs[:size].copy(), records.begins[: laid.runs].copy()
-        found = zeros(laid.runs, int64)
-        count = native.differing(self.logs, self.begins, logs, begins, laid.runs, found)
-        numbers: list[int] = self._heads[found[:count], native.RUN_NUMBER].tolist()
-        return numbers
+        logs, begins = records.logs[:size].copy(), records.begins[:count].copy()
+        first, ends = [self._first.logs], [*self._first.begins]
+        for kept in earlier:
+            ends.append(sum(map(len, first)))
+            first.append(kept.log)
+        found = zeros(count, int64)
+        differ = native.differing(
+            concatenate(first), array(ends, int32), logs, begins, count, found
+        )
+        different: list[int] = found[:differ].tolist()
+        return different
+
+    def number(self, row: int) -> int:
+        """The number of a run in its unit."""
+        return int(self._first.heads[row, native.RUN_NUMBER])
+
+    def kept(self, row: int) -> Kept:
+        """What is needed to play a run again."""
+        first = self._first
+        start, end, begin = int(first.starts[row]), int(first.starts[row + 1]), first.begins[row]
+        log = first.logs[begin : begin + LONGEST_KEPT].copy()
+        return Kept(first.heads[row].copy(), first.percepts[start:end].copy(), log)
+
+
+class Kept(NamedTuple):
+    """A run that can be played again: what is said of it, what was sensed, and its log."""
+
+    head: Any
+    percepts: Any
+    log: Any
+
+
+class _Logs(NamedTuple):
+    """A stretch as it was played first."""
+
+    heads: Any
+    percepts: Any
+    starts: Any
+    logs: Any
+    begins: Any
 
 
 _ROOMS: list[tuple[Any, Any, Any]] = []
@@ -227,7 +286,36 @@ class Actors:
         return int(native.play_worlds(*common, *shown, self._beat))
 
 
-def _view(memory: Any) -> ndarray[Any, Any]:
+def _view(memory: Any) -> Any:
     """An array of C's integers as one of numpy."""
     address, length = ctypes.addressof(memory), ctypes.sizeof(memory) // 4
-    return frombuffer((ctypes.c_int32 * length).from_address(address), int32)
+    array_of: Any = (ctypes.c_int32 * length).from_address(address)
+    return frombuffer(array_of, int32)
+
+
+def load_native() -> None:
+    """Have all that native explorers need loaded, or compiled; the lighthouses are loaded later."""
+    level = Level(
+        1,
+        2,
+        simple=False,
+        planar=False,
+        explorer="",
+        lighthouse="directional",
+        policy="fifo",
+        laws=(),
+        bounds=Bounds(lambda *_: None),
+        budgets=(0, 0, 0),
+        tables=tables(1, 0),
+    )
+    with uncollected():
+        stretch = Stretch(mmap.mmap(-1, Stretch.size(level.edges)), level.edges)
+        unit = UnitJudge(level, (-1,), 1, stretch, stretch)
+        laid = unit.lay_out(0)
+        unit.judge(laid, 0)
+        unit.differing(laid, 0)
+        nothing = dict.fromkeys(("start", "step", "answer", "choose"), 0)
+        handed = [(ctypes.c_int32 * length)() for length in (3, 2, 1, 1, 1)]
+        actors = Actors(nothing, 0, handed, bytearray(16))
+        for again in (False, True):
+            actors.play(stretch, 0, 0, "fifo", again=again)

@@ -65,15 +65,12 @@ ADDRESSES = 12
 def lay_out(job, prefix, viable, budgets, heads, worlds):
     """How many runs have been laid out, up to ``job.until``, or till there is no more room.
 
-    Args:
-        job: as for :func:`allworlds.kernel.runs.examine`; ``job.number`` becomes the number of the
-            next run, and ``job.until`` 0 behind the last.
-        prefix, viable, budgets: as there.
-        heads: of each run.
-        worlds: of each run, dart by dart.
+    The first four are as for :func:`allworlds.kernel.runs.examine`; ``job.number`` becomes the
+    number of the next run, and ``job.until`` 0 behind the last.  ``heads`` and ``worlds`` are
+    written, a row for each run.
     """
     g, world, lit = job.gluing, job.world, 0
-    while job.number < job.until and lit <= len(heads) - MOST_PLACES:
+    while job.number < job.until and lit <= len(heads) - 2 * MOST_PLACES:
         if not advance(g, prefix, viable):
             job.until = 0
             break
@@ -102,21 +99,17 @@ def play_worlds(
 ):
     """The number of bytes of the logs; -1 if there is no room for them.
 
-    Args:
-        explorer: addresses.
-        percept, action, here, sigma, alpha: what is handed to and fro, in memory of its own.
-        asked: the policy.
-        heads, worlds: what has been laid out.
-        order: of the runs.
-        logs: bytes, written.
-        begins: where the log of each run begins, written.
-        beat: the number of the current run, and the explorer's turns in it.
+    ``explorer`` holds addresses; what is handed to and fro (``percept`` to ``alpha``) stands in
+    memory of its own; ``asked`` answers choices.  ``heads`` and ``worlds`` have been laid out; the
+    runs are played in the given ``order``.  ``logs`` are written, and in ``begins`` where that of
+    each run begins.  ``beat`` tells the number of the current run, and the explorer's turns in it.
     """
-    at = 0
+    at = int64(0)
     for run in order:
         head, world = heads[run], worlds[run]
         begins[run] = at
-        dart, cost, shown, turn = 0, 0, 0, 1
+        dart = int64(0)
+        cost, shown, turn = 0, 0, 1
         _sense(percept, world, dart)
         _begin(explorer, action, asked, head, beat)
         while True:
@@ -178,9 +171,7 @@ def play_records(
 ):
     """The same against what was sensed in the first play, without a world.
 
-    Args:
-        percepts: bytes, three for each percept.
-        starts: where those of each run begin.
+    ``percepts`` are three bytes each, and ``starts`` says where those of a run begin.
     """
     at = 0
     for run in order:
@@ -275,9 +266,7 @@ def _end(explorer, kind, here, sigma, alpha, logs, at):
 
 @inner
 def _publish(explorer, here, sigma, alpha, logs, at, what):
-    """Where the log goes on behind what the explorer has published; there STRANGE stands if that
-    cannot be read again.
-    """
+    """Where the log goes on behind what was published; STRANGE stands there if that is no use."""
     here[0] = NONE
     darts = ask_answer(
         explorer[ANSWER_OF],
@@ -425,11 +414,8 @@ def reader_addresses() -> tuple[int, int, int]:
 def differing(first, begins, second, again, runs, different):
     """How many of the runs have logs that differ; which is noted in ``different``.
 
-    Args:
-        first, second: bytes of logs.
-        begins, again: where the log of each run begins in them.
-        runs: how many.
-        different: room for a number for each run.
+    ``first`` and ``second`` are the bytes of the logs, and ``begins`` and ``again`` say where that
+    of each run begins.
     """
     found = 0
     for run in range(runs):

@@ -116,8 +116,8 @@ WORLD = dtype(
 PERCEPT = dtype([("degree", int32), ("marks", int32), ("bearing", int32)])
 ACTION = dtype([("kind", int32), ("motion", int32)])
 ANSWER = dtype([("sigma", int64), ("alpha", int64), ("darts", int32), ("here", int32)])
-"""``struct allworlds_percept`` and ``allworlds_action`` of the C header, and an answer: ``sigma`` and
-``alpha`` are addresses of 32-bit integers."""
+"""``struct allworlds_percept`` and ``allworlds_action`` of the C header, and an answer: ``sigma``
+and ``alpha`` are addresses of 32-bit integers."""
 
 EXPLORER = dtype(
     [
