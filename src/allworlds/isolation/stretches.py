@@ -36,6 +36,11 @@ class Shared:
         """Nobody else can get to it any more."""
         os.close(self._file)
 
+    @property
+    def file(self) -> str:
+        """Where another process finds it."""
+        return f"/proc/{os.getpid()}/fd/{self._file}"
+
     def played(self, cast: Cast, which: str, runs: int, policy: str) -> int | None:
         """The number of bytes of the logs; None if they are to be made in another way.
 
@@ -47,8 +52,7 @@ class Shared:
         """
         again = which == "second"
         order = cast.random.getrandbits(63)
-        memory = f"/proc/{os.getpid()}/fd/{self._file}"
-        job = PlayStretch(memory, self._edges, runs, order, policy, again)
+        job = PlayStretch(self.file, self._edges, runs, order, policy, again)
         said = cast.stretch(which, job)
         return None if said is None or said.size < 0 or said.threads else said.size
 
