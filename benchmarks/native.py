@@ -10,6 +10,8 @@ from __future__ import annotations
 
 import argparse
 import time
+from collections.abc import Callable
+from typing import Any
 
 from allworlds import kernel
 from allworlds.checker.questions import level_of
@@ -37,7 +39,7 @@ def main() -> None:
     kernel.load_native()
     spent, runs = dict.fromkeys(PARTS, 0.0), 0
 
-    def timed(part, work):
+    def timed(part: str, work: Callable[[], Any]) -> Any:
         start = time.process_time()
         done = work()
         spent[part] += time.process_time() - start

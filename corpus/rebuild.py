@@ -126,6 +126,95 @@ COUNTS = {
     },
 }
 
+DUDEK_BOUND = "3*n*(n-1)//2 + (m-n+1)*(5*n+2*D-4)"
+
+# name: options of the check, provenance, what must come out; "dearest" by the number of edges.
+CHECKS: dict[str, tuple[dict[str, object], str, dict[str, object]]] = {
+    "remembering": (
+        {"explore": "remembering", "edges": 4},
+        "an independent implementation of the explorer",
+        {
+            "bound": "paper",
+            "worlds": 792,
+            "runs": 3684,
+            "traversals": 21070,
+            "dearest": [1, 4, 11, 22],
+        },
+    ),
+    "greedy": (
+        {"explore": "greedy", "edges": 4},
+        "an independent implementation of the explorer",
+        {
+            "bound": "paper",
+            "worlds": 792,
+            "runs": 3684,
+            "traversals": 17888,
+            "dearest": [1, 3, 10, 21],
+        },
+    ),
+    "prudent": (
+        {"explore": "prudent", "edges": 4},
+        "as greedy: no world with 4 edges is long",
+        {
+            "bound": "paper",
+            "worlds": 792,
+            "runs": 3684,
+            "traversals": 17888,
+            "dearest": [1, 3, 10, 21],
+        },
+    ),
+    "remembering-all-schedules": (
+        {"explore": "remembering", "edges": 3, "schedules": "all"},
+        "the bound is proved for every order of darts and hypotheses",
+        {"bound": "paper", "worlds": 86, "runs": 309},
+    ),
+    "dudek91-simple": (
+        {"explore": "dudek91", "edges": 5, "map_class": "simple"},
+        "right in simple worlds (Dudek, Jenkin, Milios, Wilkes 1991), within its own bound",
+        {"verdict": "holds", "bound": DUDEK_BOUND, "worlds": 140, "runs": 140},
+    ),
+    "dudek91-simple-all-schedules": (
+        {"explore": "dudek91", "edges": 4, "map_class": "simple", "schedules": "all"},
+        "whichever dart leaves U",
+        {"verdict": "holds", "bound": DUDEK_BOUND, "worlds": 32, "runs": 32},
+    ),
+    "dudek91-maps": (
+        {"explore": "dudek91", "edges": 4},
+        "no marker at a vertex tells apart the two maps of one vertex with two loops",
+        {"verdict": "refuted", "smallest": ["map", 2, 1]},
+    ),
+    "dfs": (
+        {"explore": "dfs", "edges": 4},
+        "every edge there and back once, at most",
+        {"verdict": "holds", "bound": "2*m", "worlds": 792, "runs": 792},
+    ),
+    "quotient": (
+        {"explore": "quotient", "edges": 3},
+        "a map exactly where the class has one member",
+        {"verdict": "holds", "worlds": 86, "runs": 86},
+    ),
+    "folding": (
+        {"explore": "folding", "edges": 4},
+        "a log whose folding has no open dart is the map",
+        {"verdict": "holds", "worlds": 792, "runs": 3684},
+    ),
+    "folding-oldest": (
+        {"explore": "folding-oldest", "edges": 4},
+        "the same on another fair way",
+        {"verdict": "holds", "worlds": 792, "runs": 3684},
+    ),
+    "algorithm1-position": (
+        {"explore": "algorithm1", "edges": 2, "lighthouse": "position"},
+        "Algorithm 1 robbed of the bearing",
+        {"verdict": "refuted"},
+    ),
+    "algorithm1-none": (
+        {"explore": "algorithm1", "edges": 2, "lighthouse": "none"},
+        "Algorithm 1 robbed of the marker",
+        {"verdict": "refuted"},
+    ),
+}
+
 
 def write(folder: str, name: str, document: object) -> dict[str, str]:
     """Write a document; its file and digest."""
@@ -212,7 +301,22 @@ def count_entries() -> list[dict[str, object]]:
     ]
 
 
+def check_entries() -> list[dict[str, object]]:
+    """Checks of explorers, with the verdict that each must get."""
+    return [
+        {
+            "name": f"check-{name}",
+            "kind": "check",
+            **write("checks", name, options),
+            "provenance": provenance,
+            "expected": {"verdict": "holds", **expected},
+        }
+        for name, (options, provenance, expected) in CHECKS.items()
+    ]
+
+
 if __name__ == "__main__":
     entries = [*world_entries(), *finding_entries(), *pair_entries(), *count_entries()]
+    entries += check_entries()
     manifest = {"schema": 1, "entries": entries}
     (HERE / "manifest.json").write_text(json.dumps(manifest, indent=1) + "\n", encoding="utf-8")

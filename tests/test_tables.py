@@ -118,12 +118,15 @@ def test_a_verb_has_its_module_of_the_command_line_its_text_and_its_document(nam
     result = get_type_hints(function_of(verb))["return"]
     hints = get_type_hints(result.to_json, localns={"documents": documents})
     assert hints["return"] is root
-    assert {"schema", "made_by"} < set(root.__annotations__)
+    for document in get_args(root) or (root,):
+        assert {"schema", "made_by"} < set(document.__annotations__)
 
 
 def test_no_document_of_a_verb_is_forgotten_or_left_over():
     reports = {name for name in vars(documents) if name.endswith("Report") and name != "Report"}
-    assert reports == {documents.PAGES[verb.document].root.__name__ for verb in VERBS}
+    roots = {verb.name: documents.PAGES[verb.document].root for verb in VERBS}
+    assert roots.pop("merge") is documents.MergeReport
+    assert reports - {"MergeReport"} == {root.__name__ for root in roots.values()}
 
 
 def test_the_documents_page_has_a_row_for_every_verb_in_their_order():
@@ -296,7 +299,9 @@ def test_no_report_is_left_out_of_its_table():
 def test_every_law_is_explained_and_told_in_the_order_of_precedence():
     assert tuple(TELLERS) == PRECEDENCE
     assert tuple(rows(section(PROTOCOL, "Laws"))) == PRECEDENCE
-    assert PRECEDENCE[-len(LAWS) :] == tuple(LAWS)
+    # One law of finished runs cannot be left out.
+    finished = [law for law in PRECEDENCE if law != "ambiguity"][-len(LAWS) :]
+    assert finished == [*LAWS]
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -482,7 +487,8 @@ def test_no_explorer_is_left_out_of_its_table():
 
 
 def test_every_built_in_explorer_is_told_and_runs_as_it_is_written_for():
-    assert [name for name in rows(PROTOCOL) if name in BUILT_IN] == [*BUILT_IN]
+    told = PROTOCOL.partition("<!-- explorers -->")[2].partition("<!-- end -->")[0]
+    assert rows(told) == [*BUILT_IN]
     for name, own in BUILT_IN.items():
         assert own.about
         assert allworlds.check(name, edges=2, workers=1).scope.rules.lighthouse == own.lighthouse

@@ -1,7 +1,7 @@
 """The corpus that ships with the package: everything known, and everything ever caught.
 
 A manifest, and a file for each of its entries: named worlds, findings, pairs of worlds that
-no motion tells apart, and counts, with their provenance and what is expected of them.
+no motion tells apart, counts, and checks, with their provenance and what is expected of them.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any, Literal, TypeAlias, get_args
 
 from allworlds.inputs import InputError, parse_json, show
 
-Kind: TypeAlias = Literal["world", "finding", "pair", "counts"]
+Kind: TypeAlias = Literal["world", "finding", "pair", "counts", "check"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 
 MANIFEST = "manifest.json"
@@ -31,7 +31,8 @@ class Entry:
 
     Attributes:
         name: unique in the corpus.
-        kind: what the file holds: a WORLD, a FINDING, a pair of worlds, or counts.
+        kind: what the file holds: a WORLD, a FINDING, a pair of worlds, counts, or the options
+            of a check.
         file: where it stands, below the corpus.
         sha256: of the file, in hexadecimal.
         provenance: where it comes from.
@@ -152,6 +153,6 @@ def _entry(row: object) -> Entry:
         } if kind in KINDS:
             return Entry(name, kind, file, digest, provenance, expected)
     raise InputError(
-        "a corpus entry has name, kind (world, finding, pair or counts), file, sha256, provenance "
-        f"and expected, not {show(row)}"
+        "a corpus entry has name, kind (world, finding, pair, counts or check), file, sha256, "
+        f"provenance and expected, not {show(row)}"
     )

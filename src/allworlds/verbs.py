@@ -92,6 +92,20 @@ VERBS = (
         "Algorithm 1 at its worst and best, over every schedule.",
     ),
     Verb(
+        "merge",
+        "joining:merge",
+        "merge_text:merge_text",
+        "merge",
+        "One report of all shards of a job.",
+    ),
+    Verb(
+        "status",
+        "joining:status",
+        "merge_text:status_text",
+        "status",
+        "How far a run directory is.",
+    ),
+    Verb(
         "twins",
         "ambiguity:twins",
         "ambiguity_text:twins_text",

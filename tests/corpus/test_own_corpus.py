@@ -5,7 +5,7 @@ import pytest
 
 from allworlds.ambiguity import twins
 from allworlds.bisimulation import flaw
-from allworlds.checker import replay, run
+from allworlds.checker import check, replay, run
 from allworlds.corpora import MANIFEST, load_corpus, own_corpus
 from allworlds.counter import count
 from allworlds.findings import Finding
@@ -86,6 +86,22 @@ def test_the_enumeration_gives_the_known_numbers(entry, most):
     census = count(edges=len(rooted), map_class=known["class"])
     assert [row.rooted for row in census.rows] == rooted
     assert [row.unrooted for row in census.rows][: len(unrooted)] == unrooted
+
+
+@pytest.mark.no_cover
+@entries("check")
+def test_an_explorer_gets_its_verdict_at_the_known_cost(entry):
+    expected = dict(entry.expected)
+    report = check(**CORPUS.document(entry), workers=2).to_json()
+    dearest = dict.fromkeys(range(1, report["scope"]["edges"] + 1), 0)
+    for row in report["rows"]:
+        dearest[row["edges"]] = max(dearest[row["edges"]], row["max_cost"])
+    found = [finding["world"] for finding in report["findings"]]
+    sizes = [(len(world["sigma"]) // 2, World.from_json(world).map.vertex_count) for world in found]
+    smallest = [report["findings"][0]["law"], *sizes[0]] if found else None
+    told = {**report, "dearest": [*dearest.values()], "smallest": smallest}
+    told["bound"] = report["scope"]["bound"]
+    assert {key: told[key] for key in expected} == expected
 
 
 @pytest.fixture

@@ -4,6 +4,7 @@ So what they do is seen from inside, too; elsewhere they are forked, and killed 
 no longer needed.
 """
 
+import os
 import signal
 import socket
 import threading
@@ -17,7 +18,7 @@ import small
 from allworlds.episode import Fault, Said
 from allworlds.findings import Rules
 from allworlds.inputs import InputError
-from allworlds.isolation import subject_of
+from allworlds.isolation import process, subject_of
 from allworlds.isolation.jobs import (
     Appointment,
     Casting,
@@ -182,3 +183,12 @@ def test_a_guardian_of_nobody_is_gone():
     theirs.close()
     with pytest.raises(HarnessError, match="guardian"):
         Guardian(ours).exit_code(1)
+
+
+def test_a_guardian_that_has_been_stopped_is_not_waited_for(monkeypatch):
+    monkeypatch.setattr(process, "ANSWERS", 0.5)
+    stopped = process.started(hash_seed=0)
+    os.kill(stopped._process.pid, signal.SIGSTOP)
+    with pytest.raises(HarnessError, match="the guardian of the processes has gone: timed out"):
+        stopped.exit_code(1)
+    assert stopped._process.returncode == -signal.SIGKILL

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
-from allworlds.ambiguity.criterion import Disagreement
 from allworlds.bisimulation import flaw
 from allworlds.inputs import InputError, show
 from allworlds.maps.canonical import carries, numbering
 from allworlds.maps.combinatorial import Dart
+from allworlds.maps.criterion import Disagreement
 from allworlds.maps.quotient import Labelled, classes_of_union
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Move, Percept

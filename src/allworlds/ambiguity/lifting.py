@@ -17,7 +17,7 @@ _Kind: TypeAlias = Callable[[Sequence[tuple[int, ...]]], Iterator[tuple[int, ...
 
 
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
-    """A map for each way to permute the sheets (:mod:`allworlds.ambiguity.criterion`).
+    """A map for each way to permute the sheets (:mod:`allworlds.maps.criterion`).
 
     Dart ``q * k + i`` of a map lies over class q, in sheet i.  The sheets keep their names
     round each vertex up to its last class, and along a spanning tree.  The same marked map

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from allworlds.ambiguity.criterion import Disagreement, class_size, is_ambiguous, pose_count
 from allworlds.ambiguity.lifting import lifts
 from allworlds.ambiguity.marked import LeastRooting, least_rooting
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.criterion import Disagreement, class_size, is_ambiguous, pose_count
 from allworlds.maps.quotient import Labelled, Projection, Quotient, project
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.protocol import Percept

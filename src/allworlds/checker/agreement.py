@@ -26,12 +26,11 @@ from allworlds.runs import (
     NumberedRun,
     Scope,
     Unit,
-    Whole,
     Worlds,
     numbered_runs,
 )
 from allworlds.subjects import Subject
-from allworlds.work import Limits, cells_of_level
+from allworlds.work import Limits, Whole, cells_of_level
 from allworlds.world import World
 
 AGREEMENT_EDGES = 4

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Unpack
 
-from allworlds.checker.options import RunOptions, refuse_others
-from allworlds.episode import Answered
-from allworlds.findings import Finding, Rules, make_rules, place_of
+from allworlds.checker.options import RunOptions, own_rules, refuse_others
+from allworlds.episode import Answered, Undecided
+from allworlds.findings import Finding, Rules, place_of
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.isolation import examine_apart, subject_of
 from allworlds.maps.classes import Extent, MapClass
@@ -94,7 +94,7 @@ class SingleRun:
     def to_json(self) -> documents.RunReport:
         """The document of ``run --json``."""
         ending = self.outcome.episode.ending
-        return {
+        document: documents.RunReport = {
             "schema": SCHEMA,
             "verdict": self.verdict.value,
             "exit_code": self.exit_code,
@@ -108,6 +108,9 @@ class SingleRun:
             "transcript": self.outcome.episode.transcript.to_json(),
             "finding": self.finding.to_json() if self.finding else None,
         }
+        if isinstance(ending, Undecided):
+            document["ambiguous"] = ending.quotient.to_json()
+        return document
 
 
 def run(
@@ -143,7 +146,7 @@ def run(
     if not isinstance(world, World):
         raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
     kind = world.lighthouse.kind
-    rules = make_rules(options, kind, subject.bound_under(kind))
+    rules = own_rules(subject, options, kind)
     told = single_run(subject, world, rules, script, limits)
     if unused := unused_choice(script, told):
         raise InputError(unused)

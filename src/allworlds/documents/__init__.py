@@ -2,7 +2,7 @@
 
 ``words``
     what narrows a type, and the narrowed types;
-``worlds``, ``findings``, ``checks``, ``questions``, ``common``
+``worlds``, ``findings``, ``checks``, ``questions``, ``runs``, ``common``
     the shapes: a typed dictionary each, with a sentence for every key.
 
 Strict types hold every ``to_json`` to them.  The JSON Schemas of the package and the reference
@@ -17,6 +17,7 @@ from allworlds.documents.checks import *
 from allworlds.documents.common import *
 from allworlds.documents.findings import *
 from allworlds.documents.questions import *
+from allworlds.documents.runs import *
 from allworlds.documents.words import *
 from allworlds.documents.worlds import *
 from allworlds.verbs import VERBS
@@ -42,7 +43,9 @@ def _of_verb(document: str) -> Page:
 
 PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
     "finding": Page(FindingRead, {"written": Finding, "options": Options}),
-    "world": Page(WorldRead, {"written": World, "rooted": Rooted}),
+    "world": Page(
+        WorldRead, {"written": World, "rooted": Rooted, "rooted_quotient": RootedQuotient}
+    ),
     "transcript": Page(
         Transcript, {"percept": Percept, "read": TranscriptRead, "percept_read": PerceptRead}
     ),

@@ -1,6 +1,6 @@
 """What is written about runs: one explorer in every world, in one, or in one again."""
 
-from typing import Annotated, Literal, TypeAlias, TypedDict
+from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
 from allworlds.documents.common import Extent, InRows, Report
 from allworlds.documents.findings import Finding, Options
@@ -12,13 +12,14 @@ from allworlds.documents.words import (
     Keywords,
     LawName,
     Natural,
+    OfShard,
     Positive,
     Some,
     Text,
     VerdictName,
     code,
 )
-from allworlds.documents.worlds import Rooted, Transcript, World
+from allworlds.documents.worlds import Rooted, RootedQuotient, Transcript, World
 from allworlds.outcome import Exit
 
 
@@ -53,7 +54,7 @@ class Scope(Extent):
     laws: Annotated[list[JudgedLaw], Different, "those that were checked"]
     bound: Annotated[Text, "the bound on the traversals; `none` where the law was not checked"]
     step_budget: Annotated[Positive | None, "the largest legal number of traversals; null: default"]
-    shard: Annotated[str, Keywords(pattern="^[0-9]+/[0-9]+$"), "`K/N`; `0/1` is the whole"]
+    shard: Annotated[str, OfShard, "`K/N`; `0/1` is the whole"]
     sample: Annotated[Sample | None, "of `fuzz`: how the worlds were drawn"]
     symmetry: Annotated[str | None, "why one run was counted for several, where it was"]
     gate: Annotated[
@@ -138,6 +139,9 @@ class RunReport(Report):
     cost: Annotated[Natural, "traversals"]
     bound: Annotated[int | None, "of the traversals; null without one"]
     estimate: Annotated[Rooted | None, "the answer; null where there is none"]
+    ambiguous: NotRequired[
+        Annotated[RootedQuotient, "the answer that names no map, where there is one"]
+    ]
     transcript: Annotated[Transcript, "the log"]
     finding: Annotated[Finding | None, "null: no law is broken"]
 

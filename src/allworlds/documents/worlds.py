@@ -23,6 +23,21 @@ class Rooted(Map):
     here: Annotated[Dart, "the robot's dart"]
 
 
+class RootedQuotient(TypedDict):
+    """Rooted quotient.
+
+    What a robot can know of a world that has lookalikes, and where it is in it.
+    """
+
+    sigma: Annotated[list[Dart], Some, "for each dart the next one clockwise round its vertex"]
+    alpha: Annotated[
+        list[Dart], Some, "for each dart the other one of its edge; of half an edge itself"
+    ]
+    degree: Annotated[list[Positive], Some, "for each dart the degree that is sensed there"]
+    marks: Annotated[list[Natural], Some, "for each dart how many markers lie there"]
+    here: Annotated[Dart, "the robot's dart"]
+
+
 class Lighthouse(TypedDict):
     """A lighthouse that stands nowhere."""
 

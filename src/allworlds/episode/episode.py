@@ -8,9 +8,11 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from allworlds.inputs import SHOWN, are_plain, integer, let_users_interrupt, show
+from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol import (
     Action,
+    Ambiguous,
     Checkpoint,
     Choices,
     Drop,
@@ -85,7 +87,18 @@ class LostRun(Fault):
     """The run cost its process its life, so its walk is not known."""
 
 
-Ending: TypeAlias = Answered | Fault
+@dataclass(frozen=True, slots=True)
+class Undecided:
+    """The explorer has returned a well-formed rooted quotient, and no map.
+
+    Attributes:
+        quotient: its permutations are, and ``here`` is one of its darts.
+    """
+
+    quotient: Ambiguous
+
+
+Ending: TypeAlias = Answered | Undecided | Fault
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,19 +115,35 @@ class Said:
     here: int
 
 
+@dataclass(frozen=True, slots=True)
+class SaidAmbiguous(Said):
+    """The same of an answer that names no map.
+
+    Attributes:
+        degree, marks: of each dart.
+    """
+
+    degree: tuple[int, ...]
+    marks: tuple[int, ...]
+
+
+Shown: TypeAlias = tuple[int, Sequence[int], Sequence[int], int]
+"""A checkpoint: the number of actions before it, sigma, alpha, and here."""
+
+
 class Log(NamedTuple):
     """What an explorer did in one run, without a word about the world.
 
     Attributes:
         actions: as numbers (see :func:`allworlds.protocol.number_of`).
-        checkpoints: of each the number of actions before it, sigma, alpha, and here.
+        checkpoints: what was published.
         ending: the answer, or what went wrong.
         choices: the index taken at each choice.
         widths: how many options there were, where every schedule is tried; else empty.
     """
 
     actions: tuple[int, ...]
-    checkpoints: tuple[tuple[int, Sequence[int], Sequence[int], int], ...]
+    checkpoints: tuple[Shown, ...]
     ending: Said | Fault
     choices: tuple[int, ...] = ()
     widths: tuple[int, ...] = ()
@@ -184,7 +213,7 @@ def play(
     """
     run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
     ending = answered(run.play(player, choices))
-    return Episode(Transcript(world.first, tuple(run.steps)), tuple(run.checkpoints), ending)
+    return Episode(Transcript(world.first, tuple(run.steps)), _published(run.checkpoints), ending)
 
 
 def perform(
@@ -198,11 +227,11 @@ def perform(
     """The same run as a log that says nothing of the world; see :func:`play`."""
     run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
     ending = run.play(player, choices)
-    actions = tuple([number_of(action) for action, _ in run.steps])
-    published = tuple(
-        [(steps, shown.sigma, shown.alpha, shown.here) for steps, shown in run.checkpoints]
+    actions = tuple(
+        [action.k if type(action) is Move else number_of(action) for action, _ in run.steps]
     )
-    return Log(actions, published, ending, tuple(choices.record), tuple(choices.widths))
+    shown = tuple(run.checkpoints)
+    return Log(actions, shown, ending, tuple(choices.record), tuple(choices.widths))
 
 
 def retold(log: Log, world: Stage) -> Episode:
@@ -216,10 +245,12 @@ def retold(log: Log, world: Stage) -> Episode:
         action = action_numbered(number)
         state, percept = world.step(state, action)
         steps.append((action, percept))
-    published = tuple(
-        [(number, Checkpoint(sigma, alpha, here)) for number, sigma, alpha, here in log.checkpoints]
-    )
-    return Episode(Transcript(world.first, tuple(steps)), published, answered(log.ending))
+    transcript = Transcript(world.first, tuple(steps))
+    return Episode(transcript, _published(log.checkpoints), answered(log.ending))
+
+
+def _published(shown: Iterable[Shown]) -> tuple[tuple[int, Checkpoint], ...]:
+    return tuple([(steps, Checkpoint(sigma, alpha, here)) for steps, sigma, alpha, here in shown])
 
 
 @dataclass(slots=True)
@@ -229,7 +260,7 @@ class _Run:
     beat: MutableSequence[int]
     hand: Callable[[Percept], Percept]
     steps: list[tuple[Action, Percept]] = field(default_factory=list)
-    checkpoints: list[tuple[int, Checkpoint]] = field(default_factory=list)
+    checkpoints: list[Shown] = field(default_factory=list)
     cost: int = 0
     degree: int = 0
 
@@ -278,7 +309,7 @@ class _Run:
                 "a checkpoint of two sequences of integers and an integer",
                 show(message),
             )
-        self.checkpoints.append((len(self.steps), Checkpoint(sigma, alpha, here)))
+        self.checkpoints.append((len(self.steps), sigma, alpha, here))
         return None
 
     def _act(self, state: Any, message: object) -> tuple[Fault | None, Any, Percept | None]:
@@ -319,18 +350,20 @@ def _action(message: object, degree: int) -> Action | Fault:
         except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
             let_users_interrupt(error)
             return Fault("illegal-action", "Move(k) with an integer k", show(message))
-        k %= degree
-        return action_numbered(k)
+        return action_numbered(k % degree)
     if type(message) is Drop or type(message) is Pick:
         return message
     return Fault("illegal-action", "a Move, Drop, Pick or Checkpoint", show(message))
 
 
 _ESTIMATE = "Estimate(map, here) with a dart of the map"
+_AMBIGUOUS = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
 
 
 def _said(answer: object) -> Said | Fault:
     """The integers of an answer: what is handed over may be a subclass, or tampered with."""
+    if type(answer) is Ambiguous:
+        return _said_ambiguous(answer)
     if type(answer) is not Estimate:
         return Fault("no-estimate", _ESTIMATE, show(answer))
     try:
@@ -343,6 +376,20 @@ def _said(answer: object) -> Said | Fault:
         return Fault("no-estimate", _ESTIMATE, show(answer))
 
 
+def _said_ambiguous(answer: Ambiguous) -> Said | Fault:
+    try:
+        return SaidAmbiguous(
+            _integers(answer.sigma),
+            _integers(answer.alpha),
+            integer(answer.here),
+            _integers(answer.degree),
+            _integers(answer.marks),
+        )
+    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+        let_users_interrupt(error)
+        return Fault("no-estimate", _AMBIGUOUS, show(answer))
+
+
 def _integers(values: Iterable[object]) -> tuple[int, ...]:
     kept = tuple(values)
     if are_plain(kept):
@@ -351,9 +398,11 @@ def _integers(values: Iterable[object]) -> tuple[int, ...]:
 
 
 def answered(ending: Said | Fault) -> Ending:
-    """The answer, if it is a map with a dart of it."""
+    """The answer, if it is a map with a dart of it, or a quotient with one."""
     if isinstance(ending, Fault):
         return ending
+    if isinstance(ending, SaidAmbiguous):
+        return _undecided(ending)
     try:
         map_ = CombinatorialMap(ending.sigma, ending.alpha)
     except InvalidMap as error:
@@ -363,6 +412,31 @@ def answered(ending: Said | Fault) -> Ending:
         last = len(map_.sigma) - 1
         return Fault("no-estimate", _ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}")
     return Answered(Estimate(map_, here))
+
+
+def _undecided(ending: SaidAmbiguous) -> Undecided | Fault:
+    if flaw := _flaw(ending):
+        return Fault("no-estimate", _AMBIGUOUS, flaw)
+    return Undecided(
+        Ambiguous(ending.sigma, ending.alpha, ending.degree, ending.marks, ending.here)
+    )
+
+
+def _flaw(said: SaidAmbiguous) -> str:
+    """What makes it no rooted quotient; empty if it is one."""
+    size = len(said.sigma)
+    for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):
+        if len(values) != size:
+            return f"{name} has {len(values)} entries, and sigma {size}"
+    if said.here not in range(size):
+        return f"here = {show(said.here)}, but the darts are 0..{size - 1}"
+    for name, values in (("sigma", said.sigma), ("alpha", said.alpha)):
+        if sorted(values) != list(range(size)):
+            return f"{name} = {show(list(values))} is no permutation of 0..{size - 1}"
+    if any(said.alpha[other] != dart for dart, other in enumerate(said.alpha)):
+        return f"alpha = {show(list(said.alpha))} is no involution"
+    reached = len(numbering(said.sigma, said.alpha, said.here))
+    return "" if reached == size else f"only {reached} of {size} darts are reached from here"
 
 
 def _raised(error: BaseException) -> Fault:

@@ -105,6 +105,16 @@ def _say_where(story: Story, images: list[Dart]) -> str:
     )
 
 
+def tell_ambiguity(story: Story) -> Telling:
+    """The quotient that the answer should have been, or that there should have been a map."""
+    broken = (
+        "The answer says that several worlds look alike, and what they have in common: the "
+        "quotient in which darts are one that nothing tells apart, rooted at the robot's."
+    )
+    stands = f"In the world the robot stands at {story.place(story.walked[-1])}."
+    return Telling([broken, stands, *story.expected_and_seen()])
+
+
 # ---------------------------------------------------------------- a checkpoint is wrong
 
 
@@ -195,6 +205,7 @@ TELLERS: dict[str, Teller] = {
     "nondeterministic": ending("Exploring the same world again, the explorer did something else."),
     "map": tell_map,
     "pose": tell_pose,
+    "ambiguity": tell_ambiguity,
     "invariant-1": tell_invariant_1,
     "invariant-2": tell_invariant_2,
     "variant": tell_variant,

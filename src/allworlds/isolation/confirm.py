@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from random import Random
 
-from allworlds.episode import Episode, Fault, Log, Said
+from allworlds.episode import Episode, Fault, Log, Said, SaidAmbiguous
 from allworlds.findings import Finding, Rules, canonical_world, place_of
 from allworlds.inputs import InputError
 from allworlds.isolation.jobs import Casting, PlayRecords, Told, Trace
@@ -128,6 +128,8 @@ def _ends_alike(finding: Finding, log: Log) -> bool:
     match log.ending:
         case Fault(law=law):
             return law == finding.law
+        case SaidAmbiguous():
+            return finding.law not in ("crash", "timeout", "illegal-action", "map", "pose")
         case Said(sigma, alpha, here):
             if finding.law == "no-estimate":
                 return True

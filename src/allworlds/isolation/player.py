@@ -49,6 +49,9 @@ NATIVE_MEMORY = 2048
 TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 """What an explorer may leave behind to go off when it is not its turn."""
 
+LOOK = 0.002
+"""Seconds between two looks at timers and pipe: each costs as much as a short run."""
+
 Job = PlayRuns | PlayRecords | PlayStretch | Trace
 """Everything that a player can be asked to do after its casting."""
 
@@ -61,6 +64,7 @@ class Player:
         self._beat = beat
         self._pid = os.getpid()
         self._actor: Actor | None = None
+        self._look_at = 0.0
 
     def run(self) -> None:
         """Serve until the owner hangs up."""
@@ -87,6 +91,7 @@ class Player:
             job = self._connection.recv()
             try:
                 self._do(subject, stagehand, job)
+                self._look()
             except OSError:
                 raise
             except InputError as error:  # a bound without a value for some world
@@ -153,13 +158,19 @@ class Player:
         self._connection.send_bytes(written(message))
 
     def _intact(self) -> None:
-        """Leave, if the explorer has forked this process or closed its pipe; stop its timers."""
-        for timer in TIMERS:
-            signal.setitimer(timer, 0)
+        """Leave, if the explorer has forked this process; now and then look at the rest, too."""
         if os.getpid() != self._pid:
             # The original goes on with the work; its copy must not do it a second time.
             os._exit(0)
+        if time.monotonic() > self._look_at:
+            self._look()
+
+    def _look(self) -> None:
+        """Leave, if the explorer has closed this process's pipe; stop its timers."""
+        for timer in TIMERS:
+            signal.setitimer(timer, 0)
         os.fstat(self._connection.fileno())
+        self._look_at = time.monotonic() + LOOK
 
 
 class TellingWorld:

@@ -40,6 +40,9 @@ GRACE = 2.0
 its player notices itself, and for a process that has still something to be heard."""
 
 
+ANSWERS = 120.0
+"""Seconds in which a guardian that is alive answers, however busy the machine."""
+
 STALL = 10
 """Seconds in which a player that has begun to say something must go on with it."""
 
@@ -48,10 +51,11 @@ class Guardian:
     """The owner's side of a guardian.
 
     Raises:
-        HarnessError: where there is none: it has been killed, or could not be started.
+        HarnessError: where there is none: it has been killed or stopped, or could not be started.
     """
 
     def __init__(self, sock: socket.socket, process: subprocess.Popen[bytes] | None = None) -> None:
+        sock.settimeout(ANSWERS)
         self._sock, self._process = sock, process
         self._turn = threading.Lock()
 
@@ -80,7 +84,11 @@ class Guardian:
         """Let it go, which ends everything that it has started."""
         self._sock.close()
         if self._process:
-            self._process.wait()
+            try:
+                self._process.wait(ANSWERS)
+            except subprocess.TimeoutExpired:  # it has been stopped
+                self._process.kill()
+                self._process.wait()
 
     def _ask(self, request: Request, descriptors: list[int]) -> int | None:
         with self._turn:

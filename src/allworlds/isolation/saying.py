@@ -11,7 +11,7 @@ import io
 import pickle
 from typing import Any, NoReturn, TypeAlias, assert_never
 
-from allworlds.episode import ADAPTERS_LAWS, Fault, Log, Said
+from allworlds.episode import ADAPTERS_LAWS, Fault, Log, Said, SaidAmbiguous
 from allworlds.inputs import InputError, are_plain
 from allworlds.isolation.jobs import Described, HarnessError, Played, Stretched, Told
 from allworlds.protocol import Percept
@@ -95,8 +95,10 @@ def _message(kind: str, *parts: Any) -> Message:
 
 def _of_log(log: Log) -> tuple[Any, ...]:
     match log.ending:
+        case SaidAmbiguous(sigma, alpha, here, degree, marks):
+            ending: tuple[Any, ...] = (sigma, alpha, here, (degree, marks))
         case Said(sigma, alpha, here):
-            ending: tuple[Any, ...] = (sigma, alpha, here)
+            ending = (sigma, alpha, here)
         case Fault(law, expected, seen, detail, machine):
             ending = (law, expected, seen, detail, machine)
     return log.actions, log.checkpoints, ending, log.choices, log.widths
@@ -118,6 +120,12 @@ def _ending(*parts: Any) -> Said | Fault:
     if len(parts) == 3:
         sigma, alpha, here = parts
         return Said(_integers(sigma), _integers(alpha), _integer(here))
+    if len(parts) == 4:
+        sigma, alpha, here, (degree, marks) = parts
+        return SaidAmbiguous(
+            *(_integers(sigma), _integers(alpha), _integer(here)),
+            *(_integers(degree), _integers(marks)),
+        )
     law, expected, seen, detail, machine = parts
     if law not in _LAWS or not isinstance(machine, bool):
         raise ValueError(law)

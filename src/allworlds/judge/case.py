@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 
 from allworlds.maps.canonical import carries, numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import Checkpoint, Estimate, Move, Transcript
+from allworlds.protocol import Ambiguous, Answer, Checkpoint, Move, Transcript
 
 if TYPE_CHECKING:
     from allworlds import documents
@@ -22,7 +22,8 @@ class Case:
         map, start: the true map and the dart that the robot faced at the start.
         transcript: the log.
         checkpoints: what the explorer has published, each with the number of steps before it.
-        estimate: the answer; its map is valid and ``here`` one of its darts.
+        estimate: the answer: its map is valid, or its permutations are, and ``here`` is one
+            of its darts.
         bound: the largest legal number of traversals, or None.
     """
 
@@ -30,7 +31,7 @@ class Case:
     start: Dart
     transcript: Transcript
     checkpoints: tuple[tuple[int, Checkpoint], ...]
-    estimate: Estimate
+    estimate: Answer
     bound: int | None = None
 
     @cached_property
@@ -46,11 +47,25 @@ class Case:
         return tuple(trail)
 
     @cached_property
-    def answer(self) -> Literal["right", "pose", "map"]:
+    def walked(self) -> dict[Dart, int]:
+        """For each dart of an edge that was crossed, the number of steps before the first time."""
+        walked: dict[Dart, int] = {}
+        for step, (action, _) in enumerate(self.transcript.steps):
+            if type(action) is Move:
+                entered = self.trail[step + 1]
+                walked.setdefault(entered, step)
+                walked.setdefault(self.map.alpha[entered], step)
+        return walked
+
+    @cached_property
+    def answer(self) -> Literal["right", "pose", "map", "open"]:
         """What the estimate is worth: right, or which of its two parts is wrong.
 
         ``pose``: the map is the same, but no isomorphism takes ``here`` to the robot's dart.
+        ``open``: it names no map.
         """
+        if isinstance(self.estimate, Ambiguous):
+            return "open"
         estimate, truth = self.estimate.map, self.map
         if len(estimate.sigma) != len(truth.sigma):
             return "map"

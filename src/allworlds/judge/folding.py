@@ -75,9 +75,8 @@ class _Folding:
         self._add(first.degree)
 
     def walk(self, dart: int, k: int, percept: Percept) -> int:
-        """Leave by ``sigma^k(dart)``, arrive with the percept: the dart arrived by."""
+        """Leave by ``sigma^k(dart)``, a root's dart; arrive with the percept: by which root's."""
         _check(percept)
-        dart = self._root(dart)
         first, degree = self._span(dart)
         leaving = first + (dart - first + k) % degree
         arrived = self.link[leaving]
@@ -88,31 +87,33 @@ class _Folding:
             assert self.home.bearing is not None
             assert percept.bearing is not None
             self._merge(arrived, (self.home.bearing - percept.bearing) % self.home.degree)
-        else:
-            self.seen_unmarked[self.node[self._root(arrived)]] = True
+        arrived = self._root(arrived)
+        v = self.node[arrived]
+        if not percept.marks:
+            self.seen_unmarked[v] = True
         if self.seen_unmarked[0]:
             raise Contradiction("the marked vertex has been seen without its mark")
-        arrived = self._root(arrived)
-        if self._span(arrived)[1] != percept.degree:
-            raise Contradiction(f"a vertex of degree {self._span(arrived)[1]} seen as {percept}")
+        if self.degree[v] != percept.degree:
+            raise Contradiction(f"a vertex of degree {self.degree[v]} seen as {percept}")
         return arrived
 
     def result(self, dart: int) -> Folded:
         """The roots' darts, renumbered."""
-        nodes = [v for v in range(len(self.first)) if self.parent[v] == v]
         number: dict[int, int] = {}
         sigma: list[int] = []
-        for v in nodes:
-            start = len(sigma)
-            for i in range(self.degree[v]):
-                number[self.first[v] + i] = start + i
-                sigma.append(start + (i + 1) % self.degree[v])
+        for v, (first, degree) in enumerate(zip(self.first, self.degree, strict=True)):
+            if self.parent[v] == v:
+                start = len(sigma)
+                sigma.extend(range(start + 1, start + degree))
+                sigma.append(start)
+                number.update((first + i, start + i) for i in range(degree))
         alpha = []
         for d, own in number.items():
             target = self.link[d]
-            alpha.append(own if target == -1 else number[self._root(target)])
-            if target != -1 and alpha[-1] == own:
+            end = own if target == -1 else number[self._root(target)]
+            if end == own and target != -1:
                 raise Contradiction("a dart leads back to itself")
+            alpha.append(end)
         return Folded(tuple(sigma), tuple(alpha), number[self._root(dart)])
 
     def _add(self, degree: int) -> int:
@@ -144,8 +145,8 @@ class _Folding:
         """Dart ``a`` is dart ``b``; so are their vertices, and where their darts lead to."""
         todo = [(a, b)]
         while todo:
-            a, b = (self._root(dart) for dart in todo.pop())
-            if a == b:
+            a, b = todo.pop()
+            if (a := self._root(a)) == (b := self._root(b)):
                 continue
             v, w = self.node[a], self.node[b]
             degree = self.degree[v]
@@ -157,11 +158,10 @@ class _Folding:
             self.parent[v] = w
             self.seen_unmarked[w] |= self.seen_unmarked[v]
             self.shift[v] = ((b - self.first[w]) - (a - self.first[v])) % degree
-            for i in range(degree):
-                x = self.first[v] + i
-                y = self._root(x)
+            for x in range(self.first[v], self.first[v] + degree):
                 if self.link[x] == -1:
                     continue
+                y = self._root(x)
                 if self.link[y] == -1:
                     self.link[y] = self.link[x]
                 else:
@@ -170,7 +170,8 @@ class _Folding:
 
 def _check(percept: Percept) -> None:
     """A vertex has a dart, and exactly the marked one has a bearing, below its degree."""
-    bearing = percept.bearing
-    legal = bearing is None if not percept.marks else bearing in range(percept.degree)
-    if percept.degree < 1 or not legal:
+    degree, bearing = percept.degree, percept.bearing
+    sensed = bearing is not None and 0 <= bearing < degree
+    legal = sensed if percept.marks else bearing is None
+    if degree < 1 or not legal:
         raise Contradiction(f"no directional lighthouse is sensed like this: {percept}")

@@ -8,10 +8,12 @@ the explored edges, because S is connected.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import count
+from operator import ne
 
 from allworlds.judge.case import Case, Violation
 from allworlds.maps.combinatorial import Dart
-from allworlds.protocol import Checkpoint, Move
+from allworlds.protocol import Checkpoint
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,9 +35,8 @@ def invariant_1(case: Case) -> Violation | None:
             return _violation(
                 "invariant-1", "S is the explored part of the world", steps, embedding
             )
-        walked = _walked(case, steps)
         for d, e in enumerate(checkpoint.alpha):
-            if e != d and embedding[d] not in walked:
+            if e != d and case.walked.get(embedding[d], steps) >= steps:
                 reason = Broken(f"S holds an edge at its dart {d} that has never been walked")
                 return _violation(
                     "invariant-1", "S is the explored part of the world", steps, reason
@@ -66,7 +67,7 @@ def variant(case: Case) -> Violation | None:
     """The variant t = |E_G| - |E_S| falls at every checkpoint and has ended at 0."""
     previous = None
     for steps, checkpoint in case.checkpoints:
-        explored = sum(d != e for d, e in enumerate(checkpoint.alpha))
+        explored = sum(map(ne, count(), checkpoint.alpha))
         t = case.map.edge_count - (explored + 1) // 2
         if previous is not None and t >= previous:
             return Violation(
@@ -91,22 +92,20 @@ def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken
     size, here = len(sigma), checkpoint.here
     if len(alpha) != size or not 0 <= here < size:
         return Broken(f"here = {here}, with {size} darts in sigma and {len(alpha)} in alpha")
-    image = [-1] * size
-    owner: dict[Dart, int] = {dart: here}
-    image[here] = dart
-    true_sigma, true_alpha = case.map.sigma, case.map.alpha
+    image, free = [-1] * size, [True] * len(case.map.sigma)
+    image[here], free[dart] = dart, False
     claims = {e: d for d, e in enumerate(alpha) if e != d and 0 <= e < size and alpha[e] == e}
+    partners = [claims.get(d, e) for d, e in enumerate(alpha)] if claims else alpha
+    ways = (("sigma", sigma, case.map.sigma), ("alpha", partners, case.map.alpha))
     for x in (queue := [here]):
-        neighbours = [("sigma", sigma[x], true_sigma[image[x]])]
-        partner = claims.get(x, alpha[x])
-        if partner != x:
-            neighbours.append(("alpha", partner, true_alpha[image[x]]))
-        for name, y, true in neighbours:
+        for name, way, true_way in ways:
+            y, true = way[x], true_way[image[x]]
+            if y == x and way is partners:
+                continue  # An open dart leads nowhere yet.
             if not 0 <= y < size:
                 return Broken(f"{name}({x}) = {y} is no dart of S")
-            if image[y] == -1 and true not in owner:
-                image[y] = true
-                owner[true] = y
+            if image[y] == -1 and free[true]:
+                image[y], free[true] = true, False
                 queue.append(y)
             elif image[y] != true:
                 return Broken(
@@ -115,13 +114,6 @@ def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken
     if len(queue) < size:
         return Broken(f"dart {image.index(-1)} of S is not connected with the robot's dart")
     return image
-
-
-def _walked(case: Case, steps: int) -> set[Dart]:
-    """The darts of the edges traversed in the first steps."""
-    moves = case.transcript.steps
-    entered = {case.trail[i + 1] for i in range(steps) if type(moves[i][0]) is Move}
-    return entered | {case.map.alpha[dart] for dart in entered}
 
 
 def _when(steps: int) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from allworlds.judge.ambiguity import ambiguity_law
 from allworlds.judge.case import Case, Violation
 from allworlds.judge.folding import fold
 from allworlds.judge.invariants import invariant_1, invariant_2, variant
@@ -108,14 +109,21 @@ PRECEDENCE: tuple[str, ...] = (
     "no-estimate",
     "budget",
     "nondeterministic",
-    *LAWS,
+    "map",
+    "pose",
+    "ambiguity",
+    *(law for law in LAWS if law not in ("map", "pose")),
 )
 """All laws; when several are broken the first is reported."""
 
 
 def judge(case: Case, laws: Iterable[Check]) -> Violation | None:
-    """The first broken law, or None where all hold.  Cost: O(m) a law and checkpoint."""
-    for check in laws:
+    """The first broken law, or None where all hold.
+
+    An answer that names no map is always held to the law ``ambiguity``: no law that can be
+    left out is about it.  Cost: O(m) a law and checkpoint.
+    """
+    for check in (ambiguity_law, *laws):
         violation = check(case)
         if violation:
             return violation
@@ -123,5 +131,6 @@ def judge(case: Case, laws: Iterable[Check]) -> Violation | None:
 
 
 def _wrong_answer(case: Case, law: str) -> Violation:
+    assert isinstance(case.estimate, Estimate)
     truth = Estimate(case.map, case.trail[-1])
     return Violation(law, truth.to_json(), case.estimate.to_json())

@@ -3,6 +3,7 @@
 numba keeps what it has compiled beside the sources (or in the user's cache), but asks only the
 source file of the outermost function whether it is still good.  Here every source of this
 package is asked: what a function has taken in from other files must not be older than they are.
+So is the judge's table of laws, from whose order the numbers follow that are compiled in.
 
 No compiled function makes an array or counts references, and only those that Python calls are
 wrapped for Python: that saves a third of the time of compiling.
@@ -111,4 +112,5 @@ def _stamp() -> str:
 
 
 def _sources() -> list[Path]:
-    return sorted(Path(__file__).parent.glob("*.py"))
+    here = Path(__file__).parent
+    return [*sorted(here.glob("*.py")), here.parent / "judge" / "laws.py"]

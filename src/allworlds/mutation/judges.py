@@ -7,14 +7,15 @@ from dataclasses import dataclass
 
 from allworlds.judge import LAWS, Case, Check, Checks, Violation, bound_law, map_law, paper_bound
 from allworlds.maps.canonical import isomorphism
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.networks import to_networkx
-from allworlds.protocol import Move
+from allworlds.protocol import Estimate, Move
 
 
 def mirror_accepted(case: Case) -> Violation | None:
     """The mirror image of the world is taken for the world."""
     violation = map_law(case)
-    return violation if not isomorphism(case.estimate.map.mirrored(), case.map) else None
+    return violation if not isomorphism(_map(case).mirrored(), case.map) else None
 
 
 def graph_only(case: Case) -> Violation | None:
@@ -22,7 +23,7 @@ def graph_only(case: Case) -> Violation | None:
     from networkx import is_isomorphic
 
     violation = map_law(case)
-    same_graph = violation and is_isomorphic(to_networkx(case.estimate.map), to_networkx(case.map))
+    same_graph = violation and is_isomorphic(to_networkx(_map(case)), to_networkx(case.map))
     return None if same_graph else violation
 
 
@@ -39,6 +40,11 @@ def retracing_not_counted(case: Case) -> Violation | None:
     forward = sum(type(action) is Move and action.k != 0 for action in steps)
     violation = bound_law(case)
     return violation if case.bound is not None and forward > case.bound else None
+
+
+def _map(case: Case) -> CombinatorialMap:
+    assert isinstance(case.estimate, Estimate)
+    return case.estimate.map
 
 
 @dataclass(frozen=True, slots=True)

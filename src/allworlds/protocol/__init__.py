@@ -3,8 +3,6 @@
 An explorer is a **generator function** ``explore(first)``.  It gets percepts, yields actions
 and returns an answer; it never holds a world.  Turning is free and has no action of its own:
 it is folded into the next :class:`Move`, or into ``here`` of the answer.
-
-:class:`Ambiguous` is reserved: no law judges such an answer yet.
 """
 
 from allworlds.protocol.actions import Action, Drop, Move, Pick, action_numbered, number_of

@@ -46,7 +46,7 @@ class Ambiguous:
     """The most that a robot with position only can know: the rooted quotient of its world.
 
     ``alpha[d] == d`` is a semi-edge; ``degree`` and ``marks`` hold for each dart what is
-    sensed there; ``here`` is the robot's dart.
+    sensed there; ``here`` is the robot's dart.  Nothing is validated here.
     """
 
     sigma: Sequence[int]
@@ -54,6 +54,16 @@ class Ambiguous:
     degree: Sequence[int]
     marks: Sequence[int]
     here: int
+
+    def to_json(self) -> documents.RootedQuotient:
+        """The rooted quotient ``{"sigma", "alpha", "degree", "marks", "here"}``."""
+        return {
+            "sigma": list(self.sigma),
+            "alpha": list(self.alpha),
+            "degree": list(self.degree),
+            "marks": list(self.marks),
+            "here": self.here,
+        }
 
 
 @dataclass(frozen=True, slots=True)

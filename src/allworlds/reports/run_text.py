@@ -7,9 +7,9 @@ from textwrap import wrap
 
 from allworlds.checker import Replay, SingleRun
 from allworlds.drawing import draw
-from allworlds.episode import Answered
+from allworlds.episode import Answered, Fault, Undecided
 from allworlds.findings import Finding, believed_percepts, true_trail
-from allworlds.protocol import Estimate, Percept, Transcript
+from allworlds.protocol import Ambiguous, Estimate, Percept, Transcript
 from allworlds.reports.finding_words import (
     choices_words,
     expected_words,
@@ -55,16 +55,35 @@ def run_text(run: SingleRun, width: int) -> str:
         return _refutation(run.finding, width, [])
     world, episode = run.world, run.outcome.episode
     ending = episode.ending
-    assert isinstance(ending, Answered)
-    transcript, estimate = episode.transcript, ending.estimate
+    transcript = episode.transcript
     lines = ["the world", "", draw(walk_in_world(world, transcript), width), ""]
-    lines += _walk(world, transcript, estimate)
-    lines += ["", ANSWER, "", draw(walk_in_answer(world, estimate, transcript), width), ""]
+    match ending:
+        case Answered(estimate):
+            lines += _walk(world, transcript, estimate)
+            lines += ["", ANSWER, "", draw(walk_in_answer(world, estimate, transcript), width), ""]
+        case Undecided(quotient):
+            lines += [*_walk(world, transcript, None), "", *_quotient(quotient), ""]
+        case Fault():
+            raise AssertionError(ending)
     bound = "" if run.outcome.bound is None else f" of at most {run.outcome.bound}"
     cost = plural(transcript.cost, "traversal")
     laws = ", ".join(run.rules.applying)
     lines += entry("HOLDS", f"{cost}{bound}; laws: {laws}", width)
     return "\n".join(lines)
+
+
+def _quotient(answer: Ambiguous) -> list[str]:
+    """An answer that names no map: what is the same in all worlds that look so."""
+    header = ["dart", "sigma", "alpha", "degree", "marks", ""]
+    rows = [
+        [*map(str, row), "here" if row[0] == answer.here else ""]
+        for row in zip(
+            *(range(len(answer.sigma)), answer.sigma, answer.alpha, answer.degree, answer.marks),
+            strict=True,
+        )
+    ]
+    said = "the answer: several worlds look alike, and this is their quotient"
+    return [said, "", *table(header, rows, "rrrrr")]
 
 
 def replay_text(replay: Replay, width: int) -> str:

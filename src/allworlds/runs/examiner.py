@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import MutableSequence
 from dataclasses import dataclass, replace
 
-from allworlds.episode import Answered, Episode, Fault, Log, play, the_same
+from allworlds.episode import Answered, Episode, Fault, Log, Undecided, play, the_same
 from allworlds.findings import Finding, Rules, canonical_world, place_of
+from allworlds.inputs import show
 from allworlds.judge import LAWS, PRECEDENCE, Case, Violation, judge
 from allworlds.maps.canonical import rooted_code
 from allworlds.protocol import Choices, Transcript
@@ -59,12 +60,18 @@ class Referee:
         ending = episode.ending
         if isinstance(ending, Fault):
             return Violation(ending.law, ending.expected, ending.seen)
+        if isinstance(ending, Undecided) and not world.lighthouse.leaves_open:
+            return Violation(
+                "no-estimate",
+                f"a map: the {world.lighthouse.kind} lighthouse has no answer without one",
+                show(ending.quotient),
+            )
         case = Case(
             world.map,
             world.start,
             episode.transcript,
             episode.checkpoints,
-            ending.estimate,
+            ending.estimate if isinstance(ending, Answered) else ending.quotient,
             bound,
         )
         return judge(case, self._checks)
@@ -74,7 +81,7 @@ class Referee:
         assert outcome.violation is not None
         violation = outcome.violation
         canonical = canonical_world(world)
-        if isinstance(outcome.episode.ending, Answered):
+        if not isinstance(outcome.episode.ending, Fault):
             # What was expected and seen may name darts: judge again under the canonical names.
             again = self.verdict(canonical, outcome.episode, outcome.bound)
             if again and again.law == violation.law:

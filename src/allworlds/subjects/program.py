@@ -3,7 +3,8 @@
 One process plays many episodes.  To it: ``{"episode": 1, "percept": P}`` (with ``"told"``
 where there is something to tell), then ``{"percept": P}`` after each action.  From it:
 ``{"move": k}``, ``{"drop": true}``, ``{"pick": true}``, ``{"checkpoint": {...}}`` (unanswered)
-or ``{"estimate": {"sigma", "alpha", "here"}}``.  Unknown keys are ignored by both sides.
+or ``{"estimate": {"sigma", "alpha", "here"}}`` or ``{"ambiguous": {"sigma", "alpha", "degree",
+"marks", "here"}}``.  Unknown keys are ignored by both sides.
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ import shlex
 import shutil
 import subprocess
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
+from functools import lru_cache
 from pathlib import Path
 from random import Random
 from typing import Any, Literal
@@ -27,6 +29,8 @@ from allworlds.inputs import SHOWN, InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol import (
     Action,
+    Ambiguous,
+    Answer,
     Checkpoint,
     Estimate,
     ExplorerFault,
@@ -36,7 +40,7 @@ from allworlds.protocol import (
 
 STDERR_KEPT = 4096
 LONGEST_LINE = 1 << 24
-SAYINGS = {"move", "drop", "pick", "checkpoint", "estimate"}
+SAYINGS = {"move", "drop", "pick", "checkpoint", "estimate", "ambiguous"}
 """A line of the program has exactly one of these keys."""
 
 
@@ -70,10 +74,11 @@ class Program:
         self._heard = False
         self._err = bytearray()
         self._out = bytearray()
+        self._said = select.poll()
 
     def explore(
         self, first: Percept, *, told: int | None = None
-    ) -> Generator[Action | Checkpoint, Percept, Estimate]:
+    ) -> Generator[Action | Checkpoint, Percept, Answer]:
         """One episode: what the program says, as an explorer would say it.
 
         Raises:
@@ -89,17 +94,17 @@ class Program:
                 action = action_from_json(message)
                 if action is not None:
                     percept = yield action
-                    self._send({"percept": percept.to_json()})
+                    self._send(_answering(percept))
                 elif "checkpoint" in message:
                     yield _checkpoint(message["checkpoint"])
-                elif "estimate" in message:
+                elif "estimate" in message or "ambiguous" in message:
                     if self._out:
                         raise self._fault(
-                            "illegal-action", f"a line after its estimate: {_text(self._out)}"
+                            "illegal-action", f"a line after its answer: {_text(self._out)}"
                         )
-                    estimate = _estimate(message["estimate"])
+                    answer = _answer(message)
                     finished = True
-                    return estimate
+                    return answer
                 else:
                     raise self._fault("illegal-action", f"the line {_short(message)}")
         finally:
@@ -131,7 +136,7 @@ class Program:
         opening: dict[str, Any] = {"episode": number, "percept": first.to_json()}
         if told is not None:
             opening["told"] = told
-        self._send(opening)
+        self._send(json.dumps(opening).encode() + b"\n")
 
     def _start(self) -> None:
         try:
@@ -145,6 +150,11 @@ class Program:
             )
         except OSError as error:
             raise ExplorerFault("crash", f"the program cannot be started: {error}") from None
+        assert self._process.stdout is not None
+        assert self._process.stderr is not None
+        self._said = select.poll()
+        self._said.register(self._process.stdout, select.POLLIN)
+        self._said.register(self._process.stderr, select.POLLIN)
         self._out.clear()
         self._err.clear()
 
@@ -160,11 +170,11 @@ class Program:
                 with contextlib.suppress(OSError):
                     stream.close()
 
-    def _send(self, message: dict[str, Any]) -> None:
+    def _send(self, line: bytes) -> None:
         assert self._process is not None
         assert self._process.stdin is not None
         try:
-            self._process.stdin.write(json.dumps(message).encode() + b"\n")
+            self._process.stdin.write(line)
         except OSError:
             raise self._ended() from None
 
@@ -204,17 +214,14 @@ class Program:
         assert process is not None
         assert process.stdout is not None
         assert process.stderr is not None
-        poll = select.poll()
-        poll.register(process.stdout, select.POLLIN)
-        if not process.stderr.closed:
-            poll.register(process.stderr, select.POLLIN)
-        ready = {descriptor for descriptor, _ in poll.poll(wait * 1000)}
+        ready = {descriptor for descriptor, _ in self._said.poll(wait * 1000)}
         if not process.stderr.closed and process.stderr.fileno() in ready:
             written = process.stderr.read(1 << 16)
             if written:
                 self._err += written
                 del self._err[:-STDERR_KEPT]
             else:
+                self._said.unregister(process.stderr)
                 process.stderr.close()
         if process.stdout.fileno() not in ready:
             return True
@@ -259,6 +266,12 @@ class Program:
         return ExplorerFault(law, seen, told, machine=machine)
 
 
+@lru_cache(maxsize=1 << 12)
+def _answering(percept: Percept) -> bytes:
+    """The line that answers an action."""
+    return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
+
+
 def _obstacle(name: str) -> str:
     """Why what is named cannot be run."""
     path = Path(name)
@@ -288,6 +301,12 @@ def _checkpoint(value: object) -> Checkpoint:
     return Checkpoint(value["sigma"], value["alpha"], value["here"])
 
 
+def _answer(message: dict[str, Any]) -> Answer:
+    if "estimate" in message:
+        return _estimate(message["estimate"])
+    return _ambiguous(message["ambiguous"])
+
+
 def _estimate(value: object) -> Estimate:
     if not isinstance(value, dict):
         raise ExplorerFault("no-estimate", f"an estimate that is no object: {_short(value)}")
@@ -299,9 +318,17 @@ def _estimate(value: object) -> Estimate:
         raise ExplorerFault("no-estimate", f"no map: {error}") from None
 
 
-def _missing(value: dict[str, Any]) -> str:
-    """The keys that a checkpoint or an estimate lacks."""
-    return " and ".join(key for key in ("sigma", "alpha", "here") if key not in value)
+def _ambiguous(value: object) -> Ambiguous:
+    if not isinstance(value, dict):
+        raise ExplorerFault("no-estimate", f"a quotient that is no object: {_short(value)}")
+    if missing := _missing(value, ("sigma", "alpha", "degree", "marks", "here")):
+        raise ExplorerFault("no-estimate", f"a quotient without {missing}: {_short(value)}")
+    return Ambiguous(*(value[key] for key in ("sigma", "alpha", "degree", "marks", "here")))
+
+
+def _missing(value: dict[str, Any], keys: Sequence[str] = ("sigma", "alpha", "here")) -> str:
+    """The keys that a checkpoint or an answer lacks."""
+    return " and ".join(key for key in keys if key not in value)
 
 
 def _short(value: object) -> str:

@@ -43,6 +43,8 @@ class Lighthouse(ABC):
         default_bound: the bound on the traversals that is checked unless another is named.
         folds: whether the log of a correct explorer determines the map (every arrival at v0
             tells where the robot is, and how it is turned).
+        leaves_open: whether an explorer may answer with the rooted quotient, where several
+            worlds look alike.
         keys: what its JSON may hold besides ``kind``.
     """
 
@@ -50,6 +52,7 @@ class Lighthouse(ABC):
     sensing: ClassVar[Sensing]
     default_bound: ClassVar[str]
     folds: ClassVar[bool]
+    leaves_open: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ("dart",)
 
     @classmethod

@@ -29,6 +29,7 @@ class Position(Lighthouse):
     sensing: ClassVar[Sensing] = Sensing(Where.AT_V0, bearing=False)
     default_bound: ClassVar[str] = "none"
     folds: ClassVar[bool] = False
+    leaves_open: ClassVar[bool] = True
 
     @classmethod
     def places(

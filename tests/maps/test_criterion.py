@@ -7,12 +7,12 @@ from math import factorial, gcd
 import pytest
 
 from allworlds.ambiguity import class_of, class_size, is_ambiguous, pose_count, projection_of
-from allworlds.ambiguity.criterion import _uniform
 from allworlds.ambiguity.lifting import lifts, uniform_permutations
 from allworlds.ambiguity.marked import is_least_rooting, least_rooting
 from allworlds.maps import CombinatorialMap, cycle, named_map
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import cycles
+from allworlds.maps.criterion import _uniform
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.maps.quotient import Quotient
 from allworlds.protocol import Percept

@@ -1,0 +1,230 @@
+"""The folded log: everything that a robot with a directional lighthouse has ever seen, as one map.
+
+Every vertex that the robot stood on is a *node*.  Nodes are merged when an arrival at v0 shows that
+they are one vertex, and with them whatever follows, because a dart leads to one dart only.  So the
+folded log is a part of every world that agrees with the log: what contradicts it is refuted.
+
+Some nodes are *settled*: proved to be pairwise different vertices.  They are never merged into
+others, so their darts keep their numbers.
+"""
+
+from __future__ import annotations
+
+from bisect import insort
+
+from allworlds.protocol import Percept
+
+OPEN = -1
+"""Where a dart leads that nobody has gone through."""
+
+
+class FoldedLog:
+    """Nodes with consecutive, clockwise darts, merged by union-find with offsets.
+
+    Node 0 is v0; its dart 0 is the one that the marker points at.  A dart is *canonical* if its
+    node has not been merged into another.
+
+    Attributes:
+        node: for each dart its node, as it was when the dart was new.
+        base, degree: for each node its first dart and how many it has.
+        stands: for each node the dart that its first dart is; its own if it is canonical.
+        known: for each canonical node its darts that lead somewhere, ascending.
+        settled: for each node whether it is.
+        merges: how many nodes have been merged.
+
+    Cost: nearly constant a step, except that a merged node hands over its known darts.
+    """
+
+    def __init__(self, first: Percept) -> None:
+        self.node: list[int] = []
+        self.base: list[int] = []
+        self.degree: list[int] = []
+        self.stands: list[int] = []
+        self.known: list[list[int]] = []
+        self.settled: list[bool] = []
+        self.merges = 0
+        self._link: list[int] = []
+        self._add_node(first.degree)
+        self.settled[0] = True
+
+    def _add_node(self, degree: int) -> int:
+        """A new node; its first dart."""
+        first = len(self.node)
+        self.node.extend([len(self.base)] * degree)
+        self.base.append(first)
+        self.degree.append(degree)
+        self.stands.append(first)
+        self.known.append([])
+        self.settled.append(False)
+        self._link.extend([OPEN] * degree)
+        return first
+
+    def canonical(self, dart: int) -> int:
+        """The dart of a canonical node that this dart is."""
+        node, base, stands = self.node, self.base, self.stands
+        v = node[dart]
+        if stands[v] == base[v]:
+            return dart
+        merged = []
+        while stands[v] != base[v]:
+            merged.append(v)
+            v = node[stands[v]]
+        for w in reversed(merged[:-1]):
+            stands[w] = self.turn(stands[node[stands[w]]], stands[w] - base[node[stands[w]]])
+        w = merged[0]
+        return self.turn(stands[w], dart - base[w])
+
+    def turn(self, dart: int, offset: int) -> int:
+        """``sigma^offset(dart)``."""
+        v = self.node[dart]
+        first = self.base[v]
+        return first + (dart - first + offset) % self.degree[v]
+
+    def beyond(self, dart: int) -> int:
+        """The canonical dart at the other end of a canonical dart's edge, or :data:`OPEN`."""
+        other = self._link[dart]
+        if other == OPEN:
+            return OPEN
+        v = self.node[other]
+        if self.stands[v] != self.base[v]:
+            other = self._link[dart] = self.canonical(other)
+        return other
+
+    def arrive(self, dart: int, percept: Percept) -> int:
+        """The canonical dart that the robot has come by, after it has left by canonical ``dart``.
+
+        Raises:
+            ValueError: if the percepts contradict each other: no one world shows them all.
+        """
+        other = self.beyond(dart)
+        if other == OPEN:
+            other = self._add_node(percept.degree)
+            self._link[dart], self._link[other] = other, dart
+            insort(self.known[self.node[dart]], dart)
+            self.known[self.node[other]].append(other)
+            if percept.marks and percept.bearing is not None:
+                self._merge(0, self.turn(other, percept.bearing))
+        return self.canonical(other)
+
+    def _merge(self, one: int, another: int) -> None:
+        """Make two darts one, and whatever follows from it."""
+        node, base, degree, settled, link = (
+            self.node,
+            self.base,
+            self.degree,
+            self.settled,
+            self._link,
+        )
+        equal = [(one, another)]
+        while equal:
+            a, b = map(self.canonical, equal.pop())
+            v, w = node[a], node[b]
+            if v == w and a == b:
+                continue
+            if v == w or degree[v] != degree[w] or (settled[v] and settled[w]):
+                raise ValueError("the percepts contradict each other: no world shows them all")
+            if (settled[w], -w) > (settled[v], -v):
+                a, b, v, w = b, a, w, v
+            self.merges += 1
+            self.stands[w] = self.turn(a, base[w] - b)
+            for x in self.known[w]:
+                y = self.turn(a, x - b)
+                if link[y] == OPEN:
+                    link[y] = link[x]
+                    insort(self.known[v], y)
+                else:
+                    equal.append((link[y], link[x]))
+            self.known[w] = []
+
+    def contradicts(self, one: int, another: int) -> bool:
+        """Whether two canonical darts cannot be one: everything that follows is looked at.
+
+        What follows is a contradiction if two degrees differ, if an unmarked node is v0, if two
+        settled nodes are one, or if a node is itself with an offset.  Nothing is changed.
+
+        Cost: the nodes that would be merged, with their known darts.
+        """
+        return _Supposed(self).contradicts(one, another)
+
+
+class _Supposed:
+    """Nodes merged on trial, over a log that stays as it is."""
+
+    def __init__(self, log: FoldedLog) -> None:
+        self._log = log
+        self._stands: dict[int, int] = {}
+        self._leads: dict[int, dict[int, int]] = {}
+
+    def _found(self, dart: int) -> int:
+        """The dart that a canonical dart of the log is now."""
+        node, base, stands = self._log.node, self._log.base, self._stands
+        v = node[dart]
+        while v in stands:
+            dart = self._log.turn(stands[v], dart - base[v])
+            v = node[dart]
+        return dart
+
+    def contradicts(self, one: int, another: int) -> bool:
+        """See :meth:`FoldedLog.contradicts`."""
+        log, stands = self._log, self._stands
+        node, base, degree, settled = log.node, log.base, log.degree, log.settled
+        # Two darts to be made one, and whether each is what an edge of the two leads to: then
+        # there is nothing new in where they lead themselves.
+        equal = [(one, another, False)]
+        while equal:
+            a, b, crossed = equal.pop()
+            v, w = node[a], node[b]
+            if v in stands or w in stands:
+                a, b = self._found(a), self._found(b)
+                v, w = node[a], node[b]
+            if v == w and a == b:
+                continue
+            if v == w or degree[v] != degree[w]:
+                return True
+            if (settled[w], -w) > (settled[v], -v):
+                a, b, v, w = b, a, w, v
+            if v == 0 or settled[w]:
+                return True
+            stands[w] = base[v] + (a - base[v] + base[w] - b) % degree[v]
+            if self._follow(a, b, b if crossed else OPEN, equal):
+                return True
+        return False
+
+    def _follow(self, a: int, b: int, done: int, equal: list[tuple[int, int, bool]]) -> bool:
+        """What is known of b's node becomes known of a's.
+
+        Returns:
+            True for a contradiction; else what follows has been added to ``equal``.
+        """
+        log, leads = self._log, self._leads
+        node, degree, known, beyond = log.node, log.degree, log.known, log.beyond
+        v, w = node[a], node[b]
+        first, size = log.base[v], degree[v]
+        shift = a - first - b
+        gained = leads.get(v, _NOTHING)
+        followed = [(x, beyond(x)) for x in known[w] if x != done]
+        if w in leads:
+            followed += leads.pop(w).items()
+        for x, target in followed:
+            y = first + (x + shift) % size
+            other = beyond(y)
+            if other == OPEN:
+                other = gained.get(y, OPEN)
+            if other == OPEN:
+                gained = leads.setdefault(v, {})
+                gained[y] = target
+                continue
+            t, u = node[target], node[other]
+            untouched = t not in leads and t not in self._stands
+            if len(known[t]) == 1 and untouched and not log.settled[t]:
+                # Nothing is known of that node but its way back: it adds nothing.
+                if degree[t] != degree[u] or u == 0:
+                    return True
+                continue
+            equal.append((target, other, True))
+        return False
+
+
+_NOTHING: dict[int, int] = {}
+
+__all__ = ["OPEN", "FoldedLog"]
