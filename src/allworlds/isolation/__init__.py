@@ -26,7 +26,7 @@ from allworlds.isolation.looking import subject_of
 from allworlds.isolation.players import Cast, PlaysApart, Unsettled
 from allworlds.isolation.process import guardian
 from allworlds.isolation.stretches import Shared
-from allworlds.isolation.workers import Workers, workers_for
+from allworlds.isolation.workers import Workers, in_any_order, workers_for
 
 __all__ = [
     "Cast",
@@ -38,6 +38,7 @@ __all__ = [
     "confirmed",
     "examine_apart",
     "guardian",
+    "in_any_order",
     "subject_of",
     "workers_for",
 ]
