@@ -43,7 +43,7 @@ Explorer = Annotated[
     typer.Argument(
         metavar="[EXPLORER]",
         help="A built-in name, module:attribute, path/to/file.py:attribute or an entry point "
-        "(default: algorithm1).",
+        "(default: algorithm1). Of a file with one generator function its name will do.",
         show_default=False,
     ),
 ]

@@ -11,7 +11,7 @@ from allworlds.inputs import InputError, show
 from allworlds.isolation.jobs import Casting
 from allworlds.isolation.players import started
 from allworlds.isolation.process import guardian
-from allworlds.subjects import EXEC, Program, Subject, built_in, source_of, subject_here
+from allworlds.subjects import EXEC, Program, Subject, built_in, source_of, subject_here, whole_name
 from allworlds.work import Limits
 
 
@@ -27,6 +27,7 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
         if not callable(explore):
             raise InputError(f"explore = {show(explore)} is neither a name nor a function")
         return subject_here(explore)
+    explore = whole_name(explore)
     if explore in BUILT_IN:
         return built_in(explore)
     if explore.startswith(EXEC):

@@ -4,6 +4,8 @@
     an explorer as a check speaks of it;
 ``loading``
     its code, found by its name, in a process that may run foreign code;
+``naming``
+    names that are nearly those of an explorer;
 ``content``
     the bytes that an explorer is, whatever it is called;
 ``program``
@@ -12,6 +14,7 @@
 
 from allworlds.subjects.content import content_digest, not_alike, with_content
 from allworlds.subjects.loading import load, source_of
+from allworlds.subjects.naming import whole_name
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
     EXEC,
@@ -42,5 +45,6 @@ __all__ = [
     "source_of",
     "subject_here",
     "subject_known",
+    "whole_name",
     "with_content",
 ]

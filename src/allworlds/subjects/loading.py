@@ -18,6 +18,7 @@ from allworlds.explorers import BUILT_IN
 from allworlds.inputs import SHOWN, InputError, a_path, let_users_interrupt, read_text, show
 from allworlds.libraries import Library, NativeExplorer, library_path
 from allworlds.protocol import ANSWER_TIMEOUT
+from allworlds.subjects.naming import did_you_mean
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
     EXEC,
@@ -43,10 +44,10 @@ def source_of(name: str) -> Source | None:
         return None
     place, colon, attribute = name.rpartition(":")
     if not colon:
-        known = ", ".join(sorted({*BUILT_IN, *entry_points()}))
+        known = sorted({*BUILT_IN, *entry_points()})
         raise InputError(
-            f"explorer {show(name)} is none of {known}, module:attribute or "
-            "path/to/file.py:attribute"
+            f"explorer {show(name)} is none of {', '.join(known)}, module:attribute or "
+            f"path/to/file.py:attribute{did_you_mean(name, known)}"
         )
     if not place or not attribute:
         raise InputError(
