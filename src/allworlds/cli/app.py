@@ -37,13 +37,16 @@ RENAMED = {
 }
 """Options as they were called once; they are refused with the name that they have now."""
 
+HELP = {"help_option_names": ["-h", "--help"]}
+"""What every verb and group is made with."""
+
 app = typer.Typer(
     name="allworlds",
     help=(
         "Example: allworlds check --edges 4\n\n"
         "Try everything: run an exploration algorithm on every small embedded graph."
     ),
-    add_completion=False,
+    context_settings=HELP,
     rich_markup_mode="markdown",
     pretty_exceptions_enable=False,
 )
@@ -60,11 +63,14 @@ def _add_verbs() -> None:
     groups = {}
     for name, known in GROUPS.items():
         help_ = f"Example: {known.example}\n\n{known.summary}"
-        groups[name] = typer.Typer(name=name, help=help_, short_help=known.summary)
+        groups[name] = typer.Typer(
+            name=name, help=help_, short_help=known.summary, context_settings=HELP
+        )
         groups[name].callback(invoke_without_command=True)(_help)
     for verb in VERBS:
         home = groups[verb.group] if verb.group else app
-        home.command(name=verb.name.rpartition(" ")[2], short_help=verb.summary)(_command(verb))
+        name = verb.name.rpartition(" ")[2]
+        home.command(name, short_help=verb.summary, context_settings=HELP)(_command(verb))
     for group in groups.values():
         app.add_typer(group)
 

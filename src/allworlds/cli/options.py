@@ -33,6 +33,11 @@ def option(panel: str, metavar: str, help_: str, *names: str, **more: Any) -> An
     return typer.Option(*names, metavar=metavar, help=help_, rich_help_panel=panel, **more)
 
 
+def flag(panel: str, help_: str, *names: str) -> Any:
+    """An option without a value."""
+    return option(panel, "", help_, *names)
+
+
 def number(panel: str, metavar: str, help_: str, *names: str, **more: Any) -> Any:
     """The same for an integer."""
     return option(panel, metavar, help_, *names, parser=integer, **more)
@@ -72,8 +77,8 @@ LighthouseName = Annotated[
     option(
         SCOPE,
         "KIND",
-        "KIND[:key=value,...] (default: directional, or the one that a built-in explorer is "
-        "written for).",
+        f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)} (default: directional, or the one that a "
+        "built-in explorer is written for).",
         show_default=False,
     ),
 ]
@@ -142,9 +147,9 @@ class Rules:
         option(
             RULES,
             "BOUND",
-            "Largest number of traversals: paper (1)+(2), two-vertices, none, or an expression "
-            "over n, m, d0, D with + - * // **, min, max (default: the explorer's own, else the "
-            "lighthouse's).",
+            "Largest number of traversals: paper (the sum of the paper's bounds (1) and (2)), "
+            "two-vertices, none, or an expression over n, m, d0, D with + - * // **, min, max "
+            "(default: the explorer's own, else the lighthouse's).",
             show_default=False,
         ),
     ] = None
@@ -214,14 +219,9 @@ def many_runs(
 class Output:
     """What is printed."""
 
-    as_json: Annotated[
-        bool, typer.Option("--json", help="One JSON document on stdout.", rich_help_panel=OUTPUT)
-    ] = False
+    as_json: Annotated[bool, flag(OUTPUT, "One JSON document on stdout.", "--json")] = False
     quiet: Annotated[
-        bool,
-        typer.Option(
-            "-q", "--quiet", help="No progress, and of a verdict one line.", rich_help_panel=OUTPUT
-        ),
+        bool, flag(OUTPUT, "No progress, and of a verdict one line.", "-q", "--quiet")
     ] = False
 
 
