@@ -19,7 +19,10 @@ if TYPE_CHECKING:
     from allworlds import documents
 
 SECONDS = 3.0
-"""So long a sample takes."""
+"""So long a sample takes from its first piece on."""
+
+MOST_SECONDS = 30.0
+"""So long it takes at most; where no piece is done by then there is no guess."""
 
 PIECE = {"python": 200, "kernel": 200_000}
 """So many worlds at most stand in a piece of the sample, by the engine."""
@@ -94,7 +97,7 @@ def estimated(job: Job, engine: Engine) -> Estimate:
 
     What starts workers and compiles is not counted; the sample takes some seconds.
     """
-    hurried = replace(job, deadline=time.monotonic() + 10 * SECONDS)
+    hurried = replace(job, deadline=time.monotonic() + MOST_SECONDS)
     way = engine.ready(hurried)
     sampled, began, ended = 0, 0.0, 0.0
     try:
