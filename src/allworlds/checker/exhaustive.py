@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Unpack
 
 from allworlds.checker.corpus import UserCorpus
-from allworlds.checker.engines import Engine, EnginesDisagree, Job, Way, engine_for
+from allworlds.checker.engines import Engine, Job, Way, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
 from allworlds.checker.guessing import LONG, Estimate, estimated, is_worth_a_guess
 from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
@@ -31,6 +31,7 @@ from allworlds.progress import Listener, Silent
 from allworlds.runs import (
     DEFAULT_EDGES,
     LOST,
+    EnginesDisagree,
     Scope,
     Tally,
     a_schedule,
@@ -158,6 +159,8 @@ def _asked(
     scope = Scope(extent, rules, a_schedule(schedules), a_shard(shard))
     if scope.schedules == "all" and not subject.takes_choices:
         raise InputError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
+    if engine == "auto" and (why := why_not_compiled(scope, subject)):
+        listener.notice(why)
     job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice, dask)
     return job, engine_for(engine, scope, subject)
 
