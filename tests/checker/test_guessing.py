@@ -5,10 +5,11 @@ import random
 import pytest
 
 from allworlds import check
-from allworlds.checker import engines, estimate
+from allworlds.checker import estimate
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.progress import Silent
 from allworlds.reports.check_text import check_text
+from allworlds.runs import EnginesDisagree
 from allworlds.work import drawn_units, level_size
 
 
@@ -26,7 +27,7 @@ def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
 
 def test_where_nothing_is_finished_there_is_no_guess(monkeypatch):
     def never(*_):
-        raise engines.EnginesDisagree("they do not agree")
+        raise EnginesDisagree("they do not agree")
 
     monkeypatch.setattr("allworlds.checker.guessing._pieces", never)
     guess = estimate(edges=2, engine="kernel")

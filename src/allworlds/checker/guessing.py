@@ -9,10 +9,10 @@ from itertools import islice
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from allworlds.checker.engines import Engine, EnginesDisagree, Job
+from allworlds.checker.engines import Engine, Job
 from allworlds.isolation import Unsettled
 from allworlds.outcome import SCHEMA, Exit
-from allworlds.runs import Unit
+from allworlds.runs import EnginesDisagree, Unit
 from allworlds.work import Lost, TimeIsUp, drawn_units, level_size, shards_of
 
 if TYPE_CHECKING:
