@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 SECONDS = 3.0
 """So long a sample takes from its first piece on."""
 
-MOST_SECONDS = 30.0
-"""So long it takes at most; where no piece is done by then there is no guess."""
+MOST_SECONDS = 120.0
+"""So long it takes at most, with what comes before; where no piece is done by then there is no guess."""
 
 PIECE = {"python": 200, "kernel": 200_000}
 """So many worlds at most stand in a piece of the sample, by the engine."""
