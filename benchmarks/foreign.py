@@ -45,10 +45,10 @@ def program() -> None:
                 action = run.send(percept)
             while isinstance(action, Checkpoint):
                 action = run.send(None)
-            print(json.dumps({"move": action.k}), flush=True)  # noqa: T201
+            print(json.dumps({"move": action.k}), flush=True)
         except StopIteration as stop:
             answer = {**stop.value.map.to_json(), "here": stop.value.here}
-            print(json.dumps({"estimate": answer}), flush=True)  # noqa: T201
+            print(json.dumps({"estimate": answer}), flush=True)
 
 
 def plays(worlds: list[World]) -> None:
@@ -69,7 +69,7 @@ def plays(worlds: list[World]) -> None:
 
 def round_trips(worlds: list[World]) -> None:
     """Every run played once over the pipe, and nothing looked at."""
-    with subprocess.Popen(PROGRAM, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:  # noqa: S603
+    with subprocess.Popen(PROGRAM, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdin
         assert process.stdout
         for number, world in enumerate(worlds):
@@ -106,9 +106,7 @@ def checked(explorer: list[str], edges: int) -> float:
     def command(bound: int) -> float:
         line = [sys.executable, "-m", "allworlds", "check", *explorer, "--edges", str(bound)]
         line += ["--workers", "1", "-q"]
-        return cpu_seconds(
-            lambda: subprocess.run(line, check=True, stdout=subprocess.DEVNULL)  # noqa: S603
-        )
+        return cpu_seconds(lambda: subprocess.run(line, check=True, stdout=subprocess.DEVNULL))
 
     return command(edges) - command(1)
 
@@ -135,7 +133,7 @@ def main() -> None:
         for _ in range(options.repeats):
             alone = 2 * cpu_seconds(lambda bare=bare: bare(worlds))
             ratios.append(checked(explorer, options.edges) / alone)
-        print(  # noqa: T201
+        print(
             f"{name:14} a check is {statistics.median(ratios):.2f} "
             f"({min(ratios):.2f}..{max(ratios):.2f}) times two plays of its {len(worlds):,} runs"
         )

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, Protocol
 
 from allworlds.inputs import InputError, show
-from allworlds.isolation import workers_for
+from allworlds.isolation import in_any_order, workers_for
 from allworlds.runs import Examination, Scope
-from allworlds.subjects import Subject
-from allworlds.work import Limits, Threads, Transport
-
-
-class EnginesDisagree(Exception):
-    """Two engines say different things about one world."""
+from allworlds.subjects import NATIVE, Subject, content_digest, not_alike, with_content
+from allworlds.work import Dask, Limits, Threads, Transport
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +24,7 @@ class Job:
         keep: how many findings are kept.
         deadline: on the monotonic clock, or None.
         notice: takes what the user may want to know now.
+        dask: where units are done: the address of a scheduler, ``local``, or None for here.
     """
 
     scope: Scope
@@ -35,6 +33,7 @@ class Job:
     keep: int
     deadline: float | None
     notice: Callable[[str], None]
+    dask: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,12 +78,14 @@ class General:
 
     def ready(self, job: Job) -> Way:
         """Worker processes where the explorer can be found by its name, else this process."""
-        workers = workers_for(job.subject, job.limits, job.deadline)
-        return Way(workers, Examination(job.scope, job.keep))
+        engine = Examination(job.scope, job.keep)
+        if job.dask is not None:
+            return Way(_cluster(job, job.dask), engine)
+        return Way(workers_for(job.subject, job.limits, job.deadline), engine)
 
 
 class Compiled:
-    """The built-in explorers and the judge in compiled code, in threads."""
+    """The judge in compiled code: built-in explorers in threads, native ones in processes."""
 
     name = "kernel"
 
@@ -97,23 +98,67 @@ class Compiled:
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """The first option that it does not know."""
-        if subject.foreign:
+        if subject.foreign and not subject.name.startswith(NATIVE):
             # Said before the kernel is loaded, which takes half a second.
-            return f"runs only built-in explorers, not {show(subject.name)}"
+            return f"runs only built-in explorers and shared libraries, not {show(subject.name)}"
         from allworlds.checker.questions import obstacle
 
         return obstacle(scope, subject)
 
     def ready(self, job: Job) -> Way:
-        """Threads, after both engines have agreed on every small world."""
+        """Threads, after both engines have agreed on every small world.
+
+        For a native explorer processes, as its code is foreign: there both agree as they go.
+        """
+        if job.subject.foreign:
+            from allworlds.checker.native import NativeExamination
+
+            apart = NativeExamination(job.scope, job.keep)
+            if job.dask is not None:
+                return Way(_cluster(job, job.dask), apart)
+            apart.compiled(job)
+            return Way(workers_for(job.subject, job.limits, job.deadline), apart)
         from allworlds.checker.compiled import BATCH, CompiledExamination
 
-        threads = Threads(job.limits.workers, job.deadline, BATCH)
-        return Way(threads, CompiledExamination.ready(job))
+        engine = CompiledExamination.ready(job)
+        if job.dask is not None:
+            workers = job.limits.workers
+            return Way(Dask(job.dask, workers, job.deadline, DASK_BATCH), engine)
+        return Way(Threads(job.limits.workers, job.deadline, BATCH), engine)
+
+
+DASK_BATCH = 8
+"""The same for a task: to send one costs more."""
+
+
+def _cluster(job: Job, scheduler: str) -> Dask:
+    """Workers of a cluster, on each of which an explorer is played as it would be here."""
+    subject, limits = with_content(job.subject), replace(job.limits, workers=1, time_limit=None)
+    if subject.foreign and not subject.elsewhere:
+        raise InputError(
+            f"explorer {show(subject.name)} lives in this process alone and cannot be sent to "
+            "others; put it into a file of its own"
+        )
+    return Dask(
+        scheduler,
+        job.limits.workers,
+        job.deadline,
+        inside=partial(workers_for, subject, limits),
+        probe=partial(not_alike, subject, content_digest(subject), limits.answer_timeout),
+        order=in_any_order if subject.foreign else iter,
+    )
 
 
 ENGINES: dict[str, Engine] = {engine.name: engine for engine in (General(), Compiled())}
 """Every engine by its name."""
+
+
+def why_not_compiled(scope: Scope, subject: Subject) -> str:
+    """Why a native explorer is not judged in compiled code, in a large check; else empty."""
+    if not subject.name.startswith(NATIVE) or scope.extent.levels[-1] < COMPILED_FROM:
+        return ""
+    obstacle = ENGINES["kernel"].obstacle(scope, subject)
+    return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""
 
 
 COMPILED_FROM = 5

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Unpack
 
 from allworlds.checker.corpus import UserCorpus
-from allworlds.checker.engines import Engine, EnginesDisagree, Job, Way, engine_for
+from allworlds.checker.engines import Engine, Job, Way, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
 from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
 from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
@@ -30,6 +30,7 @@ from allworlds.progress import Listener, Silent
 from allworlds.runs import (
     DEFAULT_EDGES,
     LOST,
+    EnginesDisagree,
     Scope,
     Tally,
     a_schedule,
@@ -39,6 +40,7 @@ from allworlds.store import ENDED, Identity, Records, records_in
 from allworlds.work import (
     UNMERGEABLE,
     Limits,
+    Lost,
     TimeIsUp,
     a_shard,
     gather,
@@ -59,6 +61,7 @@ def check(
     engine: str = "auto",
     corpus: str | Path | None = None,
     run: str | Path | None = None,
+    dask: str | None = None,
     listener: Listener | None = None,
     **options: Unpack[ManyRunsOptions],
 ) -> Report:
@@ -75,6 +78,7 @@ def check(
         corpus: a directory of past findings, which are tried first; new ones are written
             to it.
         run: a directory that keeps what is finished; the same check goes on from there.
+        dask: the address of a Dask scheduler, or ``local``: where the work is done.
         listener: is told of the progress.
         options: class and lighthouse, rules and effort: see
             :class:`~allworlds.checker.options.ManyRunsOptions`,
@@ -107,9 +111,11 @@ def check(
             "one would change what the other keeps; give one of them"
         )
     listener = listener or Silent()
+    if engine == "auto" and (why := why_not_compiled(scope, subject)):
+        listener.notice(why)
     if run is None and not scope.whole:
         listener.notice(UNMERGEABLE)
-    job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice)
+    job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice, dask)
     with records_in(run, lambda: identity_of(job, chosen.name), listener.notice) as records:
         return _Check(job, chosen, listener, directory, records).run()
 
@@ -244,7 +250,7 @@ class _Check:
             return Stopped(f"the time limit of {self._job.limits.time_limit:g} s was reached")
         except EnginesDisagree as error:
             return Disagreed(str(error))
-        except Unsettled as error:
+        except (Unsettled, Lost) as error:
             return Stopped(str(error))
 
     def _all_levels(self, way: Way) -> Ending:

@@ -14,7 +14,13 @@
     counts that can be added up in any order, and the smallest findings.
 """
 
-from allworlds.runs.examination import Examination, Examines, InParts, OwnExamination
+from allworlds.runs.examination import (
+    EnginesDisagree,
+    Examination,
+    Examines,
+    InParts,
+    OwnExamination,
+)
 from allworlds.runs.examiner import (
     LOST,
     Examiner,
@@ -42,6 +48,7 @@ __all__ = [
     "LOST",
     "Coverage",
     "Earlier",
+    "EnginesDisagree",
     "Examination",
     "Examiner",
     "Examines",

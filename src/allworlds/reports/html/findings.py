@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from xml.etree import ElementTree as ET
 
 from allworlds.drawing import Scene, picture
-from allworlds.explaining import Belief, Story, explain
+from allworlds.explaining import Belief, Explanation, Story, explain
 from allworlds.findings import Finding
 from allworlds.markup import Child, record, tag
 from allworlds.reports.finding_words import (
@@ -18,7 +18,7 @@ from allworlds.reports.finding_words import (
     wrong,
 )
 from allworlds.reports.html.walk import walk
-from allworlds.reports.scenes import walk_in_answer, walk_in_world
+from allworlds.reports.scenes import OTHER, walk_in_answer, walk_in_world
 
 
 def finding_section(finding: Finding, number: int, origin: str = "") -> ET.Element:
@@ -30,7 +30,7 @@ def finding_section(finding: Finding, number: int, origin: str = "") -> ET.Eleme
         "section",
         tag("h2", f"Finding {number}: ", tag("bdi", headline(finding)), id=f"{name}-title"),
         tag("p", *_sentences(explanation.sentences), class_="story"),
-        _viewer(story, belief, explanation.step, name),
+        _viewer(story, belief, explanation, name),
         tag("dl", *_facts(finding, origin)),
         *_again(finding, name),
         record(finding.to_json(), class_="finding", id=f"{name}-json"),
@@ -46,13 +46,16 @@ def _sentences(sentences: tuple[str, ...]) -> Iterator[Child]:
         yield " "
 
 
-def _viewer(story: Story, belief: Belief | None, parting: int | None, name: str) -> ET.Element:
+def _viewer(story: Story, belief: Belief | None, told: Explanation, name: str) -> ET.Element:
     """The pictures and the walk along which keys step in all of them."""
     world, transcript = story.world, story.transcript
     figures = [_figure("The world", walk_in_world(world, transcript), f"{name}-world", "robot")]
     if belief:
         scene = walk_in_answer(world, belief.answer, transcript)
         figures.append(_figure("The answer", scene, f"{name}-answer", "believed"))
+    if told.other:
+        scene = walk_in_world(told.other, transcript)
+        figures.append(_figure(OTHER.capitalize(), scene, f"{name}-other", "believed"))
     keys = "Left and right arrow, Home and End step along the walk."
     return tag(
         "div",
@@ -68,7 +71,7 @@ def _viewer(story: Story, belief: Belief | None, parting: int | None, name: str)
             hidden="hidden",
         ),
         tag("p", keys, class_="keys", hidden="hidden"),
-        walk(story, belief, parting, name),
+        walk(story, belief, told, name),
         class_="viewer",
         role="group",
         tabindex="0",
