@@ -22,7 +22,7 @@ SECONDS = 3.0
 """So long a sample takes from its first piece on."""
 
 MOST_SECONDS = 120.0
-"""So long it takes at most, with what comes before; where no piece is done by then there is no guess."""
+"""So long it takes at most, compiling and all; where no piece is done by then there is no guess."""
 
 PIECE = {"python": 200, "kernel": 200_000}
 """So many worlds at most stand in a piece of the sample, by the engine."""
