@@ -21,6 +21,7 @@ DEFAULTS = {
     allworlds.run: {"choices": ()},
     allworlds.replay: {"answer_timeout": 10.0},
     allworlds.mutants: {"edges": 4},
+    allworlds.optimum: {"edges": 3},
     allworlds.count: {"map_class": "maps"},
     allworlds.worst: {"map_class": "maps", "transit": "simple", "workers": 1},
     allworlds.worlds: {"map_class": "maps", "lighthouse": "directional", "places": "first"},

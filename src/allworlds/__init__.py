@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from allworlds.fuzzer import fuzz
     from allworlds.joining import merge, status
     from allworlds.libraries import native
+    from allworlds.minimax import optimum
     from allworlds.mutation import mutants
     from allworlds.smt import search
     from allworlds.worst_case import worst
@@ -67,6 +68,7 @@ __all__ = [
     "merge",
     "mutants",
     "native",
+    "optimum",
     "replay",
     "run",
     "search",
