@@ -112,7 +112,12 @@ def _options(random: Random) -> Case:
 
 
 def _least(verb: str) -> list[str]:
-    return LEAST[verb].replace("{findings}/lucky-guess.json", "f.json").format(tmp=".").split()
+    return (
+        LEAST[verb]
+        .replace("{findings}/lucky-guess.json", "f.json")
+        .format(tmp=".", run="run")
+        .split()
+    )
 
 
 def _value(metavar: str, random: Random) -> str:
