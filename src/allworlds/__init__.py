@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from allworlds.ambiguity import twins
     from allworlds.benching import bench
     from allworlds.checker import check, replay, run, worlds
+    from allworlds.comparing import compare
     from allworlds.counter import count
     from allworlds.explaining import explain
     from allworlds.fuzzer import fuzz
@@ -60,6 +61,7 @@ __all__ = [
     "ambiguity",
     "bench",
     "check",
+    "compare",
     "count",
     "explain",
     "fuzz",

@@ -92,6 +92,13 @@ VERBS = (
         "Algorithm 1 at its worst and best, over every schedule.",
     ),
     Verb(
+        "compare",
+        "comparing:compare",
+        "compare_text:compare_text",
+        "compare",
+        "Explorers side by side on the same worlds.",
+    ),
+    Verb(
         "twins",
         "ambiguity:twins",
         "ambiguity_text:twins_text",

@@ -21,6 +21,7 @@
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.engines import ENGINES, Job
 from allworlds.checker.exhaustive import check
+from allworlds.checker.gate import Cell, count_gate
 from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
 from allworlds.checker.replaying import Replay, replay
 from allworlds.checker.report import (
@@ -31,10 +32,11 @@ from allworlds.checker.report import (
     Report,
     Stopped,
 )
-from allworlds.checker.single import SingleRun, run, worlds
+from allworlds.checker.single import SingleRun, run, single_run, worlds
 
 __all__ = [
     "ENGINES",
+    "Cell",
     "Completed",
     "Disagreed",
     "Ending",
@@ -48,9 +50,11 @@ __all__ = [
     "Stopped",
     "UserCorpus",
     "check",
+    "count_gate",
     "refuse_others",
     "replay",
     "rules_for",
     "run",
+    "single_run",
     "worlds",
 ]

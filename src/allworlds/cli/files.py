@@ -25,23 +25,12 @@ class _Files:
             InputError: naming the file and the reason.
         """
         for path in self._named().values():
-            _ensure_writable(path)
+            ensure_writable(path)
 
     def write(self, report: Result) -> None:
-        """The report in each file that was named.
-
-        A file that cannot be written any more, on a full disk, say, is lost with a word on
-        stderr; the report and its verdict are not.
-        """
+        """The report in each file that was named."""
         for form, path in self._named().items():
-            text = written(form, report)
-            try:
-                Path(path).write_text(text, encoding="utf-8")
-            except OSError as error:
-                complain(f"{_refusal(path, error)}; the report stands on stdout alone")
-                with suppress(OSError):  # half a report is none
-                    if Path(path).is_file():
-                        Path(path).unlink()
+            write_text(path, written(form, report))
 
     def _named(self) -> dict[str, str]:
         given = {form: getattr(self, form) for form in FORMATS}
@@ -61,7 +50,27 @@ else:
     )
 
 
-def _ensure_writable(path: str) -> None:
+def write_text(path: str, text: str) -> None:
+    """Write a file that could be written before the work began.
+
+    One that cannot be written any more, on a full disk, say, is lost with a word on stderr; the
+    report and its verdict are not.
+    """
+    try:
+        Path(path).write_text(text, encoding="utf-8")
+    except OSError as error:
+        complain(f"{_refusal(path, error)}; the report stands on stdout alone")
+        with suppress(OSError):  # half a report is none
+            if Path(path).is_file():
+                Path(path).unlink()
+
+
+def ensure_writable(path: str) -> None:
+    """Nothing, if the file can be written; it is left as it is, and not made.
+
+    Raises:
+        InputError: naming the file and the reason.
+    """
     try:
         file = a_path("file", path)
         existed = file.exists()

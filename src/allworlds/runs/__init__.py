@@ -11,9 +11,12 @@
 ``play``, ``twice``, ``here``
     a foreign explorer, which plays everything twice;
 ``tally``
-    counts that can be added up in any order, and the smallest findings.
+    counts that can be added up in any order, and the smallest findings;
+``costs``
+    the same with the cost of every run.
 """
 
+from allworlds.runs.costs import Costing, CostTally, MapKey, RunCost, key_of
 from allworlds.runs.examination import Examination, Examines, InParts, OwnExamination
 from allworlds.runs.examiner import (
     LOST,
@@ -43,6 +46,8 @@ from allworlds.runs.units import GivenWorlds, NumberedRun, Placed, Unit, Worlds,
 __all__ = [
     "DEFAULT_EDGES",
     "LOST",
+    "CostTally",
+    "Costing",
     "Coverage",
     "Earlier",
     "Examination",
@@ -50,6 +55,7 @@ __all__ = [
     "Examines",
     "GivenWorlds",
     "InParts",
+    "MapKey",
     "NumberedRun",
     "OneRun",
     "Outcome",
@@ -62,6 +68,7 @@ __all__ = [
     "Recorded",
     "Referee",
     "Row",
+    "RunCost",
     "Sample",
     "Schedule",
     "Scope",
@@ -73,6 +80,7 @@ __all__ = [
     "Worlds",
     "a_schedule",
     "a_shard",
+    "key_of",
     "name_run",
     "nondeterministic",
     "numbered_runs",

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from xml.etree import ElementTree as ET
 
-from allworlds.explaining import Belief, Story
+from allworlds.explaining import Belief, Walked
 from allworlds.markup import tag
 from allworlds.protocol import Move
 
 
-def walk(story: Story, belief: Belief | None, parting: int | None, name: str) -> ET.Element:
+def walk(story: Walked, belief: Belief | None, parting: int | None, name: str) -> ET.Element:
     """The list; ``parting`` is the step at which belief and truth part, if they do."""
     steps = range(len(story.walked))
     return tag(
@@ -22,7 +22,7 @@ def walk(story: Story, belief: Belief | None, parting: int | None, name: str) ->
     )
 
 
-def _step(story: Story, belief: Belief | None, i: int, name: str, parts: bool) -> ET.Element:
+def _step(story: Walked, belief: Belief | None, i: int, name: str, parts: bool) -> ET.Element:
     action = story.transcript.steps[i - 1][0] if i else None
     robot = story.walked[i]
     item = tag(
