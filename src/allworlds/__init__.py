@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from allworlds.counter import count
     from allworlds.explaining import explain
     from allworlds.fuzzer import fuzz
+    from allworlds.joining import merge, status
     from allworlds.libraries import native
     from allworlds.mutation import mutants
     from allworlds.smt import search
@@ -65,11 +66,13 @@ __all__ = [
     "count",
     "explain",
     "fuzz",
+    "merge",
     "mutants",
     "native",
     "replay",
     "run",
     "search",
+    "status",
     "twins",
     "worlds",
     "worst",

@@ -99,6 +99,20 @@ VERBS = (
         "Explorers side by side on the same worlds.",
     ),
     Verb(
+        "merge",
+        "joining:merge",
+        "merge_text:merge_text",
+        "merge",
+        "One report of all shards of a job.",
+    ),
+    Verb(
+        "status",
+        "joining:status",
+        "merge_text:status_text",
+        "status",
+        "How far a run directory is.",
+    ),
+    Verb(
         "twins",
         "ambiguity:twins",
         "ambiguity_text:twins_text",

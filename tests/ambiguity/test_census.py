@@ -149,6 +149,9 @@ def test_the_listener_hears_every_rooted_map():
         def progress(self, worlds):
             self.heard[-1][2] += worlds
 
+        def notice(self, text):
+            raise AssertionError(text)
+
     listener = Listener()
     census(edges=3, listener=listener)
     # 2, 10, 74 rooted maps (A000698).

@@ -16,7 +16,7 @@ from allworlds.work import Threads
 # A verb; what it goes through once for each of its rows; its words; where its rows stand.
 ROWS = {
     "count": ("allworlds.counter._count_level", "--edges 4", "rows"),
-    "ambiguity census": ("allworlds.ambiguity.census._level", "--edges 4", "rows"),
+    "ambiguity census": ("allworlds.ambiguity.census.gather", "--edges 4", "rows"),
     "worst": ("allworlds.worst_case.search.gather", "--edges 4", "rows"),
     "mutants": ("allworlds.mutation.matrix._explorer", "--edges 1", "kill_matrix"),
     "bench": ("allworlds.benching._round", "--edges 4 --rounds 4", "contenders"),

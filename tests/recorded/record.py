@@ -18,6 +18,7 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from allworlds.checker import check
 from allworlds.corpora import own_corpus
 
 HERE = Path(__file__).parent
@@ -37,6 +38,8 @@ LEAST = {
     "count": "--edges 1",
     "worst": "--edges 1",
     "compare": "algorithm1 greedy --edges 1",
+    "merge": "{run}",
+    "status": "{run}",
     "twins": "k4 k4",
     "search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
     "bench": "--edges 4 --rounds 1",
@@ -99,6 +102,13 @@ COMMANDS = {
     "compare-family": "compare greedy prudent --family thick:4x5 --seed 2",
     "compare-wrong": "compare greedy explorers.py:first_edge --edges 2 --json",
     "compare-one": "compare greedy --edges 2",
+    "worst-shard": "worst --edges 3 --shard 0/2",
+    "census-shard": "ambiguity census --edges 3 --shard 0/2",
+    "merge": "merge {run} --json",
+    "merge-text": "merge {run}",
+    "merge-gap": "merge {run}-0",
+    "status": "status {run} --json",
+    "status-text": "status {run}-0",
     "replay": "replay finding.json --json",
     "replay-text": "replay finding.json",
     "replay-fixed": "replay finding.json --explorer algorithm1",
@@ -149,9 +159,19 @@ def least(verb: str, tmp: str) -> list[str]:
 def words(command: str | list[str], tmp: str) -> list[str]:
     names = {"tmp": tmp, "python": sys.executable, "findings": str(FINDINGS)}
     given = command if isinstance(command, list) else command.split()
+    if any("{run}" in word for word in given):
+        names["run"] = str(run_directory(Path(tmp) / "run"))
     return [
         re.sub(r"\{(\w+)\}", lambda found: names.get(found[1], found[0]), word) for word in given
     ]
+
+
+def run_directory(path: Path) -> Path:
+    """A run directory of a finished check; beside it that of a shard alone."""
+    if not path.exists():
+        check(edges=2, run=path)
+        check(edges=2, shard=(0, 2), run=f"{path}-0")
+    return path
 
 
 # What a terminal or a CI tells programs about colours; a record is plain.
@@ -190,6 +210,7 @@ def prepare(directory: str) -> None:
     """The explorers, and the files that commands read."""
     for name in EXPLORERS:
         shutil.copy(HERE / name, directory)
+    run_directory(Path(directory) / "run")
     for name, command in FILES.items():
         said = run(command, directory).stdout
         (Path(directory) / name).write_text(said, encoding="utf-8")

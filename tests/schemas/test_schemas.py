@@ -3,6 +3,7 @@
 import copy
 import functools
 import json
+import tempfile
 from dataclasses import replace
 from importlib.resources import files
 
@@ -17,6 +18,7 @@ from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
 from allworlds.fuzzer import fuzz
+from allworlds.joining import merge, status
 from allworlds.libraries import native
 from allworlds.maps import named_map
 from allworlds.mutation import mutants
@@ -88,6 +90,13 @@ def manifest():
     return json.loads((own_corpus().directory / "manifest.json").read_text(encoding="utf-8"))
 
 
+def kept(verb):
+    """What a verb says of a run directory."""
+    with tempfile.TemporaryDirectory() as directory:
+        check(edges=2, run=directory)
+        return verb(directory).to_json()
+
+
 DOCUMENTS = {
     "check holds": (whole("check"), lambda: check(edges=2).to_json()),
     "check of a class": (whole("check"), lambda: check(vertices=3, map_class="simple").to_json()),
@@ -139,6 +148,13 @@ DOCUMENTS = {
     "mutants": (whole("mutants"), lambda: mutants(edges=1).to_json()),
     "manifest": (whole("manifest"), manifest),
     "worst": (whole("worst"), lambda: worst(edges=2).to_json()),
+    "worst of a shard": (whole("worst"), lambda: worst(edges=2, shard=(0, 2)).to_json()),
+    "census of a shard": (
+        whole("ambiguity-census"),
+        lambda: census(edges=2, shard=(0, 2)).to_json(),
+    ),
+    "merge": (whole("merge"), lambda: kept(merge)),
+    "status": (whole("status"), lambda: kept(status)),
     "worst of a class": (
         whole("worst"),
         lambda: worst(edges=2, map_class="simple", transit="shortest").to_json(),

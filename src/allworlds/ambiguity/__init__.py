@@ -17,7 +17,7 @@ separation
     Motions that tell them apart.
 """
 
-from allworlds.ambiguity.census import AmbiguityCensus, CensusRow, census
+from allworlds.ambiguity.census import AmbiguityCensus, CensusRow, census, merged_census
 from allworlds.ambiguity.comparison import Bisimulation, Comparison, Separation, twins
 from allworlds.ambiguity.members import DEFAULT_LIMIT, AmbiguityClass, class_of, projection_of
 from allworlds.maps.criterion import Disagreement, class_size, is_ambiguous, pose_count
@@ -35,6 +35,7 @@ __all__ = [
     "class_of",
     "class_size",
     "is_ambiguous",
+    "merged_census",
     "pose_count",
     "projection_of",
     "twins",

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, TypeAlias
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
 from allworlds.ambiguity.marked import is_least_rooting
-from allworlds.ambiguity.members import projection_of
+from allworlds.ambiguity.members import projection_of, quotient_to_json
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
@@ -16,7 +17,23 @@ from allworlds.maps.criterion import Disagreement, class_size, is_ambiguous
 from allworlds.maps.quotient import Quotient
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
-from allworlds.work import Here, LevelUnit, gather, level_size, tell_of_size, units_of_level
+from allworlds.protocol import Percept
+from allworlds.store import ENDED, Identity, Records, Shelf, records_in
+from allworlds.work import (
+    UNMERGEABLE,
+    WHOLE,
+    Here,
+    LevelUnit,
+    Portion,
+    Shard,
+    Transport,
+    a_shard,
+    gather,
+    level_size,
+    shards_of,
+    tell_of_size,
+    units_of_level,
+)
 from allworlds.world import Position, World
 
 if TYPE_CHECKING:
@@ -38,29 +55,32 @@ class CensusRow:
         rooted: rooted maps met.
         counted: rooted maps according to the independent source.
         marked_worlds: maps with one marked vertex, up to isomorphism.
-        sizes: how many ambiguity classes have 2, 3, ... members inside the class of maps.
+        sizes: how many ambiguity classes have 2, 3, ... members inside the class of maps; None
+            of a shard, which may hold some members of a class and not others.
     """
 
     edges: int
     rooted: int = 0
     counted: int = 0
     marked_worlds: int = 0
-    sizes: Counter[int] = field(default_factory=Counter)
+    sizes: Counter[int] | None = field(default_factory=Counter)
 
     @property
-    def ambiguous_worlds(self) -> int:
-        """The members of all these classes."""
+    def ambiguous_worlds(self) -> int | None:
+        """The members of all these classes; None of a shard."""
+        if self.sizes is None:
+            return None
         return sum(size * times for size, times in self.sizes.items())
 
     @property
-    def classes(self) -> int:
-        """Their number."""
-        return sum(self.sizes.values())
+    def classes(self) -> int | None:
+        """Their number; None of a shard."""
+        return None if self.sizes is None else sum(self.sizes.values())
 
     @property
-    def largest_class(self) -> int:
-        """The members of the largest one; 0 if there is none."""
-        return max(self.sizes, default=0)
+    def largest_class(self) -> int | None:
+        """The members of the largest one; 0 if there is none, None of a shard."""
+        return None if self.sizes is None else max(self.sizes, default=0)
 
     def to_json(self) -> documents.CensusRow:
         """One row of the document."""
@@ -82,16 +102,20 @@ class AmbiguityCensus:
         source: the independent source with which the numbers of rooted maps were compared.
         rows: one a number of edges, ascending.
         complete: False if the user has interrupted, and rows are missing.
+        portion: which part of the maps was looked at.
     """
 
     extent: Extent
     source: str
     rows: tuple[CensusRow, ...]
     complete: bool = True
+    portion: Portion = WHOLE
 
     @property
     def agrees(self) -> bool:
-        """As many rooted maps were met as the source counts."""
+        """As many rooted maps were met as the source counts; of a shard no more than these."""
+        if isinstance(self.portion, Shard):
+            return all(row.rooted <= row.counted for row in self.rows)
         return all(row.rooted == row.counted for row in self.rows)
 
     @property
@@ -101,7 +125,8 @@ class AmbiguityCensus:
             return Exit.DISAGREES
         if not self.complete:
             return Exit.INTERRUPTED
-        return Exit.ANSWERED if any(row.marked_worlds for row in self.rows) else Exit.VACUOUS
+        met = isinstance(self.portion, Shard) or any(row.marked_worlds for row in self.rows)
+        return Exit.ANSWERED if met else Exit.VACUOUS
 
     def to_json(self) -> documents.AmbiguityCensusReport:
         """The document of ``ambiguity census --json``."""
@@ -111,6 +136,7 @@ class AmbiguityCensus:
             "edges": self.extent.edges,
             "vertices": self.extent.vertices,
             "lighthouse": Position.kind,
+            "shard": str(self.portion),
             "gate": {"source": self.source, "agrees": self.agrees},
             "complete": self.complete,
             "rows": [row.to_json() for row in self.rows],
@@ -122,6 +148,8 @@ def census(
     edges: int | None = None,
     vertices: int | None = None,
     map_class: str = MapClass.MAPS.value,
+    shard: tuple[int, int] | None = None,
+    run: str | Path | None = None,
     listener: Listener | None = None,
 ) -> AmbiguityCensus:
     """Every map of a class with every choice of a marked vertex, up to isomorphism.
@@ -130,6 +158,8 @@ def census(
         edges: the largest number of edges.
         vertices: the largest number of vertices; alone only for the simple classes.
         map_class: one of :class:`~allworlds.maps.classes.MapClass`.
+        shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0.
+        run: a directory that keeps what is finished; the same census goes on from there.
         listener: told how far it is.
 
     Raises:
@@ -137,14 +167,66 @@ def census(
 
     Cost: some 100 microseconds a rooted map; memory for the ambiguous quotients of a level.
     """
-    extent = Extent(MapClass.named(map_class), edges, vertices)
+    task = _Task(Extent(MapClass.named(map_class), edges, vertices), a_shard(shard))
     heard = listener or Silent()
-    tell_of_size(extent, heard)
+    tell_of_size(task.extent, heard, shards_of(task.portion))
+    if run is None and isinstance(task.portion, Shard):
+        heard.notice(UNMERGEABLE)
+    with records_in(run, task.identity, heard.notice) as records, Here() as here:
+        return task.census(here, Classify(task.extent), records, heard)
+
+
+def merged_census(identity: Identity, records: Records, listener: Listener) -> AmbiguityCensus:
+    """The census that others have made, from what they have kept.
+
+    Raises:
+        Gap: if something is missing.
+    """
+    told = identity.parameters
+    extent = Extent(MapClass(told["class"]), told["edges"], told["vertices"])
     with Here() as here:
-        rows, complete = until_interrupted(
-            _level(here, extent, level, heard) for level in extent.levels
-        )
-    return AmbiguityCensus(extent, source_for(map_class).name, rows, complete)
+        return _Task(extent, WHOLE).census(here, None, records, listener)
+
+
+@dataclass(frozen=True, slots=True)
+class _Task:
+    """What is classified."""
+
+    extent: Extent
+    portion: Portion
+
+    def identity(self) -> Identity:
+        parameters = {
+            "class": self.extent.map_class.value,
+            "edges": self.extent.edges,
+            "vertices": self.extent.vertices,
+        }
+        return Identity("ambiguity census", parameters, {"name": ""}, self.portion)
+
+    def census(
+        self, transport: Transport[Any], engine: Any, records: Records, listener: Listener
+    ) -> AmbiguityCensus:
+        extent = self.extent
+        shelf = Shelf(records, Met.from_json)
+
+        def row(edges: int) -> CensusRow:
+            size = level_size(extent, edges)
+            listener.level(edges, size // shards_of(self.portion))
+            met = Met()
+            units = units_of_level(extent, edges, self.portion)
+            gather(transport, engine, units, met, listener, shelf)
+            if isinstance(self.portion, Shard):
+                return CensusRow(edges, met.worlds, size, met.marked_worlds, None)
+            if extent.map_class is MapClass.MAPS:
+                _check_sizes(met)
+            sizes = Counter(members for _, members in met.ambiguous.values() if members > 1)
+            return CensusRow(edges, met.worlds, size, met.marked_worlds, sizes)
+
+        rows, complete = until_interrupted(row(edges) for edges in extent.levels)
+        if complete:
+            records.note("ended", ENDED)
+        source = source_for(extent.map_class).name
+        return AmbiguityCensus(extent, source, rows, complete, self.portion)
 
 
 @dataclass(slots=True)
@@ -167,6 +249,29 @@ class Met:
         self.marked_worlds += other.marked_worlds
         for key, (quotient, members) in other.ambiguous.items():
             self._count(key, quotient, members)
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it, as it is kept in a run directory."""
+        return {
+            "worlds": self.worlds,
+            "marked_worlds": self.marked_worlds,
+            "ambiguous": [
+                [quotient_to_json(quotient), quotient.sheets, members]
+                for _, (quotient, members) in sorted(self.ambiguous.items())
+            ],
+        }
+
+    @classmethod
+    def from_json(cls, document: dict[str, Any]) -> Self:
+        """The part of :meth:`to_json`'s document."""
+        met = cls(document["worlds"], document["marked_worlds"])
+        for told, sheets, members in document["ambiguous"]:
+            degree = tuple(told["degree"])
+            labels = tuple(map(Percept, degree, told["marks"]))
+            sigma, alpha = tuple(told["sigma"]), tuple(told["alpha"])
+            quotient = Quotient(sigma, alpha, degree, labels, sheets)
+            met._count(_key(quotient), quotient, members)  # its own kind
+        return met
 
     def meet(self, map_: CombinatorialMap) -> None:
         """Take in one rooted map; of those that differ in the root at v0 alone only one counts."""
@@ -200,17 +305,6 @@ class Classify:
                 yield met
                 met = Met()
         yield met
-
-
-def _level(here: Here, extent: Extent, edges: int, listener: Listener) -> CensusRow:
-    size = level_size(extent, edges)
-    listener.level(edges, size)
-    met = Met()
-    gather(here, Classify(extent), units_of_level(extent, edges), met, listener)
-    if extent.map_class is MapClass.MAPS:
-        _check_sizes(met)
-    members = (members for _, members in met.ambiguous.values() if members > 1)
-    return CensusRow(edges, met.worlds, size, met.marked_worlds, Counter(members))
 
 
 def _key(quotient: Quotient) -> Key:

@@ -10,6 +10,8 @@
     the compiled one: its rows into tallies, what it is asked, and whether it is to be believed;
 ``gate``
     what a complete check must have met: every world, and certain events;
+``keeping``
+    a check as a run directory knows it;
 ``corpus``
     findings of earlier checks, which are tried first;
 ``report``
@@ -20,7 +22,7 @@
 
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.engines import ENGINES, Job
-from allworlds.checker.exhaustive import check
+from allworlds.checker.exhaustive import check, merged_check
 from allworlds.checker.gate import Cell, count_gate
 from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
 from allworlds.checker.replaying import Replay, replay
@@ -51,6 +53,7 @@ __all__ = [
     "UserCorpus",
     "check",
     "count_gate",
+    "merged_check",
     "refuse_others",
     "replay",
     "rules_for",

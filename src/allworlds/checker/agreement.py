@@ -21,9 +21,9 @@ from allworlds.kernel import Listed, walk_number
 from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.enumeration import prefixes
 from allworlds.protocol import Move, Transcript
-from allworlds.runs import Examiner, NumberedRun, Scope, Unit, Whole, Worlds, numbered_runs
+from allworlds.runs import Examiner, NumberedRun, Scope, Unit, Worlds, numbered_runs
 from allworlds.subjects import Subject
-from allworlds.work import Limits, cells_of_level
+from allworlds.work import Limits, Whole, cells_of_level
 from allworlds.world import World
 
 AGREEMENT_EDGES = 4

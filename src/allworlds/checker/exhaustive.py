@@ -11,6 +11,7 @@ from typing import Any, Unpack
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.engines import Engine, EnginesDisagree, Job, Way, engine_for
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
+from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
 from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
 from allworlds.checker.report import (
     Completed,
@@ -30,13 +31,21 @@ from allworlds.runs import (
     DEFAULT_EDGES,
     LOST,
     Scope,
-    Shard,
     Tally,
     a_schedule,
-    a_shard,
     nondeterministic,
 )
-from allworlds.work import Limits, TimeIsUp, gather, level_size, tell_of_size
+from allworlds.store import ENDED, Identity, Records, records_in
+from allworlds.work import (
+    UNMERGEABLE,
+    Limits,
+    TimeIsUp,
+    a_shard,
+    gather,
+    level_size,
+    shards_of,
+    tell_of_size,
+)
 
 
 def check(
@@ -49,6 +58,7 @@ def check(
     max_findings: int = 1,
     engine: str = "auto",
     corpus: str | Path | None = None,
+    run: str | Path | None = None,
     listener: Listener | None = None,
     **options: Unpack[ManyRunsOptions],
 ) -> Report:
@@ -59,11 +69,12 @@ def check(
         edges: the largest number of edges (default: one that takes seconds).
         vertices: the largest number of vertices.
         schedules: ``one`` or ``all``.
-        shard: ``(K, N)``: only every N-th unit of work, beginning with the K-th.
+        shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0.
         max_findings: with so many findings in finished levels the check ends.
         engine: ``auto``, ``python`` or ``kernel``.
         corpus: a directory of past findings, which are tried first; new ones are written
             to it.
+        run: a directory that keeps what is finished; the same check goes on from there.
         listener: is told of the progress.
         options: class and lighthouse, rules and effort: see
             :class:`~allworlds.checker.options.ManyRunsOptions`,
@@ -90,9 +101,29 @@ def check(
         raise InputError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
     chosen = engine_for(engine, scope, subject)
     directory = None if corpus is None else UserCorpus(a_path("corpus", corpus))
+    if run is not None and corpus is not None:
+        raise InputError(
+            f"corpus {show(str(corpus))} cannot be given with run {show(str(run))}: what is in the "
+            "one would change what the other keeps; give one of them"
+        )
     listener = listener or Silent()
+    if run is None and not scope.whole:
+        listener.notice(UNMERGEABLE)
     job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice)
-    return _Check(job, chosen, listener, directory).run()
+    with records_in(run, lambda: identity_of(job, chosen.name), listener.notice) as records:
+        return _Check(job, chosen, listener, directory, records).run()
+
+
+def merged_check(identity: Identity, records: Records, listener: Listener) -> Report:
+    """The report of a check that others have done, made from what they have kept.
+
+    It is the check itself, with nothing left to do: every count is added up and compared anew.
+
+    Raises:
+        Gap: if something is missing.
+    """
+    job, engine = job_of(identity, listener)
+    return _Check(job, engine, listener, None, records).run()
 
 
 def _positive(name: str, value: object) -> int:
@@ -106,9 +137,14 @@ class _Check:
     """One check on its way."""
 
     def __init__(
-        self, job: Job, engine: Engine, listener: Listener, corpus: UserCorpus | None
+        self,
+        job: Job,
+        engine: Engine,
+        listener: Listener,
+        corpus: UserCorpus | None,
+        records: Records,
     ) -> None:
-        self._job, self._engine = job, engine
+        self._job, self._engine, self._records = job, engine, records
         self._scope, self._subject = job.scope, job.subject
         self._listener, self._corpus = listener, corpus
         self._tally = Tally(job.keep)
@@ -121,6 +157,7 @@ class _Check:
         except KeyboardInterrupt:
             ending = Interrupted()
         report = self._report(ending)
+        self._records.note("ended", ENDED if report.ended else ending.reason)
         if report.runs and not self._tally.traversals and report.verdict is Verdict.HOLDS:
             self._listener.notice("every run holds, and none of them has walked an edge")
         return report
@@ -169,30 +206,34 @@ class _Check:
             if late or (corpus and corpus.holds(found)):
                 kept.append(found)
                 continue
-            again = confirmed(found, job.subject, job.limits, self._scope.schedules)
-            if again.law not in LOST or not job.subject.elsewhere or again.confirmed:
-                kept.append(again)
-            elif not again.machine:
-                difference = nondeterministic(
-                    f"{again.law}, and not in a fresh process: {again.seen}"
-                )
-                kept.append(
-                    replace(
-                        again,
-                        law=difference.law,
-                        expected=difference.expected,
-                        seen=difference.seen,
-                        confirmed=True,
-                    )
-                )
+            settled = settled_once(found, self._scope.rules, self._records, self._settled)
+            if isinstance(settled, Finding):
+                kept.append(settled)
             else:
                 unrepeated = True
-                size = f"{found.key[0]} edges and {found.key[1]} vertices"
-                self._tally.remark(
-                    f"a {found.law} in a world with {size} ({found.seen}) that a fresh process did "
-                    "not repeat"
-                )
+                self._tally.remark(settled)
         return kept, unrepeated
+
+    def _settled(self, found: Finding) -> Finding | str:
+        """The finding as a fresh process has it; a remark if it does not repeat the loss of one."""
+        job = self._job
+        again = confirmed(found, job.subject, job.limits, self._scope.schedules)
+        if again.law not in LOST or not job.subject.elsewhere or again.confirmed:
+            return again
+        if not again.machine:
+            difference = nondeterministic(f"{again.law}, and not in a fresh process: {again.seen}")
+            return replace(
+                again,
+                law=difference.law,
+                expected=difference.expected,
+                seen=difference.seen,
+                confirmed=True,
+            )
+        size = f"{found.key[0]} edges and {found.key[1]} vertices"
+        return (
+            f"a {found.law} in a world with {size} ({found.seen}) that a fresh process did "
+            "not repeat"
+        )
 
     def _examined(self) -> Ending:
         try:
@@ -208,7 +249,7 @@ class _Check:
 
     def _all_levels(self, way: Way) -> Ending:
         extent, keep = self._scope.extent, self._job.keep
-        tell_of_size(extent, self._listener, self._shards)
+        tell_of_size(extent, self._listener, shards_of(self._scope.coverage))
         for edges in extent.levels:
             self._level(way, edges)
             self._levels.append(edges)
@@ -216,24 +257,20 @@ class _Check:
                 return Disagreed("the count gate: the enumeration and its source disagree")
             found = len(self._tally.findings)
             if found >= keep and edges != extent.levels[-1]:
-                return Stopped(f"{found} findings in finished levels")
+                return Stopped(f"{found} findings in finished levels", enough=True)
         if not self._scope.whole:
             return Completed()
         return Completed(missing_witnesses(extent, self._subject, self._tally.witnesses))
 
-    @property
-    def _shards(self) -> int:
-        coverage = self._scope.coverage
-        return coverage.count if isinstance(coverage, Shard) else 1
-
     def _level(self, way: Way, edges: int) -> None:
         """One level, whole: its counts stand in the report only if it is finished."""
         scope, extent = self._scope, self._scope.extent
-        self._listener.level(edges, level_size(extent, edges) // self._shards)
+        self._listener.level(edges, level_size(extent, edges) // shards_of(self._scope.coverage))
         tally = Tally(self._job.keep)
         finished = False
         try:
-            gather(way.transport, way.engine, scope.units(edges), tally, self._listener)
+            shelf = shelf_for(self._records, self._job)
+            gather(way.transport, way.engine, scope.units(edges), tally, self._listener, shelf)
             finished = True
         finally:
             minimal = finished and scope.whole

@@ -9,7 +9,8 @@ from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.gate import Cell
 from allworlds.findings import Finding
 from allworlds.outcome import SCHEMA, Exit, Verdict
-from allworlds.runs import Sample, Scope, Shard, Tally, Whole
+from allworlds.runs import Sample, Scope, Tally
+from allworlds.work import Shard, Whole
 
 if TYPE_CHECKING:
     from allworlds import documents
@@ -29,9 +30,15 @@ class Completed:
 
 @dataclass(frozen=True, slots=True)
 class Stopped:
-    """Something is left undone."""
+    """Something is left undone.
+
+    Attributes:
+        reason: why.
+        enough: nothing more is to be done all the same.
+    """
 
     reason: str
+    enough: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +104,19 @@ class Report:
     def complete(self) -> bool:
         """Every world of the scope was tried; a sample is never complete."""
         return isinstance(self.ending, Completed) and not isinstance(self.scope.coverage, Sample)
+
+    @property
+    def ended(self) -> bool:
+        """The same check again would do no more."""
+        match self.ending:
+            case Completed() | Disagreed():
+                return True
+            case Stopped(enough=enough):
+                return enough
+            case Interrupted():
+                return False
+            case ending:
+                assert_never(ending)
 
     @property
     def interrupted(self) -> bool:

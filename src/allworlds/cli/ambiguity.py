@@ -6,9 +6,16 @@ from typing import Annotated
 
 from allworlds.cli import options as opt
 from allworlds.cli.output import Progress, emit
+from allworlds.cli.values import shard_numbers
 
 
-def census(*, bounds: opt.Bounds, output: opt.Output) -> int:
+def census(
+    *,
+    bounds: opt.Bounds,
+    shard: opt.ShardText = "0/1",
+    run: opt.RunDirectory = None,
+    output: opt.Output,
+) -> int:
     """Example: allworlds ambiguity census --edges 5
 
     Classify every map with one marked vertex: which of them does no motion tell apart?  Twins
@@ -21,6 +28,8 @@ def census(*, bounds: opt.Bounds, output: opt.Output) -> int:
             edges=bounds.edges,
             vertices=bounds.vertices,
             map_class=bounds.map_class,
+            shard=shard_numbers(shard),
+            run=run,
             listener=progress,
         )
     return emit(result, "ambiguity census", output)

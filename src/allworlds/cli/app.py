@@ -21,6 +21,7 @@ from allworlds.cli.made_by import beginning
 from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable
 from allworlds.inputs import InputError, show
 from allworlds.outcome import Exit
+from allworlds.store import Gap
 from allworlds.verbs import GROUPS, VERBS, Verb
 
 # Typer has its own copy of click, or uses click itself, depending on its version.
@@ -114,6 +115,9 @@ def call(arguments: list[str]) -> int:
             code = _invoked(arguments)
     except InputError as error:
         return _refuse(str(error))
+    except Gap as error:
+        complain(str(error))
+        return Exit.INCOMPLETE
     except _ClickError as error:
         return _refuse(_complaint(error, arguments))
     except KeyboardInterrupt:

@@ -17,9 +17,7 @@ def check(
     native: opt.Native = None,
     bounds: opt.Bounds,
     lighthouse: opt.LighthouseName = None,
-    shard: Annotated[
-        str, opt.option(opt.SCOPE, "K/N", "Only every N-th part, from the K-th.")
-    ] = "0/1",
+    shard: opt.ShardText = "0/1",
     schedules: Annotated[
         str,
         opt.option(
@@ -43,6 +41,7 @@ def check(
             show_default=False,
         ),
     ] = None,
+    run: opt.RunDirectory = None,
     files: Files,
     output: opt.Output,
 ) -> int:
@@ -66,6 +65,7 @@ def check(
             max_findings=max_findings,
             engine=engine,
             corpus=corpus,
+            run=run,
             listener=progress,
             **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
         )

@@ -85,6 +85,19 @@ LighthouseOfWorld = Annotated[
         f"The lighthouse of a WORLD that names none: {one_of(LIGHTHOUSES)}.",
     ),
 ]
+ShardText = Annotated[
+    str, option(SCOPE, "K/N", "Only the K-th of N parts of about equal weight, from 0.")
+]
+RunDirectory = Annotated[
+    str | None,
+    option(
+        EFFORT,
+        "DIR",
+        "A directory that keeps what is finished: the same command goes on from there, and "
+        "'merge' joins shards.",
+        show_default=False,
+    ),
+]
 TimeLimit = Annotated[float | None, option(EFFORT, "S", "Seconds for everything.", parser=seconds)]
 CsvFile = Annotated[
     str | None,

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from allworlds.cli import options as opt
 from allworlds.cli.output import Progress, emit
-from allworlds.cli.values import worker_count
+from allworlds.cli.values import shard_numbers, worker_count
 
 
 def worst(
@@ -23,7 +23,9 @@ def worst(
             "How the robot goes to the next edge: on a shortest or on any simple path.",
         ),
     ] = "simple",
+    shard: opt.ShardText = "0/1",
     workers: opt.Workers = "auto",
+    run: opt.RunDirectory = None,
     output: opt.Output,
 ) -> int:
     """Example: allworlds worst --edges 5
@@ -40,6 +42,8 @@ def worst(
             edges=edges,
             map_class=map_class,
             transit=transit,
+            shard=shard_numbers(shard),
+            run=run,
             workers=threads,
             listener=progress,
         )

@@ -2,7 +2,7 @@
 
 ``words``
     what narrows a type, and the narrowed types;
-``worlds``, ``findings``, ``checks``, ``questions``, ``comparisons``, ``common``
+``worlds``, ``findings``, ``checks``, ``questions``, ``comparisons``, ``runs``, ``common``
     the shapes: a typed dictionary each, with a sentence for every key.
 
 Strict types hold every ``to_json`` to them.  The JSON Schemas of the package and the reference
@@ -18,6 +18,7 @@ from allworlds.documents.common import *
 from allworlds.documents.comparisons import *
 from allworlds.documents.findings import *
 from allworlds.documents.questions import *
+from allworlds.documents.runs import *
 from allworlds.documents.words import *
 from allworlds.documents.worlds import *
 from allworlds.verbs import VERBS

@@ -12,6 +12,7 @@ from allworlds.documents.words import (
     Keywords,
     LawName,
     Natural,
+    OfShard,
     Positive,
     Some,
     Text,
@@ -53,7 +54,7 @@ class Scope(Extent):
     laws: Annotated[list[JudgedLaw], Different, "those that were checked"]
     bound: Annotated[Text, "the bound on the traversals; `none` where the law was not checked"]
     step_budget: Annotated[Positive | None, "the largest legal number of traversals; null: default"]
-    shard: Annotated[str, Keywords(pattern="^[0-9]+/[0-9]+$"), "`K/N`; `0/1` is the whole"]
+    shard: Annotated[str, OfShard, "`K/N`; `0/1` is the whole"]
     sample: Annotated[Sample | None, "of `fuzz`: how the worlds were drawn"]
     symmetry: Annotated[str | None, "why one run was counted for several, where it was"]
     gate: Annotated[

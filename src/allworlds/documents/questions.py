@@ -10,6 +10,7 @@ from allworlds.documents.words import (
     Named,
     Natural,
     Numeral,
+    OfShard,
     Positive,
     Seconds,
     Some,
@@ -86,7 +87,8 @@ class WorstReport(InRows, OfClass):
     ]
     schedules: Literal["all"]
     symmetry: Annotated[Text, "why one world stands for every direction"]
-    gate: Annotated[Gate, "counts, and replays in the Python engine"]
+    shard: Annotated[str, OfShard, "`K/N`; `0/1` is the whole"]
+    gate: Annotated[Gate, "counts, of a shard left to the merge, and replays in the Python engine"]
     rows: Annotated[list[WorstRow], "one for each (edges, vertices), ascending"]
 
 
@@ -106,15 +108,22 @@ class CensusRow(TypedDict):
 
     edges: Positive
     marked_worlds: Annotated[Natural, "maps with one marked vertex, up to isomorphism"]
-    ambiguous_worlds: Annotated[Natural, "those with a twin inside the class of maps"]
-    classes: Annotated[Natural, "ambiguity classes with two members there, or more"]
-    largest_class: Annotated[Natural, "the members of the largest; 0: there is none"]
+    ambiguous_worlds: Annotated[
+        Natural | None, "those with a twin inside the class of maps; null: of a shard"
+    ]
+    classes: Annotated[
+        Natural | None, "ambiguity classes with two members there, or more; null: of a shard"
+    ]
+    largest_class: Annotated[
+        Natural | None, "the members of the largest; 0: there is none, null: of a shard"
+    ]
 
 
 class AmbiguityCensusReport(InRows, Extent):
     """Report of 'ambiguity census'."""
 
     lighthouse: Annotated[str, Keywords(const="position")]
+    shard: Annotated[str, OfShard, "`K/N`; `0/1` is the whole"]
     gate: Annotated[Gate, "the comparison of the rooted maps with an independent source"]
     rows: Annotated[list[CensusRow], "one a number of edges, ascending"]
 

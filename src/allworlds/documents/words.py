@@ -42,6 +42,7 @@ Seconds = Annotated[float, Keywords(minimum=0)]
 Figure = Annotated[float, Keywords(minimum=0)]
 Text = Annotated[str, Keywords(minLength=1)]
 Numeral = Annotated[str, Keywords(pattern="^[0-9]+$")]
+OfShard = Keywords(pattern="^[0-9]+/[0-9]+$")
 Some = Keywords(minItems=1)
 Two = Keywords(minItems=2, maxItems=2)
 Different = Keywords(uniqueItems=True)

@@ -35,7 +35,7 @@ from allworlds.world import State, World
 
 T = TypeVar("T")
 
-CHUNK, CHUNK_SECONDS = 16, 0.1
+CHUNK, CHUNK_SECONDS = 64, 0.1
 """So many logs, or seconds, after which some are handed over."""
 
 NATIVE_MEMORY = 2048

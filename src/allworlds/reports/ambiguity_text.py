@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 from allworlds.ambiguity import (
@@ -15,6 +16,7 @@ from allworlds.drawing import draw, scene_of
 from allworlds.maps.quotient import Quotient
 from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import number, plural
+from allworlds.work import Shard
 from allworlds.world import World
 
 DRAWN = 4
@@ -75,9 +77,7 @@ def census_text(census: AmbiguityCensus, width: int) -> str:
         [
             str(row.edges),
             number(row.marked_worlds),
-            number(row.ambiguous_worlds),
-            number(row.classes),
-            number(row.largest_class) if row.classes else "-",
+            *(["-"] * 3 if row.sizes is None else _of_classes(row.sizes)),
         ]
         for row in census.rows
     ]
@@ -89,6 +89,12 @@ def census_text(census: AmbiguityCensus, width: int) -> str:
     )
     lines += ["", *interruption(complete=census.complete, width=width)]
     lines += entry("scope", text, width)
+    if isinstance(census.portion, Shard):
+        text = (
+            f"of the shard {census.portion} alone, which may hold some members of a class and not "
+            "others: classes and counts are told by the merge of all shards"
+        )
+        return "\n".join([*lines, *entry("shard", text, width)])
     if census.agrees:
         text = f"the rooted maps that were met number as in: {census.source}"
         return "\n".join([*lines, *entry("gate", text, width)])
@@ -101,6 +107,12 @@ def census_text(census: AmbiguityCensus, width: int) -> str:
             )
             lines += entry("MISMATCH", text, width)
     return "\n".join(lines)
+
+
+def _of_classes(sizes: Counter[int]) -> list[str]:
+    members = sum(size * times for size, times in sizes.items())
+    largest = number(max(sizes)) if sizes else "-"
+    return [number(members), number(sum(sizes.values())), largest]
 
 
 def _told_apart(comparison: Comparison, proof: Separation, width: int) -> list[str]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from allworlds.checker import Report, UserCorpus
 from allworlds.findings import Finding
 from allworlds.outcome import Verdict
-from allworlds.runs import Sample, Shard
+from allworlds.runs import Sample
 from allworlds.words import number, plural, size
+from allworlds.work import Shard
 
 
 def size_table(report: Report) -> tuple[list[str], list[list[str]]]:

@@ -34,12 +34,9 @@ from allworlds.runs.scope import (
     Sample,
     Schedule,
     Scope,
-    Shard,
-    Whole,
     a_schedule,
-    a_shard,
 )
-from allworlds.runs.tally import Row, Tally
+from allworlds.runs.tally import Row, Tally, finding_kept, kept_finding
 from allworlds.runs.twice import Earlier, OneRun, PlayedTwice, Players
 from allworlds.runs.units import GivenWorlds, NumberedRun, Placed, Unit, Worlds, numbered_runs
 
@@ -72,14 +69,13 @@ __all__ = [
     "Sample",
     "Schedule",
     "Scope",
-    "Shard",
     "Stagehand",
     "Tally",
     "Unit",
-    "Whole",
     "Worlds",
     "a_schedule",
-    "a_shard",
+    "finding_kept",
+    "kept_finding",
     "key_of",
     "name_run",
     "nondeterministic",

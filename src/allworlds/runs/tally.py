@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from bisect import insort
 from collections import Counter
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import astuple, dataclass, field, replace
+from typing import Any, Self
 
-from allworlds.findings import Finding
+from allworlds.findings import Finding, Rules
 
 
 @dataclass(slots=True)
@@ -99,6 +101,30 @@ class Tally:
         for finding in other.findings:
             self.find(finding)
 
+    def to_json(self) -> dict[str, Any]:
+        """All of it, as it is kept in a run directory."""
+        return {
+            "rows": [[*size, *astuple(row)] for size, row in sorted(self.rows.items())],
+            "witnesses": dict(sorted(self.witnesses.items())),
+            "left_out": self.left_out,
+            "checkpoints": self.checkpoints,
+            "findings": [kept_finding(found) for found in self.findings],
+            "remarks": dict(sorted(self.remarks.items())),
+        }
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any], keep: int, rules: Rules) -> Self:
+        """The tally of :meth:`to_json`'s document, made under these rules."""
+        return cls(
+            keep,
+            {(edges, vertices): Row(*row) for edges, vertices, *row in document["rows"]},
+            Counter(document["witnesses"]),
+            document["left_out"],
+            document["checkpoints"],
+            [finding_kept(found, rules) for found in document["findings"]],
+            Counter(document["remarks"]),
+        )
+
     @property
     def worlds(self) -> int:
         """Rooted maps visited."""
@@ -113,3 +139,24 @@ class Tally:
     def traversals(self) -> int:
         """Summed over all episodes."""
         return sum(row.traversals for row in self.rows.values())
+
+
+def kept_finding(finding: Finding) -> dict[str, Any]:
+    """A finding with what its own document leaves out, but without the rules."""
+    return {
+        **finding.to_json(),
+        "place": finding.place,
+        "machine": finding.machine,
+        "traced": finding.traced,
+    }
+
+
+def finding_kept(document: Mapping[str, Any], rules: Rules) -> Finding:
+    """The finding of :func:`kept_finding`'s document, made under these rules."""
+    return replace(
+        Finding.from_json(document),
+        rules=rules,
+        place=document["place"],
+        machine=document["machine"],
+        traced=document["traced"],
+    )

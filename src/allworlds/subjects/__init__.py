@@ -4,10 +4,13 @@
     an explorer as a check speaks of it;
 ``loading``
     its code, found by its name, in a process that may run foreign code;
+``content``
+    the bytes that an explorer is, whatever it is called;
 ``program``
     a program in any language behind a pipe.
 """
 
+from allworlds.subjects.content import content_digest
 from allworlds.subjects.loading import load, source_of
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
@@ -20,6 +23,7 @@ from allworlds.subjects.subject import (
     own_bound,
     own_lighthouse,
     subject_here,
+    subject_known,
 )
 
 __all__ = [
@@ -29,10 +33,12 @@ __all__ = [
     "Source",
     "Subject",
     "built_in",
+    "content_digest",
     "load",
     "names_explorer",
     "own_bound",
     "own_lighthouse",
     "source_of",
     "subject_here",
+    "subject_known",
 ]

@@ -20,6 +20,7 @@ import shutil
 import subprocess
 import time
 from collections.abc import Generator, Sequence
+from functools import lru_cache
 from pathlib import Path
 from random import Random
 from typing import Any, Literal
@@ -73,6 +74,7 @@ class Program:
         self._heard = False
         self._err = bytearray()
         self._out = bytearray()
+        self._said = select.poll()
 
     def explore(
         self, first: Percept, *, told: int | None = None
@@ -92,7 +94,7 @@ class Program:
                 action = action_from_json(message)
                 if action is not None:
                     percept = yield action
-                    self._send({"percept": percept.to_json()})
+                    self._send(_answering(percept))
                 elif "checkpoint" in message:
                     yield _checkpoint(message["checkpoint"])
                 elif "estimate" in message or "ambiguous" in message:
@@ -134,7 +136,7 @@ class Program:
         opening: dict[str, Any] = {"episode": number, "percept": first.to_json()}
         if told is not None:
             opening["told"] = told
-        self._send(opening)
+        self._send(json.dumps(opening).encode() + b"\n")
 
     def _start(self) -> None:
         try:
@@ -148,6 +150,11 @@ class Program:
             )
         except OSError as error:
             raise ExplorerFault("crash", f"the program cannot be started: {error}") from None
+        assert self._process.stdout is not None
+        assert self._process.stderr is not None
+        self._said = select.poll()
+        self._said.register(self._process.stdout, select.POLLIN)
+        self._said.register(self._process.stderr, select.POLLIN)
         self._out.clear()
         self._err.clear()
 
@@ -163,11 +170,11 @@ class Program:
                 with contextlib.suppress(OSError):
                     stream.close()
 
-    def _send(self, message: dict[str, Any]) -> None:
+    def _send(self, line: bytes) -> None:
         assert self._process is not None
         assert self._process.stdin is not None
         try:
-            self._process.stdin.write(json.dumps(message).encode() + b"\n")
+            self._process.stdin.write(line)
         except OSError:
             raise self._ended() from None
 
@@ -207,17 +214,14 @@ class Program:
         assert process is not None
         assert process.stdout is not None
         assert process.stderr is not None
-        poll = select.poll()
-        poll.register(process.stdout, select.POLLIN)
-        if not process.stderr.closed:
-            poll.register(process.stderr, select.POLLIN)
-        ready = {descriptor for descriptor, _ in poll.poll(wait * 1000)}
+        ready = {descriptor for descriptor, _ in self._said.poll(wait * 1000)}
         if not process.stderr.closed and process.stderr.fileno() in ready:
             written = process.stderr.read(1 << 16)
             if written:
                 self._err += written
                 del self._err[:-STDERR_KEPT]
             else:
+                self._said.unregister(process.stderr)
                 process.stderr.close()
         if process.stdout.fileno() not in ready:
             return True
@@ -260,6 +264,12 @@ class Program:
         detail = self._err.decode(errors="replace")
         told = f"stderr:\n{detail}" if detail else ""
         return ExplorerFault(law, seen, told, machine=machine)
+
+
+@lru_cache(maxsize=1 << 12)
+def _answering(percept: Percept) -> bytes:
+    """The line that answers an action."""
+    return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
 
 
 def _obstacle(name: str) -> str:

@@ -8,7 +8,7 @@ import importlib.util
 import inspect
 import re
 import sys
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import AbstractContextManager, closing, nullcontext
 from dataclasses import dataclass
 from typing import Any
@@ -136,6 +136,11 @@ def built_in(name: str) -> Subject:
     own = BUILT_IN[name]
     keywords = frozenset(inspect.signature(own.explore).parameters) - {"first"}
     return Subject(name, keywords, own.explore, own)
+
+
+def subject_known(name: str, keywords: Iterable[str]) -> Subject:
+    """The subject of that name where all is known of what it does: its code is not looked for."""
+    return built_in(name) if name in BUILT_IN else Subject(name, frozenset(keywords))
 
 
 def subject_here(explore: Callable[..., Any]) -> Subject:

@@ -2,11 +2,13 @@
 
 ``work``
     the words: a :class:`Unit` of work, an :class:`Engine` that does it, a :class:`Transport`
-    that says where, and the :class:`Part` of a result that comes back;
+    that says where, the :class:`Part` of a result that comes back, and where it is :class:`Kept`;
 ``here``, ``threads``
     two transports: this thread, and several;
 ``levels``
     the units into which all maps with one number of edges are cut;
+``shards``
+    those of them that one of several machines does;
 ``effort``
     what bounds the effort: workers, and time;
 ``gather``
@@ -30,27 +32,37 @@ from allworlds.work.levels import (
     tell_of_size,
     units_of_level,
 )
+from allworlds.work.shards import UNMERGEABLE, WHOLE, Portion, Shard, Whole, a_shard, shards_of
 from allworlds.work.threads import Threads
-from allworlds.work.work import Engine, Part, Sum, Transport, Unit
+from allworlds.work.work import Engine, Kept, NothingKept, Part, Sum, Transport, Unit
 
 __all__ = [
     "LEAST_TIMEOUT",
     "POLL",
+    "UNMERGEABLE",
+    "WHOLE",
     "EffortOptions",
     "Engine",
     "Here",
+    "Kept",
     "LevelUnit",
     "Limits",
+    "NothingKept",
     "Part",
+    "Portion",
+    "Shard",
     "Sum",
     "Threads",
     "TimeIsUp",
     "Transport",
     "Unit",
+    "Whole",
+    "a_shard",
     "cells_of_level",
     "check_deadline",
     "gather",
     "level_size",
+    "shards_of",
     "tell_of_size",
     "units_of_level",
     "with_last",

@@ -1,11 +1,11 @@
-"""The loop over units: done by an engine, brought by a transport, added up."""
+"""The loop over units: done by an engine, brought by a transport, kept, and added up."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from allworlds.progress import Listener
-from allworlds.work.work import E_contra, Sum, Transport, Unit
+from allworlds.work.work import NOTHING_KEPT, E_contra, Kept, Sum, Transport, Unit
 
 
 def gather(
@@ -14,12 +14,33 @@ def gather(
     units: Iterable[Unit],
     total: Sum,
     listener: Listener,
+    kept: Kept = NOTHING_KEPT,
 ) -> None:
     """Add the results of all units to ``total``; the listener is told of each part.
+
+    What is kept is not done again, and what gets done is kept: a unit at a time, when it is whole.
 
     Raises:
         TimeIsUp: when the time limit has been reached; ``total`` holds what was done till then.
     """
-    for part in transport.map(engine, units):
-        total.add(part.result)
-        listener.progress(part.result.worlds)
+
+    def undone() -> Iterator[Unit]:
+        for unit in units:
+            result = kept.result(unit)
+            if result is None:
+                yield unit
+            else:
+                total.add(result)
+                listener.progress(result.worlds)
+
+    begun: dict[str, Sum] = {}
+    for part in transport.map(engine, undone()):
+        key, result = part.unit.key, part.result
+        total.add(result)
+        listener.progress(result.worlds)
+        if key in begun:
+            begun[key].add(result)
+        else:
+            begun[key] = result
+        if part.last:
+            kept.keep(part.unit, begun.pop(key))

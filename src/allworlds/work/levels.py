@@ -7,9 +7,11 @@ from dataclasses import dataclass
 
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.completions import completions
 from allworlds.maps.counting import source_for
-from allworlds.maps.enumeration import prefixes, rooted_maps
+from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
 from allworlds.progress import Listener
+from allworlds.work.shards import WHOLE, Portion, Shard, dealt
 
 MANY_WORLDS = 10_000_000
 """Whoever asks for more of them is told so at once."""
@@ -34,12 +36,36 @@ class LevelUnit:
         """The maps, rooted at dart 0, in the order of the enumeration."""
         return rooted_maps(self.edges, extent.map_class, extent.vertices, self.prefix)
 
+    def weight(self, extent: Extent) -> int:
+        """How many maps these are, counted; of the simple classes an upper bound."""
+        gluing = Gluing(self.edges, extent.map_class, extent.vertices)
+        for decision in self.prefix:
+            gluing.apply(decision)
+        return completions(gluing)
 
-def units_of_level(extent: Extent, edges: int) -> Iterator[LevelUnit]:
-    """The pieces of a level; the same for any number of workers and shards."""
-    depth = 1 if edges < 4 else 3
-    for prefix in prefixes(edges, extent.map_class, extent.vertices, depth):
-        yield LevelUnit(edges, prefix)
+
+DEPTHS = ((4, 1), (9, 2))
+"""Below so many edges the first so many decisions make a unit; a unit is worth some milliseconds
+of the compiled engine, so that to keep its result costs little."""
+
+DEPTH = 3
+"""The same for all larger ones."""
+
+
+def units_of_level(extent: Extent, edges: int, portion: Portion = WHOLE) -> Iterator[LevelUnit]:
+    """The pieces of a level, or those of a shard; the same for any number of workers.
+
+    A shard gets about as many worlds as any other: the weights are counted beforehand.
+    """
+    depth = next((depth for below, depth in DEPTHS if edges < below), DEPTH)
+    units = (
+        LevelUnit(edges, prefix)
+        for prefix in prefixes(edges, extent.map_class, extent.vertices, depth)
+    )
+    if isinstance(portion, Shard):
+        every = list(units)
+        units = (every[i] for i in dealt([unit.weight(extent) for unit in every], portion))
+    yield from units
 
 
 def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:

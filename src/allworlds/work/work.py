@@ -25,6 +25,9 @@ class Sum(Protocol):
     def add(self, other: Any, /) -> None:
         """Take in another part."""
 
+    def to_json(self) -> Any:
+        """It as a JSON value, from which whoever keeps it can make it again."""
+
 
 U = TypeVar("U", bound=Unit)
 R = TypeVar("R")
@@ -40,6 +43,29 @@ class Part(Generic[U, R]):
     unit: U
     result: R
     last: bool
+
+
+class Kept(Protocol):
+    """Where finished units are kept, so that nothing is done twice."""
+
+    def result(self, unit: Unit) -> Any:
+        """The result of a unit that is finished; None if it is not."""
+
+    def keep(self, unit: Unit, result: Any) -> None:
+        """Take in the whole result of a unit; what is lost then is not the check's fault."""
+
+
+class NothingKept:
+    """Nobody keeps anything."""
+
+    def result(self, unit: Unit) -> None:  # nothing is there
+        """Nothing."""
+
+    def keep(self, unit: Unit, result: Any) -> None:
+        """Nothing."""
+
+
+NOTHING_KEPT = NothingKept()
 
 
 class Engine(Protocol[U_contra, R_co]):

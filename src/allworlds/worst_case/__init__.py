@@ -7,6 +7,6 @@
 """
 
 from allworlds.worst_case.one_world import EverySchedule
-from allworlds.worst_case.search import WorstReport, WorstRow, worst
+from allworlds.worst_case.search import WorstReport, WorstRow, merged_worst, worst
 
-__all__ = ["EverySchedule", "WorstReport", "WorstRow", "worst"]
+__all__ = ["EverySchedule", "WorstReport", "WorstRow", "merged_worst", "worst"]

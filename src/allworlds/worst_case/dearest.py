@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, replace
-from typing import Any
+from dataclasses import astuple, dataclass, field, replace
+from typing import Any, Self
 
 from allworlds.kernel import Dearest, dearest_of_unit, flag, is_compiled, search
 from allworlds.maps.classes import Extent
@@ -36,6 +36,20 @@ class DearestWorlds:
         for vertices, row in other.by_vertices.items():
             mine = self.by_vertices.get(vertices)
             self.by_vertices[vertices] = _joined(mine, row) if mine else row
+
+    def to_json(self) -> list[list[Any]]:
+        """One row for each number of vertices, ascending, as it is kept in a run directory."""
+        return [list(astuple(row)) for _, row in sorted(self.by_vertices.items())]
+
+    @classmethod
+    def from_json(cls, rows: Iterable[list[Any]]) -> Self:
+        """What has those rows."""
+        kept = []
+        for *numbers, sigma, alpha in rows:
+            vertices, rooted, worst, best, tests, wrong = numbers
+            row = Dearest(vertices, rooted, worst, best, tests, wrong, tuple(sigma), tuple(alpha))
+            kept.append(row)
+        return cls({row.vertices: row for row in kept})
 
 
 def _joined(a: Dearest, b: Dearest) -> Dearest:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, get_args
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, get_args
 
-from allworlds.checker import run
+from allworlds.checker import run as run_one
 from allworlds.episode import Answered, default_step_budget, play
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.judge import paper_bound
@@ -15,14 +15,30 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
+from allworlds.store import ENDED, Identity, Records, Shelf, records_in
 from allworlds.subjects import load
-from allworlds.work import Threads, cells_of_level, gather, units_of_level
+from allworlds.work import (
+    UNMERGEABLE,
+    WHOLE,
+    Here,
+    Portion,
+    Shard,
+    Threads,
+    Transport,
+    Whole,
+    a_shard,
+    cells_of_level,
+    gather,
+    shards_of,
+    units_of_level,
+)
 from allworlds.world import Directional, World
 from allworlds.worst_case.one_world import EverySchedule, Planned, Transit
 
 if TYPE_CHECKING:
     from allworlds import documents
     from allworlds.kernel import Dearest
+    from allworlds.worst_case.dearest import ScheduleSearch
 
 DEFAULT_EDGES = 5
 MOST_EDGES = 12
@@ -62,7 +78,12 @@ class WorstRow:
     @property
     def agrees(self) -> bool:
         """The count and the replay say the same as the compiled engine."""
-        return self.worlds == self.counted and (bool(self.wrong) or self.replayed == self.worst)
+        return self.worlds == self.counted and self.repeats
+
+    @property
+    def repeats(self) -> bool:
+        """The replay does."""
+        return bool(self.wrong) or self.replayed == self.worst
 
     def to_json(self) -> documents.WorstRow:
         """One row of the document."""
@@ -92,6 +113,7 @@ class WorstReport:
         rows: ascending by (edges, vertices).
         missing: sizes of which the source knows maps, and none was met.
         complete: False if the user has interrupted, and levels are missing.
+        portion: which part of the worlds was looked at.
     """
 
     extent: Extent
@@ -100,10 +122,13 @@ class WorstReport:
     rows: tuple[WorstRow, ...]
     missing: tuple[tuple[int, int], ...] = ()
     complete: bool = True
+    portion: Portion = WHOLE
 
     @property
     def agrees(self) -> bool:
-        """Counts and replays say the same as the compiled engine."""
+        """Counts and replays say the same as the compiled engine; of a shard the replays."""
+        if isinstance(self.portion, Shard):
+            return all(row.repeats for row in self.rows)
         return not self.missing and all(row.agrees for row in self.rows)
 
     @property
@@ -115,7 +140,8 @@ class WorstReport:
             return Exit.INTERRUPTED
         if any(row.wrong or row.worst > row.bound for row in self.rows):
             return Exit.REFUTED
-        return Exit.ANSWERED if self.rows else Exit.VACUOUS
+        whole = isinstance(self.portion, Whole)
+        return Exit.VACUOUS if whole and not self.rows else Exit.ANSWERED
 
     def to_json(self) -> documents.WorstReport:
         """The document of ``worst --json``."""
@@ -129,6 +155,7 @@ class WorstReport:
             "schedules": "all",
             "symmetry": "one world for each start vertex: every choice of dart is tried, so the "
             "dart faced at the start and the bearing make no difference",
+            "shard": str(self.portion),
             "gate": {"source": self.source, "agrees": self.agrees},
             "complete": self.complete,
             "rows": [row.to_json() for row in self.rows],
@@ -140,7 +167,9 @@ def worst(
     edges: int | None = None,
     map_class: str = "maps",
     transit: str = "simple",
+    shard: tuple[int, int] | None = None,
     workers: int = 1,
+    run: str | Path | None = None,
     listener: Listener | None = None,
 ) -> WorstReport:
     """The exact worst and best cost of Algorithm 1 over all worlds and all schedules.
@@ -149,7 +178,9 @@ def worst(
         edges: the largest number of edges (default: one that takes a second).
         map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         transit: ``shortest`` or ``simple``: how the robot goes through S in line 4.
+        shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0.
         workers: threads.
+        run: a directory that keeps what is finished; the same search goes on from there.
         listener: is told of the progress.
 
     Raises:
@@ -163,34 +194,80 @@ def worst(
     if edges > MOST_EDGES:
         raise InputError(f"edges = {show(edges)}, but there is room for {MOST_EDGES} at most")
     from allworlds.kernel import COMPILING
-    from allworlds.worst_case.dearest import DearestWorlds, ScheduleSearch
 
-    extent = Extent(MapClass.named(map_class), edges)
     way: Transit = "shortest" if transit == "shortest" else "simple"
+    search = _Search(Extent(MapClass.named(map_class), edges), way, a_shard(shard))
     heard = listener or Silent()
-    engine = ScheduleSearch(extent, way)
+    if run is None and isinstance(search.portion, Shard):
+        heard.notice(UNMERGEABLE)
+    engine = search.engine()
     if not engine.is_compiled():
         heard.notice(COMPILING)
-    missing: list[tuple[int, int]] = []
+    with records_in(run, search.identity, heard.notice) as records, Threads(workers) as threads:
+        return search.report(threads, engine, records, heard)
 
-    def level_rows(threads: Threads, level: int) -> list[WorstRow]:
-        cells = cells_of_level(extent, level)
-        heard.level(level, sum(cells.values()))
-        dearest = DearestWorlds()
-        gather(threads, engine, units_of_level(extent, level), dearest, heard)
-        found = sorted(dearest.by_vertices.items())
-        rows = [_replayed(_row(level, row, cells.get(n, 0)), way) for n, row in found]
-        missing.extend((level, n) for n, count in cells.items() if count and n not in dearest)
-        return rows
 
-    def levels() -> Iterator[list[WorstRow]]:
-        with Threads(workers) as threads:
-            for level in extent.levels:
-                yield level_rows(threads, level)
+def merged_worst(identity: Identity, records: Records, listener: Listener) -> WorstReport:
+    """The report of a search that others have done, made from what they have kept.
 
-    finished, complete = until_interrupted(levels())
-    rows = tuple(row for level in finished for row in level)
-    return WorstReport(extent, way, source_for(map_class).name, rows, tuple(missing), complete)
+    Raises:
+        Gap: if something is missing.
+    """
+    told = identity.parameters
+    extent = Extent(MapClass(told["class"]), told["edges"])
+    with Here() as here:
+        return _Search(extent, told["transit"], WHOLE).report(here, None, records, listener)
+
+
+@dataclass(frozen=True, slots=True)
+class _Search:
+    """What is looked for, and where."""
+
+    extent: Extent
+    transit: Transit
+    portion: Portion
+
+    def engine(self) -> ScheduleSearch:
+        from allworlds.worst_case.dearest import ScheduleSearch
+
+        return ScheduleSearch(self.extent, self.transit)
+
+    def identity(self) -> Identity:
+        parameters = {
+            "class": self.extent.map_class.value,
+            "edges": self.extent.edges,
+            "transit": self.transit,
+        }
+        return Identity("worst", parameters, {"name": "algorithm1"}, self.portion)
+
+    def report(
+        self, transport: Transport[Any], engine: Any, records: Records, listener: Listener
+    ) -> WorstReport:
+        from allworlds.worst_case.dearest import DearestWorlds
+
+        extent = self.extent
+        shelf = Shelf(records, DearestWorlds.from_json)
+        missing: list[tuple[int, int]] = []
+
+        def level_rows(level: int) -> list[WorstRow]:
+            cells = cells_of_level(extent, level)
+            listener.level(level, sum(cells.values()) // shards_of(self.portion))
+            dearest = DearestWorlds()
+            units = units_of_level(extent, level, self.portion)
+            gather(transport, engine, units, dearest, listener, shelf)
+            found = sorted(dearest.by_vertices.items())
+            missing.extend((level, n) for n, count in cells.items() if count and n not in dearest)
+            rows = [_row(level, row, cells.get(n, 0)) for n, row in found]
+            return [_replayed(row, self.transit) for row in rows]
+
+        finished, complete = until_interrupted(level_rows(level) for level in extent.levels)
+        if complete:
+            records.note("ended", ENDED)
+        rows = tuple(row for level in finished for row in level)
+        source = source_for(extent.map_class).name
+        return WorstReport(
+            extent, self.transit, source, rows, tuple(missing), complete, self.portion
+        )
 
 
 def _row(edges: int, dearest: Dearest, counted: int) -> WorstRow:
@@ -219,6 +296,6 @@ def _replayed(row: WorstRow, transit: Transit) -> WorstRow:
     if not isinstance(episode.ending, Answered):
         return row
     choices = tuple(planned.record)
-    again = run("algorithm1", row.world, choices=choices)
+    again = run_one("algorithm1", row.world, choices=choices)
     holds = again.finding is None
     return replace(row, choices=choices, replayed=again.outcome.cost if holds else None)

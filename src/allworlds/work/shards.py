@@ -1,0 +1,84 @@
+"""Shards: a job cut into so many parts of about equal weight, each for a machine of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from heapq import heapify, heapreplace
+from typing import TypeAlias
+
+from allworlds.inputs import InputError, an_integer, show
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """Every world of the extent."""
+
+    def __str__(self) -> str:
+        return "0/1"
+
+
+@dataclass(frozen=True, slots=True)
+class Shard:
+    """The part of number ``index`` when every level is dealt out to ``count`` parts.
+
+    Raises:
+        InputError: naming what is out of range.
+    """
+
+    index: int
+    count: int
+
+    def __post_init__(self) -> None:
+        for name, number in (("K", self.index), ("N", self.count)):
+            an_integer(f"shard {name}", number)
+        if self.count < 1 or not 0 <= self.index < self.count:
+            raise InputError(f"shard {self} is out of range; K/N needs 0 <= K < N, counted from 0")
+
+    def __str__(self) -> str:
+        return f"{self.index}/{self.count}"
+
+
+WHOLE = Whole()
+
+Portion: TypeAlias = Whole | Shard
+"""Which of the units of a job are done."""
+
+UNMERGEABLE = "without --run DIR the report of this shard cannot be merged with others"
+"""What whoever asks for a shard may want to know."""
+
+
+def shards_of(portion: object) -> int:
+    """Into how many parts a job is cut of which this is one."""
+    return portion.count if isinstance(portion, Shard) else 1
+
+
+def a_shard(pair: object) -> Portion:
+    """The shard of ``(K, N)``; of one shard, and of None, the whole.
+
+    Raises:
+        InputError: for anything else.
+    """
+    if pair is None:
+        return Whole()
+    if not isinstance(pair, tuple | list) or len(pair) != 2:
+        raise InputError(f"shard = {show(pair)} is not a pair (K, N)")
+    shard = Shard(an_integer("shard K", pair[0]), an_integer("shard N", pair[1]))
+    return Whole() if shard.count == 1 else shard
+
+
+def dealt(weights: Sequence[int], shard: Shard) -> Iterator[int]:
+    """The numbers of the units that fall to a shard, ascending.
+
+    The heaviest unit that is left goes to the lightest shard; among equals the first to the first.
+    """
+    heaviest = sorted(range(len(weights)), key=lambda i: (-weights[i], i))
+    loads = [(0, index) for index in range(min(shard.count, len(weights)))]
+    heapify(loads)
+    mine = []
+    for i in heaviest:
+        load, index = loads[0]
+        if index == shard.index:
+            mine.append(i)
+        heapreplace(loads, (load + weights[i], index))
+    yield from sorted(mine)

@@ -1,0 +1,47 @@
+"""What a partial gluing can become is counted and enumerated alike."""
+
+import pytest
+
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.completions import completions
+from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
+from allworlds.work import Shard, level_size, units_of_level
+
+
+@pytest.mark.parametrize("depth", [1, 2, 3, 9])
+@pytest.mark.parametrize("vertices", [None, 2])
+@pytest.mark.parametrize("map_class", list(MapClass))
+def test_the_completions_of_a_gluing_are_counted(map_class, vertices, depth):
+    for edges in (1, 2, 4):
+        for prefix in prefixes(edges, map_class, vertices, depth):
+            gluing = Gluing(edges, map_class, vertices)
+            for decision in prefix:
+                gluing.apply(decision)
+            made = sum(1 for _ in rooted_maps(edges, map_class, vertices, prefix))
+            if map_class.simple:
+                assert completions(gluing) >= made
+            else:
+                assert completions(gluing) == made
+
+
+@pytest.mark.parametrize("map_class", [MapClass.MAPS, MapClass.PLANAR])
+def test_eight_shards_of_eight_edges_are_balanced(map_class):
+    """Within a tenth, each of the other shards too; the weights are the counts."""
+    extent = Extent(map_class, 8)
+    shards = [units_of_level(extent, 8, Shard(k, 8)) for k in range(8)]
+    weights = [sum(unit.weight(extent) for unit in shard) for shard in shards]
+    assert sum(weights) == level_size(extent, 8)
+    assert max(weights) <= 1.1 * min(weights)
+
+
+def test_no_unit_falls_to_two_shards():
+    extent = Extent(MapClass.SIMPLE, None, 4)
+    for edges in extent.levels:
+        every = [unit.key for unit in units_of_level(extent, edges)]
+        for count in (1, 3, 1000):
+            shards = [
+                unit.key
+                for k in range(count)
+                for unit in units_of_level(extent, edges, Shard(k, count))
+            ]
+            assert sorted(shards) == sorted(every)
