@@ -32,7 +32,7 @@ from allworlds.maps.families import FAMILIES
 from allworlds.mutation.judges import WEAK_JUDGES
 from allworlds.outcome import Exit, Verdict
 from allworlds.protocol import POLICIES, SEEDED, Percept
-from allworlds.reports import FORMATS, text
+from allworlds.reports import FILES, FORMATS, text
 from allworlds.runs import Sample, Schedule, Scope
 from allworlds.smt import SEARCHED
 from allworlds.subjects import load
@@ -166,6 +166,7 @@ ONLY_CLI = {
     "twins": {"lighthouse"},
     "ambiguity class": {"lighthouse"},
     "bench": {"peer"},
+    "compare": {"csv"},
 }
 ONLY_PYTHON = {
     "check": {"explore"},
@@ -287,6 +288,7 @@ def test_a_format_is_an_option_of_every_check_and_told_of(name):
 
 def test_no_report_is_left_out_of_its_table():
     told = [*(verb.text for verb in VERBS), *(form.home for form in FORMATS.values())]
+    told += FILES.values()
     homes = {home.partition(":")[0] for home in told}
     sources = "".join(path.read_text(encoding="utf-8") for path in PACKAGE.rglob("*.py"))
     for module in iter_modules(reports.__path__):

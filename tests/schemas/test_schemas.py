@@ -14,6 +14,7 @@ from referencing import Registry, Resource
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
 from allworlds.checker import Interrupted, check, replay, run, worlds
+from allworlds.comparing import compare
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
@@ -119,6 +120,15 @@ DOCUMENTS = {
     "check refuted": (
         whole("check"),
         lambda: check(WRONG["mirror-image"].explorer(), edges=3, max_findings=3).to_json(),
+    ),
+    "compare": (whole("compare"), lambda: compare("algorithm1", "greedy", edges=2).to_json()),
+    "compare in a family": (
+        whole("compare"),
+        lambda: compare("algorithm1", "greedy", family="cycle:4").to_json(),
+    ),
+    "compare refuted": (
+        whole("compare"),
+        lambda: compare("greedy", WRONG["mirror-image"].explorer(), edges=3).to_json(),
     ),
     "fuzz": (whole("check"), lambda: fuzz(edges=6, runs=3).to_json()),
     "fuzz refuted": (

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
-from allworlds.cli.files import ensure_writable, write_text
+from allworlds.cli.files import ensure_all_writable, write_files
 from allworlds.cli.output import Progress, emit
 from allworlds.maps.families import FORMS
 
@@ -60,12 +60,9 @@ def compare(
     no law is broken, 1: one is.
     """
     import allworlds
-    from allworlds.reports.compare_text import compare_csv
-    from allworlds.reports.html import comparison_page
 
-    files = [path for path in (csv, html) if path is not None]
-    for path in files:
-        ensure_writable(path)
+    files = {"csv": csv, "html": html}
+    ensure_all_writable(files)
     with Progress(quiet=output.quiet) as progress:
         report = allworlds.compare(
             *explorers,
@@ -77,8 +74,5 @@ def compare(
             seed=seed,
             **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
         )
-    if csv is not None:
-        write_text(csv, compare_csv(report))
-    if html is not None:
-        write_text(html, comparison_page(report))
+    write_files("compare", report, files)
     return emit(report, "compare", output, workers=effort.count)

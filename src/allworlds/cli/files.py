@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import make_dataclass
 from pathlib import Path
@@ -12,7 +13,7 @@ from allworlds.cli import options as opt
 from allworlds.cli.output import complain
 from allworlds.inputs import InputError, a_path, show
 from allworlds.outcome import Result
-from allworlds.reports import FORMATS, written
+from allworlds.reports import FORMATS, file_of, written
 
 
 class _Files:
@@ -25,12 +26,12 @@ class _Files:
             InputError: naming the file and the reason.
         """
         for path in self._named().values():
-            ensure_writable(path)
+            _ensure_writable(path)
 
     def write(self, report: Result) -> None:
         """The report in each file that was named."""
         for form, path in self._named().items():
-            write_text(path, written(form, report))
+            _write_text(path, written(form, report))
 
     def _named(self) -> dict[str, str]:
         given = {form: getattr(self, form) for form in FORMATS}
@@ -50,7 +51,25 @@ else:
     )
 
 
-def write_text(path: str, text: str) -> None:
+def ensure_all_writable(files: Mapping[str, str | None]) -> None:
+    """Nothing, if each file can be written; by the options that name them, where they do.
+
+    Raises:
+        InputError: naming the file and the reason.
+    """
+    for path in files.values():
+        if path is not None:
+            _ensure_writable(path)
+
+
+def write_files(verb: str, result: Result, files: Mapping[str, str | None]) -> None:
+    """A verb's result in each file that was named."""
+    for name, path in files.items():
+        if path is not None:
+            _write_text(path, file_of(verb, name, result))
+
+
+def _write_text(path: str, text: str) -> None:
     """Write a file that could be written before the work began.
 
     One that cannot be written any more, on a full disk, say, is lost with a word on stderr; the
@@ -65,7 +84,7 @@ def write_text(path: str, text: str) -> None:
                 Path(path).unlink()
 
 
-def ensure_writable(path: str) -> None:
+def _ensure_writable(path: str) -> None:
     """Nothing, if the file can be written; it is left as it is, and not made.
 
     Raises:

@@ -40,6 +40,12 @@ FORMATS = {
 """Every kind of file by the name of its option."""
 
 
+FILES = {
+    ("compare", "csv"): "compare_text:compare_csv",
+    ("compare", "html"): "html:comparison_page",
+}
+"""What else a verb's result can be written to, by the verb and the option."""
+
 _TEXTS = {verb.name: verb.text for verb in VERBS}
 
 
@@ -55,9 +61,15 @@ def written(form: str, report: Any) -> str:
     return made
 
 
+def file_of(verb: str, option: str, result: Any) -> str:
+    """The content of the file of a verb's option, one of :data:`FILES`."""
+    made: str = _load(FILES[verb, option])(result)
+    return made
+
+
 def _load(home: str) -> Any:
     module, _, function = home.partition(":")
     return getattr(import_module(f"allworlds.reports.{module}"), function)
 
 
-__all__ = ["FORMATS", "Format", "text", "written"]
+__all__ = ["FILES", "FORMATS", "Format", "file_of", "text", "written"]
