@@ -52,19 +52,32 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
     Raises:
         InputError: naming the text, or the holes, and what would be legal.
     """
+    kind, sizes = _parsed(text)
+    if kind.edges(*sizes) > LARGEST:
+        raise InputError(f"family {show(text)} has more than {LARGEST:,} edges")
+    if holes and not kind.has_holes:
+        raise InputError(f"holes are for {_WITH_HOLES}, not for {text}")
+    try:
+        return kind.build(sizes, holes, seed)
+    except ValueError as error:
+        raise InputError(f"family {text}: {error}") from None
+
+
+def edges_of(text: str) -> int:
+    """The number of edges of a member, without holes; of one that cannot be built it says nothing.
+
+    Raises:
+        InputError: if the text is that of no family.
+    """
+    kind, sizes = _parsed(text)
+    return kind.edges(*sizes)
+
+
+def _parsed(text: str) -> tuple[Family, tuple[int, ...]]:
     for kind in FAMILIES:
         match = re.fullmatch(kind.pattern, text, re.ASCII)
-        if match is None:
-            continue
-        sizes = tuple(int(size[:7]) for size in match.groups())
-        if kind.edges(*sizes) > LARGEST:
-            raise InputError(f"family {show(text)} has more than {LARGEST:,} edges")
-        if holes and not kind.has_holes:
-            raise InputError(f"holes are for {_WITH_HOLES}, not for {text}")
-        try:
-            return kind.build(sizes, holes, seed)
-        except ValueError as error:
-            raise InputError(f"family {text}: {error}") from None
+        if match is not None:
+            return kind, tuple(int(size[:7]) for size in match.groups())
     raise InputError(f"family {show(text)} is none of {FORMS}")
 
 
