@@ -20,6 +20,7 @@ DEFAULTS = {
     allworlds.fuzz: {"explore": "algorithm1", "seed": 0},
     allworlds.run: {"choices": ()},
     allworlds.compare: {},
+    allworlds.grow: {"to": 400, "worlds": 3, "seed": 1},
     allworlds.replay: {"answer_timeout": 10.0},
     allworlds.mutants: {"edges": 4},
     allworlds.count: {"map_class": "maps"},

@@ -23,6 +23,7 @@ from allworlds.explaining.tellers import TELLERS
 from allworlds.explorers import BUILT_IN
 from allworlds.findings import Rules, RulesOptions, make_rules
 from allworlds.fuzzer.sample import GENERATORS, batches
+from allworlds.growing import GROWING
 from allworlds.judge import LAWS, PRECEDENCE
 from allworlds.kernel import CHECKED
 from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
@@ -167,6 +168,7 @@ ONLY_CLI = {
     "ambiguity class": {"lighthouse"},
     "bench": {"peer"},
     "compare": {"csv"},
+    "grow": {"csv", "plot"},
 }
 ONLY_PYTHON = {
     "check": {"explore"},
@@ -175,6 +177,8 @@ ONLY_PYTHON = {
     "replay": {"finding", "explore"},
     "explain": {"finding"},
     "bench": {"peers"},
+    # It takes no class of maps.
+    "grow": {"map_class"},
 }
 
 
@@ -277,6 +281,7 @@ def test_the_help_of_the_families_lists_every_one():
     help_ = option("run", "family").help
     assert FAMILIES
     assert all(kind.form in help_ for kind in FAMILIES)
+    assert all(growing.form in option("grow", "families").help for growing in GROWING.values())
 
 
 @pytest.mark.parametrize("name", FORMATS)

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from allworlds.counter import count
     from allworlds.explaining import explain
     from allworlds.fuzzer import fuzz
+    from allworlds.growing import grow
     from allworlds.joining import merge, status
     from allworlds.libraries import native
     from allworlds.mutation import mutants
@@ -66,6 +67,7 @@ __all__ = [
     "count",
     "explain",
     "fuzz",
+    "grow",
     "merge",
     "mutants",
     "native",

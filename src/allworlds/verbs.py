@@ -99,6 +99,13 @@ VERBS = (
         "Explorers side by side on the same worlds.",
     ),
     Verb(
+        "grow",
+        "growing:grow",
+        "grow_text:grow_text",
+        "grow",
+        "How an explorer's cost grows with the world.",
+    ),
+    Verb(
         "merge",
         "joining:merge",
         "merge_text:merge_text",

@@ -19,6 +19,7 @@ from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
 from allworlds.fuzzer import fuzz
+from allworlds.growing import grow
 from allworlds.joining import merge, status
 from allworlds.libraries import native
 from allworlds.maps import named_map
@@ -122,6 +123,7 @@ DOCUMENTS = {
         lambda: check(WRONG["mirror-image"].explorer(), edges=3, max_findings=3).to_json(),
     ),
     "compare": (whole("compare"), lambda: compare("algorithm1", "greedy", edges=2).to_json()),
+    "grow": (whole("grow"), lambda: grow("greedy", families=["strip"], to=30).to_json()),
     "compare in a family": (
         whole("compare"),
         lambda: compare("algorithm1", "greedy", family="cycle:4").to_json(),

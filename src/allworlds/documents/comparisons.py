@@ -73,3 +73,43 @@ class CompareReport(InRows, OfClass):
     differ_most: Annotated[DifferMost | None, "null: nothing was compared, or nothing differs"]
     stopped: Annotated[str | None, "why it is not complete; null: it is, or by the user"]
     findings: Annotated[list[Finding], "the smallest of each explorer that broke a law"]
+
+
+class GrowRow(TypedDict):
+    """What an explorer walks in the members of a family of one size."""
+
+    family: Annotated[Text, "as it was asked for"]
+    edges: Annotated[Positive, "of each member"]
+    vertices: Annotated[Positive, "of the first member"]
+    explorer: Annotated[Text, "its name"]
+    mean: Annotated[Figure, "traversals"]
+    least: Annotated[Natural, "traversals"]
+    worst: Annotated[Natural, "traversals"]
+    bound: Annotated[int | None, "the largest bound of a run; null without a bound"]
+    members: Annotated[list[Text], Some, "the worlds, as `run --family` takes them"]
+    costs: Annotated[list[Natural], Some, "of the runs in them"]
+
+
+class Exponent(TypedDict):
+    """How an explorer's cost grows in a family: like the edges to this power."""
+
+    family: Annotated[Text, "as it was asked for"]
+    explorer: Annotated[Text, "its name"]
+    exponent: Annotated[float, "fitted to the means of all sizes, by least squares of logarithms"]
+    last: Annotated[float, "the same of the last two sizes"]
+
+
+class GrowReport(InRows):
+    """Report of 'grow'."""
+
+    verdict: Annotated[VerdictName, "whether a run broke a law"]
+    exit_code: Annotated[
+        int, code(*(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED))
+    ]
+    explorers: Annotated[list[Text], Some, "in the order in which they were named"]
+    families: Annotated[list[Text], Some, "likewise"]
+    rows: Annotated[list[GrowRow], "one for each family, size and explorer"]
+    exponents: Annotated[list[Exponent], "one for each family and explorer with two sizes or more"]
+    left_out: Annotated[Natural, "members in which a lighthouse had no place"]
+    stopped: Annotated[str | None, "why it is not complete; null: it is, or by the user"]
+    findings: Annotated[list[Finding], "the smallest of each explorer in each family"]

@@ -13,8 +13,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
+from allworlds.inputs import InputError
 from allworlds.verbs import VERBS
 
 
@@ -43,6 +45,8 @@ FORMATS = {
 FILES = {
     ("compare", "csv"): "compare_text:compare_csv",
     ("compare", "html"): "html:comparison_page",
+    ("grow", "csv"): "grow_text:grow_csv",
+    ("grow", "plot"): "grow_plot:grow_plot",
 }
 """What else a verb's result can be written to, by the verb and the option."""
 
@@ -67,9 +71,19 @@ def file_of(verb: str, option: str, result: Any) -> str:
     return made
 
 
+def ensure_drawable() -> None:
+    """Nothing, if curves can be drawn.
+
+    Raises:
+        InputError: if what draws them is not installed.
+    """
+    if find_spec("matplotlib") is None:
+        raise InputError("plot needs matplotlib: pip install 'allworlds[figures]'")
+
+
 def _load(home: str) -> Any:
     module, _, function = home.partition(":")
     return getattr(import_module(f"allworlds.reports.{module}"), function)
 
 
-__all__ = ["FILES", "FORMATS", "Format", "file_of", "text", "written"]
+__all__ = ["FILES", "FORMATS", "Format", "ensure_drawable", "file_of", "text", "written"]
