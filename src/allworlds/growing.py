@@ -268,6 +268,8 @@ def grow(
         if names.count(name) > 1:
             raise InputError(f"explorer {show(name)} is named twice")
     asked = tuple(dict.fromkeys(families))
+    if not asked:
+        raise InputError(f"grow takes a family at least: {FORMS}")
     numbers = {"to": to, "worlds": worlds, "seed": seed}
     for option, least in (("to", LEAST), ("worlds", 1), ("seed", 0)):
         if an_integer(option, numbers[option]) < least:
