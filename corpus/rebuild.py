@@ -126,27 +126,92 @@ COUNTS = {
     },
 }
 
+DUDEK_BOUND = "3*n*(n-1)//2 + (m-n+1)*(5*n+2*D-4)"
+
 # name: options of the check, provenance, what must come out; "dearest" by the number of edges.
 CHECKS: dict[str, tuple[dict[str, object], str, dict[str, object]]] = {
     "remembering": (
         {"explore": "remembering", "edges": 4},
         "an independent implementation of the explorer",
-        {"worlds": 792, "runs": 3684, "traversals": 21070, "dearest": [1, 4, 11, 22]},
+        {
+            "bound": "paper",
+            "worlds": 792,
+            "runs": 3684,
+            "traversals": 21070,
+            "dearest": [1, 4, 11, 22],
+        },
     ),
     "greedy": (
         {"explore": "greedy", "edges": 4},
         "an independent implementation of the explorer",
-        {"worlds": 792, "runs": 3684, "traversals": 17888, "dearest": [1, 3, 10, 21]},
+        {
+            "bound": "paper",
+            "worlds": 792,
+            "runs": 3684,
+            "traversals": 17888,
+            "dearest": [1, 3, 10, 21],
+        },
     ),
     "prudent": (
         {"explore": "prudent", "edges": 4},
         "as greedy: no world with 4 edges is long",
-        {"worlds": 792, "runs": 3684, "traversals": 17888, "dearest": [1, 3, 10, 21]},
+        {
+            "bound": "paper",
+            "worlds": 792,
+            "runs": 3684,
+            "traversals": 17888,
+            "dearest": [1, 3, 10, 21],
+        },
     ),
     "remembering-all-schedules": (
         {"explore": "remembering", "edges": 3, "schedules": "all"},
         "the bound is proved for every order of darts and hypotheses",
-        {"worlds": 86, "runs": 309},
+        {"bound": "paper", "worlds": 86, "runs": 309},
+    ),
+    "dudek91-simple": (
+        {"explore": "dudek91", "edges": 5, "map_class": "simple"},
+        "right in simple worlds (Dudek, Jenkin, Milios, Wilkes 1991), within its own bound",
+        {"verdict": "holds", "bound": DUDEK_BOUND, "worlds": 140, "runs": 140},
+    ),
+    "dudek91-simple-all-schedules": (
+        {"explore": "dudek91", "edges": 4, "map_class": "simple", "schedules": "all"},
+        "whichever dart leaves U",
+        {"verdict": "holds", "bound": DUDEK_BOUND, "worlds": 32, "runs": 32},
+    ),
+    "dudek91-maps": (
+        {"explore": "dudek91", "edges": 4},
+        "no marker at a vertex tells apart the two maps of one vertex with two loops",
+        {"verdict": "refuted", "smallest": ["map", 2, 1]},
+    ),
+    "dfs": (
+        {"explore": "dfs", "edges": 4},
+        "every edge there and back once, at most",
+        {"verdict": "holds", "bound": "2*m", "worlds": 792, "runs": 792},
+    ),
+    "quotient": (
+        {"explore": "quotient", "edges": 3},
+        "a map exactly where the class has one member",
+        {"verdict": "holds", "worlds": 86, "runs": 86},
+    ),
+    "folding": (
+        {"explore": "folding", "edges": 4},
+        "a log whose folding has no open dart is the map",
+        {"verdict": "holds", "worlds": 792, "runs": 3684},
+    ),
+    "folding-oldest": (
+        {"explore": "folding-oldest", "edges": 4},
+        "the same on another fair way",
+        {"verdict": "holds", "worlds": 792, "runs": 3684},
+    ),
+    "algorithm1-position": (
+        {"explore": "algorithm1", "edges": 2, "lighthouse": "position"},
+        "Algorithm 1 robbed of the bearing",
+        {"verdict": "refuted"},
+    ),
+    "algorithm1-none": (
+        {"explore": "algorithm1", "edges": 2, "lighthouse": "none"},
+        "Algorithm 1 robbed of the marker",
+        {"verdict": "refuted"},
     ),
 }
 

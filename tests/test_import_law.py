@@ -49,6 +49,7 @@ AT_ONCE = {"inputs", "maps", "protocol", "verbs", "version"}
 
 # The only homes of each library that does not come with Python.
 HOMES = {
+    "distributed": ["work.cluster"],
     "hypothesis": ["strategies"],
     "llvmlite": ["kernel"],
     "networkx": ["maps.networks", "maps.counting.atlas", "judge.second_opinion", "mutation.judges"],
@@ -60,7 +61,7 @@ HOMES = {
     "z3": ["smt"],
 }
 # Loaded only inside the functions that need them, or for types.
-LAZY = {"networkx", "rich"}
+LAZY = {"distributed", "networkx", "rich"}
 
 # Two ways to one answer share nothing but what is named here, however many modules between.
 COMPARED = [

@@ -494,7 +494,8 @@ def test_no_explorer_is_left_out_of_its_table():
 
 
 def test_every_built_in_explorer_is_told_and_runs_as_it_is_written_for():
-    assert [name for name in rows(PROTOCOL) if name in BUILT_IN] == [*BUILT_IN]
+    told = PROTOCOL.partition("<!-- explorers -->")[2].partition("<!-- end -->")[0]
+    assert rows(told) == [*BUILT_IN]
     for name, own in BUILT_IN.items():
         assert own.about
         assert allworlds.check(name, edges=2, workers=1).scope.rules.lighthouse == own.lighthouse

@@ -9,7 +9,8 @@ import pytest
 
 from allworlds import work
 from allworlds.progress import Silent
-from allworlds.work import TimeIsUp, gather
+from allworlds.work import Here, TimeIsUp, gather
+from allworlds.work.cluster import all_well
 
 
 def transports():
@@ -24,8 +25,26 @@ def transports():
 TRANSPORTS = dict(transports())
 
 
-def made(name, deadline=None):
-    known = {"workers": 2, "batch": 3, "deadline": deadline}
+@pytest.fixture(scope="module")
+def scheduler():
+    """The address of a Dask scheduler, whose workers are threads of this process."""
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(2, processes=False, dashboard_address=None) as cluster:
+        yield cluster.scheduler_address
+
+
+@pytest.fixture
+def made(request):
+    def make(name, deadline=None):
+        scheduler = request.getfixturevalue("scheduler") if name == "Dask" else None
+        return made_of(name, deadline, scheduler)
+
+    return make
+
+
+def made_of(name, deadline, scheduler):
+    known = {"workers": 2, "batch": 3, "deadline": deadline, "scheduler": scheduler}
+    known |= {"inside": Here, "probe": all_well, "order": iter}
     taken = inspect.signature(TRANSPORTS[name]).parameters
     return TRANSPORTS[name](**{key: known[key] for key in taken})
 
@@ -60,18 +79,18 @@ class Some(Counter):
 
 
 def test_every_transport_is_at_the_door():
-    assert {"Here", "Threads"} <= set(TRANSPORTS)
+    assert {"Dask", "Here", "Threads"} <= set(TRANSPORTS)
     assert set(TRANSPORTS) <= set(work.__all__)
     assert all(getattr(work, name) is found for name, found in TRANSPORTS.items())
 
 
 @pytest.mark.parametrize("name", TRANSPORTS)
 @pytest.mark.parametrize("units", [[], [7], [1, 22, 345, 678, *range(100, 140)]], ids=len)
-def test_a_transport_brings_every_unit_once(name, units):
+def test_a_transport_brings_every_unit_once(name, units, made):
+    units = [Number(unit) for unit in units]
     with made(name) as transport:
         parts = list(transport.map(Digits(), units))
     assert Counter(part.unit for part in parts if part.last) == Counter(units)
-    units = [Number(unit) for unit in units]
     total = Some()
     with made(name) as transport:
         gather(transport, Digits(), units, total, Silent())
@@ -79,6 +98,6 @@ def test_a_transport_brings_every_unit_once(name, units):
 
 
 @pytest.mark.parametrize("name", TRANSPORTS)
-def test_a_transport_ends_when_the_time_is_up(name):
+def test_a_transport_ends_when_the_time_is_up(name, made):
     with made(name, deadline=0.0) as transport, pytest.raises(TimeIsUp):
-        list(transport.map(Digits(), range(9)))
+        list(transport.map(Digits(), map(Number, range(9))))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -22,6 +23,7 @@ from allworlds.store import ENDED, Identity, Records, Shelf, records_in
 from allworlds.work import (
     UNMERGEABLE,
     WHOLE,
+    Dask,
     Here,
     LevelUnit,
     Portion,
@@ -38,6 +40,9 @@ from allworlds.world import Position, World
 
 if TYPE_CHECKING:
     from allworlds import documents
+
+CORES = os.cpu_count() or 1
+"""So many processes a cluster of this machine alone has."""
 
 BATCH = 200
 """Maps after which a part of a unit is handed over."""
@@ -150,6 +155,7 @@ def census(
     map_class: str = MapClass.MAPS.value,
     shard: tuple[int, int] | None = None,
     run: str | Path | None = None,
+    dask: str | None = None,
     listener: Listener | None = None,
 ) -> AmbiguityCensus:
     """Every map of a class with every choice of a marked vertex, up to isomorphism.
@@ -160,6 +166,7 @@ def census(
         map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0.
         run: a directory that keeps what is finished; the same census goes on from there.
+        dask: the address of a Dask scheduler, or ``local``: where the work is done.
         listener: told how far it is.
 
     Raises:
@@ -172,8 +179,9 @@ def census(
     tell_of_size(task.extent, heard, shards_of(task.portion))
     if run is None and isinstance(task.portion, Shard):
         heard.notice(UNMERGEABLE)
-    with records_in(run, task.identity, heard.notice) as records, Here() as here:
-        return task.census(here, Classify(task.extent), records, heard)
+    transport = Here() if dask is None else Dask(dask, CORES)
+    with records_in(run, task.identity, heard.notice) as records, transport as there:
+        return task.census(there, Classify(task.extent), records, heard)
 
 
 def merged_census(identity: Identity, records: Records, listener: Listener) -> AmbiguityCensus:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, Protocol
 
 from allworlds.inputs import InputError, show
-from allworlds.isolation import workers_for
+from allworlds.isolation import in_any_order, workers_for
 from allworlds.runs import Examination, Scope
-from allworlds.subjects import Subject
-from allworlds.work import Limits, Threads, Transport
+from allworlds.subjects import Subject, content_digest, not_alike, with_content
+from allworlds.work import Dask, Limits, Threads, Transport
 
 
 class EnginesDisagree(Exception):
@@ -27,6 +28,7 @@ class Job:
         keep: how many findings are kept.
         deadline: on the monotonic clock, or None.
         notice: takes what the user may want to know now.
+        dask: where units are done: the address of a scheduler, ``local``, or None for here.
     """
 
     scope: Scope
@@ -35,6 +37,7 @@ class Job:
     keep: int
     deadline: float | None
     notice: Callable[[str], None]
+    dask: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +82,10 @@ class General:
 
     def ready(self, job: Job) -> Way:
         """Worker processes where the explorer can be found by its name, else this process."""
-        workers = workers_for(job.subject, job.limits, job.deadline)
-        return Way(workers, Examination(job.scope, job.keep))
+        engine = Examination(job.scope, job.keep)
+        if job.dask is not None:
+            return Way(_cluster(job, job.dask), engine)
+        return Way(workers_for(job.subject, job.limits, job.deadline), engine)
 
 
 class Compiled:
@@ -108,8 +113,33 @@ class Compiled:
         """Threads, after both engines have agreed on every small world."""
         from allworlds.checker.compiled import BATCH, CompiledExamination
 
-        threads = Threads(job.limits.workers, job.deadline, BATCH)
-        return Way(threads, CompiledExamination.ready(job))
+        engine = CompiledExamination.ready(job)
+        if job.dask is not None:
+            workers = job.limits.workers
+            return Way(Dask(job.dask, workers, job.deadline, DASK_BATCH), engine)
+        return Way(Threads(job.limits.workers, job.deadline, BATCH), engine)
+
+
+DASK_BATCH = 8
+"""The same for a task: to send one costs more."""
+
+
+def _cluster(job: Job, scheduler: str) -> Dask:
+    """Workers of a cluster, on each of which an explorer is played as it would be here."""
+    subject, limits = with_content(job.subject), replace(job.limits, workers=1, time_limit=None)
+    if subject.foreign and not subject.elsewhere:
+        raise InputError(
+            f"explorer {show(subject.name)} lives in this process alone and cannot be sent to "
+            "others; put it into a file of its own"
+        )
+    return Dask(
+        scheduler,
+        job.limits.workers,
+        job.deadline,
+        inside=partial(workers_for, subject, limits),
+        probe=partial(not_alike, subject, content_digest(subject), limits.answer_timeout),
+        order=in_any_order if subject.foreign else iter,
+    )
 
 
 ENGINES: dict[str, Engine] = {engine.name: engine for engine in (General(), Compiled())}

@@ -39,6 +39,7 @@ from allworlds.store import ENDED, Identity, Records, records_in
 from allworlds.work import (
     UNMERGEABLE,
     Limits,
+    Lost,
     TimeIsUp,
     a_shard,
     gather,
@@ -59,6 +60,7 @@ def check(
     engine: str = "auto",
     corpus: str | Path | None = None,
     run: str | Path | None = None,
+    dask: str | None = None,
     listener: Listener | None = None,
     **options: Unpack[ManyRunsOptions],
 ) -> Report:
@@ -75,6 +77,7 @@ def check(
         corpus: a directory of past findings, which are tried first; new ones are written
             to it.
         run: a directory that keeps what is finished; the same check goes on from there.
+        dask: the address of a Dask scheduler, or ``local``: where the work is done.
         listener: is told of the progress.
         options: class and lighthouse, rules and effort: see
             :class:`~allworlds.checker.options.ManyRunsOptions`,
@@ -109,7 +112,7 @@ def check(
     listener = listener or Silent()
     if run is None and not scope.whole:
         listener.notice(UNMERGEABLE)
-    job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice)
+    job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice, dask)
     with records_in(run, lambda: identity_of(job, chosen.name), listener.notice) as records:
         return _Check(job, chosen, listener, directory, records).run()
 
@@ -244,7 +247,7 @@ class _Check:
             return Stopped(f"the time limit of {self._job.limits.time_limit:g} s was reached")
         except EnginesDisagree as error:
             return Disagreed(str(error))
-        except Unsettled as error:
+        except (Unsettled, Lost) as error:
             return Stopped(str(error))
 
     def _all_levels(self, way: Way) -> Ending:

@@ -53,5 +53,14 @@ def rules_for(subject: Subject, options: ManyRunsOptions) -> tuple[MapClass, Rul
     lighthouse = options.get("lighthouse")
     if lighthouse is None:
         lighthouse = subject.lighthouse
-    own_bound = subject.bound_under(lighthouse)
-    return map_class, make_rules(options, lighthouse, own_bound, promised=map_class.promises)
+    return map_class, own_rules(subject, options, lighthouse, promised=map_class.promises)
+
+
+def own_rules(
+    subject: Subject, options: RulesOptions, lighthouse: str, *, promised: bool = False
+) -> Rules:
+    """The rules of a verb's options, with the bound and the budget that the explorer brings."""
+    given = options
+    if options.get("step_budget") is None and subject.step_budget is not None:
+        given = {**options, "step_budget": subject.step_budget}
+    return make_rules(given, lighthouse, subject.bound_under(lighthouse), promised=promised)

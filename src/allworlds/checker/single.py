@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Unpack
 
-from allworlds.checker.options import RunOptions, refuse_others
+from allworlds.checker.options import RunOptions, own_rules, refuse_others
 from allworlds.episode import Answered, Undecided
-from allworlds.findings import Finding, Rules, make_rules, place_of
+from allworlds.findings import Finding, Rules, place_of
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.isolation import examine_apart, subject_of
 from allworlds.maps.classes import Extent, MapClass
@@ -146,7 +146,7 @@ def run(
     if not isinstance(world, World):
         raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
     kind = world.lighthouse.kind
-    rules = make_rules(options, kind, subject.bound_under(kind))
+    rules = own_rules(subject, options, kind)
     told = single_run(subject, world, rules, script, limits)
     if unused := unused_choice(script, told):
         raise InputError(unused)

@@ -14,6 +14,7 @@ def census(
     bounds: opt.Bounds,
     shard: opt.ShardText = "0/1",
     run: opt.RunDirectory = None,
+    dask: opt.DaskAddress = None,
     output: opt.Output,
 ) -> int:
     """Example: allworlds ambiguity census --edges 5
@@ -30,6 +31,7 @@ def census(
             map_class=bounds.map_class,
             shard=shard_numbers(shard),
             run=run,
+            dask=dask,
             listener=progress,
         )
     return emit(result, "ambiguity census", output)

@@ -23,6 +23,7 @@ from allworlds.inputs import InputError, show
 from allworlds.outcome import Exit
 from allworlds.store import Gap
 from allworlds.verbs import GROUPS, VERBS, Verb
+from allworlds.work import Lost
 
 # Typer has its own copy of click, or uses click itself, depending on its version.
 _ClickError: type[Exception] = next(
@@ -118,6 +119,9 @@ def call(arguments: list[str]) -> int:
     except Gap as error:
         complain(str(error))
         return Exit.INCOMPLETE
+    except Lost as error:
+        complain(str(error))
+        return Exit.INCONCLUSIVE
     except _ClickError as error:
         return _refuse(_complaint(error, arguments))
     except KeyboardInterrupt:

@@ -42,6 +42,7 @@ def check(
         ),
     ] = None,
     run: opt.RunDirectory = None,
+    dask: opt.DaskAddress = None,
     files: Files,
     output: opt.Output,
 ) -> int:
@@ -66,6 +67,7 @@ def check(
             engine=engine,
             corpus=corpus,
             run=run,
+            dask=dask,
             listener=progress,
             **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
         )

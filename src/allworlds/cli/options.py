@@ -98,6 +98,15 @@ RunDirectory = Annotated[
         show_default=False,
     ),
 ]
+DaskAddress = Annotated[
+    str | None,
+    option(
+        EFFORT,
+        "ADDRESS|local",
+        "Do the work on the workers of this Dask scheduler (extra: distributed).",
+        show_default=False,
+    ),
+]
 TimeLimit = Annotated[float | None, option(EFFORT, "S", "Seconds for everything.", parser=seconds)]
 CsvFile = Annotated[
     str | None,

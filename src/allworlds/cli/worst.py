@@ -26,6 +26,7 @@ def worst(
     shard: opt.ShardText = "0/1",
     workers: opt.Workers = "auto",
     run: opt.RunDirectory = None,
+    dask: opt.DaskAddress = None,
     output: opt.Output,
 ) -> int:
     """Example: allworlds worst --edges 5
@@ -44,6 +45,7 @@ def worst(
             transit=transit,
             shard=shard_numbers(shard),
             run=run,
+            dask=dask,
             workers=threads,
             listener=progress,
         )

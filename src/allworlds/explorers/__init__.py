@@ -8,8 +8,13 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from allworlds.explorers.algorithm1 import Algorithm1, Walk, algorithm1, nobody
+from allworlds.explorers.depth_first import dfs
+from allworlds.explorers.dudek91 import dudek91
+from allworlds.explorers.folded_log import OPEN, FoldedLog
+from allworlds.explorers.folding import explore_folding, folding, folding_oldest, way
 from allworlds.explorers.greedy import greedy
 from allworlds.explorers.prudent import prudent
+from allworlds.explorers.quotient import quotient
 from allworlds.explorers.remembering import remembering
 from allworlds.explorers.undirected import algorithm1_cluster, algorithm1_natural
 
@@ -32,6 +37,8 @@ class BuiltIn:
             been tried.
         bound: the name of the bound that it keeps under that kind of lighthouse, if it is not
             the lighthouse's own.
+        step_budget: the largest legal number of traversals, where the usual budget is too small
+            for it.
         about: what it is, in a sentence of the page on the protocol.
     """
 
@@ -39,6 +46,7 @@ class BuiltIn:
     lighthouse: str
     witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
     bound: str | None = None
+    step_budget: int | None = None
     about: str = ""
 
 
@@ -80,8 +88,9 @@ BUILT_IN: dict[str, BuiltIn] = {
             "v0-hypothesis": ((2, 2), None),
         },
         "two-vertices",
-        "first it tries the darts of v0, there and back, until one leads to v1; a test that has "
-        "come to v0 ends with a *query*: leave by the dart that should lead to v1, look, come back",
+        about="first it tries the darts of v0, there and back, until one leads to v1; a test that "
+        "has come to v0 ends with a *query*: leave by the dart that should lead to v1, look, come "
+        "back",
     ),
     "algorithm1-natural": BuiltIn(
         algorithm1_natural,
@@ -95,7 +104,7 @@ BUILT_IN: dict[str, BuiltIn] = {
             "v0-hypothesis": ((2, 2), None),
         },
         "two-vertices",
-        "as `algorithm1-cluster`, with the degrees of v0 and v1 for marks",
+        about="as `algorithm1-cluster`, with the degrees of v0 and v1 for marks",
     ),
     "remembering": BuiltIn(
         remembering,
@@ -116,20 +125,69 @@ BUILT_IN: dict[str, BuiltIn] = {
         _NEVER_FORGETS,
         about="as `greedy` while the settled part is round, nearest to v0 first while it is long",
     ),
+    "dudek91": BuiltIn(
+        dudek91,
+        "movable",
+        {"new-vertex": ((1, 2), (1, 2)), "back-link": ((1, 1), (3, 3))},
+        "3*n*(n-1)//2 + (m-n+1)*(5*n+2*D-4)",
+        about="one marker that points nowhere, dropped and taken up again (Dudek, Jenkin, Milios, "
+        "Wilkes 1991): right in simple worlds, and not where edges are parallel or a vertex has "
+        "two loops",
+    ),
+    "dfs": BuiltIn(
+        dfs,
+        "labels",
+        {"known": ((1, 1), (3, 3)), "unknown": ((1, 2), (1, 2))},
+        "2*m",
+        about="depth first, where every vertex has a number and a direction: the baseline of 2m",
+    ),
+    "folding": BuiltIn(
+        folding,
+        "directional",
+        {"merged": ((1, 1), (3, 3))},
+        "none",
+        100_000,
+        about="only folds its log, and stops where no dart of it is open: home to v0, then to the "
+        "open dart that is nearest to v0",
+    ),
+    "folding-oldest": BuiltIn(
+        folding_oldest,
+        "directional",
+        {"merged": ((1, 1), (3, 3))},
+        "none",
+        about="as `folding`, but a shortest way to the dart that is open for the longest time",
+    ),
+    "quotient": BuiltIn(
+        quotient,
+        "position",
+        {"map": ((1, 1), (1, 2)), "ambiguous": ((2, 1), (6, 4))},
+        step_budget=100_000,
+        about="learns the quotient of its world by experiments that it can undo, and answers "
+        "with a map where only one looks so, else with `Ambiguous`",
+    ),
 }
 """The built-in explorers by the names they have on the command line."""
 
 __all__ = [
     "BUILT_IN",
+    "OPEN",
     "Algorithm1",
     "BuiltIn",
+    "FoldedLog",
     "Size",
     "Walk",
     "algorithm1",
     "algorithm1_cluster",
     "algorithm1_natural",
+    "dfs",
+    "dudek91",
+    "explore_folding",
+    "folding",
+    "folding_oldest",
     "greedy",
     "nobody",
     "prudent",
+    "quotient",
     "remembering",
+    "way",
 ]

@@ -22,7 +22,7 @@ from allworlds.isolation.confirm import confirmed, examine_apart
 from allworlds.isolation.jobs import HarnessError
 from allworlds.isolation.looking import subject_of
 from allworlds.isolation.players import Unsettled
-from allworlds.isolation.workers import Workers, workers_for
+from allworlds.isolation.workers import Workers, in_any_order, workers_for
 
 __all__ = [
     "HarnessError",
@@ -30,6 +30,7 @@ __all__ = [
     "Workers",
     "confirmed",
     "examine_apart",
+    "in_any_order",
     "subject_of",
     "workers_for",
 ]

@@ -9,6 +9,7 @@ from typing import Any
 
 from allworlds.explorers import Algorithm1, Walk
 from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.mutation.unfair import NearestOnly
 from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Percept
 
 
@@ -360,6 +361,7 @@ WRONG_EXPLORERS = tuple(
             WalksTooMuch,
             WrongInOneWorld,
             NeverStops,
+            NearestOnly,
             CrashesAtLeaves,
             DropsMarkers,
             NoAnswer,

@@ -10,7 +10,7 @@
     a program in any language behind a pipe.
 """
 
-from allworlds.subjects.content import content_digest
+from allworlds.subjects.content import content_digest, not_alike, with_content
 from allworlds.subjects.loading import load, source_of
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
@@ -36,9 +36,11 @@ __all__ = [
     "content_digest",
     "load",
     "names_explorer",
+    "not_alike",
     "own_bound",
     "own_lighthouse",
     "source_of",
     "subject_here",
     "subject_known",
+    "with_content",
 ]

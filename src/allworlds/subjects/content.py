@@ -6,12 +6,14 @@ import hashlib
 import shlex
 import shutil
 import sys
+from dataclasses import replace
 from importlib.machinery import ModuleSpec, PathFinder
 from pathlib import Path
 
 from allworlds.explorers import BUILT_IN
-from allworlds.inputs import InputError, show
-from allworlds.subjects.subject import EXEC, NATIVE, Subject, entry_points
+from allworlds.inputs import InputError, read_text, show
+from allworlds.subjects.program import Program
+from allworlds.subjects.subject import EXEC, NATIVE, Source, Subject, entry_points
 
 OURS = "built-in"
 """The digest of an explorer that comes with this program, and changes with its version alone."""
@@ -45,6 +47,37 @@ def content_digest(subject: Subject) -> str:
         text = _bytes(file)
         digest.update(b"%d\n" % len(text) + text)
     return digest.hexdigest()
+
+
+def with_content(subject: Subject) -> Subject:
+    """The subject with the text that other machines need, where it stands in one file.
+
+    Of a module inside a package it is not enough: the package must be there.
+    """
+    place, _, _ = subject.name.rpartition(":")
+    if (
+        subject.own
+        or subject.source
+        or not place
+        or "." in place
+        or subject.name.startswith((EXEC, NATIVE))
+    ):
+        return subject
+    file = module_file(place)
+    if file.suffix != ".py" or file.name == "__init__.py":
+        return subject
+    return replace(subject, source=Source(str(file), read_text(str(file))))
+
+
+def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
+    """Why the explorer cannot be played on this machine as on the one with that digest."""
+    try:
+        if subject.name.startswith(EXEC):
+            Program(subject.name.removeprefix(EXEC), answer_timeout)
+        same = content_digest(subject) == digest
+    except InputError as error:
+        return str(error)
+    return "" if same else f"the explorer {show(subject.name)} has another text here"
 
 
 def module_file(module: str) -> Path:

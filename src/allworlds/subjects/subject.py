@@ -90,6 +90,11 @@ class Subject:
         """The events that a complete check must have seen (see ``BuiltIn``)."""
         return self.own.witnesses if self.own else {}
 
+    @property
+    def step_budget(self) -> int | None:
+        """The step budget that it brings, if it needs one of its own."""
+        return self.own.step_budget if self.own else None
+
     def bound_under(self, lighthouse: str) -> str | None:
         """The bound that it brings under this lighthouse, if it does."""
         return own_bound(self.name, lighthouse)

@@ -5,6 +5,8 @@
     that says where, the :class:`Part` of a result that comes back, and where it is :class:`Kept`;
 ``here``, ``threads``
     two transports: this thread, and several;
+``cluster``
+    another one, to the machines of a Dask cluster;
 ``levels``
     the units into which all maps with one number of edges are cut;
 ``shards``
@@ -15,6 +17,7 @@
     **the** loop: the units of a level through an engine by a transport, added up.
 """
 
+from allworlds.work.cluster import LOCAL, Dask, Lost
 from allworlds.work.effort import (
     LEAST_TIMEOUT,
     POLL,
@@ -38,15 +41,18 @@ from allworlds.work.work import Engine, Kept, NothingKept, Part, Sum, Transport,
 
 __all__ = [
     "LEAST_TIMEOUT",
+    "LOCAL",
     "POLL",
     "UNMERGEABLE",
     "WHOLE",
+    "Dask",
     "EffortOptions",
     "Engine",
     "Here",
     "Kept",
     "LevelUnit",
     "Limits",
+    "Lost",
     "NothingKept",
     "Part",
     "Portion",

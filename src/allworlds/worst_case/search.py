@@ -20,6 +20,7 @@ from allworlds.subjects import load
 from allworlds.work import (
     UNMERGEABLE,
     WHOLE,
+    Dask,
     Here,
     Portion,
     Shard,
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
 
 DEFAULT_EDGES = 5
 MOST_EDGES = 12
+DASK_BATCH = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,6 +172,7 @@ def worst(
     shard: tuple[int, int] | None = None,
     workers: int = 1,
     run: str | Path | None = None,
+    dask: str | None = None,
     listener: Listener | None = None,
 ) -> WorstReport:
     """The exact worst and best cost of Algorithm 1 over all worlds and all schedules.
@@ -181,6 +184,7 @@ def worst(
         shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0.
         workers: threads.
         run: a directory that keeps what is finished; the same search goes on from there.
+        dask: the address of a Dask scheduler, or ``local``: where the work is done.
         listener: is told of the progress.
 
     Raises:
@@ -203,8 +207,9 @@ def worst(
     engine = search.engine()
     if not engine.is_compiled():
         heard.notice(COMPILING)
-    with records_in(run, search.identity, heard.notice) as records, Threads(workers) as threads:
-        return search.report(threads, engine, records, heard)
+    transport = Threads(workers) if dask is None else Dask(dask, workers, batch=DASK_BATCH)
+    with records_in(run, search.identity, heard.notice) as records, transport as there:
+        return search.report(there, engine, records, heard)
 
 
 def merged_worst(identity: Identity, records: Records, listener: Listener) -> WorstReport:
