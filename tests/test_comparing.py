@@ -11,6 +11,7 @@ import pytest
 from allworlds import check, compare, run
 from allworlds.comparing import Comparison
 from allworlds.inputs import InputError
+from allworlds.isolation import Unsettled
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Estimate
 from allworlds.reports.compare_text import compare_csv, compare_text
@@ -131,7 +132,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
     from allworlds.comparing import _Contest
 
     begun = _Contest._level
-    for error, code in ((TimeIsUp(), 3), (KeyboardInterrupt(), 130)):
+    for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
         monkeypatch.setattr(_Contest, "_level", ends(error))
         report = compare("algorithm1", "greedy", edges=3, time_limit=1000)
         assert report.exit_code == code

@@ -24,7 +24,7 @@ DEFAULTS = {
     allworlds.replay: {"answer_timeout": 10.0},
     allworlds.mutants: {"edges": 4},
     allworlds.count: {"map_class": "maps"},
-    allworlds.worst: {"map_class": "maps", "transit": "simple", "workers": 1},
+    allworlds.worst: {"explore": "algorithm1", "map_class": "maps", "workers": 1},
     allworlds.worlds: {"map_class": "maps", "lighthouse": "directional", "places": "first"},
     allworlds.twins: {},
     allworlds.search: {"map_class": "maps", "motions": (), "percepts": ()},

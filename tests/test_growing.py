@@ -11,6 +11,7 @@ import pytest
 from allworlds import grow, run
 from allworlds.growing import GROWING, GrowRow, Growth, members_of
 from allworlds.inputs import InputError
+from allworlds.isolation import Unsettled
 from allworlds.maps.families import edges_of
 from allworlds.protocol import Estimate
 from allworlds.reports import file_of
@@ -93,7 +94,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_families(monkeypatch):
     from allworlds.growing import _Growth
 
     walked = _Growth._costs
-    for error, code in ((TimeIsUp(), 3), (KeyboardInterrupt(), 130)):
+    for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
 
         def costs(growth, one, maps, deadline, error=error):
             if growth.rows:

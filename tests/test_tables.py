@@ -159,6 +159,7 @@ def test_what_every_verb_says_is_recorded():
 # other words.  What a function takes alone: who listens, and values in place of their names.
 PRINTED = {"as_json", "quiet", "help", *FORMATS}
 ONLY_CLI = {
+    "worst": {"explorer", "command", "native"},
     "check": {"explorer", "command", "native"},
     "fuzz": {"explorer", "command", "native"},
     "run": {"arguments", "command", "native", "family", "holes", "seed"},
@@ -171,6 +172,7 @@ ONLY_CLI = {
     "grow": {"csv", "plot"},
 }
 ONLY_PYTHON = {
+    "worst": {"explore"},
     "check": {"explore"},
     "fuzz": {"explore"},
     "run": {"explore", "world"},

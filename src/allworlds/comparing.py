@@ -25,7 +25,7 @@ from allworlds.checker import (
 )
 from allworlds.findings import Finding, Rules
 from allworlds.inputs import InputError, show
-from allworlds.isolation import confirmed, subject_of, workers_for
+from allworlds.isolation import Unsettled, confirmed, subject_of, workers_for
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import SCHEMA, Exit, Verdict
@@ -321,6 +321,8 @@ class _Contest:
             self._levels()
         except TimeIsUp:
             stopped = f"the time limit of {self.limits.time_limit:g} s was reached"
+        except Unsettled as error:
+            stopped = str(error)
         except KeyboardInterrupt:
             interrupted = True
         return Comparison(

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Unpack
 from allworlds.checker import ManyRunsOptions, refuse_others, rules_for
 from allworlds.findings import Finding, Rules
 from allworlds.inputs import InputError, an_integer, show
-from allworlds.isolation import confirmed, subject_of, workers_for
+from allworlds.isolation import Unsettled, confirmed, subject_of, workers_for
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.families import edges_of
@@ -281,6 +281,8 @@ def grow(
         growth.run()
     except TimeIsUp:
         stopped = f"the time limit of {limits.time_limit:g} s was reached"
+    except Unsettled as error:
+        stopped = str(error)
     except KeyboardInterrupt:
         interrupted = True
     return Growth(

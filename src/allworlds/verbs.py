@@ -89,7 +89,7 @@ VERBS = (
         "worst_case:worst",
         "worst_text:worst_text",
         "worst",
-        "Algorithm 1 at its worst and best, over every schedule.",
+        "An explorer at its worst and best, over every schedule.",
     ),
     Verb(
         "compare",

@@ -160,6 +160,7 @@ DOCUMENTS = {
     "mutants": (whole("mutants"), lambda: mutants(edges=1).to_json()),
     "manifest": (whole("manifest"), manifest),
     "worst": (whole("worst"), lambda: worst(edges=2).to_json()),
+    "worst of another": (whole("worst"), lambda: worst("remembering", edges=2).to_json()),
     "worst of a shard": (whole("worst"), lambda: worst(edges=2, shard=(0, 2)).to_json()),
     "census of a shard": (
         whole("ambiguity-census"),

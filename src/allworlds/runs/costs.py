@@ -35,7 +35,7 @@ class RunCost(NamedTuple):
 
 @dataclass(slots=True)
 class CostTally(Tally):
-    """A tally that knows every run.
+    """A tally that knows every run; its document, which a run directory would keep, does not.
 
     Attributes:
         costs: by the rooted map, and the number of the lighthouse's place in it.
