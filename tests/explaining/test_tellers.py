@@ -56,7 +56,7 @@ def test_a_timeout_is_told(finding_of):
 
 def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
     law, step, text = told("pose-lost")
-    assert (law, step) == ("pose", 1)
+    assert (law, step) == ("pose", 2)
     # Two loops side by side, at dart 3; 'here' is dart 0, which the symmetry takes to dart 2.
     assert "stands at v0, dart 3; it believes to stand at dart 2 of the same vertex" in text
     assert "turned further by 1 of 4 darts clockwise" in text

@@ -39,6 +39,7 @@ from allworlds.isolation.saying import read
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.protocol import Percept
 from allworlds.runs import Examination, GivenWorlds, Record, Scope
+from allworlds.subjects import load
 from allworlds.work import Limits
 from allworlds.world import Directional, World
 

@@ -31,7 +31,7 @@ def test_a_wrong_answer_is_drawn_beside_the_world(name, width):
 def test_without_an_answer_only_the_world_is_drawn():
     text = explain_text(explanation_of("crashes-at-leaves"), 80)
     assert "the world" in text
-    assert "the answer (S" not in text
+    assert "the answer (R" not in text
 
 
 @pytest.mark.slow

@@ -173,6 +173,10 @@ class ExplainReport(Report):
     world: Annotated[World, "that of the finding"]
     robot: Annotated[Dart, "where the robot is at the end"]
     answer: Annotated[Rooted | None, "the wrong answer; null where the finding holds none"]
+    other: Annotated[
+        World | None,
+        "under the law `folding` another world that agrees with the log; else null",
+    ]
 
 
 MutantKind: TypeAlias = Literal["explorer", "judge", "enumerator"]

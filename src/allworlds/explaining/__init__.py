@@ -6,6 +6,10 @@
     **the** table of the laws, and what there is to tell of a run that breaks each of them;
 ``parting``
     the step where belief and truth part, and what the log leaves open, in sentences;
+``slips``
+    the one slip that makes a right answer a wrong one;
+``another``
+    another world that agrees with the log;
 ``story``
     the finding with its walk, and the same walk in a wrong answer: what tellers are told.
 """

@@ -31,6 +31,8 @@ class Explanation:
             part at none.
         robot: its dart at the end of the walk.
         answer: the wrong answer; None where the finding holds none.
+        other: another world in which the robot would have sensed the same, where that is what
+            is wrong; else None.
     """
 
     finding: Finding
@@ -38,6 +40,7 @@ class Explanation:
     step: int | None
     robot: Dart
     answer: Estimate | None
+    other: World | None = None
 
     @property
     def explorer(self) -> str:
@@ -71,6 +74,7 @@ class Explanation:
             "world": self.world.to_json(),
             "robot": self.robot,
             "answer": answer.to_json() if answer else None,
+            "other": self.other.to_json() if self.other else None,
         }
 
 
@@ -85,5 +89,10 @@ def explain(finding: Finding) -> Explanation:
     story = Story(finding)
     telling = teller_of(finding.law)(story)
     return Explanation(
-        finding, tuple(telling.sentences), telling.step, story.walked[-1], telling.answer
+        finding,
+        tuple(telling.sentences),
+        telling.step,
+        story.walked[-1],
+        telling.answer,
+        telling.other,
     )

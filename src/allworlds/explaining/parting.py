@@ -14,9 +14,7 @@ from allworlds.words import darts
 def tell_parting(belief: Belief) -> list[str]:
     """Where the walk and the same walk in the answer part, and how that could be sensed."""
     parting, misfits = belief.parting, belief.misfits
-    sentences = [
-        "Follow the log in the world and, traced back from 'here', in the answer.",
-    ]
+    sentences = ["Follow the log in the world and in the answer."]
     if parting is None:
         sentences.append(
             "They never part: the log fits the world and the answer, and the rest was guessed."

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
@@ -10,9 +10,7 @@ from typing import TypeAlias
 from allworlds.findings import (
     Finding,
     Parting,
-    believed_percepts,
-    believed_trail,
-    find_parting,
+    believed_walk,
     recorded_trail,
 )
 from allworlds.inputs import InputError, show
@@ -99,17 +97,13 @@ class Belief:
     def __init__(self, story: Story) -> None:
         self.story = story
         self.answer = _answer(story.finding.seen)
-        self.believed = believed_trail(self.answer.map, self.answer.here, story.transcript)
+        self._walk = believed_walk(story.world, self.answer, story.transcript)
+        self.believed = self._walk.trail
 
     @cached_property
-    def expected(self) -> list[Percept]:
+    def expected(self) -> Sequence[Percept]:
         """What the answer makes expect at each step, as far as that can be said."""
-        map_, here = self.answer.map, self.answer.here
-        percepts = believed_percepts(self.story.world, map_, here, self.story.transcript)
-        if percepts is not None:
-            return percepts
-        # There is no place for the marker; what is left are the degrees.
-        return [Percept(map_.degree_at[dart]) for dart in self.believed]
+        return self._walk.expected(self.answer.map)
 
     @cached_property
     def misfits(self) -> list[int]:
@@ -117,12 +111,10 @@ class Belief:
         pairs = zip(self.expected, self.story.sensed, strict=True)
         return [step for step, (expected, sensed) in enumerate(pairs) if expected != sensed]
 
-    @cached_property
+    @property
     def parting(self) -> Parting | None:
         """Where the walk and the same walk in the answer part; None if they never do."""
-        story = self.story
-        fits = [step not in self.misfits for step in range(len(story.walked))]
-        return find_parting(story.map, story.walked, self.answer.map, self.believed, fits)
+        return self._walk.parting
 
     @property
     def step(self) -> int | None:
@@ -147,11 +139,13 @@ class Telling:
         sentences: in plain words.
         step: the first step at which belief and truth part; None where they part at none.
         answer: the wrong answer; None where the law is not about the answer.
+        other: another world that agrees with the log; None where the law is not about that.
     """
 
     sentences: list[str]
     step: int | None = None
     answer: Estimate | None = None
+    other: World | None = None
 
 
 Teller: TypeAlias = Callable[[Story], Telling]

@@ -6,7 +6,9 @@
 
 from __future__ import annotations
 
+from allworlds.explaining.another import another_world
 from allworlds.explaining.parting import tell_open_darts, tell_parting
+from allworlds.explaining.slips import tell_slip
 from allworlds.explaining.story import Belief, Story, Teller, Telling
 from allworlds.inputs import InputError
 from allworlds.maps.canonical import carries, numbering
@@ -58,7 +60,8 @@ def tell_map(story: Story) -> Telling:
         f"The world has {_size(story.map)}; the answer has {_size(belief.answer.map)} and is "
         "another map."
     )
-    return Telling([sizes, *tell_parting(belief)], belief.step, belief.answer)
+    told = [*tell_slip(belief), sizes, *tell_parting(belief)]
+    return Telling(told, belief.step, belief.answer)
 
 
 def _size(map_: CombinatorialMap) -> str:
@@ -72,6 +75,7 @@ def tell_pose(story: Story) -> Telling:
     alike = len(images) - 1
     symmetry = f"The map is symmetric: {plural(alike, 'other dart')} would do as well."
     sentences = [
+        *tell_slip(belief),
         "The map is right, but the robot is not where the answer says.",
         _say_where(story, images),
         *([symmetry] if alike else []),
@@ -151,9 +155,16 @@ def _tell_checkpoint(broken: str, story: Story) -> list[str]:
 
 
 def tell_folding(story: Story) -> Telling:
-    """What the log leaves open."""
+    """What the log leaves open, and another world that agrees with it."""
     guessed = "The log does not determine the map, so the answer, right or not, was guessed."
-    return Telling([guessed, *tell_open_darts(story)])
+    other = another_world(story.world, story.transcript)
+    assert other is not None
+    there = (
+        f"Another world agrees with the log as well: one with "
+        f"{size(other.map.edge_count, other.map.vertex_count)}, in which the robot would have "
+        "sensed the same."
+    )
+    return Telling([guessed, there, *tell_open_darts(story)], other=other)
 
 
 def tell_bound(story: Story) -> Telling:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator, Sequence
 
 from allworlds.inputs import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
@@ -43,30 +44,37 @@ def recorded_trail(world: World, transcript: Transcript) -> list[Dart]:
     return [state.dart for state, _ in walk]
 
 
-def believed_trail(estimate: CombinatorialMap, here: Dart, transcript: Transcript) -> list[Dart]:
-    """The robot's dart in the estimated map at the start and after each step.
+def trail_to(map_: CombinatorialMap, here: Dart, transcript: Transcript) -> list[Dart]:
+    """The robot's dart at the start and after each step of the walk that ends at ``here``.
 
-    Motion is reversible: from ``here`` the walk is traced back to the dart where it must have
-    begun.
+    Motion is reversible: the walk is traced back to the dart where it must have begun.
     """
     trail = [here]
     for action in reversed(transcript.actions):
         dart = trail[-1]
         if type(action) is Move:
-            dart = estimate.turn(estimate.alpha[dart], -action.k)
+            dart = map_.turn(map_.alpha[dart], -action.k)
         trail.append(dart)
     trail.reverse()
     return trail
 
 
+def trail_from(map_: CombinatorialMap, start: Dart, transcript: Transcript) -> Iterator[Dart]:
+    """The same of the walk that begins at ``start``, dart by dart."""
+    yield (dart := start)
+    for action, _ in transcript.steps:
+        if type(action) is Move:
+            dart = map_.alpha[map_.turn(dart, action.k)]
+        yield dart
+
+
 def believed_percepts(
-    world: World, estimate: CombinatorialMap, here: Dart, transcript: Transcript
+    world: World, estimate: CombinatorialMap, trail: Sequence[Dart], transcript: Transcript
 ) -> list[Percept] | None:
-    """The percepts, first one included, of the same walk in the estimated map.
+    """The percepts, first one included, of a walk along these darts of the estimated map.
 
     The lighthouse stands where the robot must believe it; None where the answer has no such place.
     """
-    trail = believed_trail(estimate, here, transcript)
     walk = BelievedWalk(estimate, trail, transcript.percepts)
     lighthouse = world.lighthouse.believed(world.map, world.start, walk)
     if lighthouse is None:

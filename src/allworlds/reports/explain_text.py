@@ -6,7 +6,7 @@ from textwrap import wrap
 
 from allworlds.drawing import draw
 from allworlds.explaining import Explanation
-from allworlds.reports.scenes import ANSWER, walk_in_answer, walk_in_world
+from allworlds.reports.scenes import ANSWER, OTHER, walk_in_answer, walk_in_world
 
 
 def explain_text(explanation: Explanation, width: int) -> str:
@@ -19,4 +19,7 @@ def explain_text(explanation: Explanation, width: int) -> str:
     if explanation.answer:
         scene = walk_in_answer(world, explanation.answer, transcript)
         lines += ["", ANSWER, "", draw(scene, width)]
+    if explanation.other:
+        scene = walk_in_world(explanation.other, transcript)
+        lines += ["", OTHER, "", draw(scene, width)]
     return "\n".join(lines)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from textwrap import wrap
 
 from allworlds.checker import Replay, SingleRun
 from allworlds.drawing import draw
 from allworlds.episode import Answered, Fault, Undecided
-from allworlds.findings import Finding, believed_percepts, true_trail
+from allworlds.findings import Finding, believed_walk, true_trail
 from allworlds.protocol import Ambiguous, Estimate, Percept, Transcript
 from allworlds.reports.finding_words import (
     choices_words,
@@ -104,7 +104,7 @@ def _walk(world: World, transcript: Transcript, answer: Estimate | None) -> list
     sensed = transcript.percepts
     believed = None
     if answer is not None:
-        believed = believed_percepts(world, answer.map, answer.here, transcript)
+        believed = believed_walk(world, answer, transcript).percepts
     motions = ["start", *(str(action) for action in transcript.actions)]
     header = ["step", "motion", "arrives at", "sensed", "", "expected by the answer"]
     rows = []
@@ -122,7 +122,7 @@ def _walk(world: World, transcript: Transcript, answer: Estimate | None) -> list
     return ["the walk", "", *before, *lines]
 
 
-def _expected(i: int, percept: Percept, believed: list[Percept] | None) -> list[str]:
+def _expected(i: int, percept: Percept, believed: Sequence[Percept] | None) -> list[str]:
     if not believed:
         return ["", ""]
     return ["=" if believed[i] == percept else "≠", str(believed[i])]

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from allworlds.drawing import Scene, scene_of
-from allworlds.findings import believed_percepts, believed_trail, true_walk
+from allworlds.findings import believed_walk, true_walk
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Estimate, Move, Transcript
 from allworlds.world import World
 
-ANSWER = "the answer (S is traced back from R)"
+ANSWER = "the answer (R: where it says that the robot is)"
 """The caption of an answer."""
+
+OTHER = "another world, where the robot senses the same"
+"""The caption of another world that agrees with the log."""
 
 
 def walk_in_world(world: World, transcript: Transcript) -> Scene:
@@ -24,16 +27,15 @@ def walk_in_world(world: World, transcript: Transcript) -> Scene:
 
 
 def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Scene:
-    """The answer with what it makes expect on the walk, which is traced back from ``here``."""
-    trail = believed_trail(answer.map, answer.here, transcript)
+    """The answer with what it makes expect on the walk; the robot is where the answer says."""
+    walk = believed_walk(world, answer, transcript)
     # Where the answer has no place for the lighthouse it says nothing of markers.
-    expected = believed_percepts(world, answer.map, answer.here, transcript) or []
     return Scene.sensed(
         answer.map,
-        trail[0],
-        zip(trail, expected, strict=False),
+        walk.trail[0],
+        zip(walk.trail, walk.percepts or [], strict=False),
         robot=answer.here,
-        walked=_arrivals(trail, transcript),
+        walked=_arrivals(walk.trail, transcript),
     )
 
 

@@ -12,6 +12,7 @@ from allworlds.markup import tag
 from allworlds.reports.compare_text import compare_table, compare_words
 from allworlds.reports.html.findings import figure, finding_section, viewer
 from allworlds.reports.html.frame import counts, framed
+from allworlds.reports.html.walk import walk
 from allworlds.reports.scenes import walk_in_world
 from allworlds.words import plural
 
@@ -61,7 +62,7 @@ def _walk(told: SingleRun, name: str) -> ET.Element:
             f", {plural(told.outcome.cost, 'traversal')}",
             id=f"{name}-title",
         ),
-        viewer([picture], walked, None, None, name, f"The walk of {told.explorer}."),
+        viewer([picture], walk(walked, None, None, name), f"The walk of {told.explorer}."),
         class_="finding",
         id=name,
         aria_labelledby=f"{name}-title",

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from xml.etree import ElementTree as ET
 
 from allworlds.drawing import Scene, picture
-from allworlds.explaining import Belief, Story, Walked, explain
+from allworlds.explaining import Belief, Explanation, Story, explain
 from allworlds.findings import Finding
 from allworlds.markup import Child, record, tag
 from allworlds.reports.finding_words import (
@@ -18,7 +18,7 @@ from allworlds.reports.finding_words import (
     wrong,
 )
 from allworlds.reports.html.walk import walk
-from allworlds.reports.scenes import walk_in_answer, walk_in_world
+from allworlds.reports.scenes import OTHER, walk_in_answer, walk_in_world
 
 
 def finding_section(finding: Finding, number: int, origin: str = "") -> ET.Element:
@@ -30,7 +30,7 @@ def finding_section(finding: Finding, number: int, origin: str = "") -> ET.Eleme
         "section",
         tag("h2", f"Finding {number}: ", tag("bdi", headline(finding)), id=f"{name}-title"),
         tag("p", *_sentences(explanation.sentences), class_="story"),
-        _viewer(story, belief, explanation.step, name),
+        _viewer(story, belief, explanation, name),
         tag("dl", *_facts(finding, origin)),
         *_again(finding, name),
         record(finding.to_json(), class_="finding", id=f"{name}-json"),
@@ -46,26 +46,22 @@ def _sentences(sentences: tuple[str, ...]) -> Iterator[Child]:
         yield " "
 
 
-def _viewer(story: Story, belief: Belief | None, parting: int | None, name: str) -> ET.Element:
-    """The pictures of a finding and its walk."""
+def _viewer(story: Story, belief: Belief | None, told: Explanation, name: str) -> ET.Element:
+    """The pictures of a finding, and its walk."""
     world, transcript = story.world, story.transcript
     figures = [figure("The world", walk_in_world(world, transcript), f"{name}-world", "robot")]
     if belief:
         scene = walk_in_answer(world, belief.answer, transcript)
         figures.append(figure("The answer", scene, f"{name}-answer", "believed"))
+    if told.other:
+        scene = walk_in_world(told.other, transcript)
+        figures.append(figure(OTHER.capitalize(), scene, f"{name}-other", "believed"))
     title = f"The walk of finding {name.rpartition('-')[2]}."
-    return viewer(figures, story, belief, parting, name, title)
+    return viewer(figures, walk(story, belief, told, name), title)
 
 
-def viewer(
-    figures: Sequence[ET.Element],
-    walked: Walked,
-    belief: Belief | None,
-    parting: int | None,
-    name: str,
-    title: str,
-) -> ET.Element:
-    """Pictures and the walk along which keys step in all of them."""
+def viewer(figures: Sequence[ET.Element], steps: ET.Element, title: str) -> ET.Element:
+    """Pictures and a walk along which keys step in all of them."""
     keys = "Left and right arrow, Home and End step along the walk."
     return tag(
         "div",
@@ -81,7 +77,7 @@ def viewer(
             hidden="hidden",
         ),
         tag("p", keys, class_="keys", hidden="hidden"),
-        walk(walked, belief, parting, name),
+        steps,
         class_="viewer",
         role="group",
         tabindex="0",

@@ -4,17 +4,24 @@ from __future__ import annotations
 
 from xml.etree import ElementTree as ET
 
-from allworlds.explaining import Belief, Walked
+from allworlds.explaining import Belief, Explanation, Walked
+from allworlds.findings import true_trail
 from allworlds.markup import tag
 from allworlds.protocol import Move
 
 
-def walk(story: Walked, belief: Belief | None, parting: int | None, name: str) -> ET.Element:
-    """The list; ``parting`` is the step at which belief and truth part, if they do."""
-    steps = range(len(story.walked))
+def walk(story: Walked, belief: Belief | None, told: Explanation | None, name: str) -> ET.Element:
+    """The list, with the step at which belief and truth part, if they do."""
+    parting = told.step if told else None
+    items = [
+        _step(story, belief, i, f"{name}-step-{i}", i == parting) for i in range(len(story.walked))
+    ]
+    if told and told.other:
+        for item, dart in zip(items, true_trail(told.other, story.transcript), strict=True):
+            item.set("data-believed", str(dart))
     return tag(
         "ol",
-        *(_step(story, belief, i, f"{name}-step-{i}", i == parting) for i in steps),
+        *items,
         class_="walk compared" if belief else "walk",
         start="0",
         role="list",
