@@ -18,8 +18,11 @@ from allworlds.subjects import load
 COMPILE = """
 import allworlds
 
+from allworlds import kernel
+
 allworlds.worst(edges=1)
 allworlds.bench(edges=4, rounds=1)
+kernel.load_native()
 """
 
 settings.register_profile(

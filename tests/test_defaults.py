@@ -23,6 +23,7 @@ DEFAULTS = {
     allworlds.grow: {"to": 400, "worlds": 3, "seed": 1},
     allworlds.replay: {"answer_timeout": 10.0},
     allworlds.mutants: {"edges": 4},
+    allworlds.optimum: {"edges": 3},
     allworlds.count: {"map_class": "maps"},
     allworlds.worst: {"explore": "algorithm1", "map_class": "maps", "workers": 1},
     allworlds.worlds: {"map_class": "maps", "lighthouse": "directional", "places": "first"},

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from allworlds.growing import grow
     from allworlds.joining import merge, status
     from allworlds.libraries import native
+    from allworlds.minimax import optimum
     from allworlds.mutation import mutants
     from allworlds.smt import search
     from allworlds.worst_case import worst
@@ -71,6 +72,7 @@ __all__ = [
     "merge",
     "mutants",
     "native",
+    "optimum",
     "replay",
     "run",
     "search",

@@ -141,6 +141,13 @@ VERBS = (
         "This program and others side by side.",
     ),
     Verb(
+        "optimum",
+        "minimax:optimum",
+        "optimum_text:optimum_text",
+        "optimum",
+        "The best that any explorer can do in the worst world, by minimax.",
+    ),
+    Verb(
         "native",
         "libraries:native",
         "native_text:native_text",

@@ -7,13 +7,12 @@ import pytest
 from allworlds import check, kernel
 from allworlds.checker import compiled, questions
 from allworlds.checker.agreement import AGREED, compare_engines
-from allworlds.checker.engines import EnginesDisagree
 from allworlds.findings import Rules
 from allworlds.kernel import tables
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.enumeration import prefixes
 from allworlds.outcome import Verdict
-from allworlds.runs import Scope
+from allworlds.runs import EnginesDisagree, Scope
 from allworlds.subjects import load
 from allworlds.work import Limits
 

@@ -20,7 +20,7 @@ from allworlds.libraries.library import CAction, CPercept
 from allworlds.protocol import KINDS, Choices, ExplorerFault, Percept, Schedules
 from allworlds.subjects import load
 from allworlds.world import Directional, World
-from native_libraries import EXAMPLES, attack, example
+from native_libraries import ATTACKS, EXAMPLES, attack, example
 from processes import PATIENCE, SOON
 
 EDGE = World(small.EDGE, Directional(0))
@@ -115,29 +115,6 @@ def test_it_is_told_what_the_lighthouse_tells():
 
 
 # ---------------------------------------------------------------- what it may do to its process
-
-ATTACKS = {
-    "raise(SIGSEGV)": ("crash", "signal 11"),
-    "abort()": ("crash", "signal 6"),
-    "exit(0)": ("crash", "exit code 0"),
-    "for (;;) pause()": ("timeout", "silent for"),
-    "grow()": ("crash", "signal 11"),
-    "count = 1000000": ("no-estimate", "1000000 darts"),
-    "count = -1": ("no-estimate", "-1 darts"),
-    "count = 3": ("no-estimate", "no map"),
-    "here_is = 2": ("no-estimate", "here = 2"),
-    "memset(action + 1, 1, 1 << 13)": ("crash", "signal 11"),
-    "*far_away() = 1": ("crash", "signal 11"),
-    "in_another_thread(wait_for_ever, 0)": ("crash", "left behind"),
-    "kind = 0": ("illegal-action", "kind 0"),
-    "kind = 77": ("illegal-action", "kind 77"),
-    "kind = ALLWORLDS_DROP": ("illegal-action", "Drop"),
-    "kind = ALLWORLDS_CHECKPOINT; count = 1 << 20": ("illegal-action", "1048576 darts"),
-    "here_is = episodes % 2": ("nondeterministic", "the second answer differs"),
-    "if (fork() == 0) for (;;) pause()": ("", ""),
-    "in_another_thread(do_nothing, 1)": ("", ""),
-}
-"""What is done in the edge, and the law that it breaks there."""
 
 
 @pytest.mark.parametrize("code", ATTACKS)

@@ -23,6 +23,7 @@ from allworlds.growing import grow
 from allworlds.joining import merge, status
 from allworlds.libraries import native
 from allworlds.maps import named_map
+from allworlds.minimax import optimum
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.smt import search
@@ -114,6 +115,7 @@ DOCUMENTS = {
             "count": lambda: count(edges=2),
             "worst": lambda: worst(edges=2),
             "mutants": lambda: mutants(edges=1),
+            "optimum": lambda: optimum(edges=1),
             "bench": lambda: bench(edges=4, rounds=1),
             "ambiguity-census": lambda: census(edges=2),
         }.items()
@@ -158,6 +160,11 @@ DOCUMENTS = {
         lambda: replay(finding_of("mirror-image"), WRONG["mirror-image"].explorer()).to_json(),
     ),
     "mutants": (whole("mutants"), lambda: mutants(edges=1).to_json()),
+    "optimum": (whole("optimum"), lambda: optimum(edges=2).to_json()),
+    "optimum not found": (
+        whole("optimum"),
+        lambda: optimum(edges=3, time_limit=1e-9).to_json(),
+    ),
     "manifest": (whole("manifest"), manifest),
     "worst": (whole("worst"), lambda: worst(edges=2).to_json()),
     "worst of another": (whole("worst"), lambda: worst("remembering", edges=2).to_json()),

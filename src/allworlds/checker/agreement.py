@@ -14,14 +14,21 @@ from itertools import zip_longest
 from typing import TypeAlias
 
 from allworlds import kernel
-from allworlds.checker.engines import EnginesDisagree
 from allworlds.checker.questions import level_of, walks
 from allworlds.isolation import Workers
 from allworlds.kernel import Listed, walk_number
 from allworlds.maps.canonical import Code, rooted_code
 from allworlds.maps.enumeration import prefixes
 from allworlds.protocol import Move, Transcript
-from allworlds.runs import Examiner, NumberedRun, Scope, Unit, Worlds, numbered_runs
+from allworlds.runs import (
+    EnginesDisagree,
+    Examiner,
+    NumberedRun,
+    Scope,
+    Unit,
+    Worlds,
+    numbered_runs,
+)
 from allworlds.subjects import Subject
 from allworlds.work import Limits, Whole, cells_of_level
 from allworlds.world import World

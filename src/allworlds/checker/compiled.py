@@ -18,10 +18,10 @@ from typing import Any, Self
 
 from allworlds import kernel
 from allworlds.checker.agreement import AGREEMENT_EDGES, compare_engines
-from allworlds.checker.engines import EnginesDisagree, Job
+from allworlds.checker.engines import Job
 from allworlds.checker.questions import WALKED_FROM, level_of, walks
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.runs import Examiner, Row, Scope, Tally, Unit
+from allworlds.runs import EnginesDisagree, Examiner, Row, Scope, Tally, Unit
 from allworlds.subjects import Subject
 from allworlds.world import World
 
@@ -78,27 +78,7 @@ class CompiledExamination:
         yield self._tally(unit, does(level, unit.prefix, keep=self.keep, halt=self.flag))
 
     def _tally(self, unit: Unit, rows: kernel.Rows) -> Tally:
-        tally = Tally(self.keep)
-        for counts in rows.counts:
-            row = tally.row(unit.edges, counts.vertices)
-            row.add(
-                Row(
-                    counts.worlds,
-                    counts.runs,
-                    counts.runs,
-                    counts.traversals,
-                    counts.traversals_rooted,
-                    counts.largest,
-                )
-            )
-            tally.checkpoints += counts.checkpoints
-            tally.left_out += counts.left_out
-            tally.witnesses["loop-edge"] += counts.loops
-            tally.witnesses["parallel-edge"] += counts.parallels
-        for n, d0, largest in rows.met:
-            # Where a run has a bound without a value, this says so.
-            bound = self.scope.rules.the_bound.value(n, unit.edges, d0, largest)
-            tally.row(unit.edges, n).bound_of(bound)
+        tally = tally_of(rows, unit, self.scope, self.keep)
         tally.witnesses.update(rows.events)
         tally.witnesses = +tally.witnesses
         for broken in rows.broken:
@@ -126,3 +106,29 @@ class CompiledExamination:
                     f"alpha={list(map_.alpha)} place={place}"
                 )
             tally.find(examiner.finding(world, place, outcome))
+
+
+def tally_of(rows: kernel.Rows, unit: Unit, scope: Scope, keep: int) -> Tally:
+    """What the kernel has counted, but for the events and the findings."""
+    tally = Tally(keep)
+    for counts in rows.counts:
+        row = tally.row(unit.edges, counts.vertices)
+        row.add(
+            Row(
+                counts.worlds,
+                counts.runs,
+                counts.runs,
+                counts.traversals,
+                counts.traversals_rooted,
+                counts.largest,
+            )
+        )
+        tally.checkpoints += counts.checkpoints
+        tally.left_out += counts.left_out
+        tally.witnesses["loop-edge"] += counts.loops
+        tally.witnesses["parallel-edge"] += counts.parallels
+    for n, d0, largest in rows.met:
+        # Where a run has a bound without a value, this says so.
+        bound = scope.rules.the_bound.value(n, unit.edges, d0, largest)
+        tally.row(unit.edges, n).bound_of(bound)
+    return tally

@@ -10,12 +10,8 @@ from typing import Any, Protocol
 from allworlds.inputs import InputError, show
 from allworlds.isolation import in_any_order, workers_for
 from allworlds.runs import Examination, Scope
-from allworlds.subjects import Subject, content_digest, not_alike, with_content
+from allworlds.subjects import NATIVE, Subject, content_digest, not_alike, with_content
 from allworlds.work import Dask, Limits, Threads, Transport
-
-
-class EnginesDisagree(Exception):
-    """Two engines say different things about one world."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +85,7 @@ class General:
 
 
 class Compiled:
-    """The built-in explorers and the judge in compiled code, in threads."""
+    """The judge in compiled code: built-in explorers in threads, native ones in processes."""
 
     name = "kernel"
 
@@ -102,15 +98,26 @@ class Compiled:
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """The first option that it does not know."""
-        if subject.foreign:
+        if subject.foreign and not subject.name.startswith(NATIVE):
             # Said before the kernel is loaded, which takes half a second.
-            return f"runs only built-in explorers, not {show(subject.name)}"
+            return f"runs only built-in explorers and shared libraries, not {show(subject.name)}"
         from allworlds.checker.questions import obstacle
 
         return obstacle(scope, subject)
 
     def ready(self, job: Job) -> Way:
-        """Threads, after both engines have agreed on every small world."""
+        """Threads, after both engines have agreed on every small world.
+
+        For a native explorer processes, as its code is foreign: there both agree as they go.
+        """
+        if job.subject.foreign:
+            from allworlds.checker.native import NativeExamination
+
+            apart = NativeExamination(job.scope, job.keep)
+            if job.dask is not None:
+                return Way(_cluster(job, job.dask), apart)
+            apart.compiled(job)
+            return Way(workers_for(job.subject, job.limits, job.deadline), apart)
         from allworlds.checker.compiled import BATCH, CompiledExamination
 
         engine = CompiledExamination.ready(job)
@@ -144,6 +151,14 @@ def _cluster(job: Job, scheduler: str) -> Dask:
 
 ENGINES: dict[str, Engine] = {engine.name: engine for engine in (General(), Compiled())}
 """Every engine by its name."""
+
+
+def why_not_compiled(scope: Scope, subject: Subject) -> str:
+    """Why a native explorer is not judged in compiled code, in a large check; else empty."""
+    if not subject.name.startswith(NATIVE) or scope.extent.levels[-1] < COMPILED_FROM:
+        return ""
+    obstacle = ENGINES["kernel"].obstacle(scope, subject)
+    return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""
 
 
 COMPILED_FROM = 5

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Unpack
 
 from allworlds.checker.corpus import UserCorpus
-from allworlds.checker.engines import Engine, EnginesDisagree, Job, Way, engine_for
+from allworlds.checker.engines import Engine, Job, Way, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
 from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
 from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
@@ -30,6 +30,7 @@ from allworlds.progress import Listener, Silent
 from allworlds.runs import (
     DEFAULT_EDGES,
     LOST,
+    EnginesDisagree,
     Scope,
     Tally,
     a_schedule,
@@ -110,6 +111,8 @@ def check(
             "one would change what the other keeps; give one of them"
         )
     listener = listener or Silent()
+    if engine == "auto" and (why := why_not_compiled(scope, subject)):
+        listener.notice(why)
     if run is None and not scope.whole:
         listener.notice(UNMERGEABLE)
     job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice, dask)

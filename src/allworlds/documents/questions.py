@@ -20,7 +20,7 @@ from allworlds.documents.words import (
     Version,
     code,
 )
-from allworlds.documents.worlds import Percept, World
+from allworlds.documents.worlds import Percept, Rooted, World
 from allworlds.outcome import Exit
 
 
@@ -281,3 +281,56 @@ class Manifest(TypedDict):
 
     schema: Version
     entries: Annotated[list[Entry], "what is kept, in the order in which it is told"]
+
+
+class Branch(TypedDict):
+    """What to do after a percept."""
+
+    percept: Annotated[Percept, "what is sensed"]
+    node: Annotated[Natural, "the node to go on with, by its place in `nodes`"]
+
+
+class StrategyStep(TypedDict):
+    """A node of a strategy: a motion."""
+
+    move: Annotated[Natural, "by how many darts clockwise the robot turns before it leaves"]
+    then: Annotated[list[Branch], Some, "where to go on"]
+
+
+class StrategyLeaf(TypedDict):
+    """A node of a strategy: the end."""
+
+    answer: Annotated[Rooted, "the map, and the robot's dart in it"]
+
+
+class Strategy(TypedDict):
+    """A strategy."""
+
+    start: Annotated[list[Branch], Some, "where to begin after the first percept"]
+    nodes: Annotated[list[StrategyStep | StrategyLeaf], Some, "what to do"]
+
+
+class OptimumRow(TypedDict):
+    """The worlds with one number of edges, which the explorer knows."""
+
+    edges: Positive
+    runs: Annotated[Positive, "worlds with every bearing"]
+    optimum: Annotated[
+        Natural | None,
+        "the fewest traversals that are enough in every world; null: the time was up",
+    ]
+    at_least: Annotated[Natural, "no explorer needs less in its worst world"]
+    replayed: Annotated[
+        Natural | None,
+        "what the strategy costs at its worst, followed in every world; null: there is none, or "
+        "it is wrong",
+    ]
+    states: Annotated[Natural, "how many states of knowledge were looked into"]
+    explorers: Annotated[dict[str, Natural], "the worst cost of each built-in explorer"]
+    strategy: Annotated[Strategy | None, "one that attains the optimum"]
+
+
+class OptimumReport(InRows):
+    """Report of 'optimum'."""
+
+    rows: Annotated[list[OptimumRow], "by the number of edges"]

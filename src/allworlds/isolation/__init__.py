@@ -12,6 +12,8 @@ The **guardian** forks them all, and ends them, and all that they have started.
     the process with the foreign code in it, and its referee's side;
 ``referee``, ``workers``
     the process that judges units, and its owner's side: the transport;
+``stretches``
+    many runs of a native explorer at a time, in memory that is shared;
 ``confirm``
     single runs, and findings once more in fresh processes;
 ``looking``
@@ -21,15 +23,21 @@ The **guardian** forks them all, and ends them, and all that they have started.
 from allworlds.isolation.confirm import confirmed, examine_apart
 from allworlds.isolation.jobs import HarnessError
 from allworlds.isolation.looking import subject_of
-from allworlds.isolation.players import Unsettled
+from allworlds.isolation.players import Cast, PlaysApart, Unsettled
+from allworlds.isolation.process import guardian
+from allworlds.isolation.stretches import Shared
 from allworlds.isolation.workers import Workers, in_any_order, workers_for
 
 __all__ = [
+    "Cast",
     "HarnessError",
+    "PlaysApart",
+    "Shared",
     "Unsettled",
     "Workers",
     "confirmed",
     "examine_apart",
+    "guardian",
     "in_any_order",
     "subject_of",
     "workers_for",

@@ -22,6 +22,7 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from selectors import EVENT_READ, DefaultSelector
 from typing import Any, NoReturn
@@ -71,7 +72,19 @@ class Ask:
     pid: int
 
 
-Request = Spawn | End | Ask
+@dataclass(frozen=True, slots=True)
+class Prepare:
+    """Call a function without arguments: all that are forked later share what it loads.
+
+    Attributes:
+        module, function: where it is, and its name; one of ours.
+    """
+
+    module: str
+    function: str
+
+
+Request = Spawn | End | Ask | Prepare
 Answer = int | None
 """A process's number to :class:`Spawn`; to :class:`Ask` its exit code (minus the signal), or None
 while it goes on."""
@@ -127,6 +140,7 @@ class _Guardian:
         self._owned: dict[socket.socket, set[int]] = {owner: set()}
         self._control: dict[int, socket.socket] = {}
         self._ended: dict[int, int] = {}
+        self._prepared: set[Prepare] = set()
 
     def run(self) -> NoReturn:
         """Serve until the owner is gone; then end everything."""
@@ -180,6 +194,15 @@ class _Guardian:
             case Ask(pid):
                 self._reap()
                 return self._ended.get(pid)
+            case Prepare():
+                self._prepare(request)
+                return None
+
+    def _prepare(self, request: Prepare) -> None:
+        if request not in self._prepared:
+            getattr(import_module(request.module), request.function)()
+            self._prepared.add(request)
+            gc.freeze()
 
     def _spawn(self, request: Spawn, descriptors: list[int]) -> int:
         ours, theirs = socket.socketpair()

@@ -84,6 +84,34 @@ class PlayRecords:
 
 
 @dataclass(frozen=True, slots=True)
+class PlayStretch:
+    """Play many runs of a native explorer in compiled code; answered by :class:`Stretched`.
+
+    Attributes:
+        memory: a file that both sides see, laid out by the kernel.
+        edges: of each world.
+        runs: how many.
+        order: seed of the order in which they are played.
+        policy: answers the explorer's choices.
+        again: against the percepts that stand there, and not in worlds.
+    """
+
+    memory: str
+    edges: int
+    runs: int
+    order: int
+    policy: str
+    again: bool
+
+
+class Stretched(NamedTuple):
+    """The number of bytes of the logs (-1: there was no room), and of threads left behind."""
+
+    size: int
+    threads: int
+
+
+@dataclass(frozen=True, slots=True)
 class Trace:
     """Play one world and tell every step at once, because the process may not survive it.
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, MutableSequence, Sequence
 from contextlib import suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from allworlds.episode import Fault, Log, perform
 from allworlds.inputs import InputError
@@ -23,6 +23,8 @@ from allworlds.isolation.jobs import (
     Played,
     PlayRecords,
     PlayRuns,
+    PlayStretch,
+    Stretched,
     Told,
     Trace,
 )
@@ -32,6 +34,9 @@ from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number
 from allworlds.runs import Stagehand, name_run
 from allworlds.subjects import Subject, load
 from allworlds.world import State, World
+
+if TYPE_CHECKING:
+    from allworlds.isolation.stretches import Actor
 
 T = TypeVar("T")
 
@@ -47,7 +52,7 @@ TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 LOOK = 0.002
 """Seconds between two looks at timers and pipe: each costs as much as a short run."""
 
-Job = PlayRuns | PlayRecords | Trace
+Job = PlayRuns | PlayRecords | PlayStretch | Trace
 """Everything that a player can be asked to do after its casting."""
 
 
@@ -58,6 +63,7 @@ class Player:
         self._connection = connection
         self._beat = beat
         self._pid = os.getpid()
+        self._actor: Actor | None = None
         self._look_at = 0.0
 
     def run(self) -> None:
@@ -99,8 +105,20 @@ class Player:
                 self._play(stagehand, job)
             case PlayRecords(records, policy, order):
                 self._say(stagehand.again(records, policy, order))
+            case PlayStretch():
+                self._say(self._stretch(subject, job))
             case Trace():
                 self._trace(subject, job)
+
+    def _stretch(self, subject: Subject, job: PlayStretch) -> Stretched:
+        from allworlds.isolation.stretches import Actor
+
+        if self._actor is None:
+            assert subject.native is not None
+            self._actor = Actor(subject.native, self._beat)
+        stretched = self._actor.play(job)
+        self._intact()
+        return stretched
 
     def _play(self, stagehand: Stagehand, job: PlayRuns) -> None:
         logs: list[tuple[int, Log]] = []

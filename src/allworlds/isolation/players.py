@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Generator, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from random import Random
+from typing import Protocol, runtime_checkable
 
 from allworlds.episode import Fault, Log, LostRun
 from allworlds.inputs import InputError, show
@@ -17,9 +18,11 @@ from allworlds.isolation.jobs import (
     Played,
     PlayRecords,
     PlayRuns,
+    PlayStretch,
+    Stretched,
 )
 from allworlds.isolation.process import GRACE, NO_RUN, Garbled, Guardian, Process, close_all
-from allworlds.runs import Examination, Record, Worlds
+from allworlds.runs import Earlier, Examination, InParts, Record, Worlds
 from allworlds.subjects import EXEC
 from allworlds.work import POLL
 
@@ -241,6 +244,20 @@ class Cast:
             return interfered
         return None
 
+    def stretch(self, which: str, job: PlayStretch) -> Stretched | None:
+        """What the first or the second player says of a stretch; None if it was lost over it."""
+        try:
+            player = self._player(which)
+            player.send(job)
+            said = hear(player, self.casting, self.alive)
+        except (Lost, HarnessError):
+            self._dismiss(which)
+            return None
+        if isinstance(said, Stretched):
+            return said
+        self._dismiss(which)
+        return None
+
     def ask_again(self, records: Sequence[Record], policy: str) -> None:
         """Begin to play these once more."""
         self._asked = PlayRecords(tuple(records), policy, self.random.getrandbits(64))
@@ -302,3 +319,11 @@ class Cast:
         process = self._processes.pop(which, None)
         if process is not None:
             process.close()
+
+
+@runtime_checkable
+class PlaysApart(Protocol):
+    """What is done with a unit by means of its own, where the explorer is foreign."""
+
+    def foreign(self, explorer: str, cast: Cast, earlier: Earlier) -> InParts:
+        """It, with an explorer of that name in these two processes."""

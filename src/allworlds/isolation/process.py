@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from allworlds.inputs import InputError
-from allworlds.isolation.guardian import ASKING, Ask, End, Request, Spawn, receive, send
+from allworlds.isolation.guardian import ASKING, Ask, End, Prepare, Request, Spawn, receive, send
 from allworlds.isolation.jobs import HarnessError
 from allworlds.isolation.saying import read
 
@@ -75,6 +75,10 @@ class Guardian:
     def exit_code(self, pid: int) -> int | None:
         """How a process has ended; None while it goes on."""
         return self._ask(Ask(pid), [])
+
+    def prepare(self, module: str, function: str) -> None:
+        """Have it call one of our functions, so that all later processes share what that loads."""
+        self._ask(Prepare(module, function), [])
 
     def close(self) -> None:
         """Let it go, which ends everything that it has started."""

@@ -15,9 +15,16 @@ from allworlds.isolation.jobs import (
     Tallied,
     UnitJob,
 )
-from allworlds.isolation.players import Cast, Unsettled
+from allworlds.isolation.players import Cast, PlaysApart, Unsettled
 from allworlds.isolation.process import Guardian, limit_memory
-from allworlds.runs import Earlier, Examination, Examines, InParts, PlayedTwice
+from allworlds.runs import (
+    Earlier,
+    EnginesDisagree,
+    Examination,
+    Examines,
+    InParts,
+    PlayedTwice,
+)
 from allworlds.subjects import built_in
 from allworlds.work import with_last
 
@@ -70,8 +77,10 @@ class RefereeProcess:
         subject = appointment.subject
         if not subject.foreign:
             return examination.own(built_in(subject.name), self._beat)
-        assert isinstance(examination, Examination)
-        return PlayedTwice(examination, subject.name, cast, self._earlier)
+        if isinstance(examination, Examination):
+            return PlayedTwice(examination, subject.name, cast, self._earlier)
+        assert isinstance(examination, PlaysApart)
+        return examination.foreign(subject.name, cast, self._earlier)
 
     def _examine(self, engine: InParts, job: UnitJob) -> None:
         try:
@@ -81,7 +90,7 @@ class RefereeProcess:
                     result.remark(remark)
                 self._remarks.clear()
                 self._connection.send(Tallied(next_run, result, last))
-        except (InputError, Unsettled) as error:
+        except (InputError, Unsettled, EnginesDisagree) as error:
             self._connection.send(error)
         except OSError:
             raise

@@ -13,10 +13,10 @@ from typing import Any, NoReturn, TypeAlias, assert_never
 
 from allworlds.episode import ADAPTERS_LAWS, Fault, Log, Said, SaidAmbiguous
 from allworlds.inputs import InputError, are_plain
-from allworlds.isolation.jobs import Described, HarnessError, Played, Told
+from allworlds.isolation.jobs import Described, HarnessError, Played, Stretched, Told
 from allworlds.protocol import Percept
 
-Message: TypeAlias = Described | Played | list[Log] | Told | InputError | HarnessError
+Message: TypeAlias = Described | Played | Stretched | list[Log] | Told | InputError | HarnessError
 """Everything that a player can say."""
 
 _LAWS = (*ADAPTERS_LAWS, "budget")
@@ -52,6 +52,8 @@ def _words(message: Message) -> tuple[Any, ...]:
             return "described", sorted(keywords), digest
         case Played(logs, done):
             return "played", [(number, _of_log(log)) for number, log in logs], done
+        case Stretched(size, threads):
+            return "stretched", size, threads
         case list():
             return "again", [_of_log(log) for log in message]
         case Told((action, Percept(degree, marks, bearing))):
@@ -74,6 +76,8 @@ def _message(kind: str, *parts: Any) -> Message:
             return Played(
                 [(_integer(number), _log(*log)) for number, log in logs], [*_integers((*done,))]
             )
+        case "stretched", size, threads:
+            return Stretched(_integer(size), _integer(threads))
         case "again", logs:
             return [_log(*log) for log in logs]
         case "step", action, degree, marks, bearing:

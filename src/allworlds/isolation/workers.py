@@ -14,7 +14,15 @@ from typing import Any, Self
 from allworlds.isolation.jobs import Appointment, Tallied, UnitJob
 from allworlds.isolation.players import Unsettled
 from allworlds.isolation.process import Guardian, Process, close_all, guardian
-from allworlds.runs import Examination, Examines, PlayedTwice, PlayersHere, Tally, Worlds
+from allworlds.runs import (
+    EnginesDisagree,
+    Examination,
+    Examines,
+    PlayedTwice,
+    PlayersHere,
+    Tally,
+    Worlds,
+)
 from allworlds.subjects import Subject
 from allworlds.work import POLL, Limits, Part, Transport, check_deadline, with_last
 
@@ -72,6 +80,7 @@ class Workers:
             TimeIsUp: when the time limit has been reached.
             InputError: if the explorer cannot be loaded in a player.
             Unsettled: if processes are lost again and again.
+            EnginesDisagree: if two engines do, over a native explorer.
         """
         # An explorer that counts its runs is not to know of which unit they are.
         order = in_any_order(units) if self.subject.foreign else units
@@ -112,7 +121,7 @@ class Workers:
             told = referee.receive()
         except EOFError:
             return self._replace(referee, engine, referee.death()[0])
-        if isinstance(told, Unsettled):
+        if isinstance(told, Unsettled | EnginesDisagree):
             raise told
         assert isinstance(told, Tallied)
         task.start = told.next_run

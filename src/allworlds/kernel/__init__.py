@@ -11,6 +11,8 @@ lock only to start and to end, so that threads share the work.
     what is judged: maps, finished one after the other, as worlds with every lighthouse;
 ``algorithm1``, ``two_vertices``
     explorers, each behind the C interface of all explorers;
+``native``, ``batches``
+    explorers in shared libraries, played in processes of their own, many runs at a time;
 ``walk``, ``ways``, ``tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``dearest``
@@ -26,6 +28,16 @@ This package is imported where it is used: the first use compiles for some secon
 load what was compiled.
 """
 
+from allworlds.kernel.batches import (
+    LONGEST_STRETCH,
+    MOST_EARLIER,
+    Actors,
+    Kept,
+    Laid,
+    Stretch,
+    UnitJudge,
+    load_native,
+)
 from allworlds.kernel.compiling import is_compiled
 from allworlds.kernel.dearest import Dearest, dearest_of_unit
 from allworlds.kernel.engine import (
@@ -43,6 +55,7 @@ from allworlds.kernel.engine import (
     walk,
 )
 from allworlds.kernel.laws import CHECKED
+from allworlds.kernel.native import play_worlds
 from allworlds.kernel.rows import Bounds, Broken, Counts, Level, Listed, Rows, walk_number
 from allworlds.kernel.runs import examine
 from allworlds.kernel.schedules import search
@@ -54,17 +67,24 @@ __all__ = [
     "COMPILING",
     "EXPLORERS",
     "LIGHTHOUSES",
+    "LONGEST_STRETCH",
     "MOST_BUDGET",
+    "MOST_EARLIER",
     "MOST_EDGES",
     "UNDEFINED",
+    "Actors",
     "Bounds",
     "Broken",
     "Counts",
     "Dearest",
+    "Kept",
+    "Laid",
     "Level",
     "Listed",
     "Rows",
+    "Stretch",
     "Tables",
+    "UnitJudge",
     "by_vertices_and_faces",
     "compile_apart",
     "costs",
@@ -75,6 +95,8 @@ __all__ = [
     "is_compiled",
     "judge",
     "load_judge",
+    "load_native",
+    "play_worlds",
     "search",
     "tables",
     "walk",

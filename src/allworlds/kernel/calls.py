@@ -1,7 +1,7 @@
 """Calling the C functions of an explorer by their addresses, from compiled code.
 
-Arguments are pointers (a record, or an address as an integer) and 32-bit integers, and nothing
-is returned: that is called alike on every platform.
+Arguments are pointers (a record, or an address as an integer) and 32-bit integers, and nothing or
+a 32-bit integer is returned: that is called alike on every platform.
 """
 
 from __future__ import annotations
@@ -40,6 +40,17 @@ def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> 
     return context.get_dummy_value()
 
 
+def _ask(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> Any:
+    """The same of a function that returns a 32-bit integer."""
+    address, *values = values
+    lowered = [
+        _lowered(builder, kind, value)
+        for kind, value in zip(signature.args[1:], values, strict=True)
+    ]
+    shape = ir.FunctionType(ir.IntType(32), [value.type for value in lowered])
+    return builder.call(builder.inttoptr(address, shape.as_pointer()), lowered)
+
+
 @intrinsic
 def call_with(_context, address, record):
     """``function(&record)``."""
@@ -65,6 +76,18 @@ def call_answer(_context, address, state, answer):
 
 
 @intrinsic
+def call_choose(_context, address, state, pick, context):
+    """``choose(state, pick, context)``."""
+    return types.void(address, state, pick, context), _call
+
+
+@intrinsic
+def ask_answer(_context, address, state, capacity, sigma, alpha, here):
+    """``answer(state, capacity, sigma, alpha, &here)``, the number of darts."""
+    return types.int32(address, state, capacity, sigma, alpha, here), _ask
+
+
+@intrinsic
 def entry_of(_context, address, index):
     """The 32-bit integer number ``index`` of the array at the address."""
 
@@ -74,6 +97,44 @@ def entry_of(_context, address, index):
         return builder.sext(builder.load(builder.gep(start, [values[1]])), ir.IntType(64))
 
     return types.int64(types.int64, types.int64), generate
+
+
+@intrinsic
+def byte_of(_context, address, index):
+    """The byte number ``index`` of what begins at the address."""
+
+    def generate(_target, builder, _signature, values):
+        start = builder.inttoptr(values[0], _POINTER)
+        return builder.zext(builder.load(builder.gep(start, [values[1]])), ir.IntType(64))
+
+    return types.int64(types.int64, types.int64), generate
+
+
+@intrinsic
+def put_byte(_context, address, index, value):
+    """Makes it the byte number ``index`` of what begins at the address."""
+
+    def generate(target, builder, _signature, values):
+        start = builder.inttoptr(values[0], _POINTER)
+        byte = builder.trunc(values[2], ir.IntType(8))
+        builder.store(byte, builder.gep(start, [values[1]]))
+        return target.get_dummy_value()
+
+    return types.void(types.int64, types.int64, types.int64), generate
+
+
+@intrinsic
+def put_entry(_context, address, index, value):
+    """Makes it the 32-bit integer number ``index`` of the array at the address."""
+
+    def generate(target, builder, _signature, values):
+        integer = ir.IntType(32)
+        start = builder.inttoptr(values[0], integer.as_pointer())
+        entry = builder.trunc(values[2], integer)
+        builder.store(entry, builder.gep(start, [values[1]]))
+        return target.get_dummy_value()
+
+    return types.void(types.int64, types.int64, types.int64), generate
 
 
 @intrinsic

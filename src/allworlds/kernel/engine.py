@@ -10,6 +10,7 @@ import json
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from threading import local
 from typing import Any
 
@@ -28,6 +29,9 @@ from allworlds.kernel.records import COUNTING, JOB, LONG, ROBOT, WALK, new
 from allworlds.kernel.rows import Broken, Counts, Level, Listed, Rows
 from allworlds.kernel.tables import MOST_EDGES, gluing_rule, packed
 from allworlds.kernel.two_vertices import two_vertices_addresses
+
+EVERY = 1 << 62
+"""More than the number of any run."""
 
 COMPILING = "compiling the kernel; this is done once and takes some seconds"
 """The notice for a first use."""
@@ -68,13 +72,18 @@ def judge(
 
     Cost: some microseconds a run; constant memory.
     """
-    darts = 2 * level.edges
     job, robot = _room()
-    _set_up(job, robot, level)
-    asked = _Asked(level, prefix, keep, listed)
+    set_up(job, robot, level)
+    asked = asked_of(level, prefix, keep, listed)
     runs.examine(job, *asked.arguments, flag() if halt is None else halt)
+    return rows_of(asked, job, robot)
+
+
+def rows_of(asked: Asked, job: Any, robot: Any) -> Rows:
+    """What the judge has said."""
     rows = enumerate(asked.counts.tolist())
     met = argwhere(asked.met).tolist()
+    darts = 2 * int(job.gluing.edges)
     return Rows(
         tuple(Counts(n, *row) for n, row in rows if row[runs.WORLDS]),
         dict(zip(EVENTS, robot.events.tolist(), strict=False)),
@@ -84,18 +93,18 @@ def judge(
     )
 
 
-class _Asked:
+class Asked:
     """The arguments of the judge between the job and the flag, and room for what it says."""
 
     def __init__(
         self,
         level: Level,
         prefix: Sequence[int],
+        bounds: Any,
         keep: int = 1,
         listed: int = 0,
     ) -> None:
         width = 3 + 4 * level.edges
-        bounds = _bound_table(level)
         self.counts = zeros((level.edges + 2, runs.COLUMNS), int64)
         self.met = zeros(bounds.shape, int8)
         self.least = zeros((keep, width), int64)
@@ -113,13 +122,22 @@ class _Asked:
             zeros(2, int64),
         )
 
+    def clear(self) -> None:
+        """Nothing has been said."""
+        self.counts[:] = self.met[:] = self.least[:] = 0
+
+
+def asked_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0) -> Asked:
+    """The arguments for a piece of a level."""
+    return Asked(level, prefix, _bound_table(level), keep, listed)
+
 
 def load_judge(level: Level) -> None:
     """Have the judge loaded or compiled, without the explorer and the lighthouse."""
     stop = flag()
     stop[0] = 1
     with uncollected():
-        runs.examine(_room()[0], *_Asked(level, (-1,)).arguments, stop)
+        runs.examine(_room()[0], *asked_of(level, (-1,)).arguments, stop)
 
 
 def compile_apart(explorer: str) -> None:
@@ -148,11 +166,11 @@ def _room() -> tuple[Any, Any]:
 _OWN = local()
 
 
-def _set_up(job: Any, robot: Any, level: Level) -> None:
+def set_up(job: Any, robot: Any, level: Level) -> None:
     """The job asks for what the level does, from the first run on."""
     job.lighthouse = lighthouse_address(level.lighthouse)
     job.laws = sum(1 << LAWS.index(law) for law in level.laws)
-    job.number, job.undefined = 0, 0
+    job.number, job.until, job.undefined = 0, EVERY, 0
     job.log.watched = 1
     gluing = job.gluing
     gluing.edges, gluing.limit = level.edges, level.limit
@@ -162,10 +180,12 @@ def _set_up(job: Any, robot: Any, level: Level) -> None:
     robot.policy, robot.natural = POLICIES[level.policy], level.explorer == "algorithm1-natural"
     robot.events[:] = 0
     explorer = job.explorer
-    explorer.start, explorer.step, explorer.answer = EXPLORERS[level.explorer]()
+    if level.explorer in EXPLORERS:
+        explorer.start, explorer.step, explorer.answer = EXPLORERS[level.explorer]()
     explorer.first = asarray(robot).ctypes.data
 
 
+@lru_cache(1)
 def _bound_table(level: Level) -> Any:
     """The bounds by vertices, degree of v0 and largest degree."""
     bounds, degrees = level.bounds, 2 * level.edges + 1

@@ -116,8 +116,8 @@ WORLD = dtype(
 PERCEPT = dtype([("degree", int32), ("marks", int32), ("bearing", int32)])
 ACTION = dtype([("kind", int32), ("motion", int32)])
 ANSWER = dtype([("sigma", int64), ("alpha", int64), ("darts", int32), ("here", int32)])
-"""``struct allworlds_percept``, ``allworlds_action`` and ``allworlds_answer`` of the C header;
-``sigma`` and ``alpha`` are addresses of 32-bit integers."""
+"""``struct allworlds_percept`` and ``allworlds_action`` of the C header, and an answer: ``sigma``
+and ``alpha`` are addresses of 32-bit integers."""
 
 EXPLORER = dtype(
     [
@@ -243,8 +243,10 @@ JOB = dtype(
         # What is asked for: the address of the lighthouse, and the laws that are checked, as a set.
         ("lighthouse", int64),
         ("laws", int64),
-        # The number of the next run; whether a run has a bound without a value.
+        # The number of the next run, and that from which on no other world is begun; whether a run
+        # has a bound without a value.
         ("number", int64),
+        ("until", int64),
         ("undefined", int64),
         ("gluing", GLUING),
         ("world", WORLD),
@@ -257,6 +259,36 @@ JOB = dtype(
 )
 """A unit of work on its way."""
 
+
+POLICY = dtype([("policy", int64), ("wrong", int64)], align=True)
+"""Who answers the choices of a native explorer, and whether one was asked that is none."""
+
+READER = dtype(
+    [
+        # The logs: where they are, how long they are, and where that of each run begins.
+        ("logs", int64),
+        ("size", int64),
+        ("begins", int64),
+        # Where the percepts of each run are to be noted: in bytes, and where they begin.
+        ("percepts", int64),
+        ("room", int64),
+        ("noted", int64),
+        ("ends", int64),
+        # The next run, and where its log is read; whether the last action was a motion.
+        ("run", int64),
+        ("at", int64),
+        ("moved", int64),
+        # How many logs are not to be judged here.
+        ("strange", int64),
+        # The answer, or the S that is shown.
+        ("sigma", int32, 256),
+        ("alpha", int32, 256),
+        ("darts", int32),
+        ("here", int32),
+    ],
+    align=True,
+)
+"""An explorer that does what the logs of another one say."""
 
 NOW = dtype(
     [

@@ -23,7 +23,7 @@ class Bounds:
     by_largest: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Level:
     """What is one and the same for all units of a level.
 

@@ -42,7 +42,7 @@ UNDEFINED = -(1 << 62)
 
 @entry
 def examine(job, prefix, viable, bounds, met, budgets, counts, least, row, listed, beat, halt):
-    """Whether the unit is done; if not, it was given up.
+    """Whether the unit is done; if not, it was given up, or ``job.until`` is reached.
 
     Args:
         job: a record that is new but for what is asked for.
@@ -60,7 +60,7 @@ def examine(job, prefix, viable, bounds, met, budgets, counts, least, row, liste
         halt: ``halt[0]`` is not 0 once the work is to be given up.
     """
     g, world = job.gluing, job.world
-    while halt[0] == 0:
+    while halt[0] == 0 and job.number < job.until:
         if not advance(g, prefix, viable):
             return True
         settle(world, g)

@@ -14,7 +14,7 @@
 Only processes that may run foreign code load a library.
 """
 
-from allworlds.libraries.explorer import NativeExplorer
+from allworlds.libraries.explorer import NativeExplorer, threads_left, threads_now
 from allworlds.libraries.header import Header, header_text, native
 from allworlds.libraries.library import KINDS_OF_ACTION, ROOM, VERSION, Library, library_path
 
@@ -28,4 +28,6 @@ __all__ = [
     "header_text",
     "library_path",
     "native",
+    "threads_left",
+    "threads_now",
 ]

@@ -74,6 +74,10 @@ class NativeExplorer:
                 raise ExplorerFault("crash", "allworlds_new returned NULL")
         return self._state
 
+    def handed(self) -> tuple[Any, ...]:
+        """Memory for what is handed to and fro: percept, action, ``here``, sigma and alpha."""
+        return tuple(Guarded(4 * n).as_a(ctypes.c_int32 * n) for n in (3, 2, 1, ROOM, ROOM))
+
     def close(self) -> None:
         """Delete the state."""
         state, self._state = self._state, None
@@ -88,7 +92,7 @@ class NativeExplorer:
         Raises:
             ExplorerFault: for an action or an answer that is none, and threads left behind.
         """
-        threads = _threads()
+        threads = threads_now()
         library, action, state = self.library, self._action, self.state()
         here, there = ctypes.addressof(self._percept), ctypes.addressof(action)
         asked = _Asked(choices)
@@ -174,7 +178,7 @@ class _Asked:
             raise ExplorerFault("crash", f"a choice that is none: {self._wrong}")
 
 
-def _threads() -> int:
+def threads_now() -> int:
     """The number of threads of this process; 0 where that cannot be known."""
     with suppress(OSError):
         return len(os.listdir("/proc/self/task"))  # noqa: PTH208  # as short as it can be
@@ -187,7 +191,7 @@ def threads_left(before: int) -> int:
     One that has been joined is listed for some microseconds more.
     """
     deadline = time.monotonic() + THREADS_END
-    while (more := _threads() - before) > 0 and time.monotonic() < deadline:
+    while (more := threads_now() - before) > 0 and time.monotonic() < deadline:
         time.sleep(0.001)
     return max(0, more)
 

@@ -17,7 +17,13 @@
 """
 
 from allworlds.runs.costs import Costing, CostTally, MapKey, RunCost, key_of
-from allworlds.runs.examination import Examination, Examines, InParts, OwnExamination
+from allworlds.runs.examination import (
+    EnginesDisagree,
+    Examination,
+    Examines,
+    InParts,
+    OwnExamination,
+)
 from allworlds.runs.examiner import (
     LOST,
     Examiner,
@@ -47,6 +53,7 @@ __all__ = [
     "Costing",
     "Coverage",
     "Earlier",
+    "EnginesDisagree",
     "Examination",
     "Examiner",
     "Examines",

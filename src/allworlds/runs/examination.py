@@ -19,6 +19,10 @@ REPORT_EVERY = 0.25
 """Seconds after which a part of a unit is handed over."""
 
 
+class EnginesDisagree(Exception):
+    """Two engines say different things about one world."""
+
+
 class InParts(Protocol):
     """What is done with a unit, from some run on."""
 

@@ -193,13 +193,14 @@ class PlayedTwice:
         after = start
         while window := list(islice(runs, self._window)):
             began = time.monotonic()
-            yield (after := window[-1].number + 1), self._tally(unit, window)
+            yield (after := window[-1].number + 1), self.tally(unit, window)
             slow = time.monotonic() - began > REPORT_EVERY / 2
             self._window = max(FEW, self._window // 2) if slow else min(MANY, self._window * 2)
         if after == start:
             yield after, self.examination.tally()
 
-    def _tally(self, unit: Worlds, window: list[NumberedRun]) -> Tally:
+    def tally(self, unit: Worlds, window: Sequence[NumberedRun]) -> Tally:
+        """What comes of these runs of a unit."""
         tally = self.examination.tally()
         lit = {}
         for run in window:

@@ -1,0 +1,274 @@
+"""Native explorers in the compiled engine: stretches of runs, played twice, and judged between.
+
+A stretch is laid out and judged by a referee, which has no foreign code in it; its two players play
+it, the one in worlds, the other against what was sensed there, each in an order of its own.
+Whatever goes wrong there, a lost player, threads left behind, logs that cannot be read, is left to
+the general engine, which plays the stretch anew; and what the kernel says of a broken law, the
+general engine must say too, or nothing is believed.
+"""
+
+from __future__ import annotations
+
+from bisect import insort
+from collections.abc import Iterator, MutableSequence, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cache
+from itertools import islice
+from typing import Any, NamedTuple
+
+from allworlds import kernel
+from allworlds.checker.compiled import tally_of
+from allworlds.checker.engines import Job
+from allworlds.checker.questions import level_of
+from allworlds.isolation import Cast, Shared, guardian
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.runs import (
+    LOST,
+    Earlier,
+    EnginesDisagree,
+    Examination,
+    GivenWorlds,
+    InParts,
+    NumberedRun,
+    OneRun,
+    Outcome,
+    PlayedTwice,
+    Referee,
+    Scope,
+    Tally,
+    Unit,
+    Worlds,
+    nondeterministic,
+)
+from allworlds.subjects import Subject
+from allworlds.world import World
+
+AGREEMENT_EDGES = 3
+"""Up to so many edges both engines do everything, and must count the same."""
+
+AT_FIRST, AFTER_LOSS = 512, 64
+"""The runs of the first stretch, and of the one after a loss; each next one has twice as many."""
+
+MOST_DIFFERING = 16
+"""So many runs whose plays differ are looked at in one stretch."""
+
+KEPT = 64
+"""So many plays are kept to be played again among later ones."""
+
+DIFFERENT = "the second walk or answer differs"
+
+
+def load() -> None:
+    """Have all that is needed loaded, this module included."""
+    kernel.load_native()
+
+
+@dataclass(frozen=True, slots=True)
+class NativeExamination:
+    """All runs of a unit, played in compiled code by a native explorer, and judged by the kernel.
+
+    Attributes:
+        scope, keep: as for the general engine.
+    """
+
+    scope: Scope
+    keep: int
+
+    @staticmethod
+    def compiled(job: Job) -> None:
+        """Have what is needed compiled or loaded once, for all processes that will be."""
+        if not (kernel.is_compiled(kernel.play_worlds) and kernel.is_compiled(kernel.examine)):
+            job.notice(kernel.COMPILING)
+        guardian().prepare(__name__, load.__name__)
+
+    def own(
+        self,
+        subject: Subject,
+        beat: MutableSequence[int] | None = None,
+    ) -> InParts:
+        """See :class:`allworlds.runs.Examines`; explorers of ours need no such thing."""
+        return Examination(self.scope, self.keep).own(subject, beat)
+
+    def foreign(self, explorer: str, cast: Cast, earlier: Earlier) -> InParts:
+        """See :class:`allworlds.isolation.PlaysApart`."""
+        return PlayedByStretches(Examination(self.scope, self.keep), explorer, cast, earlier)
+
+
+class _Earlier(NamedTuple):
+    """A play that was the same twice, to be played again among those of other units and levels."""
+
+    unit: Unit
+    number: int
+    kept: kernel.Kept
+
+
+@dataclass(slots=True)
+class PlayedByStretches:
+    """The engine for a native explorer.
+
+    Attributes:
+        examination, explorer, cast, earlier: as for the general engine.
+    """
+
+    examination: Examination
+    explorer: str
+    cast: Cast
+    earlier: Earlier
+    _general: PlayedTwice = field(init=False)
+    _referee: Referee = field(init=False)
+    _most: int = AT_FIRST
+    _worst: list[tuple[Any, ...]] = field(default_factory=list)
+    _kept: list[_Earlier] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self._general = PlayedTwice(self.examination, self.explorer, self.cast, self.earlier)
+        self._referee = Referee(self.explorer, self.examination.scope.rules)
+
+    def parts(self, unit: Worlds, start: int = 0) -> Iterator[tuple[int, Tally]]:
+        """After each stretch the number of the next run and the tally since."""
+        if start or not isinstance(unit, Unit):
+            # The rest of a unit whose referee was lost.
+            yield from self._general.parts(unit, start)
+            return
+        scope, keep = self.examination.scope, self.examination.keep
+        level = level_of(self.explorer, scope.rules, scope.extent, unit.edges)
+        first, second = _memory(unit.edges)
+        judge = kernel.UnitJudge(level, unit.prefix, keep, first.stretch, second.stretch)
+        laid = None
+        while laid is None or not laid.last:
+            laid = judge.lay_out(self._most)
+            tally = self._compiled(unit, judge, laid)
+            if tally is None:
+                self._most = AFTER_LOSS
+                judge.skip(laid)
+                tally = self._by_the_general_engine(unit, laid)
+            else:
+                self._most = min(2 * self._most, kernel.LONGEST_STRETCH)
+                if unit.edges <= AGREEMENT_EDGES:
+                    self._compare(unit, laid, tally)
+            yield laid.until, tally
+
+    def _compiled(self, unit: Unit, judge: kernel.UnitJudge, laid: kernel.Laid) -> Tally | None:
+        """The tally of a stretch; None where the general engine must make it."""
+        first, second = _memory(unit.edges)
+        policy, size = self.examination.scope.rules.policy, 0
+        if laid.runs:
+            played = first.played(self.cast, "first", laid.runs, policy)
+            if played is None:
+                return None
+            size = played
+        few = min(kernel.MOST_EARLIER, len(self._kept)) if laid.runs else 0
+        earlier = self.cast.random.sample(self._kept, few)
+        again = [play.kept for play in earlier]
+        rows, readable = judge.judge(laid, size, again)
+        if not readable:
+            return None
+        differing: list[int] = []
+        if laid.runs:
+            played = second.played(self.cast, "second", laid.runs + few, policy)
+            if played is None:
+                return None
+            differing = judge.differing(laid, played, again)
+        tally = tally_of(rows, unit, self.examination.scope, self.examination.keep)
+        ours = [judge.number(row) for row in differing if row < laid.runs]
+        if ours:
+            self._find_differing(unit, ours, tally)
+        else:
+            for broken in rows.broken:
+                self._find(unit, broken, tally)
+        for play in (earlier[row - laid.runs] for row in differing if row >= laid.runs):
+            self._find_differing(play.unit, [play.number], tally)
+        if not differing and laid.runs:
+            row = self.cast.random.randrange(laid.runs)
+            self._keep(_Earlier(unit, judge.number(row), judge.kept(row)))
+        return tally
+
+    def _keep(self, play: _Earlier) -> None:
+        """Keep a play to be played again later; of many the first stay for good."""
+        if len(self._kept) < KEPT:
+            self._kept.append(play)
+        else:
+            self._kept[self.cast.random.randrange(KEPT // 4, KEPT)] = play
+
+    def _by_the_general_engine(self, unit: Unit, laid: kernel.Laid) -> Tally:
+        tally = self.examination.tally()
+        runs = islice(self.examination.runs(unit, laid.first), laid.until - laid.first)
+        while some := list(islice(runs, AFTER_LOSS)):
+            tally.add(self._general.tally(unit, some))
+        return tally
+
+    def _compare(self, unit: Unit, laid: kernel.Laid, tally: Tally) -> None:
+        """Nothing, where the general engine counts the same, and finds as much."""
+        general = self._by_the_general_engine(unit, laid)
+        laws = [{found.law for found in each.findings} for each in (tally, general)]
+        if "nondeterministic" in laws[0] | laws[1]:
+            for found in general.findings:
+                tally.find(found)
+            return
+        same = (
+            tally.rows == general.rows
+            and (tally.left_out, tally.checkpoints) == (general.left_out, general.checkpoints)
+            and [found.key for found in tally.findings] == [f.key for f in general.findings]
+        )
+        if not same and not laws[1] & {*LOST}:
+            raise EnginesDisagree(
+                f"the kernel and the python engine count differently in the unit {unit.key}: "
+                f"{tally.rows} and {general.rows}"
+            )
+
+    def _find(self, unit: Unit, broken: kernel.Broken, tally: Tally) -> None:
+        """A broken run, if it may be among the smallest, as the general engine finds it."""
+        assert broken.place is not None
+        key = (unit.edges, broken.vertices, broken.sigma, broken.alpha, broken.place)
+        # In small levels each unit must find what the general engine finds in it.
+        small = unit.edges <= AGREEMENT_EDGES
+        if not small and len(self._worst) >= self.examination.keep and key >= self._worst[-1]:
+            return
+        map_ = CombinatorialMap(broken.sigma, broken.alpha)
+        rules = self.examination.scope.rules
+        lighthouse = next(islice(rules.kind.places(map_, 0), broken.place, None))
+        world = World(map_, lighthouse, 0)
+        given = GivenWorlds(((world, broken.place),))
+        lit = {0: OneRun(0, broken.place, world)}
+        for one, outcome in self._general.outcomes(given, lit):
+            if not isinstance(outcome, Outcome):
+                tally.find(self._referee.lost(one.world, one.place, outcome))
+                continue
+            law = outcome.violation.law if outcome.violation else ""
+            if law not in (broken.law, "nondeterministic", *LOST):
+                raise EnginesDisagree(
+                    f"the kernel says that {broken.law} is broken, the python engine that "
+                    f"{law or 'none'} is, in the world sigma={list(map_.sigma)} "
+                    f"alpha={list(map_.alpha)} place={broken.place}"
+                )
+            tally.find(self._referee.finding(one.world, one.place, outcome))
+        insort(self._worst, key)
+        del self._worst[self.examination.keep :]
+
+    def _find_differing(self, unit: Unit, differing: Sequence[int], tally: Tally) -> None:
+        """Runs whose plays differ, whatever they do when they are played once more."""
+        wanted = {*differing}
+        chosen = [
+            run for run in self.examination.runs(unit) if run.number in wanted and run.lighthouse
+        ]
+        chosen.sort(key=lambda run: run.map.vertex_count)
+        lit = {run.number: _one(run) for run in chosen[:MOST_DIFFERING]}
+        for one, outcome in self._general.outcomes(unit, lit):
+            if not isinstance(outcome, Outcome):
+                tally.find(self._referee.lost(one.world, one.place, outcome))
+                continue
+            told = outcome
+            if told.violation is None or told.violation.law != "nondeterministic":
+                told = replace(outcome, violation=nondeterministic(DIFFERENT))
+            tally.find(self._referee.finding(one.world, one.place, told))
+
+
+def _one(run: NumberedRun) -> OneRun:
+    assert run.lighthouse is not None
+    return OneRun(run.number, run.place, World(run.map, run.lighthouse, 0))
+
+
+@cache
+def _memory(edges: int) -> tuple[Shared, Shared]:
+    """This process's memory for stretches, shared with the first and with the second player."""
+    return Shared(edges), Shared(edges)

@@ -1,0 +1,310 @@
+"""Native explorers in the compiled engine: the same as in the other one, and no less guarded."""
+
+import json
+from collections import Counter
+from random import Random
+
+import pytest
+
+import small
+from allworlds import kernel
+from allworlds.checker import check
+from allworlds.checker.engines import Job, why_not_compiled
+from allworlds.checker.native import NativeExamination, PlayedByStretches
+from allworlds.checker.native import load as load_here
+from allworlds.checker.questions import level_of
+from allworlds.findings import make_rules
+from allworlds.isolation.jobs import PlayStretch, Stretched
+from allworlds.isolation.saying import read, written
+from allworlds.isolation.stretches import Actor, Shared
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.outcome import Verdict
+from allworlds.runs import (
+    Earlier,
+    EnginesDisagree,
+    Examination,
+    GivenWorlds,
+    PlayersHere,
+    Scope,
+    Tally,
+    Unit,
+)
+from allworlds.subjects import load
+from allworlds.work import Limits
+from allworlds.world import Directional, World
+from native_libraries import ATTACKS, attack, example
+from processes import PATIENCE, SOON
+
+EDGE = World(small.EDGE, Directional(0))
+
+pytestmark = pytest.mark.usefixtures("compiled")
+
+
+def native(library):
+    return f"native:{library}"
+
+
+def told(report):
+    """All of a report but the explorer, its engine, and what only built-in explorers tell."""
+    document = report.to_json()
+    for finding in document["findings"]:
+        for key in ("explorer", "reproduce"):
+            del finding[key]
+    events = document["witnesses"]
+    document["witnesses"] = {key: events.get(key) for key in ("loop-edge", "parallel-edge")}
+    return {key: value for key, value in document.items() if key not in ("explorer", "engine")}
+
+
+# ---------------------------------------------------------------- as in the other engine
+
+
+def test_algorithm_1_in_c_is_algorithm_1():
+    ours = check(native(example("c/algorithm1.c")), edges=4, engine="kernel", policy="nearest")
+    assert told(ours) == told(check(edges=4, engine="python", policy="nearest"))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
+def test_algorithm_1_in_c_is_algorithm_1_to_six_edges(policy):
+    theirs = check(edges=6, engine="kernel", policy=policy).to_json()["rows"]
+    scope, cast = scope_of(6, policy=policy), CastHere(example("c/algorithm1.c"))
+    tally = Tally(1)
+    for edges in scope.extent.levels:
+        tally.add(parts(cast, edges, units=scope.units(edges), scope=scope))
+    assert not tally.findings
+    for row, told_row in zip(sorted(tally.rows.items()), theirs, strict=True):
+        (edges, vertices), counts = row
+        assert (edges, vertices) == (told_row["edges"], told_row["vertices"])
+        assert counts.runs == told_row["runs"]
+        assert counts.traversals == told_row["traversals"]
+        assert (counts.max_cost, counts.bound) == (told_row["max_cost"], told_row["bound"])
+
+
+@pytest.mark.parametrize("map_class", ["simple", "planar", "planar-simple"])
+@pytest.mark.parametrize("source", ["c/algorithm1.c", "c/hasty.c"])
+def test_every_class_is_judged_as_in_the_other_engine(map_class, source):
+    extent = Extent(MapClass.named(map_class), 3, None)
+    scope = Scope(extent, scope_of(3).rules)
+    # Both engines do all of it, and a difference is an exception.
+    tally = parts(CastHere(example(source)), 3, keep=3, scope=scope)
+    assert (tally.findings == []) == (source == "c/algorithm1.c")
+
+
+@pytest.mark.parametrize(
+    "lighthouse", ["none", "position", "compass", "cluster", "cluster:single=true", "natural"]
+)
+def test_every_lighthouse_is_judged_as_in_the_other_engine(lighthouse):
+    rules = make_rules({"step_budget": 30}, lighthouse, "none")
+    scope = Scope(Extent(MapClass.MAPS, 3, None), rules)
+    tally = parts(CastHere(example("c/hasty.c")), 3, keep=3, scope=scope)
+    assert tally.runs
+    assert tally.findings
+
+
+IN_COMPILED_CODE = (
+    *("raise(SIGSEGV)", "for (;;) pause()", "grow()", "count = 1000000", "kind = 0"),
+    *("memset(action + 1, 1, 1 << 13)", "in_another_thread(wait_for_ever, 0)"),
+    *("kind = ALLWORLDS_CHECKPOINT; count = 1 << 20", "in_another_thread(do_nothing, 1)"),
+)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("code", IN_COMPILED_CODE)
+def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
+    law, seen = ATTACKS[code]
+    limit = SOON if law == "timeout" else PATIENCE
+    report = check(native(attack(code)), edges=1, engine="kernel", answer_timeout=limit)
+    assert report.runs == 3
+    if not law:
+        assert report.exit_code == 0
+        return
+    (finding,) = report.findings
+    assert (finding.law, finding.world) == (law, EDGE)
+    assert seen in finding.seen
+
+
+def test_what_the_kernel_cannot_do_is_told_and_done_by_the_other_engine():
+    subject = load(native(example("c/algorithm1.c")))
+    scope = scope_of(5, policy="random:1")
+    assert "random:1" in why_not_compiled(scope, subject)
+    assert not why_not_compiled(scope_of(4, policy="random:1"), subject)
+    assert not why_not_compiled(scope, load("algorithm1"))
+
+
+# ---------------------------------------------------------------- from inside, in this process
+
+
+def scope_of(edges, bound="paper", **options):
+    rules = make_rules(options, "directional", bound)
+    return Scope(Extent(MapClass.MAPS, edges, None), rules)
+
+
+class CastHere(PlayersHere):
+    """Both players in this process, which some jobs may be lost in."""
+
+    def __init__(self, library, lost=(), differs=(), logs=None):
+        subject = load(native(library))
+        super().__init__(subject)
+        self.random = Random(1)
+        self.actors = {which: Actor(subject.native, bytearray(16)) for which in ("first", "second")}
+        self.lost, self.asked, self.logs = {*lost}, Counter(), logs
+
+    def stretch(self, which, job):
+        self.asked[which] += 1
+        if (which, self.asked[which]) in self.lost:
+            return None
+        said = self.actors[which].play(job)
+        return said if self.logs is None else self.logs(which, said)
+
+
+def parts(cast, edges, keep=1, units=None, scope=None):
+    """The tally of a level by stretches, in this process."""
+    scope = scope or scope_of(edges)
+    examination = Examination(scope, keep)
+    engine = PlayedByStretches(examination, "native:x", cast, Earlier())
+    tally = Tally(keep)
+    for unit in units or scope.units(edges):
+        for _, part in engine.parts(unit):
+            tally.add(part)
+    return tally
+
+
+def test_stretches_count_what_the_other_engine_counts():
+    tally = parts(CastHere(example("c/algorithm1.c")), 4)
+    whole = Tally(1)
+    own = Examination(scope_of(4), 1).own(load("algorithm1"))
+    for unit in scope_of(4).units(4):
+        for _, part in own.parts(unit):
+            whole.add(part)
+    assert tally.rows == whole.rows
+    assert (tally.checkpoints, tally.findings) == (whole.checkpoints, [])
+
+
+@pytest.mark.parametrize("which", ["first", "second"])
+def test_a_stretch_over_which_a_player_is_lost_is_played_by_the_general_engine(which):
+    library = example("c/algorithm1.c")
+    lost = parts(CastHere(library, lost={(which, 1), (which, 2)}), 3)
+    assert lost.rows == parts(CastHere(library), 3).rows
+
+
+def test_logs_that_cannot_be_read_are_not_believed():
+    library = example("c/algorithm1.c")
+    spoilt = CastHere(library, logs=lambda _, said: Stretched(said.size // 2, 0))
+    assert parts(spoilt, 3).rows == parts(CastHere(library), 3).rows
+    threads = CastHere(library, logs=lambda _, said: Stretched(said.size, 1))
+    assert parts(threads, 3).rows == parts(CastHere(library), 3).rows
+
+
+def test_the_smallest_of_the_broken_runs_is_found_with_its_law():
+    (finding,) = parts(CastHere(example("c/hasty.c")), 4).findings
+    (general,) = check(native(example("c/hasty.c")), edges=4, engine="python").findings
+    assert finding.law == "map"
+    assert general.key[0] == 1
+    assert finding.key[0] == 4
+
+
+def test_a_law_that_the_other_engine_does_not_find_broken_is_a_disagreement(monkeypatch):
+    judge = kernel.UnitJudge.judge
+
+    def blames(self, laid, size, earlier=()):
+        rows, good = judge(self, laid, size, earlier)
+        world = kernel.Broken(2, (0, 1), (1, 0), 0, "map")
+        return kernel.Rows(rows.counts, {}, rows.met, (world,)), good
+
+    monkeypatch.setattr(kernel.UnitJudge, "judge", blames)
+    with pytest.raises(EnginesDisagree, match="the kernel says that map is broken"):
+        parts(CastHere(example("c/algorithm1.c")), 1)
+
+
+def test_counts_that_differ_are_a_disagreement(monkeypatch):
+    general = PlayedByStretches._by_the_general_engine
+
+    def counts(self, unit, laid):
+        tally = general(self, unit, laid)
+        tally.left_out += 1
+        return tally
+
+    monkeypatch.setattr(PlayedByStretches, "_by_the_general_engine", counts)
+    with pytest.raises(EnginesDisagree, match="count differently"):
+        parts(CastHere(example("c/algorithm1.c")), 2)
+
+
+def test_a_disagreement_ends_a_check_with_70(monkeypatch):
+    def ready(_self, _job):
+        raise EnginesDisagree("as it were")
+
+    monkeypatch.setattr("allworlds.checker.engines.Compiled.ready", ready)
+    report = check(native(example("c/algorithm1.c")), edges=2, engine="kernel")
+    assert report.verdict is Verdict.ERROR
+    assert report.exit_code == 70
+
+
+def test_state_that_is_kept_is_found_whatever_it_does():
+    (finding,) = parts(CastHere(attack("here_is = episodes % 2")), 1).findings
+    assert finding.law == "nondeterministic"
+
+
+def test_state_that_shows_late_is_found_by_earlier_plays():
+    # Right in each stretch, whatever the order, till so many episodes are over.
+    late = attack("", LATE="100")
+    tally = parts(CastHere(late), 5, units=[*scope_of(1).units(1)] * 60, scope=scope_of(1))
+    assert "nondeterministic" in {found.law for found in tally.findings}
+
+
+def test_the_rest_of_a_unit_whose_referee_was_lost_goes_to_the_general_engine():
+    cast = CastHere(example("c/algorithm1.c"))
+    examination = Examination(scope_of(2), 1)
+    engine = NativeExamination(scope_of(2), 1).foreign("native:x", cast, Earlier())
+    unit = next(iter(scope_of(2).units(2)))
+    whole, rest = Tally(1), Tally(1)
+    for _, part in engine.parts(unit):
+        whole.add(part)
+    for _, part in engine.parts(unit, 1):
+        rest.add(part)
+    assert rest.runs == whole.runs - 1
+    given = GivenWorlds(((EDGE, 0),))
+    assert sum(part.runs for _, part in engine.parts(given)) == 1
+    assert examination.keep == 1
+
+
+def test_our_own_explorers_are_played_as_ever():
+    own = NativeExamination(scope_of(1), 1).own(load("algorithm1"))
+    units = [*scope_of(1).units(1)]
+    assert sum(part.runs for unit in units for _, part in own.parts(unit)) == 3
+
+
+def test_what_is_needed_is_compiled_once_and_said(monkeypatch):
+    load_here()
+    notices = []
+    subject = load(native(example("c/algorithm1.c")))
+    job = Job(scope_of(2), subject, Limits(), 1, None, notices.append)
+    NativeExamination.compiled(job)
+    assert not notices
+    monkeypatch.setattr(kernel, "is_compiled", lambda _: False)
+    NativeExamination.compiled(job)
+    assert notices == [kernel.COMPILING]
+
+
+def test_a_message_of_a_stretch_is_read_as_it_was_written():
+    assert read(written(Stretched(5, 0))) == Stretched(5, 0)
+
+
+def test_a_stretch_without_room_for_its_logs_says_so():
+    subject = load(native(example("c/algorithm1.c")))
+    level = level_of("native:x", scope_of(2).rules, scope_of(2).extent, 2)
+    first = Shared(2)
+    judge = kernel.UnitJudge(level, (-1,), 1, first.stretch, first.stretch)
+    laid = judge.lay_out(100)
+    actor = Actor(subject.native, bytearray(16))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(first.stretch, "logs", first.stretch.logs[:10])
+        assert actor._actors.play(first.stretch, laid.runs, 1, "fifo", again=False) == -1
+    first.close()
+    with pytest.raises(OSError, match="No such file"):
+        actor.play(PlayStretch("/proc/self/fd/none", 2, 1, 1, "fifo", again=False))
+
+
+def test_a_report_of_the_compiled_engine_is_a_document():
+    report = check(native(example("c/hasty.c")), edges=2, engine="kernel")
+    assert json.loads(json.dumps(report.to_json()))["engine"] == "kernel"
+    assert Unit(1, (-1,)).key == "1:-1"
