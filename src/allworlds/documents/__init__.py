@@ -50,6 +50,8 @@ PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
     "transcript": Page(
         Transcript, {"percept": Percept, "read": TranscriptRead, "percept_read": PerceptRead}
     ),
+    "event": Page(Event),
+    "estimate": Page(EstimateResult),
     "made-by": Page(MadeBy),
     "names": Page(
         None,

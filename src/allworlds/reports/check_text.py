@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from textwrap import wrap
 
-from allworlds.checker import Report
+from allworlds.checker import Estimate, Report
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
 from allworlds.reports.layout import entry, table
 from allworlds.reports.run_text import finding_text
+from allworlds.words import duration, number, plural
 
 
-def check_text(report: Report, width: int) -> str:
-    """What was seen, the verdict with its scope, and the findings."""
+def check_text(report: Report | Estimate, width: int) -> str:
+    """What was seen, the verdict with its scope, and the findings; or how long it will take."""
+    if isinstance(report, Estimate):
+        return "\n".join(_guess(report, width))
     header, rows = size_table(report)
     scope = [line for name, text in scope_words(report) for line in entry(name, text, width)]
     blocks = [table(header, rows, "r" * len(header)), _verdict(report, width), scope]
@@ -19,6 +22,16 @@ def check_text(report: Report, width: int) -> str:
         [finding_text(finding, width, origin_words(report, finding))] for finding in report.findings
     ]
     return "\n\n".join("\n".join(block) for block in blocks if block)
+
+
+def _guess(estimate: Estimate, width: int) -> list[str]:
+    seconds, rate = estimate.seconds, estimate.rate
+    if seconds is None or rate is None:
+        text = "no world of the last level was finished in time: this takes very long"
+        return entry("estimate", text, width)
+    text = f"{duration(seconds)} for {plural(estimate.worlds, 'world')}: a guess"
+    of = f"{plural(estimate.sampled, 'world')} of the last level, {number(round(rate))} a second"
+    return entry("estimate", text, width) + entry("sample", of, width)
 
 
 def _verdict(report: Report, width: int) -> list[str]:
