@@ -32,9 +32,11 @@ if TYPE_CHECKING:
     from allworlds.ambiguity import twins
     from allworlds.benching import bench
     from allworlds.checker import check, replay, run, worlds
+    from allworlds.comparing import compare
     from allworlds.counter import count
     from allworlds.explaining import explain
     from allworlds.fuzzer import fuzz
+    from allworlds.growing import grow
     from allworlds.joining import merge, status
     from allworlds.libraries import native
     from allworlds.minimax import optimum
@@ -62,9 +64,11 @@ __all__ = [
     "ambiguity",
     "bench",
     "check",
+    "compare",
     "count",
     "explain",
     "fuzz",
+    "grow",
     "merge",
     "mutants",
     "native",

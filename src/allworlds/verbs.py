@@ -89,7 +89,21 @@ VERBS = (
         "worst_case:worst",
         "worst_text:worst_text",
         "worst",
-        "Algorithm 1 at its worst and best, over every schedule.",
+        "An explorer at its worst and best, over every schedule.",
+    ),
+    Verb(
+        "compare",
+        "comparing:compare",
+        "compare_text:compare_text",
+        "compare",
+        "Explorers side by side on the same worlds.",
+    ),
+    Verb(
+        "grow",
+        "growing:grow",
+        "grow_text:grow_text",
+        "grow",
+        "How an explorer's cost grows with the world.",
     ),
     Verb(
         "merge",

@@ -14,10 +14,12 @@ from referencing import Registry, Resource
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
 from allworlds.checker import Interrupted, check, replay, run, worlds
+from allworlds.comparing import compare
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
 from allworlds.fuzzer import fuzz
+from allworlds.growing import grow
 from allworlds.joining import merge, status
 from allworlds.libraries import native
 from allworlds.maps import named_map
@@ -122,6 +124,16 @@ DOCUMENTS = {
         whole("check"),
         lambda: check(WRONG["mirror-image"].explorer(), edges=3, max_findings=3).to_json(),
     ),
+    "compare": (whole("compare"), lambda: compare("algorithm1", "greedy", edges=2).to_json()),
+    "grow": (whole("grow"), lambda: grow("greedy", families=["strip"], to=30).to_json()),
+    "compare in a family": (
+        whole("compare"),
+        lambda: compare("algorithm1", "greedy", family="cycle:4").to_json(),
+    ),
+    "compare refuted": (
+        whole("compare"),
+        lambda: compare("greedy", WRONG["mirror-image"].explorer(), edges=3).to_json(),
+    ),
     "fuzz": (whole("check"), lambda: fuzz(edges=6, runs=3).to_json()),
     "fuzz refuted": (
         whole("check"),
@@ -155,6 +167,7 @@ DOCUMENTS = {
     ),
     "manifest": (whole("manifest"), manifest),
     "worst": (whole("worst"), lambda: worst(edges=2).to_json()),
+    "worst of another": (whole("worst"), lambda: worst("remembering", edges=2).to_json()),
     "worst of a shard": (whole("worst"), lambda: worst(edges=2, shard=(0, 2)).to_json()),
     "census of a shard": (
         whole("ambiguity-census"),

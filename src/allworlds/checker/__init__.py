@@ -25,6 +25,7 @@
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.engines import ENGINES, Job
 from allworlds.checker.exhaustive import check, estimate, merged_check
+from allworlds.checker.gate import Cell, count_gate
 from allworlds.checker.guessing import Estimate
 from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
 from allworlds.checker.replaying import Replay, replay
@@ -36,10 +37,11 @@ from allworlds.checker.report import (
     Report,
     Stopped,
 )
-from allworlds.checker.single import SingleRun, run, worlds
+from allworlds.checker.single import SingleRun, run, single_run, worlds
 
 __all__ = [
     "ENGINES",
+    "Cell",
     "Completed",
     "Disagreed",
     "Ending",
@@ -54,11 +56,13 @@ __all__ = [
     "Stopped",
     "UserCorpus",
     "check",
+    "count_gate",
     "estimate",
     "merged_check",
     "refuse_others",
     "replay",
     "rules_for",
     "run",
+    "single_run",
     "worlds",
 ]

@@ -3,6 +3,7 @@
 from typing import Annotated, Literal, NotRequired, TypedDict
 
 from allworlds.documents.common import Extent, Gate, InRows, OfClass, Report
+from allworlds.documents.findings import Finding
 from allworlds.documents.words import (
     Dart,
     Figure,
@@ -63,9 +64,11 @@ class WorstRow(TypedDict):
     worlds: Annotated[Positive, "rooted maps"]
     worst: Annotated[Natural, "the largest cost of a schedule"]
     best: Annotated[Natural, "the largest, over the worlds, of the cost of the cheapest schedule"]
-    bound: Annotated[Natural, "(1) + (2)"]
-    tests: Annotated[Natural, "different tests of false hypotheses"]
-    wrong_tests: Annotated[Natural, "those that confirmed one"]
+    bound: Annotated[int | None, "the largest of these worlds; null without a bound"]
+    tests: Annotated[
+        Natural | None, "different tests of false hypotheses; null: not of Algorithm 1"
+    ]
+    wrong_tests: Annotated[Natural | None, "those that confirmed one; null: not of Algorithm 1"]
     world: Annotated[World, "the least one that attains `worst`"]
     choices: Annotated[list[Natural], "that attain it there"]
     replayed: Annotated[
@@ -80,16 +83,21 @@ class WorstReport(InRows, OfClass):
     exit_code: Annotated[
         int, code(Exit.ANSWERED, Exit.REFUTED, Exit.VACUOUS, Exit.DISAGREES, Exit.INTERRUPTED)
     ]
-    explorer: Literal["algorithm1"]
+    explorer: Annotated[Text, "its name"]
+    lighthouse: Annotated[Text, "`KIND[:key=value,...]`"]
     edges: Annotated[Positive, "at most so many"]
     transit: Annotated[
-        Literal["shortest", "simple"], "the paths by which the robot goes to the next edge"
+        Literal["shortest", "simple"] | None,
+        "the paths by which Algorithm 1 goes to the next edge; null: another explorer",
     ]
-    schedules: Literal["all"]
-    symmetry: Annotated[Text, "why one world stands for every direction"]
+    schedules: Annotated[Literal["all", "one"], "one: the explorer takes no choices"]
+    symmetry: Annotated[
+        Text | None, "why one world stands for every direction; null: each was tried"
+    ]
     shard: Annotated[str, OfShard, "`K/N`; `0/1` is the whole"]
     gate: Annotated[Gate, "counts, of a shard left to the merge, and replays in the Python engine"]
     rows: Annotated[list[WorstRow], "one for each (edges, vertices), ascending"]
+    findings: Annotated[list[Finding], "the smallest, if a run of another explorer broke a law"]
 
 
 class Quotient(TypedDict):
