@@ -16,9 +16,11 @@ from allworlds.progress import Silent
 from allworlds.subjects import content_digest, not_alike, with_content
 from allworlds.subjects.subject import Subject
 from allworlds.work import Dask, Lost, cluster
+from clusters import cluster_here
 from kept_jobs import EXPLORERS
 
 distributed = pytest.importorskip("distributed")
+pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 WRONG = EXPLORERS / "wrong.py"
 PROGRAM = EXPLORERS / "program.py"
 
@@ -26,8 +28,8 @@ PROGRAM = EXPLORERS / "program.py"
 @pytest.fixture(scope="module")
 def here():
     """The address of a scheduler whose workers are threads of this process."""
-    with distributed.LocalCluster(2, processes=False, dashboard_address=None) as local:
-        yield local.scheduler_address
+    with cluster_here(distributed) as address:
+        yield address
 
 
 JOBS = {

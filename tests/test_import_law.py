@@ -52,16 +52,17 @@ HOMES = {
     "distributed": ["work.cluster"],
     "hypothesis": ["strategies"],
     "llvmlite": ["kernel"],
+    "matplotlib": ["reports.grow_plot"],
     "networkx": ["maps.networks", "maps.counting.atlas", "judge.second_opinion", "mutation.judges"],
     "numba": ["kernel"],
-    "numpy": ["kernel"],
+    "numpy": ["kernel", "growing"],
     "pysat": ["smt"],
     "rich": ["cli", "reports"],
     "typer": ["cli", "reports"],
     "z3": ["smt"],
 }
 # Loaded only inside the functions that need them, or for types.
-LAZY = {"distributed", "networkx", "rich"}
+LAZY = {"distributed", "matplotlib", "networkx", "rich"}
 
 # Two ways to one answer share nothing but what is named here, however many modules between.
 COMPARED = [

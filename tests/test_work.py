@@ -11,6 +11,9 @@ from allworlds import work
 from allworlds.progress import Silent
 from allworlds.work import Here, TimeIsUp, gather
 from allworlds.work.cluster import all_well
+from clusters import cluster_here
+
+pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 
 
 def transports():
@@ -29,8 +32,8 @@ TRANSPORTS = dict(transports())
 def scheduler():
     """The address of a Dask scheduler, whose workers are threads of this process."""
     distributed = pytest.importorskip("distributed")
-    with distributed.LocalCluster(2, processes=False, dashboard_address=None) as cluster:
-        yield cluster.scheduler_address
+    with cluster_here(distributed) as address:
+        yield address
 
 
 @pytest.fixture

@@ -32,11 +32,14 @@ if TYPE_CHECKING:
     from allworlds.ambiguity import twins
     from allworlds.benching import bench
     from allworlds.checker import check, replay, run, worlds
+    from allworlds.comparing import compare
     from allworlds.counter import count
     from allworlds.explaining import explain
     from allworlds.fuzzer import fuzz
+    from allworlds.growing import grow
     from allworlds.joining import merge, status
     from allworlds.libraries import native
+    from allworlds.minimax import optimum
     from allworlds.mutation import mutants
     from allworlds.smt import search
     from allworlds.worst_case import worst
@@ -61,12 +64,15 @@ __all__ = [
     "ambiguity",
     "bench",
     "check",
+    "compare",
     "count",
     "explain",
     "fuzz",
+    "grow",
     "merge",
     "mutants",
     "native",
+    "optimum",
     "replay",
     "run",
     "search",

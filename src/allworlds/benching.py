@@ -26,7 +26,7 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
-from allworlds.progress import Silent
+from allworlds.progress import Listener, Silent
 from allworlds.runs import Examiner, Scope, Tally
 from allworlds.subjects import load
 from allworlds.work import Limits, gather
@@ -142,13 +142,20 @@ class BenchReport:
         }
 
 
-def bench(*, edges: int = 7, rounds: int = 3, peers: Sequence[str] = ()) -> BenchReport:
+def bench(
+    *,
+    edges: int = 7,
+    rounds: int = 3,
+    peers: Sequence[str] = (),
+    listener: Listener | None = None,
+) -> BenchReport:
     """Measure the engines of this package and other programs, side by side.
 
     Args:
         edges: the level m that the compiled engines do.
         rounds: how often each contender takes its turn.
         peers: ``NAME=COMMAND``, or ``NAME@M=COMMAND`` for a program that does another level.
+        listener: is told of the progress.
 
     Raises:
         InputError: naming the offending option, or the peer that failed.
@@ -165,7 +172,9 @@ def bench(*, edges: int = 7, rounds: int = 3, peers: Sequence[str] = ()) -> Benc
     for contender in contenders[: -len(peers) or None]:
         # Compiling and loading is not what is measured.
         _warm(contender)
-    finished, complete = until_interrupted(_round(contenders) for _ in range(rounds))
+    heard = listener or Silent()
+    heard.stage("bench", rounds * len(contenders), "turns")
+    finished, complete = until_interrupted(_round(contenders, heard) for _ in range(rounds))
     if not finished:
         raise KeyboardInterrupt
     taken = zip(contenders, zip(*finished, strict=True), strict=True)
@@ -174,13 +183,14 @@ def bench(*, edges: int = 7, rounds: int = 3, peers: Sequence[str] = ()) -> Benc
     return BenchReport(edges, measured, peak, complete)
 
 
-def _round(contenders: Sequence[Contender]) -> list[float]:
+def _round(contenders: Sequence[Contender], listener: Listener) -> list[float]:
     """The seconds that each of them takes for its turn."""
     seconds = []
     for contender in contenders:
         start = time.perf_counter()
         contender.work()
         seconds.append(time.perf_counter() - start)
+        listener.progress(1)
     return seconds
 
 

@@ -13,10 +13,15 @@ from allworlds.maps.counting import source_for
 from allworlds.maps.enumeration import prefixes, rooted_maps
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
-from allworlds.work import tell_of_size
+from allworlds.work import level_size, tell_of_size
 
 if TYPE_CHECKING:
     from allworlds import documents
+
+SILENT = Silent()
+
+TOLD_EVERY = 1000
+"""Maps after which the listener is told."""
 
 UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
@@ -113,7 +118,7 @@ def count(
         edges: the largest number of edges.
         vertices: the largest number of vertices; alone only for the simple classes.
         map_class: one of :class:`~allworlds.maps.classes.MapClass`.
-        listener: is told if that will take long.
+        listener: is told of the progress, and if that will take long.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -122,23 +127,27 @@ def count(
     100 ns; constant memory.
     """
     extent = Extent(MapClass.named(map_class), edges, vertices)
-    tell_of_size(extent, listener or Silent())
-    rows, complete = until_interrupted(_count_level(extent, level) for level in extent.levels)
+    heard = listener or Silent()
+    tell_of_size(extent, heard)
+    rows, complete = until_interrupted(
+        _count_level(extent, level, heard) for level in extent.levels
+    )
     return Census(extent, source_for(map_class).name, rows, complete)
 
 
-def _count_level(extent: Extent, edges: int) -> CountRow:
+def _count_level(extent: Extent, edges: int, listener: Listener) -> CountRow:
+    listener.level(edges, level_size(extent, edges))
     if extent.map_class is MapClass.MAPS and edges > UNROOTED_LIMIT:
-        row = count_compiled(extent, edges)
+        row = count_compiled(extent, edges, listener)
     else:
-        row = count_one_by_one(extent, edges)
+        row = count_one_by_one(extent, edges, listener)
     limit = extent.vertex_limit(edges)
     cells = source_for(extent.map_class).cells(edges)
     row.counted = {n: cells.get(n, 0) for n in range(1, limit + 1)}
     return row
 
 
-def count_compiled(extent: Extent, edges: int) -> CountRow:
+def count_compiled(extent: Extent, edges: int, listener: Listener = SILENT) -> CountRow:
     """A level of the class ``maps``, counted by the compiled enumeration.
 
     Cost: less than 100 ns a rooted map, after some seconds of compiling at the first use.
@@ -148,14 +157,16 @@ def count_compiled(extent: Extent, edges: int) -> CountRow:
     row = CountRow(edges)
     limit = extent.vertex_limit(edges)
     for prefix in prefixes(edges, vertices=limit):
+        before = row.rooted
         for (vertices, faces), maps in by_vertices_and_faces(edges, limit, prefix).items():
             row.rooted += maps
             row.by_vertices[vertices] += maps
             row.by_genus[(2 - vertices + edges - faces) // 2] += maps
+        listener.progress(row.rooted - before)
     return row
 
 
-def count_one_by_one(extent: Extent, edges: int) -> CountRow:
+def count_one_by_one(extent: Extent, edges: int, listener: Listener = SILENT) -> CountRow:
     """A level of any class, each map made, and each looked at."""
     row = CountRow(edges)
     darts_fixed = 0
@@ -165,6 +176,9 @@ def count_one_by_one(extent: Extent, edges: int) -> CountRow:
         row.by_genus[map_.genus] += 1
         if edges <= UNROOTED_LIMIT:
             darts_fixed += automorphisms(map_)
+        if row.rooted % TOLD_EVERY == 0:
+            listener.progress(TOLD_EVERY)
+    listener.progress(row.rooted % TOLD_EVERY)
     if edges <= UNROOTED_LIMIT:
         # A map has 2m / |Aut| rootings, so its rootings weigh |Aut| / 2m each.
         row.unrooted = darts_fixed // (2 * edges)

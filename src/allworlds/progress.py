@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Mapping
+from typing import Any, Protocol
 
 
 class Listener(Protocol):
@@ -11,8 +12,17 @@ class Listener(Protocol):
     def level(self, edges: int, worlds: int) -> None:
         """A level begins; it holds so many worlds (a shard: about so many)."""
 
-    def progress(self, worlds: int) -> None:
-        """So many more worlds are done."""
+    def stage(self, name: str, total: int, of: str) -> None:
+        """A part of another kind begins: so many of what ``of`` says."""
+
+    def progress(self, count: int) -> None:
+        """So many more worlds, or others of what the stage is about, are done."""
+
+    def unit(self, key: str, worlds: int) -> None:
+        """The unit of that name is finished; it holds so many worlds."""
+
+    def finding(self, document: Mapping[str, Any]) -> None:
+        """A run that refutes was met in a unit that is finished; it is not confirmed yet."""
 
     def notice(self, text: str) -> None:
         """Something that the user may want to know now."""
@@ -24,7 +34,16 @@ class Silent:
     def level(self, edges: int, worlds: int) -> None:
         """Nothing."""
 
-    def progress(self, worlds: int) -> None:
+    def stage(self, name: str, total: int, of: str) -> None:
+        """Nothing."""
+
+    def progress(self, count: int) -> None:
+        """Nothing."""
+
+    def unit(self, key: str, worlds: int) -> None:
+        """Nothing."""
+
+    def finding(self, document: Mapping[str, Any]) -> None:
         """Nothing."""
 
     def notice(self, text: str) -> None:

@@ -93,7 +93,21 @@ VERBS = (
         "worst_case:worst",
         "worst_text:worst_text",
         "worst",
-        "Algorithm 1 at its worst and best, over every schedule.",
+        "An explorer at its worst and best, over every schedule.",
+    ),
+    Verb(
+        "compare",
+        "comparing:compare",
+        "compare_text:compare_text",
+        "compare",
+        "Explorers side by side on the same worlds.",
+    ),
+    Verb(
+        "grow",
+        "growing:grow",
+        "grow_text:grow_text",
+        "grow",
+        "How an explorer's cost grows with the world.",
     ),
     Verb(
         "merge",
@@ -129,6 +143,13 @@ VERBS = (
         "bench_text:bench_text",
         "bench",
         "This program and others side by side.",
+    ),
+    Verb(
+        "optimum",
+        "minimax:optimum",
+        "optimum_text:optimum_text",
+        "optimum",
+        "The best that any explorer can do in the worst world, by minimax.",
     ),
     Verb(
         "native",

@@ -8,6 +8,7 @@ from allworlds.ambiguity.marked import is_least_rooting, least_rooting
 from allworlds.inputs import InputError
 from allworlds.maps import bruteforce
 from allworlds.maps.enumeration import rooted_maps
+from allworlds.progress import Silent
 from small import slow
 
 
@@ -139,7 +140,7 @@ def test_the_document_has_the_promised_parts():
 
 
 def test_the_listener_hears_every_rooted_map():
-    class Listener:
+    class Listener(Silent):
         def __init__(self):
             self.heard = []
 

@@ -462,7 +462,7 @@ def test_a_closure_runs_in_this_process_and_a_function_elsewhere(explorers):
 
 
 def test_the_listener_is_told_of_every_world():
-    class Listener:
+    class Listener(Silent):
         told: ClassVar[list[list[int]]] = []
 
         def level(self, edges, worlds):

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 import allworlds
-from allworlds.findings import Finding, believed_percepts, true_walk
+from allworlds.findings import Finding, true_walk
+from allworlds.findings.walks import believed_percepts, trail_to
 from allworlds.inputs import InputError
 from allworlds.maps.classes import MapClass
 from allworlds.protocol import Drop, Move, Percept, Pick, Transcript
@@ -16,6 +17,12 @@ from allworlds.world import Labels, Movable, World
 from small import EDGE, LOLLIPOP, PATH
 
 FILE = str(Path(__file__).parents[1] / "explorers_for_tests" / "markers.py")
+
+
+def in_answer(world, map_, here, transcript):
+    """What the walk that ends at ``here`` makes expect in an answer."""
+    trail = [*trail_to(map_, here, transcript)]
+    return believed_percepts(world, map_, trail, transcript)
 
 
 def found(name, lighthouse, edges=2, **options):
@@ -127,10 +134,10 @@ def test_an_answer_makes_expect_the_markers_where_it_takes_them_to_lie():
     assert [percept.marks for percept in transcript.percepts] == [0, 1, 0, 0]
     assert [state.lying for state, _ in true_walk(world, transcript)] == [(), (0,), (0,), (0,)]
     # The answer takes every motion for one along the only edge.
-    believed = believed_percepts(world, EDGE, 0, transcript)
+    believed = in_answer(world, EDGE, 0, transcript)
     assert believed == [Percept(1, marks) for marks in (0, 1, 0, 1)]
     more = Transcript(world.first, (*steps, (Pick(), Percept(3))))
-    assert [percept.marks for percept in believed_percepts(world, EDGE, 0, more)] == [0, 1, 0, 1, 0]
+    assert [percept.marks for percept in in_answer(world, EDGE, 0, more)] == [0, 1, 0, 1, 0]
 
 
 def test_under_labels_an_answer_makes_expect_what_was_first_sensed_at_each_vertex():
@@ -142,9 +149,9 @@ def test_under_labels_an_answer_makes_expect_what_was_first_sensed_at_each_verte
         steps.append((action, percept))
     transcript = Transcript(world.first, tuple(steps))
     assert [percept.marks for percept in transcript.percepts] == [1, 2, 3]
-    believed = believed_percepts(world, EDGE, 0, transcript)
+    believed = in_answer(world, EDGE, 0, transcript)
     assert [percept.marks for percept in believed] == [1, 2, 1]
-    fits = believed_percepts(world, PATH, state.dart, transcript)
+    fits = in_answer(world, PATH, state.dart, transcript)
     assert fits == transcript.percepts
 
 
@@ -196,3 +203,16 @@ def test_who_is_told_nothing_where_something_is_needed_is_refuted_and_does_not_c
 def test_twins_are_not_compared_where_the_robot_has_markers():
     with pytest.raises(InputError, match="is in the robot's hand"):
         allworlds.twins(World(PATH, Movable()), World(PATH, Movable()))
+
+
+@pytest.mark.parametrize(
+    ("explorer", "options", "verdict"),
+    [
+        (FILE + ":in_a_cluster", {"lighthouse": "cluster:single=true"}, "holds"),
+        (FILE + ":in_a_cluster", {"lighthouse": "position"}, "refuted"),
+        (FILE.replace("markers", "folding") + ":explore", {"bound": "none"}, "holds"),
+        (FILE.replace("markers", "folding") + ":explore", {"bound": "m"}, "refuted"),
+    ],
+)
+def test_explorers_of_others_get_their_verdicts_under_other_lighthouses(explorer, options, verdict):
+    assert allworlds.check(explorer, edges=3, **options).verdict.value == verdict

@@ -19,6 +19,7 @@ ROWS = {
     "ambiguity census": ("allworlds.ambiguity.census.gather", "--edges 4", "rows"),
     "worst": ("allworlds.worst_case.search.gather", "--edges 4", "rows"),
     "mutants": ("allworlds.mutation.matrix._explorer", "--edges 1", "kill_matrix"),
+    "optimum": ("allworlds.minimax.table.minimax", "--edges 3", "rows"),
     "bench": ("allworlds.benching._round", "--edges 4 --rounds 4", "contenders"),
 }
 

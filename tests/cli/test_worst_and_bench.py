@@ -38,7 +38,7 @@ def test_check_tells_the_engine_and_its_symmetry(cli):
     document = json.loads(out)
     assert document["engine"] == "kernel"
     assert "every bearing" in document["scope"]["symmetry"]
-    code, out, _ = cli("check", "--edges", 2, "--engine", "kernel", "-q")
+    code, out, _ = cli("check", "--edges", 2, "--engine", "kernel")
     assert "algorithm1, kernel engine" in out
     assert "symmetry" not in out
 

@@ -86,3 +86,8 @@ def drops_now_and_then(first):
         yield Drop()
     return Estimate(EDGE, 0)
     yield
+
+
+def in_a_cluster(first):
+    """A cluster that stands from the beginning."""
+    return (yield from algorithm1_cluster(first))

@@ -14,7 +14,7 @@ from inputs import grammar
 from inputs.law import Case
 from recorded.record import LEAST
 
-COSTLY = ("worst", "bench", "mutants")
+COSTLY = ("worst", "bench", "mutants", "optimum")
 """Verbs that are tried with values alone that they refuse: what is legal takes seconds."""
 
 REFUSED = ("", "x", "-1", "1.5", "1_0", "nan", "9" * 5000, "9" * 3000, "\x1b[31m", grammar.LONG)
@@ -112,7 +112,12 @@ def _options(random: Random) -> Case:
 
 
 def _least(verb: str) -> list[str]:
-    return LEAST[verb].replace("{findings}/lucky-guess.json", "f.json").format(tmp=".").split()
+    return (
+        LEAST[verb]
+        .replace("{findings}/lucky-guess.json", "f.json")
+        .format(tmp=".", run="run")
+        .split()
+    )
 
 
 def _value(metavar: str, random: Random) -> str:

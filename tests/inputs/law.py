@@ -35,6 +35,7 @@ CODES = {
     "run": {0, 1, 3},
     "replay": {0, 5},
     "mutants": {0, 1},
+    "optimum": {0, 3},
     "worst": {0, 1, 4},
     "search": {0, 3, 4},
     "count": {0, 4},

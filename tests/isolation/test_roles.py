@@ -39,6 +39,7 @@ from allworlds.isolation.saying import read
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.protocol import Percept
 from allworlds.runs import Examination, GivenWorlds, Record, Scope
+from allworlds.subjects import load
 from allworlds.work import Limits
 from allworlds.world import Directional, World
 
@@ -192,3 +193,18 @@ def test_a_guardian_that_has_been_stopped_is_not_waited_for(monkeypatch):
     with pytest.raises(HarnessError, match="the guardian of the processes has gone: timed out"):
         stopped.exit_code(1)
     assert stopped._process.returncode == -signal.SIGKILL
+
+
+def test_an_explorer_of_ours_beats_while_it_walks_and_not_after():
+    class Heard(list):
+        def __setitem__(self, index, value):
+            beats.append((index, value))
+            super().__setitem__(index, value)
+
+    beats = []
+    scope = Scope(Extent(MapClass.MAPS, 2), Rules("directional"))
+    unit = next(iter(scope.units(2)))
+    for _ in Examination(scope, 1).own(load("greedy"), Heard([0, 0])).parts(unit):
+        pass
+    assert max(beats) > (1, 0)
+    assert beats[-1] == (1, 0)

@@ -4,6 +4,7 @@ import pytest
 
 import allworlds
 from allworlds.inputs import InputError
+from allworlds.progress import Silent
 from allworlds.store import Gap
 from kept_jobs import EXPLORERS, JOBS
 
@@ -53,9 +54,7 @@ def test_a_shard_of_a_merge_that_is_missing_is_a_gap(report, cli, tmp_path):
     assert "9/12 and 2 more" in err
 
 
-class Ends:
-    level = notice = lambda *_: None
-
+class Ends(Silent):
     def progress(self, worlds):
         raise KeyboardInterrupt
 

@@ -4,11 +4,12 @@ from allworlds import check, kernel
 from allworlds.checker.agreement import AGREED
 from allworlds.inputs import InputError
 from allworlds.outcome import Verdict
+from allworlds.progress import Silent
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-class Stopper:
+class Stopper(Silent):
     """A listener that presses Ctrl-C, or only listens."""
 
     def __init__(self, after=None):

@@ -1,20 +1,42 @@
+import re
 from collections import Counter
 from random import Random
 
 import pytest
 
 from allworlds.inputs import InputError
+from allworlds.maps.build import lattice
 from allworlds.maps.canonical import rooted_code
-from allworlds.maps.families import family, random_map
+from allworlds.maps.families import FAMILIES, family, random_map
 
 
 @pytest.mark.parametrize(
     ("text", "size"),
-    [("lattice:3x4", (17, 12)), ("dense:5", (10, 5)), ("cycle:7", (7, 7)), ("random:6", (6, None))],
+    [
+        ("lattice:3x4", (17, 12)),
+        ("strip:5", (13, 10)),
+        ("dense:5", (10, 5)),
+        ("cycle:7", (7, 7)),
+        ("torus:3x4", (24, 12)),
+        ("torus:1x2", (4, 2)),
+        ("cubic:8", (12, 8)),
+        ("regular:4x5", (10, 5)),
+        ("random:6", (6, None)),
+        ("random:5x9", (9, 5)),
+        ("random:1x3", (3, 1)),
+        ("bouquet:6", (7, 2)),
+        ("lollipop:4x3", (13, 7)),
+        ("prism:4", (12, 8)),
+        ("thick:6x4", (14, 5)),
+        ("thick:2x3", (3, 4)),
+        ("cover:4", (20, 12)),
+    ],
 )
 def test_the_sizes_of_the_families(text, size):
     map_ = family(text)
     assert map_.edge_count == size[0]
+    (kind,) = [kind for kind in FAMILIES if re.fullmatch(kind.pattern, text)]
+    assert kind.edges(*map(int, re.findall(r"\d+", text))) == size[0]
     assert size[1] in (None, map_.vertex_count)
 
 
@@ -23,6 +45,42 @@ def test_a_seed_makes_the_same_map_again():
         maps = [family(text, holes=holes, seed=seed) for seed in (1, 1, 2, 3, 4)]
         assert maps[0] == maps[1]
         assert len(set(maps)) > 1
+
+
+@pytest.mark.parametrize(
+    ("text", "degrees"),
+    [
+        ("torus:4x5", {4: 20}),
+        ("cubic:12", {3: 12}),
+        ("regular:6x7", {6: 7}),
+        ("bouquet:5", {1: 1, 11: 1}),
+        ("lollipop:6x4", {1: 1, 6: 7, 7: 1}),
+        ("prism:5", {3: 10}),
+        ("thick:6x5", {5: 2, 6: 4}),
+    ],
+)
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_the_degrees_of_the_families(text, degrees, seed):
+    assert Counter(family(text, seed=seed).degrees) == degrees
+
+
+def test_a_torus_has_genus_1_and_square_faces():
+    map_ = family("torus:4x5", seed=3)
+    assert map_.genus == 1
+    assert {len(face) for face in map_.faces} == {4}
+
+
+def test_a_cover_of_k_sheets_covers_its_base():
+    degrees = Counter(family("cover:6", seed=1).degrees)
+    assert all(times % 6 == 0 for times in degrees.values())
+
+
+def test_a_seed_draws_the_start_in_a_lattice_and_another_map_elsewhere():
+    starts = {family("lattice:3x3", seed=seed).degree_at[0] for seed in range(12)}
+    assert starts == {2, 3, 4}
+    assert family("lattice:3x3") == lattice(3, 3)
+    for text in ("torus:3x3", "prism:6", "cover:3", "thick:6x4", "random:5x9", "strip:4"):
+        assert len({family(text, seed=seed) for seed in range(1, 9)}) > 1
 
 
 def test_a_random_map_is_uniform_among_the_rooted_ones():
@@ -50,6 +108,17 @@ def test_a_random_map_is_uniform_among_the_rooted_ones():
         "lattice:0x3",
         "cycle:\N{ARABIC-INDIC DIGIT THREE}",
         "random:1 ",
+        "cubic:3",
+        "regular:2x4",
+        "random:5x3",
+        "random:0x0",
+        "lollipop:5x2",
+        "lollipop:4x0",
+        "thick:3x3",
+        "prism:2",
+        "cover:0",
+        "torus:0x3",
+        "torus:400x400",
     ],
 )
 def test_a_text_that_is_no_family_is_refused(text):

@@ -14,13 +14,16 @@ from referencing import Registry, Resource
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
 from allworlds.checker import Interrupted, check, replay, run, worlds
+from allworlds.comparing import compare
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
 from allworlds.fuzzer import fuzz
+from allworlds.growing import grow
 from allworlds.joining import merge, status
 from allworlds.libraries import native
 from allworlds.maps import named_map
+from allworlds.minimax import optimum
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.smt import search
@@ -112,6 +115,7 @@ DOCUMENTS = {
             "count": lambda: count(edges=2),
             "worst": lambda: worst(edges=2),
             "mutants": lambda: mutants(edges=1),
+            "optimum": lambda: optimum(edges=1),
             "bench": lambda: bench(edges=4, rounds=1),
             "ambiguity-census": lambda: census(edges=2),
         }.items()
@@ -119,6 +123,16 @@ DOCUMENTS = {
     "check refuted": (
         whole("check"),
         lambda: check(WRONG["mirror-image"].explorer(), edges=3, max_findings=3).to_json(),
+    ),
+    "compare": (whole("compare"), lambda: compare("algorithm1", "greedy", edges=2).to_json()),
+    "grow": (whole("grow"), lambda: grow("greedy", families=["strip"], to=30).to_json()),
+    "compare in a family": (
+        whole("compare"),
+        lambda: compare("algorithm1", "greedy", family="cycle:4").to_json(),
+    ),
+    "compare refuted": (
+        whole("compare"),
+        lambda: compare("greedy", WRONG["mirror-image"].explorer(), edges=3).to_json(),
     ),
     "fuzz": (whole("check"), lambda: fuzz(edges=6, runs=3).to_json()),
     "fuzz refuted": (
@@ -146,8 +160,14 @@ DOCUMENTS = {
         lambda: replay(finding_of("mirror-image"), WRONG["mirror-image"].explorer()).to_json(),
     ),
     "mutants": (whole("mutants"), lambda: mutants(edges=1).to_json()),
+    "optimum": (whole("optimum"), lambda: optimum(edges=2).to_json()),
+    "optimum not found": (
+        whole("optimum"),
+        lambda: optimum(edges=3, time_limit=1e-9).to_json(),
+    ),
     "manifest": (whole("manifest"), manifest),
     "worst": (whole("worst"), lambda: worst(edges=2).to_json()),
+    "worst of another": (whole("worst"), lambda: worst("remembering", edges=2).to_json()),
     "worst of a shard": (whole("worst"), lambda: worst(edges=2, shard=(0, 2)).to_json()),
     "census of a shard": (
         whole("ambiguity-census"),

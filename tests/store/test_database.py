@@ -9,6 +9,7 @@ import pytest
 
 from allworlds import check
 from allworlds.inputs import InputError
+from allworlds.progress import Silent
 from allworlds.store import Identity, database, reading, records_in
 from allworlds.store.database import FILE, SCHEMA, checksum
 from allworlds.work import Shard, Whole
@@ -223,8 +224,7 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
         real(connection)
         connection.execute("PRAGMA max_page_count = 9")
 
-    class Hears:
-        level = progress = lambda *_: None
+    class Hears(Silent):
         notice = staticmethod(said.append)
 
     monkeypatch.setattr(database, "_write_ahead", small)

@@ -8,6 +8,8 @@
     **the** table of engines;
 ``compiled``, ``questions``, ``agreement``
     the compiled one: its rows into tallies, what it is asked, and whether it is to be believed;
+``guessing``
+    how long it will take;
 ``gate``
     what a complete check must have met: every world, and certain events;
 ``keeping``
@@ -22,7 +24,9 @@
 
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.engines import ENGINES, Job
-from allworlds.checker.exhaustive import check, merged_check
+from allworlds.checker.exhaustive import check, estimate, merged_check
+from allworlds.checker.gate import Cell, count_gate
+from allworlds.checker.guessing import Estimate
 from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
 from allworlds.checker.replaying import Replay, replay
 from allworlds.checker.report import (
@@ -33,13 +37,15 @@ from allworlds.checker.report import (
     Report,
     Stopped,
 )
-from allworlds.checker.single import SingleRun, run, worlds
+from allworlds.checker.single import SingleRun, run, single_run, worlds
 
 __all__ = [
     "ENGINES",
+    "Cell",
     "Completed",
     "Disagreed",
     "Ending",
+    "Estimate",
     "Interrupted",
     "Job",
     "ManyRunsOptions",
@@ -50,10 +56,13 @@ __all__ = [
     "Stopped",
     "UserCorpus",
     "check",
+    "count_gate",
+    "estimate",
     "merged_check",
     "refuse_others",
     "replay",
     "rules_for",
     "run",
+    "single_run",
     "worlds",
 ]

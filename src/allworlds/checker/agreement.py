@@ -6,7 +6,7 @@ own, where they are many.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, MutableSequence, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -53,7 +53,11 @@ class Listing:
     scope: Scope
     keep: int = 0
 
-    def own(self, subject: Subject) -> OwnListing:
+    def own(
+        self,
+        subject: Subject,
+        beat: MutableSequence[int] | None = None,  # noqa: ARG002  # runs are short
+    ) -> OwnListing:
         """See :class:`allworlds.runs.Examines`."""
         return OwnListing(self.scope, subject)
 

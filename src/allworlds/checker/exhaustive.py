@@ -11,6 +11,7 @@ from typing import Any, Unpack
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.engines import Engine, Job, Way, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
+from allworlds.checker.guessing import LONG, Estimate, estimated, is_worth_a_guess
 from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
 from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
 from allworlds.checker.report import (
@@ -37,6 +38,7 @@ from allworlds.runs import (
     nondeterministic,
 )
 from allworlds.store import ENDED, Identity, Records, records_in
+from allworlds.words import duration
 from allworlds.work import (
     UNMERGEABLE,
     Limits,
@@ -92,6 +94,60 @@ def check(
     Raises:
         InputError: naming the offending option and what would be legal.
     """
+    listener = listener or Silent()
+    job, chosen = _asked(
+        explore, edges, vertices, schedules, shard, max_findings, engine, dask, listener, options
+    )
+    directory = None if corpus is None else UserCorpus(a_path("corpus", corpus))
+    if run is not None and corpus is not None:
+        raise InputError(
+            f"corpus {show(str(corpus))} cannot be given with run {show(str(run))}: what is in the "
+            "one would change what the other keeps; give one of them"
+        )
+    if run is None and not job.scope.whole:
+        listener.notice(UNMERGEABLE)
+    if not isinstance(listener, Silent) and is_worth_a_guess(job, chosen):
+        seconds = estimated(job, chosen).seconds
+        if seconds and seconds > LONG:
+            listener.notice(f"this will take about {duration(seconds)}: a guess from a sample")
+    with records_in(run, lambda: identity_of(job, chosen.name), listener.notice) as records:
+        return _Check(job, chosen, listener, directory, records).run()
+
+
+def estimate(
+    explore: str | Callable[..., Any] = "algorithm1",
+    *,
+    edges: int | None = None,
+    vertices: int | None = None,
+    schedules: str = "one",
+    shard: tuple[int, int] | None = None,
+    engine: str = "auto",
+    dask: str | None = None,
+    **options: Unpack[ManyRunsOptions],
+) -> Estimate:
+    """How long :func:`check` will take with these options, from a sample of some seconds.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
+    return estimated(
+        *_asked(explore, edges, vertices, schedules, shard, 1, engine, dask, Silent(), options)
+    )
+
+
+def _asked(
+    explore: str | Callable[..., Any],
+    edges: int | None,
+    vertices: int | None,
+    schedules: str,
+    shard: tuple[int, int] | None,
+    max_findings: int,
+    engine: str,
+    dask: str | None,
+    listener: Listener,
+    options: ManyRunsOptions,
+) -> tuple[Job, Engine]:
+    """What is to be done, and by which engine."""
     refuse_others("check", options, ManyRunsOptions)
     limits = Limits.of(options)
     keep = _positive("max-findings", max_findings)
@@ -103,21 +159,10 @@ def check(
     scope = Scope(extent, rules, a_schedule(schedules), a_shard(shard))
     if scope.schedules == "all" and not subject.takes_choices:
         raise InputError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
-    chosen = engine_for(engine, scope, subject)
-    directory = None if corpus is None else UserCorpus(a_path("corpus", corpus))
-    if run is not None and corpus is not None:
-        raise InputError(
-            f"corpus {show(str(corpus))} cannot be given with run {show(str(run))}: what is in the "
-            "one would change what the other keeps; give one of them"
-        )
-    listener = listener or Silent()
     if engine == "auto" and (why := why_not_compiled(scope, subject)):
         listener.notice(why)
-    if run is None and not scope.whole:
-        listener.notice(UNMERGEABLE)
     job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice, dask)
-    with records_in(run, lambda: identity_of(job, chosen.name), listener.notice) as records:
-        return _Check(job, chosen, listener, directory, records).run()
+    return job, engine_for(engine, scope, subject)
 
 
 def merged_check(identity: Identity, records: Records, listener: Listener) -> Report:

@@ -10,7 +10,7 @@ general engine must say too, or nothing is believed.
 from __future__ import annotations
 
 from bisect import insort
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, MutableSequence, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import islice
@@ -81,9 +81,13 @@ class NativeExamination:
             job.notice(kernel.COMPILING)
         guardian().prepare(__name__, load.__name__)
 
-    def own(self, subject: Subject) -> InParts:
+    def own(
+        self,
+        subject: Subject,
+        beat: MutableSequence[int] | None = None,
+    ) -> InParts:
         """See :class:`allworlds.runs.Examines`; explorers of ours need no such thing."""
-        return Examination(self.scope, self.keep).own(subject)
+        return Examination(self.scope, self.keep).own(subject, beat)
 
     def foreign(self, explorer: str, cast: Cast, earlier: Earlier) -> InParts:
         """See :class:`allworlds.isolation.PlaysApart`."""

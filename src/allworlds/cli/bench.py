@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.output import emit
+from allworlds.cli.output import Progress, emit
 
 
 def bench(
@@ -35,5 +35,6 @@ def bench(
     """
     import allworlds
 
-    report = allworlds.bench(edges=edges, rounds=rounds, peers=peer or ())
+    with Progress(quiet=output.quiet) as progress:
+        report = allworlds.bench(edges=edges, rounds=rounds, peers=peer or (), listener=progress)
     return emit(report, "bench", output)

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated
 
+import typer
+
 from allworlds.cli import options as opt
+from allworlds.cli.events import told_to
 from allworlds.cli.files import Files, ensure_directory
 from allworlds.cli.output import Progress, emit
 from allworlds.cli.values import shard_numbers
@@ -43,6 +46,23 @@ def check(
     ] = None,
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
+    estimate: Annotated[
+        bool,
+        typer.Option(
+            "--estimate",
+            help="Only say how long it would take, from a sample of some seconds.",
+            rich_help_panel=opt.EFFORT,
+        ),
+    ] = False,
+    events: Annotated[
+        str | None,
+        opt.option(
+            opt.OUTPUT,
+            "FILE",
+            "Write what happens, as it happens: a line of JSON each.",
+            show_default=False,
+        ),
+    ] = None,
     files: Files,
     output: opt.Output,
 ) -> int:
@@ -52,13 +72,27 @@ def check(
     orientation of every map of a class.  Exit code 0: holds, 1: refuted, 3: inconclusive,
     4: vacuous.
     """
-    import allworlds
+    import allworlds.checker
 
     files.ensure_writable()
+    explore = opt.explorer_name(explorer, command, native)
+    many = opt.many_runs(bounds.map_class, lighthouse, rules, effort)
+    if estimate:
+        guess = allworlds.checker.estimate(
+            explore,
+            edges=bounds.edges,
+            vertices=bounds.vertices,
+            schedules=schedules,
+            shard=shard_numbers(shard),
+            engine=engine,
+            dask=dask,
+            **many,
+        )
+        return emit(guess, "check", output, workers=effort.count)
     ensure_directory(corpus)
-    with Progress(quiet=output.quiet) as progress:
+    with Progress(quiet=output.quiet) as progress, told_to(events, progress) as listener:
         report = allworlds.check(
-            opt.explorer_name(explorer, command, native),
+            explore,
             edges=bounds.edges,
             vertices=bounds.vertices,
             schedules=schedules,
@@ -68,8 +102,9 @@ def check(
             corpus=corpus,
             run=run,
             dask=dask,
-            listener=progress,
-            **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
+            listener=listener,
+            **many,
         )
+        listener.verdict(report)
     files.write(report)
     return emit(report, "check", output, workers=effort.count)

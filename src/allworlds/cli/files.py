@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import make_dataclass
 from pathlib import Path
@@ -12,7 +13,7 @@ from allworlds.cli import options as opt
 from allworlds.cli.output import complain
 from allworlds.inputs import InputError, a_path, show
 from allworlds.outcome import Result
-from allworlds.reports import FORMATS, written
+from allworlds.reports import FORMATS, file_of, written
 
 
 class _Files:
@@ -28,20 +29,9 @@ class _Files:
             _ensure_writable(path)
 
     def write(self, report: Result) -> None:
-        """The report in each file that was named.
-
-        A file that cannot be written any more, on a full disk, say, is lost with a word on
-        stderr; the report and its verdict are not.
-        """
+        """The report in each file that was named."""
         for form, path in self._named().items():
-            text = written(form, report)
-            try:
-                Path(path).write_text(text, encoding="utf-8")
-            except OSError as error:
-                complain(f"{_refusal(path, error)}; the report stands on stdout alone")
-                with suppress(OSError):  # half a report is none
-                    if Path(path).is_file():
-                        Path(path).unlink()
+            _write_text(path, written(form, report))
 
     def _named(self) -> dict[str, str]:
         given = {form: getattr(self, form) for form in FORMATS}
@@ -61,7 +51,45 @@ else:
     )
 
 
+def ensure_all_writable(files: Mapping[str, str | None]) -> None:
+    """Nothing, if each file can be written; by the options that name them, where they do.
+
+    Raises:
+        InputError: naming the file and the reason.
+    """
+    for path in files.values():
+        if path is not None:
+            _ensure_writable(path)
+
+
+def write_files(verb: str, result: Result, files: Mapping[str, str | None]) -> None:
+    """A verb's result in each file that was named."""
+    for name, path in files.items():
+        if path is not None:
+            _write_text(path, file_of(verb, name, result))
+
+
+def _write_text(path: str, text: str) -> None:
+    """Write a file that could be written before the work began.
+
+    One that cannot be written any more, on a full disk, say, is lost with a word on stderr; the
+    report and its verdict are not.
+    """
+    try:
+        Path(path).write_text(text, encoding="utf-8")
+    except OSError as error:
+        complain(f"{_refusal(path, error)}; the report stands on stdout alone")
+        with suppress(OSError):  # half a report is none
+            if Path(path).is_file():
+                Path(path).unlink()
+
+
 def _ensure_writable(path: str) -> None:
+    """Nothing, if the file can be written; it is left as it is, and not made.
+
+    Raises:
+        InputError: naming the file and the reason.
+    """
     try:
         file = a_path("file", path)
         existed = file.exists()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.output import emit
+from allworlds.cli.output import Progress, emit
 
 
 def mutants(
@@ -22,4 +22,6 @@ def mutants(
     """
     import allworlds
 
-    return emit(allworlds.mutants(edges=edges), "mutants", output)
+    with Progress(quiet=output.quiet) as progress:
+        matrix = allworlds.mutants(edges=edges, listener=progress)
+    return emit(matrix, "mutants", output)

@@ -113,6 +113,10 @@ DaskAddress = Annotated[
     ),
 ]
 TimeLimit = Annotated[float | None, option(EFFORT, "S", "Seconds for everything.", parser=seconds)]
+CsvFile = Annotated[
+    str | None,
+    option(OUTPUT, "FILE", "Write the rows as CSV too.", show_default=False),
+]
 AnswerTimeout = Annotated[
     float,
     option(EFFORT, "S", "Seconds of silence that break the law 'timeout'.", parser=seconds),

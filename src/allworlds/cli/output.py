@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import sys
+from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any, Self, Unpack
 
@@ -150,13 +151,23 @@ class Progress:
 
     def level(self, edges: int, worlds: int) -> None:
         """A level begins."""
-        if self._bar:
-            self._task = self._bar.add_task(f"m = {edges}", total=worlds)
+        self.stage(f"m = {edges}", worlds, "worlds")
 
-    def progress(self, worlds: int) -> None:
-        """So many more worlds are done."""
+    def stage(self, name: str, total: int, of: str) -> None:
+        """A line of its own, with its own bar."""
         if self._bar:
-            self._bar.advance(self._task, worlds)
+            self._task = self._bar.add_task(name, total=total, of=of)
+
+    def progress(self, count: int) -> None:
+        """So many more are done."""
+        if self._bar:
+            self._bar.advance(self._task, count)
+
+    def unit(self, key: str, worlds: int) -> None:
+        """Nothing: its worlds have been told of."""
+
+    def finding(self, document: Mapping[str, Any]) -> None:
+        """Nothing: the report tells it."""
 
     def notice(self, text: str) -> None:
         """One line on stderr."""
@@ -166,14 +177,32 @@ class Progress:
 
 def _bar() -> Any:
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        ProgressColumn,
+        Task,
+        TextColumn,
+        TimeRemainingColumn,
+    )
     from rich.progress import Progress as RichProgress
+    from rich.text import Text
+
+    class Rate(ProgressColumn):
+        """How many a second."""
+
+        def render(self, task: Task) -> Text:
+            speed = task.finished_speed or task.speed
+            return Text(
+                "" if speed is None else f"{speed:,.4g}/s" if speed < 10 else f"{speed:,.0f}/s"
+            )
 
     return RichProgress(
         TextColumn("{task.description}"),
         BarColumn(),
         MofNCompleteColumn(),
-        TextColumn("worlds"),
+        TextColumn("{task.fields[of]}"),
+        Rate(),
         TimeRemainingColumn(),
         console=Console(stderr=True),
     )

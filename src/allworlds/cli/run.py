@@ -10,6 +10,7 @@ from allworlds.cli import options as opt
 from allworlds.cli.output import emit
 from allworlds.cli.values import index_list
 from allworlds.inputs import InputError, show
+from allworlds.maps.families import FORMS
 from allworlds.subjects import names_explorer
 
 
@@ -28,7 +29,7 @@ def run(
     native: opt.Native = None,
     family: Annotated[
         str | None,
-        opt.option(opt.SCOPE, "F", "In place of WORLD: lattice:RxC, dense:N, cycle:N or random:M."),
+        opt.option(opt.SCOPE, "F", f"In place of WORLD: {FORMS}."),
     ] = None,
     holes: Annotated[
         str | None,

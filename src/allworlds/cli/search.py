@@ -66,20 +66,21 @@ def search(
     """
     import allworlds
 
-    result = allworlds.search(
-        lighthouse=lighthouse,
-        map_class=map_class,
-        vertices=vertices,
-        edges=edges,
-        degree_marked=degree_marked,
-        degree_others=degree_others,
-        motions=motion_list(motions),
-        percepts=() if percepts is None else tuple(percepts.split(",")),
-        solver=solver,
-        out=out,
-        time_limit=time_limit,
-    )
     with Progress(quiet=output.quiet) as progress:
+        result = allworlds.search(
+            lighthouse=lighthouse,
+            map_class=map_class,
+            vertices=vertices,
+            edges=edges,
+            degree_marked=degree_marked,
+            degree_others=degree_others,
+            motions=motion_list(motions),
+            percepts=() if percepts is None else tuple(percepts.split(",")),
+            solver=solver,
+            out=out,
+            time_limit=time_limit,
+            listener=progress,
+        )
         for notice in result.notices:
             progress.notice(notice)
     seconds = [searched.seconds for searched in result.searched]

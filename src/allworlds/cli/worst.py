@@ -10,19 +10,25 @@ from allworlds.cli.values import shard_numbers, worker_count
 
 
 def worst(
+    explorer: opt.Explorer = None,
     *,
+    command: opt.Exec = None,
+    native: opt.Native = None,
     edges: Annotated[
         int | None, opt.number(opt.SCOPE, "M", "At most M edges.", show_default=False)
     ] = None,
     map_class: opt.MapClassName = "maps",
     transit: Annotated[
-        str,
+        str | None,
         opt.option(
             opt.RULES,
             "shortest|simple",
-            "How the robot goes to the next edge: on a shortest or on any simple path.",
+            "How Algorithm 1 goes to the next edge: on a shortest or on any simple path "
+            "[default: simple].",
+            show_default=False,
         ),
-    ] = "simple",
+    ] = None,
+    lighthouse: opt.LighthouseName = None,
     shard: opt.ShardText = "0/1",
     workers: opt.Workers = "auto",
     run: opt.RunDirectory = None,
@@ -31,18 +37,20 @@ def worst(
 ) -> int:
     """Example: allworlds worst --edges 5
 
-    The exact worst and best cost of Algorithm 1 over all worlds and over every schedule:
-    every choice of edge, order of hypotheses and path.  Exit code 0: answered, 1: a schedule
-    breaks a law, 70: the replay of a row disagrees.
+    The exact worst and best cost of an explorer over all worlds and over every schedule; of
+    Algorithm 1 every choice of edge, order of hypotheses and path.  Exit code 0: answered,
+    1: a schedule breaks a law, 70: the replay of a row disagrees.
     """
     import allworlds
 
     threads = worker_count(workers)
     with Progress(quiet=output.quiet) as progress:
         report = allworlds.worst(
+            opt.explorer_name(explorer, command, native),
             edges=edges,
             map_class=map_class,
             transit=transit,
+            lighthouse=lighthouse,
             shard=shard_numbers(shard),
             run=run,
             dask=dask,

@@ -2,7 +2,7 @@
 
 ``words``
     what narrows a type, and the narrowed types;
-``worlds``, ``findings``, ``checks``, ``questions``, ``runs``, ``common``
+``worlds``, ``findings``, ``checks``, ``questions``, ``comparisons``, ``runs``, ``common``
     the shapes: a typed dictionary each, with a sentence for every key.
 
 Strict types hold every ``to_json`` to them.  The JSON Schemas of the package and the reference
@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 from allworlds.documents.checks import *
 from allworlds.documents.common import *
+from allworlds.documents.comparisons import *
 from allworlds.documents.findings import *
 from allworlds.documents.questions import *
 from allworlds.documents.runs import *
@@ -49,6 +50,8 @@ PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
     "transcript": Page(
         Transcript, {"percept": Percept, "read": TranscriptRead, "percept_read": PerceptRead}
     ),
+    "event": Page(Event),
+    "estimate": Page(EstimateResult),
     "made-by": Page(MadeBy),
     "names": Page(
         None,

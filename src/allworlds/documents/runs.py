@@ -1,11 +1,21 @@
 """What is written about run directories."""
 
-from typing import Annotated, Literal, TypeAlias, TypedDict
+from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
 from allworlds.documents.checks import CheckReport
-from allworlds.documents.common import Report
+from allworlds.documents.common import MadeBy, Report
+from allworlds.documents.findings import Finding
 from allworlds.documents.questions import AmbiguityCensusReport, WorstReport
-from allworlds.documents.words import Figure, Natural, OfShard, Positive, Seconds, Text
+from allworlds.documents.words import (
+    EngineName,
+    Figure,
+    Natural,
+    OfShard,
+    Positive,
+    Seconds,
+    Text,
+    Version,
+)
 
 MergeReport: TypeAlias = CheckReport | WorstReport | AmbiguityCensusReport
 """What 'merge' writes: the report of the verb whose shards were joined."""
@@ -48,3 +58,65 @@ class StatusReport(Report):
     ]
     worst: Annotated[DearestSoFar | None, "the largest cost so far; null: there is none"]
     findings: Annotated[Natural, "in the finished units"]
+
+
+class LevelEvent(TypedDict):
+    """A level begins."""
+
+    schema: Version
+    event: Literal["level"]
+    edges: Positive
+    worlds: Annotated[Natural, "rooted maps; of a shard about so many"]
+
+
+class UnitEvent(TypedDict):
+    """A unit is finished."""
+
+    schema: Version
+    event: Literal["unit"]
+    unit: Annotated[Text, "its key, `EDGES:DECISION,...`"]
+    worlds: Annotated[Natural, "rooted maps"]
+
+
+class FindingEvent(TypedDict):
+    """A run that refutes was met in a unit that is finished."""
+
+    schema: Version
+    event: Literal["finding"]
+    finding: Annotated[Finding, "not confirmed yet; the report may hold a smaller one"]
+
+
+class NoticeEvent(TypedDict):
+    """Something that the user may want to know."""
+
+    schema: Version
+    event: Literal["notice"]
+    text: Annotated[Text, "what stands on stderr too"]
+
+
+class VerdictEvent(TypedDict):
+    """The end."""
+
+    schema: Version
+    event: Literal["verdict"]
+    report: Annotated[CheckReport, "the whole report"]
+
+
+Event: TypeAlias = LevelEvent | UnitEvent | FindingEvent | NoticeEvent | VerdictEvent
+"""One line of what `check --events FILE` writes."""
+
+
+class EstimateResult(TypedDict):
+    """Estimate.
+
+    How long a check will take: what `check --estimate` writes.
+    """
+
+    schema: Version
+    made_by: NotRequired[Annotated[MadeBy, "in Python; always there on the command line"]]
+    explorer: Annotated[Text, "its name"]
+    engine: Annotated[EngineName, "which would do it"]
+    worlds: Annotated[Natural, "rooted maps that are to be tried"]
+    sampled: Annotated[Natural, "rooted maps of the last level that were tried for this"]
+    rate: Annotated[Figure | None, "of these a second; null: none was finished in time"]
+    seconds: Annotated[Seconds | None, "for all: a guess; null where there is no rate"]

@@ -15,6 +15,6 @@
 """
 
 from allworlds.explaining.explanation import Explanation, explain
-from allworlds.explaining.story import Belief, Story
+from allworlds.explaining.story import Belief, Story, Walked
 
-__all__ = ["Belief", "Explanation", "Story", "explain"]
+__all__ = ["Belief", "Explanation", "Story", "Walked", "explain"]

@@ -15,39 +15,30 @@ from allworlds.findings import (
 )
 from allworlds.inputs import InputError, show
 from allworlds.maps.combinatorial import Dart
-from allworlds.protocol import Estimate, Percept
+from allworlds.protocol import Estimate, Percept, Transcript
 from allworlds.world import World
 
 
-class Story:
-    """A finding with the walk that its log describes, and the names of the places on it.
+class Walked:
+    """The walk that a log describes, and the names of the places on it.
 
     Attributes:
-        finding: what is to be told.
-        world: its world.
+        world: where it was.
         map: the map of that.
-        transcript: its log.
+        transcript: the log.
         sensed: the percepts at the start and after each step.
         walked: the robot's darts in the world, likewise.
-        checkpoint: the step before the checkpoint that breaks the law; None where none does.
 
     Raises:
-        InputError: if the transcript is no walk in the world, or has no such step.
+        InputError: if the transcript is no walk in the world.
     """
 
-    def __init__(self, finding: Finding) -> None:
-        self.finding = finding
-        self.world = finding.world
-        self.map = finding.world.map
-        self.transcript = finding.transcript
-        self.sensed = self.transcript.percepts
-        self.walked = recorded_trail(self.world, self.transcript)
-        self.checkpoint = finding.step
-        if finding.step is not None and finding.step >= len(self.walked):
-            raise InputError(
-                f"step = {show(finding.step)} is behind the walk, which has "
-                f"{len(self.walked) - 1} steps"
-            )
+    def __init__(self, world: World, transcript: Transcript) -> None:
+        self.world = world
+        self.map = world.map
+        self.transcript = transcript
+        self.sensed = transcript.percepts
+        self.walked = recorded_trail(world, transcript)
 
     def vertex(self, dart: Dart) -> str:
         """The vertex of a dart: ``v1``."""
@@ -56,6 +47,28 @@ class Story:
     def place(self, dart: Dart) -> str:
         """A dart with its vertex: ``v1, dart 3``."""
         return f"{self.vertex(dart)}, dart {dart}"
+
+
+class Story(Walked):
+    """A finding with the walk that its log describes.
+
+    Attributes:
+        finding: what is to be told.
+        checkpoint: the step before the checkpoint that breaks the law; None where none does.
+
+    Raises:
+        InputError: if the transcript is no walk in the world, or has no such step.
+    """
+
+    def __init__(self, finding: Finding) -> None:
+        super().__init__(finding.world, finding.transcript)
+        self.finding = finding
+        self.checkpoint = finding.step
+        if finding.step is not None and finding.step >= len(self.walked):
+            raise InputError(
+                f"step = {show(finding.step)} is behind the walk, which has "
+                f"{len(self.walked) - 1} steps"
+            )
 
     def last_left(self, dart: Dart, step: int) -> str:
         """When the robot had been at the dart's vertex before that step."""

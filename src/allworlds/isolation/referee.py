@@ -76,7 +76,7 @@ class RefereeProcess:
     def _engine(self, appointment: Appointment, cast: Cast, examination: Examines) -> InParts:
         subject = appointment.subject
         if not subject.foreign:
-            return examination.own(built_in(subject.name))
+            return examination.own(built_in(subject.name), self._beat)
         if isinstance(examination, Examination):
             return PlayedTwice(examination, subject.name, cast, self._earlier)
         assert isinstance(examination, PlaysApart)

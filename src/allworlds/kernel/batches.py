@@ -24,7 +24,7 @@ from allworlds.kernel.records import JOB, POLICY, READER, ROBOT, new
 from allworlds.kernel.rows import Bounds, Level, Rows
 from allworlds.kernel.tables import tables
 
-LONGEST_STRETCH = 4096
+LONGEST_STRETCH = 2048
 """The largest number of runs in a stretch, but for those of its last world."""
 
 ROWS = LONGEST_STRETCH + 2 * native.MOST_PLACES
@@ -36,7 +36,7 @@ LONGEST_KEPT = 4096
 MOST_EARLIER = 16
 """So many earlier runs are played again among those of a stretch."""
 
-LOG_BYTES = 1 << 21
+LOG_BYTES = 1 << 20
 """Room for the logs of a stretch, and as much for its percepts: 512 bytes a run."""
 
 

@@ -20,6 +20,7 @@ from allworlds.mutation.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
 from allworlds.mutation.judges import WEAK_JUDGES
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
+from allworlds.progress import Listener, Silent
 from allworlds.protocol import Choices
 from allworlds.subjects import subject_here
 from allworlds.world import Directional, World
@@ -107,8 +108,12 @@ class KillMatrix:
         }
 
 
-def mutants(*, edges: int = LARGEST_LEVEL) -> KillMatrix:
+def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> KillMatrix:
     """Try every mutant on every world with at most ``edges`` edges.
+
+    Args:
+        edges: the bound.
+        listener: is told of the progress.
 
     Raises:
         InputError: for a bound that is not 1, 2, 3 or 4.
@@ -117,7 +122,16 @@ def mutants(*, edges: int = LARGEST_LEVEL) -> KillMatrix:
     """
     if not 1 <= an_integer("edges", edges) <= LARGEST_LEVEL:
         raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
-    return KillMatrix(edges, *until_interrupted(_kills(edges)))
+    heard = listener or Silent()
+    tables = (WRONG_EXPLORERS, EQUIVALENT_EXPLORERS, WEAK_JUDGES, BROKEN_ENUMERATORS)
+    heard.stage("mutants", sum(map(len, tables)), "mutants")
+    return KillMatrix(edges, *until_interrupted(_told(_kills(edges), heard)))
+
+
+def _told(kills: Iterable[Kill], listener: Listener) -> Iterator[Kill]:
+    for kill in kills:
+        yield kill
+        listener.progress(1)
 
 
 def _kills(edges: int) -> Iterator[Kill]:

@@ -13,8 +13,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
+from allworlds.inputs import InputError
 from allworlds.verbs import VERBS
 
 
@@ -40,6 +42,14 @@ FORMATS = {
 """Every kind of file by the name of its option."""
 
 
+FILES = {
+    ("compare", "csv"): "compare_text:compare_csv",
+    ("compare", "html"): "html:comparison_page",
+    ("grow", "csv"): "grow_text:grow_csv",
+    ("grow", "plot"): "grow_plot:grow_plot",
+}
+"""What else a verb's result can be written to, by the verb and the option."""
+
 _TEXTS = {verb.name: verb.text for verb in VERBS}
 _BRIEFS = {verb.name: verb.brief for verb in VERBS}
 
@@ -64,9 +74,34 @@ def written(form: str, report: Any) -> str:
     return made
 
 
+def file_of(verb: str, option: str, result: Any) -> str:
+    """The content of the file of a verb's option, one of :data:`FILES`."""
+    made: str = _load(FILES[verb, option])(result)
+    return made
+
+
+def ensure_drawable() -> None:
+    """Nothing, if curves can be drawn.
+
+    Raises:
+        InputError: if what draws them is not installed.
+    """
+    if find_spec("matplotlib") is None:
+        raise InputError("plot needs matplotlib: pip install 'allworlds[figures]'")
+
+
 def _load(home: str) -> Any:
     module, _, function = home.partition(":")
     return getattr(import_module(f"allworlds.reports.{module}"), function)
 
 
-__all__ = ["FORMATS", "Format", "brief", "text", "written"]
+__all__ = [
+    "FILES",
+    "FORMATS",
+    "Format",
+    "brief",
+    "ensure_drawable",
+    "file_of",
+    "text",
+    "written",
+]

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import sys
 from textwrap import wrap
 
-from allworlds.checker import Report
+from allworlds.checker import Estimate, Report
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
 from allworlds.reports.layout import entry, table
 from allworlds.reports.run_text import finding_text
+from allworlds.words import duration, number, plural
 
 
-def check_text(report: Report, width: int) -> str:
-    """What was seen, its scope, the findings, and the verdict last, where it is seen first."""
+def check_text(report: Report | Estimate, width: int) -> str:
+    """What was seen, its scope, the findings, and the verdict last; or how long it will take."""
+    if isinstance(report, Estimate):
+        return "\n".join(_guess(report, width))
     header, rows = size_table(report)
     scope = [line for name, text in scope_words(report) for line in entry(name, text, width)]
     blocks = [table(header, rows, "r" * len(header)), scope]
@@ -23,7 +27,19 @@ def check_text(report: Report, width: int) -> str:
     return "\n\n".join("\n".join(block) for block in blocks if block)
 
 
-def verdict_line(report: Report) -> str:
-    """The verdict in one line."""
+def verdict_line(report: Report | Estimate) -> str:
+    """The verdict in one line, or the estimate."""
+    if isinstance(report, Estimate):
+        return _guess(report, sys.maxsize)[0]
     word, text = verdict_words(report)
     return f"{word}: {text}"
+
+
+def _guess(estimate: Estimate, width: int) -> list[str]:
+    seconds, rate = estimate.seconds, estimate.rate
+    if seconds is None or rate is None:
+        text = "no world of the last level was finished in time: this takes very long"
+        return entry("estimate", text, width)
+    text = f"{duration(seconds)} for {plural(estimate.worlds, 'world')}: a guess"
+    of = f"{plural(estimate.sampled, 'world')} of the last level, {number(round(rate))} a second"
+    return entry("estimate", text, width) + entry("sample", of, width)

@@ -2,14 +2,56 @@
 
 from __future__ import annotations
 
+from allworlds.reports.finding_words import headline
 from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import number, plural, size
 from allworlds.work import Shard
-from allworlds.worst_case import WorstReport
+from allworlds.worst_case import RunsReport, WorstReport
 
 
-def worst_text(report: WorstReport, width: int) -> str:
+def worst_text(report: WorstReport | RunsReport, width: int) -> str:
     """A line for each size, and what the numbers are about."""
+    return _of_runs(report, width) if isinstance(report, RunsReport) else _paper(report, width)
+
+
+def _of_runs(report: RunsReport, width: int) -> str:
+    """The same of an explorer whose runs were played."""
+    header = ["edges", "vertices", "worlds", "best", "worst", "bound"]
+    rows = []
+    for row in report.rows:
+        cells = [row.edges, row.vertices, row.worlds, row.best, row.worst]
+        rows.append([*map(number, cells), "-" if row.bound is None else number(row.bound)])
+    lines = [*table(header, rows, "r" * len(header)), ""]
+    lines += interruption(complete=report.complete, width=width)
+    schedules = "every schedule" if report.schedules == "all" else "the one schedule"
+    lines += entry(
+        "scope",
+        f"{schedules} of {report.explorer} in every map of the class "
+        f"{report.extent.map_class.value} with at most {plural(report.extent.edges or 0, 'edge')}, "
+        f"at every place of the lighthouse {report.lighthouse}",
+        width,
+    )
+    lines += entry(
+        "worst, best", "of all episodes; the largest cost of the cheapest schedule of a run", width
+    )
+    for finding in report.findings:
+        lines += entry("REFUTED", headline(finding), width)
+    if report.agrees and not report.findings:
+        lines += entry("gate", f"the numbers of worlds are those of: {report.source}", width)
+        lines += entry("replay", "every worst cost was attained again", width)
+    elif not report.agrees:
+        row = next(row for row in report.rows if not row.agrees)
+        lines += entry(
+            "MISMATCH",
+            f"with {size(row.edges, row.vertices)}: {row.worlds} worlds, counted {row.counted}; "
+            f"worst {row.worst}, once more {row.replayed}",
+            width,
+        )
+    return "\n".join(lines)
+
+
+def _paper(report: WorstReport, width: int) -> str:
+    """The same of Algorithm 1, by the compiled search."""
     header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
     rows = []
     for row in report.rows:

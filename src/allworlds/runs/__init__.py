@@ -11,9 +11,12 @@
 ``play``, ``twice``, ``here``
     a foreign explorer, which plays everything twice;
 ``tally``
-    counts that can be added up in any order, and the smallest findings.
+    counts that can be added up in any order, and the smallest findings;
+``costs``
+    the same with the cost of every run.
 """
 
+from allworlds.runs.costs import Costing, CostTally, MapKey, RunCost, key_of
 from allworlds.runs.examination import (
     EnginesDisagree,
     Examination,
@@ -46,6 +49,8 @@ from allworlds.runs.units import GivenWorlds, NumberedRun, Placed, Unit, Worlds,
 __all__ = [
     "DEFAULT_EDGES",
     "LOST",
+    "CostTally",
+    "Costing",
     "Coverage",
     "Earlier",
     "EnginesDisagree",
@@ -54,6 +59,7 @@ __all__ = [
     "Examines",
     "GivenWorlds",
     "InParts",
+    "MapKey",
     "NumberedRun",
     "OneRun",
     "Outcome",
@@ -66,6 +72,7 @@ __all__ = [
     "Recorded",
     "Referee",
     "Row",
+    "RunCost",
     "Sample",
     "Schedule",
     "Scope",
@@ -76,6 +83,7 @@ __all__ = [
     "a_schedule",
     "finding_kept",
     "kept_finding",
+    "key_of",
     "name_run",
     "nondeterministic",
     "numbered_runs",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, MutableSequence
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any, Protocol
@@ -37,8 +37,13 @@ class Examines(Protocol):
     def keep(self) -> int:
         """How many findings are kept."""
 
-    def own(self, subject: Subject) -> InParts:
-        """It, with an explorer of ours, which is played where this is asked for."""
+    def own(self, subject: Subject, beat: MutableSequence[int] | None = None) -> InParts:
+        """It, with an explorer of ours, which is played where this is asked for.
+
+        Args:
+            subject: the explorer.
+            beat: see :func:`allworlds.episode.play`.
+        """
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,9 +58,9 @@ class Examination:
     scope: Scope
     keep: int
 
-    def own(self, subject: Subject) -> InParts:
+    def own(self, subject: Subject, beat: MutableSequence[int] | None = None) -> InParts:
         """See :class:`Examines`."""
-        return OwnExamination(self, subject)
+        return OwnExamination(self, subject, beat)
 
     def runs(self, unit: Worlds, start: int = 0) -> Iterator[NumberedRun]:
         """The runs of a unit from that number on."""
@@ -104,11 +109,12 @@ class OwnExamination:
 
     examination: Examination
     subject: Subject
+    beat: MutableSequence[int] | None = None
 
     def parts(self, unit: Worlds, start: int = 0) -> Iterator[tuple[int, Tally]]:
         """After some time, and at the end, the number of the next run and the tally since."""
         examination, scope = self.examination, self.examination.scope
-        examiner = Examiner(self.subject, scope.rules)
+        examiner = Examiner(self.subject, scope.rules, self.beat)
         tally, after = examination.tally(), start
         due = time.monotonic() + REPORT_EVERY
         for run in examination.runs(unit, start):

@@ -12,6 +12,7 @@ from pathlib import Path
 from time import monotonic
 
 from allworlds.inputs import InputError, a_path, at_most, show
+from allworlds.progress import Listener, Silent
 from allworlds.smt.decode import decoded
 from allworlds.smt.formula import Formula, read_dimacs
 from allworlds.smt.lrat import check_lrat
@@ -49,6 +50,7 @@ def search(
     solver: str | None = None,
     out: str | Path | None = None,
     time_limit: float | None = None,
+    listener: Listener | None = None,
 ) -> SearchResult:
     """Two different worlds that no motion separates, or that there are none, by z3.
 
@@ -67,6 +69,7 @@ def search(
         solver: the path of a CaDiCaL 2 or later, in place of z3.
         out: the directory for formulas and proofs; a new temporary one where it is missing.
         time_limit: seconds for everything; when they are over the answer is unknown.
+        listener: is told of the progress.
 
     Raises:
         InputError: naming the offending value and what would be legal.
@@ -86,7 +89,8 @@ def search(
     at_most("time-limit", time_limit or 0, LONGEST_WAIT)
     external = None if solver is None else ExternalSolver(str(a_path("solver", solver)))
     with _directory(out) as directory:
-        return _Search(asked, external, directory, Clock(time_limit)).run()
+        clock, heard = Clock(time_limit), listener or Silent()
+        return _Search(asked, external, directory, clock, listener=heard).run()
 
 
 @contextmanager
@@ -119,6 +123,7 @@ class _Search:
     done: list[Searched] = field(default_factory=list)
     notices: list[str] = field(default_factory=list)
     best: Twins | None = None
+    listener: Listener = field(default_factory=Silent)
 
     def run(self) -> SearchResult:
         try:
@@ -131,8 +136,11 @@ class _Search:
             return replace(self._result("unknown"), interrupted=True)
 
     def _answer(self) -> SearchResult:
-        for sizes in self.question.sizes():
+        every = list(self.question.sizes())
+        self.listener.stage("search", len(every), "sizes; these grow, so the time left is a guess")
+        for sizes in every:
             found = self._decide(sizes)
+            self.listener.progress(1)
             if found.twins:
                 return self._found(self._fewer_vertices(sizes, found.twins))
             if found.status == "unknown":

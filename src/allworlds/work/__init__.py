@@ -31,6 +31,7 @@ from allworlds.work.here import Here, with_last
 from allworlds.work.levels import (
     LevelUnit,
     cells_of_level,
+    drawn_units,
     level_size,
     tell_of_size,
     units_of_level,
@@ -66,6 +67,7 @@ __all__ = [
     "a_shard",
     "cells_of_level",
     "check_deadline",
+    "drawn_units",
     "gather",
     "level_size",
     "shards_of",

@@ -43,4 +43,8 @@ def gather(
         else:
             begun[key] = result
         if part.last:
-            kept.keep(part.unit, begun.pop(key))
+            whole = begun.pop(key)
+            kept.keep(part.unit, whole)
+            listener.unit(key, whole.worlds)
+            for found in getattr(whole, "findings", ()):
+                listener.finding(found.to_json())

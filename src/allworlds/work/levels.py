@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from random import Random
 
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
@@ -66,6 +67,24 @@ def units_of_level(extent: Extent, edges: int, portion: Portion = WHOLE) -> Iter
         every = list(units)
         units = (every[i] for i in dealt([unit.weight(extent) for unit in every], portion))
     yield from units
+
+
+def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator[LevelUnit]:
+    """Pieces of a level with so many maps at most, without end, drawn as its maps are met.
+
+    A piece is drawn the more often the more maps it has; pieces without a map are left out.
+    """
+    while True:
+        gluing, prefix = Gluing(edges, extent.map_class, extent.vertices), list[int]()
+        while not gluing.finished and (not prefix or completions(gluing) > most):
+            following = [(decision, after) for decision, after in gluing.successors()]
+            weights = [completions(after) for _, after in following]
+            if not any(weights):
+                break
+            ((decision, gluing),) = draw.choices(following, weights)
+            prefix.append(decision)
+        else:
+            yield LevelUnit(edges, tuple(prefix))
 
 
 def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:

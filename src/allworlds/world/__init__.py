@@ -28,7 +28,7 @@ from allworlds.world.lighthouses import (
     lighthouse_from_json,
     lighthouse_named,
 )
-from allworlds.world.named import world_named, world_of_family
+from allworlds.world.named import map_of_family, world_named, world_of_family
 from allworlds.world.state import State
 from allworlds.world.world import IllegalAction, World
 
@@ -52,6 +52,7 @@ __all__ = [
     "World",
     "lighthouse_from_json",
     "lighthouse_named",
+    "map_of_family",
     "world_named",
     "world_of_family",
 ]

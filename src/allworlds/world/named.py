@@ -9,6 +9,7 @@ from pathlib import Path
 from allworlds.corpora import own_corpus
 from allworlds.inputs import InputError, parse_json, read_text, show
 from allworlds.maps.build import NoSuchMap, named_map, named_maps
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.families import family
 from allworlds.world.lighthouses import Directional, lighthouse_from_json, lighthouse_named
 from allworlds.world.world import World
@@ -76,9 +77,13 @@ def _hint(name: str) -> str:
 
 def world_of_family(text: str, holes: str | None, seed: int, kind: str) -> World:
     """The world of a family, started at dart 0, with a lighthouse at its default place."""
-    share = 0.0 if holes is None else _fraction(holes)
-    map_ = family(text, holes=share, seed=seed)
+    map_ = map_of_family(text, holes, seed)
     return World(map_, lighthouse_from_json(None, map_, 0, kind))
+
+
+def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:
+    """The map of a family; ``holes`` is ``10%`` or ``0.1``."""
+    return family(text, holes=0.0 if holes is None else _fraction(holes), seed=seed)
 
 
 def _fraction(text: str) -> float:

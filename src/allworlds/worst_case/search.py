@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 from allworlds.checker import run as run_one
 from allworlds.episode import Answered, default_step_budget, play
+from allworlds.explorers import algorithm1
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.judge import paper_bound
 from allworlds.maps.classes import Extent, MapClass
@@ -34,6 +36,7 @@ from allworlds.work import (
     units_of_level,
 )
 from allworlds.world import Directional, World
+from allworlds.worst_case.of_runs import RunsReport, worst_of_runs
 from allworlds.worst_case.one_world import EverySchedule, Planned, Transit
 
 if TYPE_CHECKING:
@@ -41,7 +44,7 @@ if TYPE_CHECKING:
     from allworlds.kernel import Dearest
     from allworlds.worst_case.dearest import ScheduleSearch
 
-DEFAULT_EDGES = 5
+DEFAULT_EDGES, OTHERS_EDGES = 5, 3
 MOST_EDGES = 12
 DASK_BATCH = 8
 
@@ -151,6 +154,7 @@ class WorstReport:
             "schema": SCHEMA,
             "exit_code": self.exit_code,
             "explorer": "algorithm1",
+            "lighthouse": "directional",
             "class": self.extent.map_class.value,
             "edges": self.extent.levels[-1],
             "transit": self.transit,
@@ -161,26 +165,36 @@ class WorstReport:
             "gate": {"source": self.source, "agrees": self.agrees},
             "complete": self.complete,
             "rows": [row.to_json() for row in self.rows],
+            "findings": [],
         }
 
 
 def worst(
+    explore: str | Callable[..., Any] = "algorithm1",
     *,
     edges: int | None = None,
     map_class: str = "maps",
-    transit: str = "simple",
+    transit: str | None = None,
+    lighthouse: str | None = None,
     shard: tuple[int, int] | None = None,
     workers: int = 1,
     run: str | Path | None = None,
     dask: str | None = None,
     listener: Listener | None = None,
-) -> WorstReport:
-    """The exact worst and best cost of Algorithm 1 over all worlds and all schedules.
+) -> WorstReport | RunsReport:
+    """The exact worst and best cost of an explorer over all worlds and all schedules.
+
+    For Algorithm 1 under its own lighthouse a compiled search covers every choice of edge, order
+    of hypotheses and path.  Of any other explorer every run is played, in each place of its
+    lighthouse and, if it takes choices, under every schedule.
 
     Args:
+        explore: a name or a generator function.
         edges: the largest number of edges (default: one that takes a second).
         map_class: one of :class:`~allworlds.maps.classes.MapClass`.
-        transit: ``shortest`` or ``simple``: how the robot goes through S in line 4.
+        transit: ``shortest`` or ``simple`` (default): how the robot goes through S in line 4; of
+            Algorithm 1 only, as are ``shard``, ``run`` and ``dask``.
+        lighthouse: that of another explorer; None takes its own.
         shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0.
         workers: threads.
         run: a directory that keeps what is finished; the same search goes on from there.
@@ -190,13 +204,20 @@ def worst(
     Raises:
         InputError: naming the offending option and what would be legal.
     """
+    if explore not in ("algorithm1", algorithm1) or lighthouse is not None:
+        part = None if a_shard(shard) == WHOLE else shard
+        special = {"transit": transit, "shard": part, "run": run, "dask": dask}
+        for option, value in special.items():
+            if value is not None:
+                raise InputError(f"{option} = {show(value)} is for algorithm1 as it is built in")
+        extent = Extent(MapClass.named(map_class), _edges(edges, OTHERS_EDGES))
+        return worst_of_runs(explore, extent, lighthouse, workers, listener or Silent())
+    transit = "simple" if transit is None else transit
     if transit not in get_args(Transit):
         raise InputError(f"transit {show(transit)} is none of {', '.join(get_args(Transit))}")
     if an_integer("workers", workers) < 1:
         raise InputError(f"workers {show(workers)} is not positive")
-    edges = DEFAULT_EDGES if edges is None else an_integer("edges", edges)
-    if edges > MOST_EDGES:
-        raise InputError(f"edges = {show(edges)}, but there is room for {MOST_EDGES} at most")
+    edges = _edges(edges, DEFAULT_EDGES)
     from allworlds.kernel import COMPILING
 
     way: Transit = "shortest" if transit == "shortest" else "simple"
@@ -210,6 +231,13 @@ def worst(
     transport = Threads(workers) if dask is None else Dask(dask, workers, batch=DASK_BATCH)
     with records_in(run, search.identity, heard.notice) as records, transport as there:
         return search.report(there, engine, records, heard)
+
+
+def _edges(edges: int | None, default: int) -> int:
+    number = default if edges is None else an_integer("edges", edges)
+    if number > MOST_EDGES:
+        raise InputError(f"edges = {show(number)}, but there is room for {MOST_EDGES} at most")
+    return number
 
 
 def merged_worst(identity: Identity, records: Records, listener: Listener) -> WorstReport:

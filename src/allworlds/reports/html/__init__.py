@@ -1,13 +1,16 @@
 """A report as one page that needs nothing else: no network, no other file, no script to be read.
 
-``page``
-    the whole document: the entry;
+``page``, ``comparison``
+    whole documents, of a check and of a comparison: the entries;
+``frame``
+    what every document has round it;
 ``findings``, ``walk``
     a finding with its pictures, and its walk as a list of steps;
 ``style.css``, ``script.js``
     what the page looks like, and the keys that step along a walk.
 """
 
+from allworlds.reports.html.comparison import comparison_page
 from allworlds.reports.html.page import page
 
-__all__ = ["page"]
+__all__ = ["comparison_page", "page"]

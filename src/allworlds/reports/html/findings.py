@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from xml.etree import ElementTree as ET
 
 from allworlds.drawing import Scene, picture
@@ -47,15 +47,21 @@ def _sentences(sentences: tuple[str, ...]) -> Iterator[Child]:
 
 
 def _viewer(story: Story, belief: Belief | None, told: Explanation, name: str) -> ET.Element:
-    """The pictures and the walk along which keys step in all of them."""
+    """The pictures of a finding, and its walk."""
     world, transcript = story.world, story.transcript
-    figures = [_figure("The world", walk_in_world(world, transcript), f"{name}-world", "robot")]
+    figures = [figure("The world", walk_in_world(world, transcript), f"{name}-world", "robot")]
     if belief:
         scene = walk_in_answer(world, belief.answer, transcript)
-        figures.append(_figure("The answer", scene, f"{name}-answer", "believed"))
+        figures.append(figure("The answer", scene, f"{name}-answer", "believed"))
     if told.other:
         scene = walk_in_world(told.other, transcript)
-        figures.append(_figure(OTHER.capitalize(), scene, f"{name}-other", "believed"))
+        figures.append(figure(OTHER.capitalize(), scene, f"{name}-other", "believed"))
+    title = f"The walk of finding {name.rpartition('-')[2]}."
+    return viewer(figures, walk(story, belief, told, name), title)
+
+
+def viewer(figures: Sequence[ET.Element], steps: ET.Element, title: str) -> ET.Element:
+    """Pictures and a walk along which keys step in all of them."""
     keys = "Left and right arrow, Home and End step along the walk."
     return tag(
         "div",
@@ -71,15 +77,16 @@ def _viewer(story: Story, belief: Belief | None, told: Explanation, name: str) -
             hidden="hidden",
         ),
         tag("p", keys, class_="keys", hidden="hidden"),
-        walk(story, belief, told, name),
+        steps,
         class_="viewer",
         role="group",
         tabindex="0",
-        aria_label=f"The walk of finding {name.rpartition('-')[2]}. {keys}",
+        aria_label=f"{title} {keys}",
     )
 
 
-def _figure(title: str, scene: Scene, name: str, follows: str) -> ET.Element:
+def figure(title: str, scene: Scene, name: str, follows: str) -> ET.Element:
+    """A picture with its caption and its legend; the robot in it is that of ``follows``."""
     legend = [
         tag("span", "robot", class_="key robot-key"),
         tag("span", "walked", class_="key walked-key"),

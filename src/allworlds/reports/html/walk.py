@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from xml.etree import ElementTree as ET
 
-from allworlds.explaining import Belief, Explanation, Story
+from allworlds.explaining import Belief, Explanation, Walked
 from allworlds.findings import true_trail
 from allworlds.markup import tag
 from allworlds.protocol import Move
 
 
-def walk(story: Story, belief: Belief | None, told: Explanation, name: str) -> ET.Element:
+def walk(story: Walked, belief: Belief | None, told: Explanation | None, name: str) -> ET.Element:
     """The list, with the step at which belief and truth part, if they do."""
+    parting = told.step if told else None
     items = [
-        _step(story, belief, i, f"{name}-step-{i}", i == told.step)
-        for i in range(len(story.walked))
+        _step(story, belief, i, f"{name}-step-{i}", i == parting) for i in range(len(story.walked))
     ]
-    if told.other:
+    if told and told.other:
         for item, dart in zip(items, true_trail(told.other, story.transcript), strict=True):
             item.set("data-believed", str(dart))
     return tag(
@@ -29,7 +29,7 @@ def walk(story: Story, belief: Belief | None, told: Explanation, name: str) -> E
     )
 
 
-def _step(story: Story, belief: Belief | None, i: int, name: str, parts: bool) -> ET.Element:
+def _step(story: Walked, belief: Belief | None, i: int, name: str, parts: bool) -> ET.Element:
     action = story.transcript.steps[i - 1][0] if i else None
     robot = story.walked[i]
     item = tag(

@@ -1,0 +1,124 @@
+"""How long a check will take, from a short sample of its last level."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import islice
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+from allworlds.checker.engines import Engine, Job
+from allworlds.isolation import Unsettled
+from allworlds.outcome import SCHEMA, Exit
+from allworlds.runs import EnginesDisagree, Unit
+from allworlds.work import Lost, TimeIsUp, drawn_units, level_size, shards_of
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+SECONDS = 3.0
+"""So long a sample takes from its first piece on."""
+
+MOST_SECONDS = 120.0
+"""So long it takes at most, compiling and all; where no piece is done by then there is no guess."""
+
+PIECE = {"python": 200, "kernel": 200_000}
+"""So many worlds at most stand in a piece of the sample, by the engine."""
+
+MANY = {"python": 20_000, "kernel": 100_000_000}
+"""Checks of more worlds begin with an estimate."""
+
+LONG = 60.0
+"""Seconds; of longer checks it is said how long they will take."""
+
+PIECES = 2000
+
+COUNTABLE = 16
+"""Levels of more edges are not counted for this; that they are many is said without it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """A guess.
+
+    Attributes:
+        explorer, engine: their names.
+        worlds: that are to be tried.
+        sampled: that were tried for this, all of the last level.
+        rate: of these a second; None if none was finished in time.
+    """
+
+    explorer: str
+    engine: str
+    worlds: int
+    sampled: int
+    rate: float | None
+
+    @property
+    def seconds(self) -> float | None:
+        """For all worlds at this rate; smaller ones take less."""
+        return self.worlds / self.rate if self.rate else None
+
+    @property
+    def exit_code(self) -> Exit:
+        """0: answered."""
+        return Exit.ANSWERED
+
+    def to_json(self) -> documents.EstimateResult:
+        """The document of ``check --estimate --json``."""
+        return {
+            "schema": SCHEMA,
+            "explorer": self.explorer,
+            "engine": self.engine,
+            "worlds": self.worlds,
+            "sampled": self.sampled,
+            "rate": None if self.rate is None else round(self.rate, 3),
+            "seconds": None if self.seconds is None else round(self.seconds, 1),
+        }
+
+
+def worlds_of(job: Job) -> int:
+    """How many worlds are to be tried; of a shard about so many."""
+    extent = job.scope.extent
+    worlds = sum(level_size(extent, edges) for edges in extent.levels)
+    return worlds // shards_of(job.scope.coverage)
+
+
+def is_worth_a_guess(job: Job, engine: Engine) -> bool:
+    """Whether a check may be long, and has no limit of time; its worlds are soon counted."""
+    soon = job.limits.time_limit is None and job.scope.extent.levels[-1] <= COUNTABLE
+    return soon and worlds_of(job) > MANY[engine.name]
+
+
+def estimated(job: Job, engine: Engine) -> Estimate:
+    """A guess from pieces of the last level, which are drawn like its maps.
+
+    What starts workers and compiles is not counted; the sample takes some seconds.
+    """
+    hurried = replace(job, deadline=time.monotonic() + MOST_SECONDS)
+    way = engine.ready(hurried)
+    sampled, began, ended = 0, 0.0, 0.0
+    try:
+        with way.transport as transport:
+            for part in transport.map(way.engine, _pieces(job, engine.name)):
+                now = time.monotonic()
+                if not began:
+                    began = now
+                    continue
+                sampled, ended = sampled + part.result.worlds, now
+                if now > began + SECONDS:
+                    break
+    except (TimeIsUp, EnginesDisagree, Lost, Unsettled):
+        pass  # the check itself will say so
+    rate = sampled / (ended - began) if ended > began and sampled else None
+    return Estimate(job.subject.name, engine.name, worlds_of(job), sampled, rate)
+
+
+def _pieces(job: Job, engine: str) -> Iterator[Any]:
+    extent = job.scope.extent
+    draw = Random(0)  # noqa: S311  # the same pieces each time
+    units = drawn_units(extent, extent.levels[-1], PIECE[engine], draw)
+    for unit in islice(units, PIECES):
+        yield Unit(unit.edges, unit.prefix)

@@ -1,0 +1,84 @@
+"""A file of events: what happens in a check, a line of JSON each, as it happens."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, TextIO
+
+from allworlds.cli.output import Progress, complain
+from allworlds.inputs import InputError, a_path, show
+from allworlds.outcome import SCHEMA, Result
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+
+class Events:
+    """A listener that hands everything on, and writes what happens.
+
+    A disk that is full costs the rest of the events and nothing else.
+    """
+
+    def __init__(self, progress: Progress, file: TextIO | None) -> None:
+        self._progress, self._file = progress, file
+
+    def level(self, edges: int, worlds: int) -> None:
+        """A level begins."""
+        self._progress.level(edges, worlds)
+        self._write({"schema": SCHEMA, "event": "level", "edges": edges, "worlds": worlds})
+
+    def stage(self, name: str, total: int, of: str) -> None:
+        """Of other verbs."""
+        self._progress.stage(name, total, of)
+
+    def progress(self, count: int) -> None:
+        """Too often to be written."""
+        self._progress.progress(count)
+
+    def unit(self, key: str, worlds: int) -> None:
+        """A unit is finished."""
+        self._write({"schema": SCHEMA, "event": "unit", "unit": key, "worlds": worlds})
+
+    def finding(self, document: Mapping[str, Any]) -> None:
+        """A run refutes."""
+        found: Any = document
+        self._write({"schema": SCHEMA, "event": "finding", "finding": found})
+
+    def notice(self, text: str) -> None:
+        """Something that the user may want to know."""
+        self._progress.notice(text)
+        self._write({"schema": SCHEMA, "event": "notice", "text": text})
+
+    def verdict(self, report: Result) -> None:
+        """The end, with the whole report."""
+        told: Any = report.to_json()
+        self._write({"schema": SCHEMA, "event": "verdict", "report": told})
+
+    def _write(self, event: documents.Event) -> None:
+        if self._file is None:
+            return
+        try:
+            print(json.dumps(event), file=self._file, flush=True)
+        except OSError as error:
+            self._file = None
+            complain(f"no more events are written: {error.strerror}")
+
+
+@contextmanager
+def told_to(path: str | None, progress: Progress) -> Iterator[Events]:
+    """The listener that writes events into a file, where one is named.
+
+    Raises:
+        InputError: if it cannot be written.
+    """
+    if path is None:
+        yield Events(progress, None)
+        return
+    try:
+        file = a_path("events", path).open("w", encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"file {show(path)} cannot be written: {error.strerror}") from None
+    with file:
+        yield Events(progress, file)

@@ -1,0 +1,82 @@
+"""The text of ``grow``, and its rows as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+
+from allworlds.growing import Growth
+from allworlds.outcome import Verdict
+from allworlds.reports.finding_words import headline
+from allworlds.reports.layout import entry, table
+from allworlds.words import number, plural
+
+
+def grow_text(report: Growth, width: int) -> str:
+    """A line for each family, size and explorer; then the exponents."""
+    header = ["family", "edges", "vertices", "explorer", "mean", "least", "worst", "bound"]
+    rows = [
+        [
+            row.family,
+            number(row.edges),
+            number(row.vertices),
+            row.explorer,
+            f"{row.mean:,.1f}",
+            number(min(row.costs)),
+            number(max(row.costs)),
+            "-" if row.bound is None else number(row.bound),
+        ]
+        for row in report.rows
+    ]
+    lines = [*table(header, rows, "lrrlrrrr"), ""]
+    fitted = [
+        [one.family, one.explorer, f"{one.exponent:.2f}", f"{one.last:.2f}"]
+        for one in report.exponents
+    ]
+    if fitted:
+        lines += [*table(["family", "explorer", "exponent", "last"], fitted, "llrr"), ""]
+    for name, text in _words(report):
+        lines += entry(name, text, width)
+    return "\n".join(lines)
+
+
+def _words(report: Growth) -> list[tuple[str, str]]:
+    runs = sum(len(row.costs) for row in report.rows)
+    said = f"no law is broken in {plural(runs, 'run')}"
+    if report.findings:
+        said = "a run has broken a law"
+    elif report.interrupted:
+        said = f"interrupted; {said} of finished families"
+    elif report.stopped:
+        said = f"{report.stopped}; {said} of finished families"
+    words = [(_VERDICTS[report.verdict], said)]
+    if report.exponents:
+        words += [
+            ("exponent", "of the power of the edges that fits the means best, over all sizes"),
+            ("last", "the same of the last two sizes"),
+        ]
+    if report.rows:
+        words.append(("again", f"allworlds run {report.explorers[0]} --family MEMBER, such as"))
+        words.append(("", report.rows[-1].members[-1]))
+    if report.left_out:
+        left = plural(report.left_out, "world")
+        words.append(("left out", f"{left} without a place for the lighthouse"))
+    words += [("finding", headline(finding)) for finding in report.findings]
+    return words
+
+
+_VERDICTS = {verdict: verdict.name.replace("_", " ") for verdict in Verdict}
+
+
+def grow_csv(report: Growth) -> str:
+    """One line for each run."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(["family", "edges", "vertices", "explorer", "member", "cost", "bound"])
+    for row in report.rows:
+        for member, cost in zip(row.members, row.costs, strict=True):
+            bound = "" if row.bound is None else row.bound
+            writer.writerow(
+                [row.family, row.edges, row.vertices, row.explorer, member, cost, bound]
+            )
+    return out.getvalue()

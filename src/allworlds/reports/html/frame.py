@@ -1,0 +1,88 @@
+"""The frame of every page: what it may load, its style and script, and its data."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Iterator, Mapping, Sequence
+from hashlib import sha256
+from importlib.resources import files
+from typing import Any
+from xml.etree import ElementTree as ET
+
+from allworlds.markup import document, raw, record, tag
+
+
+def framed(
+    title: str,
+    subject: str,
+    verdict: tuple[str, str, str],
+    sections: Sequence[ET.Element],
+    summary: Mapping[str, Any],
+) -> str:
+    """An HTML document that refers to nothing outside of it.
+
+    Its own style and script are allowed by their hashes, and nothing else is.
+
+    Args:
+        title: what was done.
+        subject: to whom.
+        verdict: in a word, in a sentence, and as its name.
+        sections: the page.
+        summary: the document of the report, which the page holds too.
+    """
+    style, script = _own("style.css"), _own("script.js")
+    word, text, name = verdict
+    policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}"
+    head = tag(
+        "head",
+        tag("meta", charset="utf-8"),
+        tag("meta", http_equiv="Content-Security-Policy", content=f"{policy}; {_REFUSED}"),
+        tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
+        tag("meta", name="color-scheme", content="light dark"),
+        tag("meta", name="referrer", content="no-referrer"),
+        tag("title", f"{title}: {word}, {subject}"),
+        raw("style", style),
+    )
+    said = tag("p", tag("b", word), " ", tag("span", text), class_=f"verdict {name}")
+    body = tag(
+        "body",
+        tag("header", tag("h1", title, ": ", tag("bdi", subject)), said),
+        tag("main", *sections),
+        tag("footer", tag("p", "This page needs no network, and holds its findings as JSON.")),
+        record(summary, class_="report", id="report-json"),
+        raw("script", script),
+    )
+    return document(tag("html", head, body, lang="en"))
+
+
+def counts(header: list[str], rows: list[list[str]], caption: str) -> Iterator[ET.Element]:
+    """A table that can be scrolled; nothing where there are no rows."""
+    if rows:
+        yield tag(
+            "div",
+            _table(header, rows, caption),
+            class_="frame",
+            tabindex="0",
+            role="group",
+            aria_label="Counts",
+        )
+
+
+_REFUSED = "base-uri 'none'; form-action 'none'"
+
+
+def _own(name: str) -> str:
+    return (files("allworlds.reports.html") / name).read_text(encoding="utf-8")
+
+
+def _hash(text: str) -> str:
+    return f"'sha256-{b64encode(sha256(text.encode()).digest()).decode()}'"
+
+
+def _table(header: list[str], rows: list[list[str]], caption: str) -> ET.Element:
+    return tag(
+        "table",
+        tag("caption", caption),
+        tag("thead", tag("tr", *(tag("th", name, scope="col") for name in header))),
+        tag("tbody", *(tag("tr", *(tag("td", cell) for cell in row)) for row in rows)),
+    )

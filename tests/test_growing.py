@@ -1,0 +1,166 @@
+"""Cost by size: members that their names give back, runs that single runs confirm, exponents."""
+
+import csv
+import io
+import json
+from dataclasses import replace
+from math import log
+
+import pytest
+
+from allworlds import grow, run
+from allworlds.growing import GROWING, GrowRow, Growth, members_of
+from allworlds.inputs import InputError
+from allworlds.isolation import Unsettled
+from allworlds.maps.families import edges_of
+from allworlds.protocol import Estimate
+from allworlds.reports import file_of
+from allworlds.reports.grow_text import grow_csv, grow_text
+from allworlds.work import TimeIsUp
+from allworlds.world import world_of_family
+
+
+@pytest.fixture(scope="module")
+def report():
+    return grow("algorithm1", "greedy", families=["lattice", "thick"], to=50, worlds=2)
+
+
+def test_every_cost_is_that_of_a_single_run_in_the_world_of_that_name(report):
+    for row in report.rows:
+        for member, cost in zip(row.members, row.costs, strict=True):
+            text, seed = member.split(" --seed ")
+            world = world_of_family(text, None, int(seed), "directional")
+            assert run(row.explorer, world).outcome.cost == cost
+            assert (world.map.edge_count, world.map.vertex_count) == (row.edges, row.vertices)
+
+
+def test_rows_stand_by_family_size_and_explorer_whoever_was_faster(report):
+    names = [(row.family, row.edges, row.explorer) for row in report.rows]
+    order = {"lattice": 0, "thick": 1, "algorithm1": 0, "greedy": 1}
+    assert names == sorted(names, key=lambda key: (order[key[0]], key[1], order[key[2]]))
+    again = grow("algorithm1", "greedy", families=["lattice", "thick"], to=50, worlds=2, workers=2)
+    assert again.rows == report.rows
+
+
+@pytest.mark.parametrize("name", GROWING)
+def test_the_sizes_of_a_family_ascend_to_the_largest_that_was_asked_for(name):
+    ladder = members_of(name, 100, 2, 5)
+    sizes = [size[0].map().edge_count for size in ladder]
+    assert sizes == sorted(set(sizes))
+    assert 2 <= len(sizes) <= 6
+    assert 70 <= edges_of(ladder[-1][0].text) <= 100
+    assert [member.seed for member in ladder[0]] == [5, 6]
+
+
+def test_the_exponent_of_a_power_is_its_exponent():
+    rows = tuple(
+        GrowRow("torus", m, m // 2, "who", ("torus",), (3 * m**2,), None) for m in (10, 20, 40)
+    )
+    (fitted,) = Growth(("who",), ("torus",), rows, ()).exponents
+    assert fitted.exponent == pytest.approx(2)
+    assert fitted.last == pytest.approx(2)
+
+
+def test_the_exponent_is_that_of_the_least_squares(report):
+    rows = [r for r in report.rows if (r.family, r.explorer) == ("thick", "greedy")]
+    xs, ys = [log(r.edges) for r in rows], [log(r.mean) for r in rows]
+    x, y = sum(xs) / len(xs), sum(ys) / len(ys)
+    slope = sum((a - x) * (b - y) for a, b in zip(xs, ys, strict=True)) / sum(
+        (a - x) ** 2 for a in xs
+    )
+    fitted = {(e.family, e.explorer): e.exponent for e in report.exponents}
+    assert fitted["thick", "greedy"] == pytest.approx(slope)
+
+
+def stops_at_once(first):
+    return Estimate(None, first.degree)
+    yield
+
+
+def test_a_broken_law_refutes():
+    told = grow(stops_at_once, families=["bouquet"], to=13, worlds=1)
+    assert (told.verdict.value, told.exit_code) == ("refuted", 1)
+    assert told.findings[0].law == "no-estimate"
+    assert "broken a law" in grow_text(told, 100)
+
+
+def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():
+    told = grow("algorithm1-natural", families=["torus"], to=18, worlds=1)
+    assert (told.verdict.value, told.exit_code, told.left_out) == ("vacuous", 4, 1)
+    assert "1 world without a place" in grow_text(told, 100)
+
+
+def test_the_time_limit_and_an_interrupt_leave_finished_families(monkeypatch):
+    from allworlds.growing import _Growth
+
+    walked = _Growth._costs
+    for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
+
+        def costs(growth, one, maps, deadline, error=error):
+            if growth.rows:
+                raise error
+            return walked(growth, one, maps, deadline)
+
+        monkeypatch.setattr(_Growth, "_costs", costs)
+        told = grow("greedy", families=["bouquet", "strip"], to=14, worlds=1, time_limit=1000)
+        assert told.exit_code == code
+        assert {row.family for row in told.rows} == {"bouquet"}
+        assert "finished families" in grow_text(told, 100)
+
+
+def test_the_csv_has_a_line_for_each_run(report):
+    rows = [*csv.DictReader(io.StringIO(grow_csv(report)))]
+    assert len(rows) == sum(len(row.costs) for row in report.rows)
+    assert rows[0]["member"] == report.rows[0].members[0]
+    unbounded = replace(report, rows=(replace(report.rows[0], bound=None),))
+    assert grow_csv(unbounded).splitlines()[1].endswith(",")
+    assert " - " in grow_text(unbounded, 100) or grow_text(unbounded, 100).count("-")
+
+
+def test_the_plot_is_the_same_for_the_same_report(report):
+    pytest.importorskip("matplotlib")
+    plot = file_of("grow", "plot", report)
+    assert plot == file_of("grow", "plot", report)
+    assert "<svg" in plot
+    assert all(text in plot for text in ("lattice", "thick", "greedy", "algorithm1"))
+
+
+def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
+    file = tmp_path / "rows.csv"
+    code, out, _ = cli(
+        *("grow", "greedy", "--family", "strip", "--to", 20, "--json", "--csv", file)
+    )
+    assert code == 0
+    assert json.loads(out)["verdict"] == "not-refuted"
+    assert file.read_text().startswith("family,edges")
+
+
+def test_a_plot_without_what_draws_is_refused_before_anything_is_walked(refused, monkeypatch):
+    monkeypatch.setattr("allworlds.reports.find_spec", lambda _: None)
+    said = refused("grow", "greedy", "--family", "strip", "--to", 20, "--plot", "x.svg")
+    assert "allworlds[figures]" in said
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ({"families": ["ring"]}, "ring"),
+        ({"families": ["regular:"]}, "regular:"),
+        ({"families": ["lattice:3"]}, "lattice:3"),
+        ({"families": ["lollipop:5"]}, "D is even"),
+        ({"families": ["strip"], "to": 3}, "to = 3"),
+        ({"families": ["strip"], "worlds": 0}, "worlds = 0"),
+        ({"families": ["strip"], "seed": -1}, "seed = -1"),
+        ({"families": []}, "family"),
+    ],
+)
+def test_bad_input_is_named(options, said):
+    with pytest.raises(InputError, match=said):
+        grow("greedy", **options)
+
+
+def test_an_explorer_twice_or_none_is_refused():
+    with pytest.raises(InputError, match="named twice"):
+        grow("greedy", "greedy", families=["strip"])
+    with pytest.raises(InputError, match="an explorer at least"):
+        grow(families=["strip"])
