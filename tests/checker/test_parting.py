@@ -1,6 +1,6 @@
 """Where two walks part."""
 
-from allworlds.findings import Parting, find_parting
+from allworlds.findings.parting import Parting, find_parting
 from small import EDGE, PATH
 
 

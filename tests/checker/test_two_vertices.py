@@ -11,7 +11,8 @@ from allworlds.checker import replay, run, worlds
 from allworlds.explaining import explain
 from allworlds.explorers.algorithm1 import Algorithm1
 from allworlds.explorers.undirected import TwoVertices
-from allworlds.findings import Finding, believed_percepts
+from allworlds.findings import Finding
+from allworlds.findings.walks import believed_percepts
 from allworlds.fuzzer import fuzz
 from allworlds.inputs import InputError
 from allworlds.maps import named_map
@@ -269,7 +270,7 @@ def test_with_one_thing_done_wrong_the_explorer_is_refuted(wrong):
 
 
 def believed(world, answer):
-    (percept,) = believed_percepts(world, answer, 0, Transcript(world.first))
+    (percept,) = believed_percepts(world, answer, [0], Transcript(world.first))
     return percept
 
 

@@ -115,7 +115,8 @@ def test_an_estimate_is_a_document(cli, monkeypatch):
     code, out, _ = cli("check", "--edges", 3, "--estimate", "--json")
     document = json.loads(out)
     assert (code, document["worlds"], document["engine"]) == (0, 86, "python")
-    assert document["seconds"] > 0
+    assert document["rate"] > 0
+    assert document["seconds"] == round(86 / document["rate"], 1)
 
 
 def test_a_terminal_sees_a_bar_with_its_rate(capsys, monkeypatch):

@@ -106,12 +106,8 @@ def check(
         )
     if run is None and not job.scope.whole:
         listener.notice(UNMERGEABLE)
-    if not isinstance(listener, Silent) and is_worth_a_guess(job, chosen):
-        seconds = estimated(job, chosen).seconds
-        if seconds and seconds > LONG:
-            listener.notice(f"this will take about {duration(seconds)}: a guess from a sample")
     with records_in(run, lambda: identity_of(job, chosen.name), listener.notice) as records:
-        return _Check(job, chosen, listener, directory, records).run()
+        return _Check(job, chosen, listener, directory, records).run(_say_how_long)
 
 
 def estimate(
@@ -177,6 +173,14 @@ def merged_check(identity: Identity, records: Records, listener: Listener) -> Re
     return _Check(job, engine, listener, None, records).run()
 
 
+def _say_how_long(job: Job, engine: Engine, listener: Listener) -> None:
+    """Say it beforehand, if it is long and somebody listens."""
+    if not isinstance(listener, Silent) and is_worth_a_guess(job, engine):
+        seconds = estimated(job, engine).seconds
+        if seconds and seconds > LONG:
+            listener.notice(f"this will take about {duration(seconds)}: a guess from a sample")
+
+
 def _positive(name: str, value: object) -> int:
     number = an_integer(name, value)
     if number < 1:
@@ -202,8 +206,9 @@ class _Check:
         self._levels: list[int] = []
         self._gate: list[Cell] = []
 
-    def run(self) -> Report:
+    def run(self, beforehand: Callable[[Job, Engine, Listener], None] = lambda *_: None) -> Report:
         try:
+            beforehand(self._job, self._engine, self._listener)
             ending = self._tried()
         except KeyboardInterrupt:
             ending = Interrupted()

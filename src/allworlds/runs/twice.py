@@ -160,7 +160,7 @@ class Earlier:
 
     def some(self, plays: int) -> list[_Play]:
         """Some of them, to go with so many others."""
-        wanted = max(1, plays // FEW)
+        wanted = max(FEW // 4, plays // FEW)
         return self.random.sample(self._plays, min(wanted, len(self._plays)))
 
     def keep(self, play: _Play) -> None:

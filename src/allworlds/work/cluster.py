@@ -31,6 +31,9 @@ PATIENCE = 10.0
 IDLE = 120.0
 """Seconds after which a worker closes lanes that nobody uses; their owner may have been killed."""
 
+TRIES = 3
+"""So often it is tried to speak with a scheduler."""
+
 AHEAD = 3
 """For each thread of the cluster so many tasks are on their way."""
 
@@ -121,13 +124,21 @@ class Dask:
 
     def _connected(self, address: Any) -> Any:
         try:
-            return self._distributed.Client(address, timeout=PATIENCE)
+            return self._client_of(address)
         except (OSError, ValueError, TypeError) as error:
             raise InputError(
                 f"dask {show(self._scheduler)}: no scheduler answers there "
                 f"({type(error).__name__}); legal are the address of one, as "
                 f"tcp://HOST:8786, and {LOCAL}"
             ) from None
+
+    def _client_of(self, address: Any) -> Any:
+        for _ in range(TRIES - 1):
+            # A thread of it that does not begin within ten seconds, on a busy machine, it takes
+            # for a mistake of its own.
+            with suppress(AssertionError):
+                return self._distributed.Client(address, timeout=PATIENCE)
+        return self._distributed.Client(address, timeout=PATIENCE)
 
     def _window(self) -> int:
         """How many tasks may be on their way; workers come and go."""
