@@ -44,8 +44,9 @@ from allworlds.world import IllegalAction, World
 FEW, MANY = 16, 1024
 """The least and the greatest number of runs among which the order is drawn."""
 
-ENOUGH = 32
-"""So many second plays leave an explorer that goes by their number no chance."""
+ENOUGH, BEGINNING = 32, 128
+"""So many second plays leave an explorer that goes by their number no chance; and so many are the
+beginning of a check, in which even a unit of one run is played often enough."""
 
 
 OTHER_CHOICES = (
@@ -298,7 +299,8 @@ class PlayedTwice:
         """How often these records are to be played: of few, one order may be as good as another."""
         if not records:
             return 1
-        rounds = max(1, -(-(ENOUGH - self._again - others) // records))
+        wanted = max(ENOUGH - self._again - others, FEW if self._again < BEGINNING else 1)
+        rounds = -(-wanted // records)
         self._again += rounds * records
         return rounds
 

@@ -22,9 +22,20 @@ UNITS = {
     edges: [[*unit.maps(EXTENT)] for unit in units_of_level(EXTENT, edges)]
     for edges in EXTENT.levels
 }
-ENOUGH = 32
 TURN = count()
 STATE = {}
+
+
+def plays_of_levels(second):
+    """The number of plays of each level: at the beginning all are played again several times."""
+    told = 0
+    for edges, units in UNITS.items():
+        plays = 0
+        for unit in filter(None, units):
+            wanted = max(32 - told, 16 if told < 128 else 1) if second else 1
+            plays += -(-wanted // len(unit)) * len(unit)
+            told += -(-wanted // len(unit)) * len(unit)
+        yield edges, plays
 
 
 def level():
@@ -33,9 +44,8 @@ def level():
         STATE["second"] = Path("first").exists()
         Path("first").touch()
     left = next(TURN)
-    for edges, units in UNITS.items():
-        often = ENOUGH if STATE["second"] and edges == 1 else 1
-        left -= often * sum(len(unit) for unit in units)
+    for edges, plays in plays_of_levels(STATE["second"]):
+        left -= plays
         if left < 0:
             return edges
     return max(UNITS)
