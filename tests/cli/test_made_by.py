@@ -22,6 +22,8 @@ WORKING = {
     "check, compiled": "check --engine kernel --edges 4",
     "fuzz": "fuzz allworlds.mutation.explorers:pose_lost --edges 8 --runs 130",
     "worst": "worst --edges 4",
+    "compare": "compare algorithm1 greedy --edges 3",
+    "grow": "grow greedy --family lattice --to 24",
 }
 # Runs commands in one process, and prints a line for each: its exit code and its document.
 DRIVER = """

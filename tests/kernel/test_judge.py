@@ -214,7 +214,10 @@ def guess_compiled():
     """What compiled code calls has to be compiled too; in Python it is called by nobody."""
     from numba import njit
 
-    globals()["guess"] = njit(guess)
+    in_python = guess
+    globals()["guess"] = njit(in_python)
+    yield
+    globals()["guess"] = in_python
 
 
 def laws_of(monkeypatch, explore, only):

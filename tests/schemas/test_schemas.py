@@ -237,7 +237,11 @@ DOCUMENTS = {
 }
 # Keys that may be missing, and objects whose keys are data.
 OPTIONAL = {"detail", "labelled", "step"}
-TABLES = {"witnesses", "by_vertices", "by_genus", "labelled", "expected"}
+TABLES = {
+    *("witnesses", "by_vertices", "by_genus", "labelled", "expected", "parameters"),
+    # By the explorer.
+    *("explorers", "mean", "worst", "less", "equal", "more", "costs", "ratio", "exponents"),
+}
 
 
 @functools.cache

@@ -24,7 +24,7 @@ def number():
             if isinstance(value, World):
                 return WORLDS.index(value.map)
             if isinstance(value, Recorded):
-                return (len(value.percepts) - 1) // 2
+                return (len(value._percepts) - 1) // 2
     raise LookupError("neither a world nor a record")
 
 
