@@ -1,9 +1,10 @@
 """Right but for a triangle and a square, which look alike: by counting it knows the level.
 
 It knows how often everything is played a second time, and by a file in which process it is.
-What it does not know is which of these plays are of worlds that came long before.
+What it does not know is which of these plays are of worlds that came long before; and with two
+workers it loses count, and is wrong in both plays alike.
 
-verdict: refuted nondeterministic
+verdict: refuted nondeterministic or map
 options: --class simple --edges 4 --lighthouse none --laws map,pose
 quick: 1
 """
