@@ -158,11 +158,14 @@ class Earlier:
 
     random: Random = field(default_factory=lambda: Random(secrets.randbits(64)))  # noqa: S311
     _plays: list[_Play] = field(default_factory=list)
+    _taken: int = 0
 
     def some(self, plays: int) -> list[_Play]:
-        """Some of them, to go with so many others."""
-        wanted = max(FEW // 4, plays // FEW)
-        return self.random.sample(self._plays, min(wanted, len(self._plays)))
+        """Some of them, to go with so many others; at the beginning of a check more."""
+        least = FEW if self._taken < BEGINNING else FEW // 4
+        wanted = min(max(least, plays // FEW), len(self._plays))
+        self._taken += wanted
+        return self.random.sample(self._plays, wanted)
 
     def keep(self, play: _Play) -> None:
         """Keep one; what is kept beyond the first gives way to it."""
