@@ -2,7 +2,7 @@
 
 numba keeps what it has compiled beside the sources (or in the user's cache), but asks only the
 source file of the outermost function whether it is still good.  Here every source of this
-package is asked: what a function has taken in from other files must not be older than they are.
+package is asked: what a function has taken in from other files must be as they are now.
 So is the judge's table of laws, from whose order the numbers follow that are compiled in.
 
 No compiled function makes an array or counts references, and only those that Python calls are
@@ -79,13 +79,13 @@ def uncollected() -> Iterator[None]:
 
 
 def is_compiled(function: Any) -> bool:
-    """Whether an earlier use has left what ``function`` compiles to behind."""
-    source = Path(function.py_func.__code__.co_filename)
-    compiled = Path(str(function.stats.cache_path)).glob(
-        f"{source.stem}.{function.py_func.__name__}-*.nbi"
-    )
-    newest = max(source.stat().st_mtime for source in _sources())
-    return any(file.stat().st_mtime >= newest for file in compiled)
+    """Whether an earlier use has left what ``function`` compiles to behind, and it is still good.
+
+    What is kept is asked for its stamp, not for its age: an installation of the same sources,
+    made later, goes on with it.
+    """
+    file = _file_of(function)
+    return file is not None and bool(file._load_index())  # noqa: SLF001  # there is no public way
 
 
 RECORD = from_dtype
@@ -97,10 +97,15 @@ _ALIVE: list[CFunc] = []
 
 def _stamped(function: Any) -> Any:
     """The function; what is kept of it is good as long as this package is as it is now."""
-    file = getattr(getattr(function, "_cache", None), "_cache_file", None)
+    file = _file_of(function)
     if file is not None:
         file._source_stamp = _stamp()  # noqa: SLF001  # there is no public way
     return function
+
+
+def _file_of(function: Any) -> Any:
+    """The index of what is kept of a function; none if nothing is."""
+    return getattr(getattr(function, "_cache", None), "_cache_file", None)
 
 
 @cache
