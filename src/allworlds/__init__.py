@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from allworlds.libraries import native
     from allworlds.minimax import optimum
     from allworlds.mutation import mutants
+    from allworlds.skeletons import init
     from allworlds.smt import search
     from allworlds.worst_case import worst
 
@@ -69,6 +70,7 @@ __all__ = [
     "explain",
     "fuzz",
     "grow",
+    "init",
     "merge",
     "mutants",
     "native",

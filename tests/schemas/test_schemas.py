@@ -26,6 +26,7 @@ from allworlds.maps import named_map
 from allworlds.minimax import optimum
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.skeletons import init
 from allworlds.smt import search
 from allworlds.verbs import VERBS
 from allworlds.world import LIGHTHOUSES, Directional, Position, World
@@ -100,6 +101,11 @@ def kept(verb):
         return verb(directory).to_json()
 
 
+def skeleton():
+    with tempfile.TemporaryDirectory() as directory:
+        return init(directory).to_json()
+
+
 DOCUMENTS = {
     "check holds": (whole("check"), lambda: check(edges=2).to_json()),
     "check of a class": (whole("check"), lambda: check(vertices=3, map_class="simple").to_json()),
@@ -140,6 +146,7 @@ DOCUMENTS = {
         lambda: fuzz(WRONG["pose-lost"].explorer(), edges=6, runs=3).to_json(),
     ),
     "count": (whole("count"), lambda: count(edges=3).to_json()),
+    "init": (whole("init"), skeleton),
     "native": (whole("native"), lambda: native(header=True).to_json()),
     "count simple": (whole("count"), lambda: count(vertices=4, map_class="simple").to_json()),
     "run": (whole("run"), lambda: run("algorithm1", World(THETA, Directional(0))).to_json()),
