@@ -185,8 +185,9 @@ def run_directory(path: Path) -> Path:
     return path
 
 
-# What a terminal or a CI tells programs about colours; a record is plain.
-COLOURS = {"FORCE_COLOR", "CLICOLOR_FORCE", "PY_COLORS", "NO_COLOR", "GITHUB_ACTIONS"}
+# What a terminal or a CI tells programs about colours and pages; a record is plain.
+COLOURS = {"FORCE_COLOR", "CLICOLOR_FORCE", "PY_COLORS", "NO_COLOR"}
+COLOURS |= {"GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY"}
 
 
 def run(command: str | list[str], directory: str) -> subprocess.CompletedProcess[str]:
