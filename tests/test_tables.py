@@ -182,6 +182,7 @@ ONLY_PYTHON = {
     "replay": {"finding", "explore"},
     "explain": {"finding"},
     "bench": {"peers"},
+    "play": {"player"},
     # It takes no class of maps.
     "grow": {"map_class"},
 }

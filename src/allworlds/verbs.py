@@ -159,6 +159,13 @@ VERBS = (
         "A skeleton of an explorer of one's own, in one of several languages.",
     ),
     Verb(
+        "play",
+        "playing:play",
+        "play_text:play_text",
+        "play",
+        "Be the robot yourself, in a page or in the terminal.",
+    ),
+    Verb(
         "native",
         "libraries:native",
         "native_text:native_text",

@@ -1,4 +1,4 @@
-"""The action, the workflows and the hook: held to their schemas, and executed without the service."""
+"""Action, workflows and hook, held to their schemas and executed without the service."""
 
 import json
 import re
@@ -138,12 +138,12 @@ def test_what_is_given_is_no_code(job):
     ("given", "verdict", "code"),
     [
         ({"options": "--time-limit 0.000001 --engine python"}, "inconclusive", "3"),
-        ({"options": "--class simple --vertices 1"}, "vacuous", "4"),
+        ({"options": "--class simple --lighthouse cluster"}, "vacuous", "4"),
         ({"options": "--no-such-option"}, "error", "2"),
     ],
 )
 def test_another_verdict_fails_with_its_name(job, given, verdict, code):
-    job.run(use(explorer="algorithm1", edges="3", **given))
+    job.run(use(explorer="algorithm1", edges="1", **given))
     assert job.failed
     assert job.outputs == {"verdict": verdict, "exit-code": code}
 

@@ -20,7 +20,7 @@ from allworlds.documents.words import (
     Version,
     code,
 )
-from allworlds.documents.worlds import Percept, Rooted, World
+from allworlds.documents.worlds import Percept, Rooted, Transcript, World
 from allworlds.outcome import Exit
 
 
@@ -58,6 +58,14 @@ class InitReport(Report):
     explorer: Annotated[Text, "the file to be filled in"]
     check: Annotated[Text, "a shell command that checks it"]
     test: Annotated[Text, "a shell command that runs its test, in the directory"]
+
+
+class PlayReport(Report):
+    """Report of 'play'."""
+
+    path: Annotated[str | None, "the page in which it is played; null where it was played here"]
+    world: World
+    transcript: Annotated[Transcript, "what was done and sensed; of a page the start alone"]
 
 
 class NativeReport(Report):

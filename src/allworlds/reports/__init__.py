@@ -65,6 +65,7 @@ FILES = {
     ("compare", "html"): "html:comparison_page",
     ("grow", "csv"): "grow_text:grow_csv",
     ("grow", "plot"): "grow_plot:grow_plot",
+    ("play", "html"): "play:play_page",
 }
 """What else a verb's result can be written to, by the verb and the option."""
 
