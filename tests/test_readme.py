@@ -83,7 +83,13 @@ def write(folder, file, code):
 
 
 @pytest.mark.parametrize(
-    ("page", "file"), [("README.md", "mine.py"), ("docs/programs.md", "loops.py")]
+    ("page", "file"),
+    [
+        ("README.md", "mine.py"),
+        ("docs/programs.md", "loops.py"),
+        ("docs/pytest.md", "test_conformance.py"),
+        ("docs/ci.md", "none.py"),
+    ],
 )
 def test_every_command_prints_what_the_page_says(page, file, shell, tmp_path):
     (tmp_path / file).touch()
@@ -147,6 +153,7 @@ PAGES = [
 
 # What looks like the path of a file, and is one only on the reader's machine, or none.
 ELSEWHERE = {"mine.py", "my_explorer.py", "loops.py", "test_explorer.py", "path/to/file.py"}
+ELSEWHERE |= {"explorer.py", "mine/explorer.py", "test_conformance.py", "src/mine.py"}
 NO_PATHS = {"application/json"}
 
 
