@@ -163,7 +163,7 @@ def test_what_every_verb_says_is_recorded():
 PRINTED = {"as_json", "quiet", "help", *FORMATS}
 ONLY_CLI = {
     "worst": {"explorer", "command", "native"},
-    "check": {"estimate", "events", "explorer", "command", "native"},
+    "check": {"estimate", "events", "explorer", "command", "native", "watch"},
     "fuzz": {"explorer", "command", "native"},
     "run": {"arguments", "command", "native", "family", "holes", "seed"},
     "replay": {"file", "explorer", "command", "native"},

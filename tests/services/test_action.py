@@ -13,6 +13,7 @@ from jsonschema import Draft7Validator
 from ruamel.yaml import YAML
 
 import allworlds
+from allworlds.outcome import Exit, Verdict
 from allworlds.skeletons import LANGUAGES, init
 from services.runner import OURS, ROOT, job_in, read
 
@@ -135,18 +136,13 @@ def test_what_is_given_is_no_code(job):
     assert [*job.workspace.iterdir()] == []
 
 
-@pytest.mark.parametrize(
-    ("given", "verdict", "code"),
-    [
-        ({"options": "--time-limit 0.000001 --engine python"}, "inconclusive", "3"),
-        ({"options": "--class simple --lighthouse cluster"}, "vacuous", "4"),
-        ({"options": "--no-such-option"}, "error", "2"),
-    ],
-)
-def test_another_verdict_fails_with_its_name(job, given, verdict, code):
-    job.run(use(explorer="algorithm1", edges="1", **given))
-    assert job.failed
-    assert job.outputs == {"verdict": verdict, "exit-code": code}
+@pytest.mark.parametrize("code", Exit)
+def test_an_exit_code_is_told_with_its_verdict(job, programs, code):
+    (programs / "allworlds").write_text(f"#!/bin/sh\nexit {code:d}\n")
+    job.run(use(explorer="algorithm1"))
+    assert job.failed == (code != Exit.HOLDS)
+    verdicts = {verdict.exit: verdict.value for verdict in Verdict if verdict != "not-refuted"}
+    assert job.outputs == {"verdict": verdicts.get(code, "error"), "exit-code": f"{code:d}"}
 
 
 def test_without_an_explorer_nothing_is_checked(job):
