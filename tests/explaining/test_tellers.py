@@ -19,7 +19,16 @@ def test_a_crash_is_told_with_its_last_step_and_the_last_line_of_the_traceback(t
     law, _, text = told("crashes-at-leaves")
     assert law == "crash"
     assert "step 1, move 0: to v1, dart 1, where it sensed 'degree 1'" in text
-    assert text.endswith("wrote of it: IndexError: a vertex without another dart")
+    # It stands in what was seen, and is not said twice.
+    assert text.count("IndexError: a vertex without another dart") == 1
+
+
+def test_of_what_a_program_wrote_the_line_that_tells_is_told(finding_of):
+    wrote = "/mine.js:3\n\nReferenceError: f is not defined\n    at g (/mine.js:3:1)\n\nNode.js v20"
+    finding = replace(finding_of("crashes-at-leaves"), seen="the end of its output", detail=wrote)
+    assert explain(finding).sentences[-1] == (
+        "What it wrote of it: ReferenceError: f is not defined"
+    )
 
 
 def test_a_run_that_ends_at_the_start_has_no_last_step(told):

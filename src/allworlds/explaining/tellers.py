@@ -32,7 +32,7 @@ def ending(how: str) -> Teller:
 
     def tell(story: Story) -> Telling:
         line = telling_line(story.finding.detail)
-        why = [f"What it wrote of it: {line}"] if line else []
+        why = [f"What it wrote of it: {line}"] if line not in str(story.finding.seen) else []
         return Telling([how, _say_last_step(story), story.expected_and_seen(), *why])
 
     return tell
@@ -187,10 +187,10 @@ def tell_bound(story: Story) -> Telling:
     spent = spending(story, an_integer("expected", story.finding.expected))
     name = story.finding.rules.the_bound.name
     traversals = plural(spent.cost, "traversal")
+    out = spent.cost - spent.back
     told = [
         f"The world has {_size(story.map)}, for which the bound ({name}) allows {spent.bound}.",
-        f"The robot made {traversals}: {spent.cost - spent.back} out, {spent.back} to take one "
-        "back.",
+        f"The robot made {traversals}: {out} out, {spent.back} to take one back.",
         f"Of those out {len(spent.found)} went along an edge that was new.",
     ]
     return Telling(told, spent=spent)
