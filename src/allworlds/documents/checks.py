@@ -177,6 +177,11 @@ class ExplainReport(Report):
         World | None,
         "under the law `folding` another world that agrees with the log; else null",
     ]
+    slip: Annotated[
+        Text | None,
+        "the one thing that makes all the difference between answer and world, such as "
+        "`mirror image`; null: none that is known",
+    ]
 
 
 MutantKind: TypeAlias = Literal["explorer", "judge", "enumerator"]
