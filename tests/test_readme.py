@@ -62,7 +62,14 @@ PAGES = [
 ]
 
 # What looks like the path of a file, and is one only on the reader's machine, or none.
-ELSEWHERE = {"rooms.py", "mine.py", "my_explorer.py", "loops.py", "test_explorer.py", "path/to/file.py"}
+ELSEWHERE = {
+    "rooms.py",
+    "mine.py",
+    "my_explorer.py",
+    "loops.py",
+    "test_explorer.py",
+    "path/to/file.py",
+}
 NO_PATHS = {"application/json"}
 
 
