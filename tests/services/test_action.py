@@ -160,7 +160,7 @@ def test_a_build_that_fails_ends_the_job(job):
 
 def shown(language):
     """The blocks in a language of the page about CI."""
-    page = (ROOT / "docs" / "ci.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "how-to" / "ci.md").read_text(encoding="utf-8")
     return re.findall(rf"^```{language}\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
 
 
@@ -171,7 +171,7 @@ def test_the_workflow_to_be_copied_is_that_of_the_skeleton(tmp_path):
 
 
 def test_the_page_tells_every_input_of_the_action():
-    page = (ROOT / "docs" / "ci.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "how-to" / "ci.md").read_text(encoding="utf-8")
     for name in read(ROOT / "action.yml")["inputs"]:
         assert f"`{name}`" in page
 
