@@ -35,7 +35,7 @@ def _by_size(report: Report, sampled: bool) -> dict[tuple[int, ...], Row]:
     """The rows by their edges and vertices; of a sample added up, by edges and all vertices."""
     rows = dict(sorted(report.tally.rows.items()))
     if not sampled:
-        return dict[tuple[int, ...], Row](rows)
+        return {(edges, vertices): row for (edges, vertices), row in rows.items()}
     added: dict[int, tuple[list[int], Row]] = {}
     for (edges, vertices), row in rows.items():
         met, total = added.setdefault(edges, ([], Row()))
