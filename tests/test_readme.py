@@ -74,7 +74,7 @@ ELSEWHERE = {
     "test_conformance.py",
     "src/mine.py",
 }
-NO_PATHS = {"application/json"}
+NO_PATHS = {"application/json", "build/site"}
 
 
 def paths_in(text):
