@@ -119,13 +119,17 @@ class Augmentation:
         return [
             (
                 "Two passes of one run of Algorithm 1 (first in, first out) in the "
-                f"{WORLD}; the run, of {cost} traversals, was judged. Black: S; dashed: U, the darts "
-                "that are open; grey: what the robot does not know. The marker at v0 points along the "
+                f"{WORLD}; the run, of {cost} traversals, was judged. Black: "
+                "S; dashed: U, the darts "
+                "that are open; grey: what the robot does not know. The "
+                "marker at v0 points along the "
                 "arrow."
             ),
             (
-                f"Above, pass {new.number}: the robot leaves S by e (red). The {len(new.hypotheses)} "
-                "open darts (blue) with the same signature are the hypotheses e'; all are rejected, "
+                f"Above, pass {new.number}: the robot leaves S by e (red). "
+                f"The {len(new.hypotheses)} "
+                "open darts (blue) with the same signature are the "
+                "hypotheses e'; all are rejected, "
                 f"so the vertex is new, and e (green) is added with it: {new.cost} traversals."
             ),
             (
