@@ -38,7 +38,7 @@ from allworlds.kernel.logs import (
     SHOWN_TOO_OFTEN,
     STRANGE,
 )
-from allworlds.kernel.names import ANSWER_READY, CHECKPOINT, LIFO, MOVE, NEAREST
+from allworlds.kernel.names import AMBIGUOUS, ANSWER_READY, CHECKPOINT, LIFO, MOVE, NEAREST
 from allworlds.kernel.records import NONE, POLICY
 from allworlds.kernel.worlds import settle
 
@@ -299,6 +299,9 @@ def _end(explorer, handed, kind, logs, at):
             at -= 1
     elif kind == CHECKPOINT:
         logs[at] = SHOWN_TOO_OFTEN
+    elif kind == AMBIGUOUS:
+        # The other engine knows what a quotient is worth.
+        logs[at] = STRANGE
     else:
         logs[at] = ILLEGAL
     return at
