@@ -277,7 +277,7 @@ def _either(known: types.NamedTuple, world: Any, record: Any) -> Any:
     return world if known.instance_class is Worlds else record
 
 
-@inner
+@inlined
 def _begin(explorer, action, asked, head, beat):
     """The first step of an episode."""
     beat[0], beat[1] = head[RUN_NUMBER], 1
@@ -290,7 +290,7 @@ def _begin(explorer, action, asked, head, beat):
     )
 
 
-@inner
+@inlined
 def _end(explorer, handed, kind, logs, at):
     """Where the log ends: with an answer, or what is none."""
     if kind == ANSWER_READY:
@@ -307,7 +307,7 @@ def _end(explorer, handed, kind, logs, at):
     return at
 
 
-@inner
+@inlined
 def _publish(explorer, handed, logs, at, what):
     """Where the log goes on behind what was published; STRANGE stands there if that is no use."""
     _, _, here, capacity = handed
