@@ -115,7 +115,7 @@ class CheckReport(Report):
     checkpoints: Annotated[Natural, "how many were published"]
     rows: Annotated[list[CheckRow], "one for each (edges, vertices), ascending"]
     witnesses: Annotated[
-        dict[str, Positive], "how often each [event](protocol.md#witnesses) occurred"
+        dict[str, Positive], "how often each [event](verdicts.md#witnesses) occurred"
     ]
     missing_witnesses: Annotated[
         list[Text], Different, "those that must have occurred and have not"
@@ -176,6 +176,11 @@ class ExplainReport(Report):
     other: Annotated[
         World | None,
         "under the law `folding` another world that agrees with the log; else null",
+    ]
+    slip: Annotated[
+        Text | None,
+        "the one thing that makes all the difference between answer and world, such as "
+        "`mirror image`; null: none that is known",
     ]
 
 

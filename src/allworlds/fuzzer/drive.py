@@ -6,21 +6,12 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any, Unpack
 
-from allworlds.checker import (
-    Completed,
-    Ending,
-    Interrupted,
-    ManyRunsOptions,
-    Report,
-    Stopped,
-    refuse_others,
-    rules_for,
-)
+from allworlds.checker import ManyRunsOptions, Report, ending_of, refuse_others, rules_for
 from allworlds.findings import Finding
 from allworlds.fuzzer.sample import batches
 from allworlds.fuzzer.shrink import shrink
 from allworlds.inputs import InputError, an_integer, show
-from allworlds.isolation import Unsettled, confirmed, subject_of, workers_for
+from allworlds.isolation import confirmed, subject_of, workers_for
 from allworlds.maps.classes import Extent
 from allworlds.progress import Listener, Silent
 from allworlds.runs import Examination, GivenWorlds, Sample, Scope, Tally
@@ -63,20 +54,16 @@ def fuzz(
     sample = Sample(runs, seed)
     scope = Scope(Extent(map_class, _positive(edges)), rules, coverage=sample)
     tally = Tally(keep=1)
-    ending: Ending = Completed()
-    try:
+
+    def job() -> None:
         with workers_for(subject, limits, limits.deadline()) as workers:
             _try(workers, scope, tally, listener or Silent())
             _shrink(workers, scope, tally)
         tally.findings = [
             confirmed(found, subject, limits, scope.schedules) for found in tally.findings
         ]
-    except Unsettled as error:
-        ending = Stopped(str(error))
-    except TimeIsUp:
-        ending = Stopped(f"the time limit of {limits.time_limit:g} s was reached")
-    except KeyboardInterrupt:
-        ending = Interrupted()
+
+    ending = ending_of(job, limits)
     return Report(subject.name, "python", scope, tally, (), ending)
 
 

@@ -11,6 +11,8 @@
 """
 
 from allworlds.reports.html.comparison import comparison_page
+from allworlds.reports.html.findings import figure
+from allworlds.reports.html.frame import Own, framed
 from allworlds.reports.html.page import page
 
-__all__ = ["comparison_page", "page"]
+__all__ = ["Own", "comparison_page", "figure", "framed", "page"]
