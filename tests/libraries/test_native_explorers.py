@@ -107,6 +107,13 @@ def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
     assert again.runs == 0
 
 
+def test_worst_says_that_the_python_engine_plays_a_library(cli):
+    code, out, err = cli("worst", "--native", example("c/algorithm1.c"), "--edges", 1)
+    assert code == 0
+    assert "every schedule" in out
+    assert "the python engine" in err
+
+
 def test_it_is_told_what_the_lighthouse_tells():
     lighthouse = {"kind": "natural", "dart": 0}
     world = {"sigma": [0, 2, 3, 1], "alpha": [1, 0, 3, 2], "start": 0, "lighthouse": lighthouse}

@@ -26,7 +26,7 @@ from allworlds.kernel.calls import (
     entry_of,
     narrow,
 )
-from allworlds.kernel.compiling import RECORD, callback, entry, inlined, inner
+from allworlds.kernel.compiling import RECORD, callback, entry, inlined
 from allworlds.kernel.gluing import advance
 from allworlds.kernel.logs import (
     ANSWERED,
@@ -215,7 +215,7 @@ def _sense(known: Any, run: int, place: int, percept: Any) -> None:
     raise NotImplementedError
 
 
-def _go(known: Any, head: Any, run: int, place: int, motion: int, cost: int) -> int:
+def _go(known: Any, head: Any, run: int, place: int, motion: Any, cost: int) -> int:
     """Where the motion leads, after so many others; NONE if the first play had ended here."""
     raise NotImplementedError
 

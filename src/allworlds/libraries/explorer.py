@@ -177,8 +177,9 @@ class NativeExplorer:
         if quotient is None:
             there_is_none = f"an action of kind {AMBIGUOUS}, but no function allworlds_quotient"
             raise ExplorerFault("illegal-action", there_is_none)
-        said = self._said(quotient, 4, state, sensed, "no-estimate")
-        return Ambiguous(*said, self._here[0])
+        lists = self._said(quotient, 4, state, sensed, "no-estimate")
+        sigma, alpha, degree, marks = lists
+        return Ambiguous(sigma, alpha, degree, marks, self._here[0])
 
 
 class _Asked:
