@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from allworlds.ambiguity import twins
     from allworlds.benching import bench
     from allworlds.checker import check, replay, run, worlds
+    from allworlds.claims import claims
     from allworlds.comparing import compare
     from allworlds.counter import count
     from allworlds.explaining import explain
@@ -64,6 +65,7 @@ __all__ = [
     "ambiguity",
     "bench",
     "check",
+    "claims",
     "compare",
     "count",
     "explain",

@@ -152,6 +152,14 @@ VERBS = (
         "The best that any explorer can do in the worst world, by minimax.",
     ),
     Verb(
+        "claims",
+        "claims:claims",
+        "claims_text:claims_text",
+        "claims",
+        "The paper's sentences and ours, each with what was found.",
+        brief="claims_text:claims_line",
+    ),
+    Verb(
         "native",
         "libraries:native",
         "native_text:native_text",

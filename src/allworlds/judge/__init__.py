@@ -19,6 +19,7 @@ from allworlds.judge.laws import (
     judge,
     map_law,
 )
+from allworlds.judge.second_opinion import same_map
 
 __all__ = [
     "LAWS",
@@ -37,4 +38,5 @@ __all__ = [
     "judge",
     "map_law",
     "paper_bound",
+    "same_map",
 ]
