@@ -32,16 +32,17 @@ if TYPE_CHECKING:
     from allworlds.ambiguity import twins
     from allworlds.benching import bench
     from allworlds.checker import check, replay, run, worlds
-    from allworlds.claims import claims
     from allworlds.comparing import compare
     from allworlds.counter import count
     from allworlds.explaining import explain
     from allworlds.fuzzer import fuzz
     from allworlds.growing import grow
     from allworlds.joining import merge, status
+    from allworlds.ledger import claims
     from allworlds.libraries import native
     from allworlds.minimax import optimum
     from allworlds.mutation import mutants
+    from allworlds.playing import play
     from allworlds.smt import search
     from allworlds.worst_case import worst
 
@@ -75,6 +76,7 @@ __all__ = [
     "mutants",
     "native",
     "optimum",
+    "play",
     "replay",
     "run",
     "search",

@@ -153,11 +153,18 @@ VERBS = (
     ),
     Verb(
         "claims",
-        "claims:claims",
+        "ledger:claims",
         "claims_text:claims_text",
         "claims",
         "The paper's sentences and ours, each with what was found.",
         brief="claims_text:claims_line",
+    ),
+    Verb(
+        "play",
+        "playing:play",
+        "play_text:play_text",
+        "play",
+        "Be the robot yourself, in a page or in the terminal.",
     ),
     Verb(
         "native",

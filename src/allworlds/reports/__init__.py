@@ -27,16 +27,34 @@ class Format:
     Attributes:
         home: where it is made: module and function.
         help: what the option says.
+        summary: the variable of a CI service that names a file to which the report is added
+            without being asked for; empty where there is none.
+        told_to: the variable by which a CI service says that it reads stderr for it, likewise.
     """
 
     home: str
     help: str
+    summary: str = ""
+    told_to: str = ""
 
 
 FORMATS = {
     "junit": Format("junit:junit", "Write the report as JUnit XML too."),
     "html": Format(
         "html:page", "Write the report as a web page too: one file, which needs no network."
+    ),
+    "sarif": Format(
+        "sarif:sarif", "Write the report as SARIF 2.1.0 too, for code scanning and editors."
+    ),
+    "markdown": Format(
+        "markdown:markdown",
+        "Write the report as Markdown too.",
+        summary="GITHUB_STEP_SUMMARY",
+    ),
+    "annotations": Format(
+        "annotations:runner_commands",
+        "Write the findings as commands of GitHub's runners too; there stderr has them anyway.",
+        told_to="GITHUB_ACTIONS",
     ),
 }
 """Every kind of file by the name of its option."""
@@ -49,6 +67,7 @@ FILES = {
     ("compare", "html"): "html:comparison_page",
     ("grow", "csv"): "grow_text:grow_csv",
     ("grow", "plot"): "grow_plot:grow_plot",
+    ("play", "html"): "play:play_page",
 }
 """What else a verb's result can be written to, by the verb and the option."""
 

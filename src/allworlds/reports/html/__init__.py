@@ -12,6 +12,8 @@
 
 from allworlds.reports.html.claims import claims_page
 from allworlds.reports.html.comparison import comparison_page
+from allworlds.reports.html.findings import figure
+from allworlds.reports.html.frame import Own, framed
 from allworlds.reports.html.page import page
 
-__all__ = ["claims_page", "comparison_page", "page"]
+__all__ = ["Own", "claims_page", "comparison_page", "figure", "framed", "page"]
