@@ -24,7 +24,7 @@ from allworlds.ledger.passes import every_run, pass_bound
 from allworlds.maps.build import cycle
 from allworlds.maps.classes import MapClass
 from allworlds.maps.enumeration import rooted_maps
-from allworlds.outcome import Verdict
+from allworlds.outcome import Exit, Verdict
 from allworlds.world import Directional, World
 from allworlds.worst_case import EverySchedule
 
@@ -243,7 +243,7 @@ def order_of_the_bound(_: Means, *, edges: int) -> Found:
 def order_is_reached(means: Means, *, family: str, to: int, growing: float) -> Found:
     """The cost in a family in which n grows like m: between the last two sizes like m^3 or more."""
     report = grow("algorithm1", families=[family], to=to, worlds=2, workers=means.workers)
-    if report.interrupted:
+    if report.exit_code == Exit.INTERRUPTED:
         raise KeyboardInterrupt
     rows = report.rows
     shares = [row.mean / (row.edges**2 * row.vertices) for row in rows]
