@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from allworlds.minimax import optimum
     from allworlds.mutation import mutants
     from allworlds.playing import play
+    from allworlds.skeletons import init
     from allworlds.smt import search
     from allworlds.worst_case import worst
 
@@ -72,6 +73,7 @@ __all__ = [
     "explain",
     "fuzz",
     "grow",
+    "init",
     "merge",
     "mutants",
     "native",

@@ -160,6 +160,13 @@ VERBS = (
         brief="claims_text:claims_line",
     ),
     Verb(
+        "init",
+        "skeletons:init",
+        "init_text:init_text",
+        "init",
+        "A skeleton of an explorer of one's own, in one of several languages.",
+    ),
+    Verb(
         "play",
         "playing:play",
         "play_text:play_text",
