@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from allworlds.fuzzer import fuzz
     from allworlds.growing import grow
     from allworlds.joining import merge, status
+    from allworlds.ledger import claims
     from allworlds.libraries import native
     from allworlds.minimax import optimum
     from allworlds.mutation import mutants
@@ -67,6 +68,7 @@ __all__ = [
     "ambiguity",
     "bench",
     "check",
+    "claims",
     "compare",
     "count",
     "explain",

@@ -159,6 +159,14 @@ VERBS = (
         "The best that any explorer can do in the worst world, by minimax.",
     ),
     Verb(
+        "claims",
+        "ledger:claims",
+        "claims_text:claims_text",
+        "claims",
+        "The paper's sentences and ours, each with what was found.",
+        brief="claims_text:claims_line",
+    ),
+    Verb(
         "init",
         "skeletons:init",
         "init_text:init_text",

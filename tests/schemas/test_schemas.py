@@ -23,6 +23,7 @@ from allworlds.figures import figure
 from allworlds.fuzzer import fuzz
 from allworlds.growing import grow
 from allworlds.joining import merge, status
+from allworlds.ledger import claims
 from allworlds.libraries import native
 from allworlds.maps import named_map
 from allworlds.minimax import optimum
@@ -183,6 +184,10 @@ DOCUMENTS = {
         lambda: replay(finding_of("mirror-image"), WRONG["mirror-image"].explorer()).to_json(),
     ),
     "mutants": (whole("mutants"), lambda: mutants(edges=1).to_json()),
+    "claims": (
+        whole("claims"),
+        lambda: claims(only=["fig1", "printed-3", "bound-polynomial", "coq-2m"]).to_json(),
+    ),
     "optimum": (whole("optimum"), lambda: optimum(edges=2).to_json()),
     "optimum not found": (
         whole("optimum"),

@@ -20,6 +20,7 @@ from allworlds.judge.laws import (
     judge,
     map_law,
 )
+from allworlds.judge.second_opinion import same_map
 
 __all__ = [
     "LAWS",
@@ -40,4 +41,5 @@ __all__ = [
     "map_law",
     "paper_bound",
     "printed_bound",
+    "same_map",
 ]

@@ -60,6 +60,8 @@ FORMATS = {
 
 
 FILES = {
+    ("claims", "html"): "html:claims_page",
+    ("claims", "junit"): "claims_junit:claims_junit",
     ("compare", "csv"): "compare_text:compare_csv",
     ("compare", "html"): "html:comparison_page",
     ("grow", "csv"): "grow_text:grow_csv",
