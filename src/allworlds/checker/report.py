@@ -177,6 +177,7 @@ class Report:
         if isinstance(coverage, Sample):
             sample = {
                 "edges": scope.extent.levels[-1],
+                "min_edges": coverage.min_edges,
                 "runs": coverage.runs,
                 "seed": coverage.seed,
             }

@@ -14,6 +14,7 @@ from allworlds.judge import LAWS
 from allworlds.maps.classes import MapClass
 from allworlds.maps.families import FORMS
 from allworlds.protocol import ANSWER_TIMEOUT, DEFAULT_POLICY, POLICIES, SEEDED
+from allworlds.runs import DEFAULT_EDGES
 from allworlds.subjects import EXEC, NATIVE
 from allworlds.world import LIGHTHOUSES
 
@@ -137,9 +138,18 @@ AnswerTimeout = Annotated[
 class Bounds:
     """The extent of an exhaustive verb."""
 
-    edges: Annotated[int | None, number(SCOPE, "M", "At most M edges.", show_default=False)] = None
+    edges: Annotated[
+        int | None,
+        number(
+            SCOPE,
+            "M",
+            f"At most M edges (default of check, unless --vertices is given: {DEFAULT_EDGES}).",
+            show_default=False,
+        ),
+    ] = None
     vertices: Annotated[
-        int | None, number(SCOPE, "N", "At most N vertices (alone: simple classes only).")
+        int | None,
+        number(SCOPE, "N", "At most N vertices (alone: simple classes only; default: any)."),
     ] = None
     map_class: MapClassName = "maps"
 
@@ -232,7 +242,7 @@ class Rules:
         number(
             RULES,
             "B",
-            "More traversals break the law 'budget' (default: 8 x ((1)+(2)) + 100).",
+            "More traversals break the law 'budget' (default: 8 x the bound paper + 100).",
             show_default=False,
         ),
     ] = None

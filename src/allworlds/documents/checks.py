@@ -27,6 +27,7 @@ class Sample(TypedDict):
     """How random worlds were drawn."""
 
     edges: Annotated[Positive, "at most so many"]
+    min_edges: Annotated[Positive, "at least so many"]
     runs: Annotated[Positive, "how many worlds were drawn"]
     seed: Annotated[int, "from which"]
 
