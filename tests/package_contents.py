@@ -9,6 +9,7 @@ from pathlib import Path
 NEEDED = {
     "wheel": (
         "allworlds/py.typed",
+        "_allworlds_pytest.py",
         "allworlds/libraries/allworlds.h",
         "allworlds/reports/html/style.css",
         "allworlds/schemas/check.schema.json",
@@ -27,10 +28,15 @@ NEEDED = {
         "proofs/coq/Main.v",
         "CHANGELOG.md",
         "CITATION.cff",
+        "action.yml",
+        ".pre-commit-hooks.yaml",
         "LICENSE",
         "README.md",
     ),
 }
+
+OWN = {"allworlds", "_allworlds_pytest.py"}
+"""What the wheel installs: the package, and the door that pytest opens."""
 
 REMAINS = re.compile(
     r"(^|/)(__pycache__|\.[a-z]+_cache|\.hypothesis|\.nox|\.venv|\.git|build|dist)(/|$)"
@@ -46,7 +52,7 @@ def flaws(kind, names):
     found += [f"{name} is a remainder" for name in names if REMAINS.search(name)]
     if kind == "wheel":
         outside = {name.partition("/")[0] for name in names}
-        outside = {name for name in outside if name != "allworlds" and ".dist-info" not in name}
+        outside = {name for name in outside - OWN if ".dist-info" not in name}
         found += [f"{name} would be installed beside the package" for name in sorted(outside)]
     return found
 
