@@ -10,6 +10,7 @@ NEEDED = {
     "wheel": (
         "allworlds/py.typed",
         "_allworlds_pytest.py",
+        "allworlds/skeletons/skeleton.py",
         "allworlds/libraries/allworlds.h",
         "allworlds/reports/html/style.css",
         "allworlds/schemas/check.schema.json",
