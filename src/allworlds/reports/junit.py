@@ -14,6 +14,7 @@ from allworlds.findings import Finding
 from allworlds.outcome import Verdict
 from allworlds.reports.run_text import finding_text
 from allworlds.runs import Sample
+from allworlds.version import __version__
 from allworlds.words import plural, size
 
 WIDTH = 100
@@ -70,7 +71,7 @@ def _properties(suite: ET.Element, report: Report) -> None:
     """Verdict and scope, which no result is worth anything without."""
     document: Mapping[str, Any] = report.to_json()
     named = ("verdict", "exit_code", "engine", "worlds", "runs", "traversals")
-    told = {name: document[name] for name in named}
+    told = {"version": __version__, **{name: document[name] for name in named}}
     told |= {f"scope.{name}": value for name, value in document["scope"].items()}
     properties = ET.SubElement(suite, "properties")
     for name, value in told.items():
