@@ -13,10 +13,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib import import_module
-from importlib.util import find_spec
 from typing import Any
 
-from allworlds.inputs import InputError
+from allworlds.inputs import ensure_installed
 from allworlds.verbs import VERBS
 
 
@@ -61,6 +60,8 @@ FORMATS = {
 
 
 FILES = {
+    ("claims", "html"): "html:claims_page",
+    ("claims", "junit"): "claims_junit:claims_junit",
     ("compare", "csv"): "compare_text:compare_csv",
     ("compare", "html"): "html:comparison_page",
     ("grow", "csv"): "grow_text:grow_csv",
@@ -111,8 +112,7 @@ def ensure_drawable() -> None:
     Raises:
         InputError: if what draws them is not installed.
     """
-    if find_spec("matplotlib") is None:
-        raise InputError("plot needs matplotlib: pip install 'allworlds[figures]'")
+    ensure_installed("matplotlib", "figures", "plot")
 
 
 def _load(home: str) -> Any:
