@@ -25,10 +25,11 @@ from allworlds.kernel.counting import count
 from allworlds.kernel.laws import LAWS
 from allworlds.kernel.lighthouses import KINDS, lighthouse_address
 from allworlds.kernel.names import EVENTS, POLICIES
-from allworlds.kernel.records import COUNTING, JOB, LONG, ROBOT, WALK, new
+from allworlds.kernel.records import COUNTING, JOB, LONG, ROBOT, new
 from allworlds.kernel.rows import Broken, Counts, Level, Listed, Rows
 from allworlds.kernel.tables import MOST_EDGES, gluing_rule, packed
 from allworlds.kernel.two_vertices import two_vertices_addresses
+from allworlds.kernel.walk_records import WALK
 
 EVERY = 1 << 62
 """More than the number of any run."""
