@@ -19,10 +19,13 @@
 ``report``
     the verdict with its scope;
 ``single``, ``replaying``
-    one world at a time.
+    one world at a time;
+``dearest``
+    the dearest run of every size, played again.
 """
 
 from allworlds.checker.corpus import UserCorpus
+from allworlds.checker.dearest import dearest_runs
 from allworlds.checker.engines import ENGINES, Job
 from allworlds.checker.exhaustive import check, estimate, merged_check
 from allworlds.checker.gate import Cell, count_gate
@@ -57,6 +60,7 @@ __all__ = [
     "UserCorpus",
     "check",
     "count_gate",
+    "dearest_runs",
     "estimate",
     "merged_check",
     "refuse_others",

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
-from allworlds.cli.files import ensure_all_writable, write_files
+from allworlds.cli.files import PageFile, ensure_all_writable, write_files
 from allworlds.cli.output import Progress, emit
 from allworlds.maps.families import FORMS
 
@@ -42,15 +42,7 @@ def compare(
     rules: opt.Rules,
     effort: opt.Effort,
     csv: opt.CsvFile = None,
-    html: Annotated[
-        str | None,
-        opt.option(
-            opt.OUTPUT,
-            "FILE",
-            "Write a web page too, with the walks in the world that differs most.",
-            show_default=False,
-        ),
-    ] = None,
+    page: PageFile,
     output: opt.Output,
 ) -> int:
     """Example: allworlds compare algorithm1 greedy --edges 4
@@ -61,8 +53,9 @@ def compare(
     """
     import allworlds
 
-    files = {"csv": csv, "html": html}
+    files = {"csv": csv}
     ensure_all_writable(files)
+    page.ensure_writable()
     with Progress(quiet=output.quiet) as progress:
         report = allworlds.compare(
             *explorers,
@@ -75,4 +68,5 @@ def compare(
             **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
         )
     write_files("compare", report, files)
+    page.write("compare", report)
     return emit(report, "compare", output, workers=effort.count)

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
+from allworlds.cli.files import PageFile
 from allworlds.cli.output import emit
 from allworlds.cli.values import index_list
 from allworlds.inputs import InputError, show
@@ -50,6 +51,7 @@ def run(
         ),
     ] = None,
     rules: opt.Rules,
+    page: PageFile,
     output: opt.Output,
 ) -> int:
     """Example: allworlds run algorithm1 theta
@@ -59,6 +61,8 @@ def run(
     import allworlds
     from allworlds.subjects import own_lighthouse
     from allworlds.world import World, world_of_family
+
+    page.ensure_writable()
 
     explorer, place = explorer_and_world(
         list(arguments or []),
@@ -72,6 +76,7 @@ def run(
     elif holes is not None:
         raise InputError(f"holes {holes} has no effect without --family")
     told = allworlds.run(name, world, choices=index_list(choices), **rules.options())
+    page.write("run", told)
     return emit(told, "run", output)
 
 

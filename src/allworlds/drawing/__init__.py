@@ -12,8 +12,9 @@
     gives every dart room, and the drawing in pixels.
 """
 
-from allworlds.drawing.scene import Scene, scene_of
+from allworlds.drawing.layout import Layout
+from allworlds.drawing.scene import Names, Scene, scene_of
 from allworlds.drawing.svg import in_words, picture
 from allworlds.drawing.text import draw, rotation_table
 
-__all__ = ["Scene", "draw", "in_words", "picture", "rotation_table", "scene_of"]
+__all__ = ["Layout", "Names", "Scene", "draw", "in_words", "picture", "rotation_table", "scene_of"]

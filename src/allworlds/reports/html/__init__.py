@@ -1,16 +1,47 @@
-"""A report as one page that needs nothing else: no network, no other file, no script to be read.
+"""A result as one page that needs nothing else: no network, no other file, no script to be read.
 
-``page``, ``comparison``
-    whole documents, of a check and of a comparison: the entries;
+``PAGES``
+    **the** table of the kinds of pages, by the verb;
+``checks``, ``runs``, ``alike``, ``dearest``, ``comparison``
+    what each kind says;
 ``frame``
-    what every document has round it;
-``findings``, ``walk``
-    a finding with its pictures, and its walk as a list of steps;
+    what every page has round it;
+``findings``, ``viewer``, ``walk``, ``plot``
+    parts of pages: a finding, pictures to step through, a walk as a list of steps, and cost
+    against bound;
 ``style.css``, ``script.js``
-    what the page looks like, and the keys that step along a walk.
+    what a page looks like, and the keys that step along a walk.
 """
 
-from allworlds.reports.html.comparison import comparison_page
-from allworlds.reports.html.page import page
+from importlib import import_module
+from typing import Any
 
-__all__ = ["comparison_page", "page"]
+from allworlds.reports.html.frame import framed
+
+PAGES = {
+    "check": "checks:check_page",
+    "fuzz": "checks:check_page",
+    "run": "runs:run_page",
+    "replay": "runs:replay_page",
+    "explain": "runs:explain_page",
+    "twins": "alike:twins_page",
+    "ambiguity class": "alike:class_page",
+    "search": "alike:search_page",
+    "worst": "dearest:worst_page",
+    "compare": "comparison:comparison_page",
+}
+"""What makes the page of each verb's result: module and function."""
+
+
+def page(verb: str, result: Any) -> str:
+    """A verb's result as an HTML document that refers to nothing outside of it."""
+    module, _, function = PAGES[verb].partition(":")
+    return framed(getattr(import_module(f"allworlds.reports.html.{module}"), function)(result))
+
+
+def check_page(report: Any) -> str:
+    """The page of a report of ``check`` or ``fuzz``."""
+    return page("check", report)
+
+
+__all__ = ["PAGES", "check_page", "page"]

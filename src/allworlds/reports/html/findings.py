@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing import Scene, picture
 from allworlds.explaining import Belief, Explanation, Story, explain
-from allworlds.findings import Finding
+from allworlds.findings import Finding, true_trail
 from allworlds.markup import Child, record, tag
 from allworlds.reports.finding_words import (
     choices_words,
@@ -17,6 +16,7 @@ from allworlds.reports.finding_words import (
     seen_words,
     wrong,
 )
+from allworlds.reports.html.viewer import figure, viewer
 from allworlds.reports.html.walk import walk
 from allworlds.reports.scenes import OTHER, walk_in_answer, walk_in_world
 
@@ -57,54 +57,8 @@ def _viewer(story: Story, belief: Belief | None, told: Explanation, name: str) -
         scene = walk_in_world(told.other, transcript)
         figures.append(figure(OTHER.capitalize(), scene, f"{name}-other", "believed"))
     title = f"The walk of finding {name.rpartition('-')[2]}."
-    return viewer(figures, walk(story, belief, told, name), title)
-
-
-def viewer(figures: Sequence[ET.Element], steps: ET.Element, title: str) -> ET.Element:
-    """Pictures and a walk along which keys step in all of them."""
-    keys = "Left and right arrow, Home and End step along the walk."
-    return tag(
-        "div",
-        tag("div", *figures, class_="pictures"),
-        tag(
-            "div",
-            *(
-                tag("button", where.capitalize(), type="button", data_go=where)
-                for where in ("first", "back", "next", "last")
-            ),
-            tag("p", "", class_="now", role="status"),
-            class_="controls",
-            hidden="hidden",
-        ),
-        tag("p", keys, class_="keys", hidden="hidden"),
-        steps,
-        class_="viewer",
-        role="group",
-        tabindex="0",
-        aria_label=f"{title} {keys}",
-    )
-
-
-def figure(title: str, scene: Scene, name: str, follows: str) -> ET.Element:
-    """A picture with its caption and its legend; the robot in it is that of ``follows``."""
-    legend = [
-        tag("span", "robot", class_="key robot-key"),
-        tag("span", "walked", class_="key walked-key"),
-        tag("span", "walked just now", class_="key last-key", hidden="hidden"),
-    ]
-    if scene.marks:
-        legend.append(tag("span", "marked", class_="key marked-key"))
-    if scene.pointed:
-        legend.append(tag("span", "pointed along", class_="key pointed-key"))
-    legend.append(tag("span", "dart faced at the start", class_="key start-key"))
-    genus = scene.map.genus
-    about = f"genus {genus}" + ("; edges that cross do not meet" if genus else "")
-    return tag(
-        "figure",
-        tag("figcaption", tag("b", title), f", {about}"),
-        tag("div", picture(scene, name, title), class_="frame", data_follows=follows),
-        tag("p", *legend, class_="legend"),
-    )
+    others = {"believed": true_trail(told.other, transcript)} if told.other else {}
+    return viewer(figures, walk(story, name, belief, told.step, others), title)
 
 
 def _facts(finding: Finding, origin: str) -> Iterator[ET.Element]:
