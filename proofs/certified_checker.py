@@ -2,7 +2,7 @@
 
     python proofs/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
 
-asks it about a program (docs/protocol.md): is it right, and within the limit, in every world with
+asks it about a program (docs/programs.md): is it right, and within the limit, in every world with
 at most so many edges?  ``holds`` is a theorem (``check_correct`` in ``proofs/coq/Checker.v``) about
 the function of the percepts that the program's answers are part of.  Trusted is what the README of
 ``proofs/coq`` says of all extracted programs, the driver ``ocaml/checker.ml`` and ``ocaml/pipe.ml``

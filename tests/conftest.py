@@ -38,6 +38,9 @@ def temporary(tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TMPDIR", place)
         patch.setattr("tempfile.tempdir", place)
+        # Nor do checks of the tests tell anything to the service that the tests may run in.
+        for name in ("GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY", "GITHUB_WORKSPACE"):
+            patch.delenv(name, raising=False)
         yield
 
 

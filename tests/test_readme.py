@@ -83,7 +83,7 @@ def write(folder, file, code):
 
 
 @pytest.mark.parametrize(
-    ("page", "file"), [("README.md", "mine.py"), ("docs/protocol.md", "loops.py")]
+    ("page", "file"), [("README.md", "mine.py"), ("docs/programs.md", "loops.py")]
 )
 def test_every_command_prints_what_the_page_says(page, file, shell, tmp_path):
     (tmp_path / file).touch()
@@ -195,14 +195,14 @@ def test_the_reader_of_paths_sees_stale_ones():
     assert not is_there("allworlds.pool.x")
 
 
-def test_the_protocol_page_lists_every_law_in_the_order_of_precedence():
-    page = (ROOT / "docs" / "protocol.md").read_text(encoding="utf-8")
+def test_the_page_of_verdicts_lists_every_law_in_the_order_of_precedence():
+    page = (ROOT / "docs" / "verdicts.md").read_text(encoding="utf-8")
     laws = page.partition("## Laws")[2].partition("##")[0]
     assert tuple(re.findall(r"^\| `([a-z0-9-]+)` \|", laws, re.MULTILINE)) == PRECEDENCE
 
 
-def test_the_protocol_page_names_every_witness_that_is_required():
-    page = (ROOT / "docs" / "protocol.md").read_text(encoding="utf-8")
+def test_the_page_of_verdicts_names_every_witness_that_is_required():
+    page = (ROOT / "docs" / "verdicts.md").read_text(encoding="utf-8")
     witnesses = page.partition("## Witnesses")[2].partition("##")[0]
     named = set(re.findall(r"^\| `([a-z0-9A-Z-]+)` \|", witnesses, re.MULTILINE))
     assert named == {"loop-edge", "parallel-edge", *BUILT_IN["algorithm1"].witnesses}

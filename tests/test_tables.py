@@ -62,6 +62,7 @@ def section(text, heading):
 
 
 PROTOCOL = page("docs/protocol.md")
+VERDICTS = page("docs/verdicts.md")
 
 # ---------------------------------------------------------------- verbs
 
@@ -180,6 +181,7 @@ ONLY_PYTHON = {
     "replay": {"finding", "explore"},
     "explain": {"finding"},
     "bench": {"peers"},
+    "play": {"player"},
     # It takes no class of maps.
     "grow": {"map_class"},
 }
@@ -291,7 +293,7 @@ def test_the_help_of_the_families_lists_every_one():
 def test_a_format_is_an_option_of_every_check_and_told_of(name):
     for verb in ("check", "fuzz"):
         assert option(verb, name).help == FORMATS[name].help
-    assert f"--{name}" in PROTOCOL + page("docs/trust.md") + page("README.md")
+    assert f"--{name}" in VERDICTS + page("docs/trust.md") + page("README.md")
 
 
 def test_no_report_is_left_out_of_its_table():
@@ -308,7 +310,7 @@ def test_no_report_is_left_out_of_its_table():
 
 def test_every_law_is_explained_and_told_in_the_order_of_precedence():
     assert tuple(TELLERS) == PRECEDENCE
-    assert tuple(rows(section(PROTOCOL, "Laws"))) == PRECEDENCE
+    assert tuple(rows(section(VERDICTS, "Laws"))) == PRECEDENCE
     # One law of finished runs cannot be left out.
     finished = [law for law in PRECEDENCE if law != "ambiguity"][-len(LAWS) :]
     assert finished == [*LAWS]
@@ -507,7 +509,7 @@ def test_every_built_in_explorer_is_told_and_runs_as_it_is_written_for():
 def test_every_exit_code_and_every_verdict_is_told():
     told = set(re.findall(r"^\| (\d+) \|", page("README.md"), re.MULTILINE))
     assert told == {str(int(code)) for code in Exit} - {"75"}, "75 is for a merge of shards"
-    named = set(rows(section(PROTOCOL, "Verdicts and exit codes")))
+    named = set(rows(section(VERDICTS, "Verdicts and exit codes")))
     assert named == {verdict.value for verdict in Verdict}
 
 

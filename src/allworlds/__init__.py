@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from allworlds.libraries import native
     from allworlds.minimax import optimum
     from allworlds.mutation import mutants
+    from allworlds.playing import play
     from allworlds.smt import search
     from allworlds.worst_case import worst
 
@@ -73,6 +74,7 @@ __all__ = [
     "mutants",
     "native",
     "optimum",
+    "play",
     "replay",
     "run",
     "search",

@@ -152,6 +152,13 @@ VERBS = (
         "The best that any explorer can do in the worst world, by minimax.",
     ),
     Verb(
+        "play",
+        "playing:play",
+        "play_text:play_text",
+        "play",
+        "Be the robot yourself, in a page or in the terminal.",
+    ),
+    Verb(
         "native",
         "libraries:native",
         "native_text:native_text",

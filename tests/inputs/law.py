@@ -41,7 +41,7 @@ CODES = {
     "count": {0, 4},
     "ambiguity census": {0, 4},
 }
-"""The codes that README.md and docs/protocol.md give a verb besides 2; others answer with 0.
+"""The codes that README.md and docs/verdicts.md give a verb besides 2; others answer with 0.
 
 Neither 70 nor 130 is among them: no input is an internal error or an interrupt.
 """

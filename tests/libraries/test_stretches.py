@@ -9,7 +9,8 @@ import pytest
 import small
 from allworlds import kernel
 from allworlds.checker import check
-from allworlds.checker.engines import Job, why_not_compiled
+from allworlds.checker.engines import why_not_compiled
+from allworlds.checker.job import Job
 from allworlds.checker.native import NativeExamination, PlayedByStretches
 from allworlds.checker.native import load as load_here
 from allworlds.checker.questions import level_of

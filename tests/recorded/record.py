@@ -45,6 +45,7 @@ LEAST = {
     "search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
     "bench": "--edges 4 --rounds 1",
     "optimum": "--edges 1",
+    "play": "theta --html {tmp}/least-play.html",
     "native": "--header",
     "ambiguity census": "--edges 1",
     "ambiguity class": "k4",
@@ -133,6 +134,9 @@ COMMANDS = {
     "search-none": (
         "search --lighthouse none --class simple --vertices 4 --edges 4 --out none --json"
     ),
+    "play": "play theta-torus --html play.html --json",
+    "play-page-text": "play theta --html play.html",
+    "play-text": "play theta --lighthouse position",
     "native": "native --header --json",
     "mutants": "mutants --edges 3 --json",
     "mutants-text": "mutants --edges 2",
@@ -181,8 +185,9 @@ def run_directory(path: Path) -> Path:
     return path
 
 
-# What a terminal or a CI tells programs about colours; a record is plain.
-COLOURS = {"FORCE_COLOR", "CLICOLOR_FORCE", "PY_COLORS", "NO_COLOR", "GITHUB_ACTIONS"}
+# What a terminal or a CI tells programs about colours and pages; a record is plain.
+COLOURS = {"FORCE_COLOR", "CLICOLOR_FORCE", "PY_COLORS", "NO_COLOR"}
+COLOURS |= {"GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY"}
 
 
 def run(command: str | list[str], directory: str) -> subprocess.CompletedProcess[str]:

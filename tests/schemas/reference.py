@@ -20,7 +20,8 @@ INTRODUCTION = """\
 With `--json` a verb writes one JSON document on stdout. This page lists the keys of every document
 that is written or read. It is made from the types to which the code is held, and so are the
 schemas (JSON Schema, draft 2020-12) in `importlib.resources.files("allworlds") / "schemas"`, which
-refer to each other by their names. What the words mean: [protocol](protocol.md).
+refer to each other by their names. What the words mean: [protocol](protocol.md) and
+[verdicts](verdicts.md).
 
 `rows[].edges` is the key `edges` of each entry of the list `rows`. A key is always there, unless it
 says *may be missing*.

@@ -11,6 +11,7 @@ import pytest
 from jsonschema import Draft202012Validator
 from referencing import Registry, Resource
 
+from allworlds import Move
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
 from allworlds.checker import Interrupted, check, replay, run, worlds
@@ -26,6 +27,7 @@ from allworlds.maps import named_map
 from allworlds.minimax import optimum
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.playing import play
 from allworlds.smt import search
 from allworlds.verbs import VERBS
 from allworlds.world import LIGHTHOUSES, Directional, Position, World
@@ -100,6 +102,12 @@ def kept(verb):
         return verb(directory).to_json()
 
 
+def back_and_forth():
+    """A player of two motions."""
+    actions = iter([Move(1), Move(0), None])
+    return lambda percept, refused: next(actions)
+
+
 DOCUMENTS = {
     "check holds": (whole("check"), lambda: check(edges=2).to_json()),
     "check of a class": (whole("check"), lambda: check(vertices=3, map_class="simple").to_json()),
@@ -140,6 +148,7 @@ DOCUMENTS = {
         lambda: fuzz(WRONG["pose-lost"].explorer(), edges=6, runs=3).to_json(),
     ),
     "count": (whole("count"), lambda: count(edges=3).to_json()),
+    "play": (whole("play"), lambda: play("theta", player=back_and_forth()).to_json()),
     "native": (whole("native"), lambda: native(header=True).to_json()),
     "count simple": (whole("count"), lambda: count(vertices=4, map_class="simple").to_json()),
     "run": (whole("run"), lambda: run("algorithm1", World(THETA, Directional(0))).to_json()),

@@ -26,10 +26,11 @@
 
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.dearest import dearest_runs
-from allworlds.checker.engines import ENGINES, Job
+from allworlds.checker.engines import ENGINES
 from allworlds.checker.exhaustive import check, estimate, merged_check
 from allworlds.checker.gate import Cell, count_gate
 from allworlds.checker.guessing import Estimate
+from allworlds.checker.job import Job
 from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
 from allworlds.checker.replaying import Replay, replay
 from allworlds.checker.report import (

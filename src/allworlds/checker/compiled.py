@@ -18,7 +18,7 @@ from typing import Any, Self
 
 from allworlds import kernel
 from allworlds.checker.agreement import AGREEMENT_EDGES, compare_engines
-from allworlds.checker.engines import Job
+from allworlds.checker.job import Job
 from allworlds.checker.questions import WALKED_FROM, level_of, walks
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.runs import EnginesDisagree, Examiner, InUnit, Row, Scope, Tally, Unit

@@ -2,38 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Protocol
 
+from allworlds.checker.job import Job
 from allworlds.inputs import InputError, show
 from allworlds.isolation import in_any_order, workers_for
 from allworlds.runs import Examination, Scope
 from allworlds.subjects import NATIVE, Subject, content_digest, not_alike, with_content
-from allworlds.work import Dask, Limits, Threads, Transport
-
-
-@dataclass(frozen=True, slots=True)
-class Job:
-    """What an engine is to do.
-
-    Attributes:
-        scope, subject: what is checked.
-        limits: workers, and time.
-        keep: how many findings are kept.
-        deadline: on the monotonic clock, or None.
-        notice: takes what the user may want to know now.
-        dask: where units are done: the address of a scheduler, ``local``, or None for here.
-    """
-
-    scope: Scope
-    subject: Subject
-    limits: Limits
-    keep: int
-    deadline: float | None
-    notice: Callable[[str], None]
-    dask: str | None = None
+from allworlds.work import Dask, Threads, Transport
 
 
 @dataclass(frozen=True, slots=True)

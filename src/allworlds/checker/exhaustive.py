@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any, Unpack
 
 from allworlds.checker.corpus import UserCorpus
-from allworlds.checker.engines import Engine, Job, Way, engine_for, why_not_compiled
+from allworlds.checker.engines import Engine, Way, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
 from allworlds.checker.guessing import LONG, Estimate, estimated, is_worth_a_guess
+from allworlds.checker.job import Job
 from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
 from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
 from allworlds.checker.report import (

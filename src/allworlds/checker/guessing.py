@@ -9,7 +9,8 @@ from itertools import islice
 from random import Random
 from typing import TYPE_CHECKING, Any
 
-from allworlds.checker.engines import Engine, Job
+from allworlds.checker.engines import Engine
+from allworlds.checker.job import Job
 from allworlds.isolation import Unsettled
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.runs import EnginesDisagree, Unit

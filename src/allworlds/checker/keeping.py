@@ -8,7 +8,8 @@ from dataclasses import dataclass, fields, replace
 from functools import partial
 from typing import Any
 
-from allworlds.checker.engines import ENGINES, Engine, Job, Way
+from allworlds.checker.engines import ENGINES, Engine, Way
+from allworlds.checker.job import Job
 from allworlds.findings import Finding, Rules
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.progress import Listener

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 from allworlds import kernel
 from allworlds.checker.compiled import tally_of
-from allworlds.checker.engines import Job
+from allworlds.checker.job import Job
 from allworlds.checker.questions import level_of
 from allworlds.isolation import Cast, Shared, guardian
 from allworlds.maps.combinatorial import CombinatorialMap

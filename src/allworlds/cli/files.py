@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from allworlds.cli import options as opt
 from allworlds.cli.output import complain
+from allworlds.cli.service import tell_service
 from allworlds.inputs import InputError, a_path, show
 from allworlds.outcome import Result
 from allworlds.reports import FORMATS, PAGE, file_of, page_of, written
@@ -29,9 +30,10 @@ class _Files:
             _ensure_writable(path)
 
     def write(self, report: Result) -> None:
-        """The report in each file that was named."""
+        """The report in each file that was named, and where a CI service looks for it."""
         for form, path in self._named().items():
             _write_text(path, written(form, report))
+        tell_service(report)
 
     def _named(self) -> dict[str, str]:
         given = {form: getattr(self, form) for form in FORMATS}

@@ -115,7 +115,7 @@ class CheckReport(Report):
     checkpoints: Annotated[Natural, "how many were published"]
     rows: Annotated[list[CheckRow], "one for each (edges, vertices), ascending"]
     witnesses: Annotated[
-        dict[str, Positive], "how often each [event](protocol.md#witnesses) occurred"
+        dict[str, Positive], "how often each [event](verdicts.md#witnesses) occurred"
     ]
     missing_witnesses: Annotated[
         list[Text], Different, "those that must have occurred and have not"

@@ -20,7 +20,7 @@ from allworlds.documents.words import (
     Version,
     code,
 )
-from allworlds.documents.worlds import Percept, Rooted, World
+from allworlds.documents.worlds import Percept, Rooted, Transcript, World
 from allworlds.outcome import Exit
 
 
@@ -47,6 +47,14 @@ class CountReport(InRows, Extent):
 
     gate: Annotated[Gate, "the comparison of every row with an independent source"]
     rows: Annotated[list[CountRow], "one a number of edges, ascending"]
+
+
+class PlayReport(Report):
+    """Report of 'play'."""
+
+    path: Annotated[str | None, "the page in which it is played; null where it was played here"]
+    world: World
+    transcript: Annotated[Transcript, "what was done and sensed; of a page the start alone"]
 
 
 class NativeReport(Report):

@@ -27,10 +27,15 @@ class Format:
     Attributes:
         home: where it is made: module and function.
         help: what the option says.
+        summary: the variable of a CI service that names a file to which the report is added
+            without being asked for; empty where there is none.
+        told_to: the variable by which a CI service says that it reads stderr for it, likewise.
     """
 
     home: str
     help: str
+    summary: str = ""
+    told_to: str = ""
 
 
 PAGE = "Write a web page too: one file, which needs no network."
@@ -40,6 +45,19 @@ PAGE = "Write a web page too: one file, which needs no network."
 FORMATS = {
     "junit": Format("junit:junit", "Write the report as JUnit XML too."),
     "html": Format("html:check_page", PAGE),
+    "sarif": Format(
+        "sarif:sarif", "Write the report as SARIF 2.1.0 too, for code scanning and editors."
+    ),
+    "markdown": Format(
+        "markdown:markdown",
+        "Write the report as Markdown too.",
+        summary="GITHUB_STEP_SUMMARY",
+    ),
+    "annotations": Format(
+        "annotations:runner_commands",
+        "Write the findings as commands of GitHub's runners too; there stderr has them anyway.",
+        told_to="GITHUB_ACTIONS",
+    ),
 }
 """Every kind of file by the name of its option."""
 

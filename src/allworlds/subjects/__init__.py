@@ -8,6 +8,8 @@
     names that are nearly those of an explorer;
 ``content``
     the bytes that an explorer is, whatever it is called;
+``place``
+    the file and the line where one stands;
 ``program``
     a program in any language behind a pipe.
 """
@@ -15,6 +17,7 @@
 from allworlds.subjects.content import content_digest, not_alike, with_content
 from allworlds.subjects.loading import load, source_of
 from allworlds.subjects.naming import whole_name
+from allworlds.subjects.place import Place, place_of_explorer
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
     EXEC,
@@ -32,6 +35,7 @@ from allworlds.subjects.subject import (
 __all__ = [
     "EXEC",
     "NATIVE",
+    "Place",
     "Program",
     "Source",
     "Subject",
@@ -42,6 +46,7 @@ __all__ = [
     "not_alike",
     "own_bound",
     "own_lighthouse",
+    "place_of_explorer",
     "source_of",
     "subject_here",
     "subject_known",

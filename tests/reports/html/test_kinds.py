@@ -62,11 +62,12 @@ def pages(results):
 
 
 def test_there_is_a_result_for_every_kind_of_page(results):
-    assert results.keys() == PAGES.keys() <= {verb.name for verb in VERBS}
+    assert results.keys() == PAGES.keys() - {"play"}  # that has tests of its own
+    assert PAGES.keys() <= {verb.name for verb in VERBS}
     assert "html" in FORMATS
 
 
-@pytest.mark.parametrize("verb", PAGES)
+@pytest.mark.parametrize("verb", [verb for verb in PAGES if verb != "play"])
 def test_a_page_is_one_small_file_with_a_walk_to_step_along(verb, pages):
     page = pages[verb]
     assert len(page.encode()) < 1_000_000
@@ -80,7 +81,7 @@ def test_a_page_is_one_small_file_with_a_walk_to_step_along(verb, pages):
             assert name == "xmlns" or "//" not in value
 
 
-@pytest.mark.parametrize("verb", PAGES)
+@pytest.mark.parametrize("verb", [verb for verb in PAGES if verb != "play"])
 def test_every_step_of_every_walk_is_at_a_dart_of_each_picture(verb, pages):
     for viewer in read(pages[verb]).all(class_="viewer"):
         frames = [n for n in viewer.all("div") if "data-follows" in n.attributes]

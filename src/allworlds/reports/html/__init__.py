@@ -16,19 +16,21 @@
 from importlib import import_module
 from typing import Any
 
-from allworlds.reports.html.frame import framed
+from allworlds.reports.html.frame import Own, Page, framed
+from allworlds.reports.html.viewer import figure
 
 PAGES = {
-    "check": "checks:check_page",
-    "fuzz": "checks:check_page",
-    "run": "runs:run_page",
-    "replay": "runs:replay_page",
-    "explain": "runs:explain_page",
-    "twins": "alike:twins_page",
-    "ambiguity class": "alike:class_page",
-    "search": "alike:search_page",
-    "worst": "dearest:worst_page",
-    "compare": "comparison:comparison_page",
+    "check": "html.checks:check_page",
+    "fuzz": "html.checks:check_page",
+    "run": "html.runs:run_page",
+    "replay": "html.runs:replay_page",
+    "explain": "html.runs:explain_page",
+    "twins": "html.alike:twins_page",
+    "ambiguity class": "html.alike:class_page",
+    "search": "html.alike:search_page",
+    "worst": "html.dearest:worst_page",
+    "compare": "html.comparison:comparison_page",
+    "play": "play:play_page",
 }
 """What makes the page of each verb's result: module and function."""
 
@@ -36,7 +38,7 @@ PAGES = {
 def page(verb: str, result: Any) -> str:
     """A verb's result as an HTML document that refers to nothing outside of it."""
     module, _, function = PAGES[verb].partition(":")
-    return framed(getattr(import_module(f"allworlds.reports.html.{module}"), function)(result))
+    return framed(getattr(import_module(f"allworlds.reports.{module}"), function)(result))
 
 
 def check_page(report: Any) -> str:
@@ -44,4 +46,4 @@ def check_page(report: Any) -> str:
     return page("check", report)
 
 
-__all__ = ["PAGES", "check_page", "page"]
+__all__ = ["PAGES", "Own", "Page", "check_page", "figure", "page"]

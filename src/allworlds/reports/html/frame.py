@@ -7,10 +7,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from importlib.resources import files
-from typing import Any
+from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
 from allworlds.markup import document, raw, record, tag
+
+
+class Own(NamedTuple):
+    """What a page has of its own: a style beside that of all, and a script in place of theirs."""
+
+    style: str
+    script: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +30,7 @@ class Page:
         verdict: in a word, in a sentence, and as its name, by which it has its colour.
         sections: the page.
         summary: the document of the report, which the page holds too.
+        own: what the page has of its own; without it, keys step along its walks.
     """
 
     title: str
@@ -30,6 +38,7 @@ class Page:
     verdict: tuple[str, str, str]
     sections: Sequence[ET.Element]
     summary: Mapping[str, Any]
+    own: Own | None = None
 
 
 LARGEST = 1_000_000
@@ -46,7 +55,8 @@ def framed(page: Page) -> str:
 
 
 def _framed(page: Page, summary: Mapping[str, Any] | None) -> str:
-    style, script = _own("style.css"), _own("script.js")
+    style = _own("style.css") + (page.own.style if page.own else "")
+    script = page.own.script if page.own else _own("script.js")
     word, text, name = page.verdict
     policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}"
     head = tag(

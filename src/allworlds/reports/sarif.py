@@ -1,0 +1,148 @@
+"""Reports as SARIF 2.1.0, which code scanning services and editors show beside the code."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+from allworlds.checker import Report
+from allworlds.findings import Finding, true_trail
+from allworlds.findings import file_name as name_of_finding
+from allworlds.outcome import Verdict
+from allworlds.protocol import Move
+from allworlds.reports.check_words import verdict_words
+from allworlds.reports.finding_words import headline
+from allworlds.reports.law_words import ASKED
+from allworlds.reports.project import project_folder
+from allworlds.reports.run_text import finding_text
+from allworlds.subjects import Place, place_of_explorer
+from allworlds.version import __version__
+
+SCHEMA = (
+    "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
+)
+WIDTH = 100
+
+LEVELS = {
+    Verdict.ERROR: "error",
+    Verdict.VACUOUS: "error",
+    Verdict.INCONCLUSIVE: "warning",
+}
+"""How loud a verdict is that is no finding; the others say nothing that needs a notification."""
+
+
+def sarif(report: Report) -> str:
+    """The report as a SARIF log with one run.
+
+    Every law is a rule.  Every finding is a result at the file and line of the explorer: its
+    message has the picture and the walk, its ``graphs`` the world with a directed edge for each
+    dart, and its ``graphTraversals`` the robot's walk along them.  A verdict without a finding
+    that is no good news is a notification.  ``properties`` hold the report without its findings,
+    those of a result the document of its finding.
+    """
+    place = place_of_explorer(report.explorer)
+    document: dict[str, Any] = dict(report.to_json())
+    del document["findings"]
+    run = {
+        "tool": {"driver": _driver()},
+        "invocations": [_invocation(report)],
+        "columnKind": "unicodeCodePoints",
+        "originalUriBaseIds": {"SRCROOT": {"uri": project_folder().as_uri() + "/"}},
+        "artifacts": [{"location": _artifact(place)}] if place else [],
+        "results": [_result(finding, place) for finding in report.findings],
+        "properties": {"report": document},
+    }
+    return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
+
+
+def _driver() -> dict[str, Any]:
+    rules = [
+        {
+            "id": law,
+            "shortDescription": {"text": asked},
+            "defaultConfiguration": {"level": "error"},
+        }
+        for law, asked in ASKED.items()
+    ]
+    return {"name": "allworlds", "semanticVersion": __version__, "rules": rules}
+
+
+def _invocation(report: Report) -> dict[str, Any]:
+    """Whether the check itself came to its end, and what else it says."""
+    word, text = verdict_words(report)
+    level = LEVELS.get(report.verdict)
+    said = [(level, f"{word}: {text}")] if level else []
+    said += [("note", remark) for remark in report.remarks]
+    return {
+        "executionSuccessful": report.verdict is not Verdict.ERROR and not report.interrupted,
+        "exitCode": int(report.exit_code),
+        "toolExecutionNotifications": [
+            {"level": level, "message": {"text": text}} for level, text in said
+        ],
+    }
+
+
+def _result(finding: Finding, place: Place | None) -> dict[str, Any]:
+    text = finding_text(finding, WIDTH)
+    graph, traversal = _walk(finding)
+    return {
+        "ruleId": finding.law,
+        "ruleIndex": [*ASKED].index(finding.law),
+        "level": "error",
+        "message": {
+            "text": f"{headline(finding)}.\n\n{text}",
+            "markdown": f"{headline(finding)}.\n\n```text\n{text}\n```",
+        },
+        "locations": [_location(place)] if place else [],
+        # The name of the finding's file holds a digest of all of it.
+        "partialFingerprints": {"finding/v1": name_of_finding(finding)},
+        "graphs": [graph],
+        "graphTraversals": [traversal],
+        "properties": {"finding": finding.to_json()},
+    }
+
+
+def _walk(finding: Finding) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The world as a graph with a directed edge for each dart, and the walk along these."""
+    map_ = finding.world.map
+    graph = {
+        "description": {"text": "the world; a directed edge leaves along each dart"},
+        "nodes": [{"id": f"v{vertex}"} for vertex in range(map_.vertex_count)],
+        "edges": [
+            {
+                "id": f"d{dart}",
+                "sourceNodeId": f"v{map_.vertex_of[dart]}",
+                "targetNodeId": f"v{map_.vertex_of[other]}",
+            }
+            for dart, other in enumerate(map_.alpha)
+        ],
+    }
+    trail = true_trail(finding.world, finding.transcript)
+    log = zip(trail[1:], finding.transcript.actions, finding.transcript.percepts[1:], strict=True)
+    # The robot stands on the dart by which it came: it left by the other half of that edge.
+    steps = [
+        {"edgeId": f"d{map_.alpha[dart]}", "message": {"text": f"{action}: sensed {percept}"}}
+        for dart, action, percept in log
+        if type(action) is Move
+    ]
+    walked = {"description": {"text": "the walk"}, "resultGraphIndex": 0, "edgeTraversals": steps}
+    return graph, walked
+
+
+def _location(place: Place) -> dict[str, Any]:
+    return {
+        "physicalLocation": {
+            "artifactLocation": {**_artifact(place), "index": 0},
+            "region": {"startLine": place.line},
+        }
+    }
+
+
+def _artifact(place: Place) -> dict[str, Any]:
+    """Relative to the folder of the project, where that is possible."""
+    name = place.named_from(project_folder())
+    if Path(name).is_absolute():
+        return {"uri": place.file.as_uri()}
+    return {"uri": quote(name), "uriBaseId": "SRCROOT"}

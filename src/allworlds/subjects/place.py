@@ -1,0 +1,104 @@
+"""Where an explorer stands, for reports that lead there: a file and a line, found by reading."""
+
+from __future__ import annotations
+
+import ast
+import os
+import shlex
+from dataclasses import dataclass
+from pathlib import Path
+
+from allworlds.explorers import BUILT_IN
+from allworlds.inputs import InputError
+from allworlds.subjects.content import module_file
+from allworlds.subjects.subject import EXEC, NATIVE, entry_points
+
+SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
+"""What a shared library is made from, if a file of its name lies beside it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A place in a file.
+
+    Attributes:
+        file: absolute.
+        line: from 1.
+    """
+
+    file: Path
+    line: int = 1
+
+    def named_from(self, folder: Path) -> str:
+        """The file relative to a folder, with ``/``; absolute if it lies elsewhere."""
+        if self.file.is_relative_to(folder):
+            return self.file.relative_to(folder).as_posix()
+        return self.file.as_posix()
+
+
+def place_of_explorer(name: str) -> Place | None:
+    """Where the explorer of that name stands; None for one of ours, and where nobody can say.
+
+    No code of the explorer is run.  Of a Python explorer it is the line of its function, of a
+    program the first line of the last file that its command names, of a shared library the
+    source of the same name beside it, or else the library.
+    """
+    if name in BUILT_IN:
+        return None
+    try:
+        if name.startswith(EXEC):
+            return _of_program(name.removeprefix(EXEC))
+        if name.startswith(NATIVE):
+            return _of_library(Path(name.removeprefix(NATIVE)))
+        return _of_python(name)
+    except (InputError, OSError, ValueError, SyntaxError):
+        return None
+
+
+def _of_program(command: str) -> Place | None:
+    files = [Path(word) for word in shlex.split(command) if Path(word).is_file()]
+    return Place(files[-1].resolve()) if files else None
+
+
+def _of_library(library: Path) -> Place | None:
+    stems = {library.stem, library.stem.removeprefix("lib")}
+    beside = [library.with_name(stem + ending) for ending in SOURCES for stem in sorted(stems)]
+    found = next((file for file in [*beside, library] if file.is_file()), None)
+    return Place(found.resolve()) if found else None
+
+
+def _of_python(name: str) -> Place | None:
+    points = entry_points()
+    whole = points[name].value if name in points else name
+    place, _, attribute = whole.rpartition(":")
+    file = Path(place) if place.endswith(".py") else module_file(place)
+    if not file.is_file():
+        return None
+    text = file.read_text(encoding="utf-8")
+    return Place(Path(os.path.realpath(file)), _line(ast.parse(text), attribute.split(".")))
+
+
+def _line(tree: ast.Module, names: list[str]) -> int:
+    """The line where a name with dots is defined; 1 where that is not to be seen."""
+    body, line = tree.body, 1
+    for name in names:
+        for node in body:
+            if name in _defined(node):
+                line = node.lineno
+                body = getattr(node, "body", [])
+                break
+        else:
+            return line
+    return line
+
+
+def _defined(node: ast.stmt) -> set[str]:
+    match node:
+        case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+            return {name}
+        case ast.Assign(targets=targets):
+            return {target.id for target in targets if isinstance(target, ast.Name)}
+        case ast.ImportFrom(names=names):
+            return {alias.asname or alias.name for alias in names}
+        case _:
+            return set()

@@ -1,0 +1,133 @@
+"""SARIF, held to the schema of the standard (tests/data, of OASIS) and to what the schema leaves
+out: that all that is named exists, and that the walk goes along edges of the graph."""
+
+import copy
+import itertools
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from jsonschema import Draft7Validator
+
+from allworlds.checker import Completed, Disagreed, Interrupted, Stopped, check
+from allworlds.findings import Finding
+from allworlds.judge import PRECEDENCE
+from allworlds.reports.law_words import ASKED
+from allworlds.reports.run_text import finding_text
+from allworlds.reports.sarif import sarif
+
+pytestmark = pytest.mark.usefixtures("without_workers")
+
+SCHEMA = Path(__file__).parents[1] / "data" / "sarif-schema-2.1.0.json"
+EXPLORERS = Path(__file__).parents[1] / "recorded" / "explorers.py"
+VALIDATOR = Draft7Validator(
+    json.loads(SCHEMA.read_text(encoding="utf-8")), format_checker=Draft7Validator.FORMAT_CHECKER
+)
+
+
+def run_of(report):
+    document = json.loads(sarif(report))
+    VALIDATOR.validate(document)
+    (run,) = document["runs"]
+    return run
+
+
+def test_a_refuted_check_has_a_result_for_each_finding_at_its_explorer(refuted, line):
+    run = run_of(refuted)
+    assert len(run["results"]) == len(refuted.findings) == 2
+    rules = run["tool"]["driver"]["rules"]
+    for result, finding in zip(run["results"], refuted.findings, strict=True):
+        assert rules[result["ruleIndex"]]["id"] == result["ruleId"] == finding.law
+        assert finding_text(finding, 100) in result["message"]["text"]
+        assert finding_text(finding, 100) in result["message"]["markdown"]
+        assert Finding.from_json(result["properties"]["finding"]).key == finding.key
+        (location,) = result["locations"]
+        place = location["physicalLocation"]
+        assert place["region"] == {"startLine": line}
+        assert place["artifactLocation"] == {"uri": "mine.py", "uriBaseId": "SRCROOT", "index": 0}
+    assert run["artifacts"][0]["location"]["uri"] == "mine.py"
+    assert run["originalUriBaseIds"]["SRCROOT"]["uri"] == Path.cwd().as_uri() + "/"
+    assert len({result["partialFingerprints"]["finding/v1"] for result in run["results"]}) == 2
+    assert run["invocations"][0]["exitCode"] == 1
+    assert run["invocations"][0]["executionSuccessful"] is True
+    assert run["properties"]["report"]["verdict"] == "refuted"
+
+
+def test_the_walk_goes_from_edge_to_edge_of_the_graph(refuted):
+    for result, finding in zip(run_of(refuted)["results"], refuted.findings, strict=True):
+        (graph,), (walk,) = result["graphs"], result["graphTraversals"]
+        edges = {edge["id"]: edge for edge in graph["edges"]}
+        assert len(edges) == 2 * finding.world.map.edge_count
+        nodes = {node["id"] for node in graph["nodes"]}
+        for edge in edges.values():
+            assert {edge["sourceNodeId"], edge["targetNodeId"]} <= nodes
+        steps = [edges[step["edgeId"]] for step in walk["edgeTraversals"]]
+        assert len(steps) == finding.transcript.cost > 1
+        start = f"v{finding.world.map.vertex_of[finding.world.start]}"
+        assert steps[0]["sourceNodeId"] == start
+        for before, after in itertools.pairwise(steps):
+            assert before["targetNodeId"] == after["sourceNodeId"]
+
+
+def test_every_law_is_a_rule_in_the_order_of_precedence():
+    assert tuple(ASKED) == PRECEDENCE
+    rules = run_of(check(edges=1))["tool"]["driver"]["rules"]
+    assert [rule["id"] for rule in rules] == [*PRECEDENCE]
+
+
+@pytest.mark.parametrize(
+    ("explorer", "law"),
+    [
+        ("crashes", "crash"),
+        ("says_nonsense", "illegal-action"),
+        ("walks_for_ever", "budget"),
+        ("first_edge", "map"),
+    ],
+)
+def test_whatever_an_explorer_breaks_is_written_as_the_schema_says(explorer, law):
+    (result,) = run_of(check(f"{EXPLORERS}:{explorer}", edges=2))["results"]
+    assert result["ruleId"] == law
+
+
+@pytest.mark.parametrize(
+    ("ending", "level", "successful"),
+    [
+        (Completed(), None, True),
+        (Completed(("never",)), "error", True),
+        (Stopped("the time limit was reached"), "warning", True),
+        (Interrupted(), "warning", False),
+        (Disagreed("two engines"), "error", False),
+    ],
+    ids=["holds", "vacuous", "stopped", "interrupted", "error"],
+)
+def test_a_verdict_without_a_finding_is_a_notification_unless_it_is_good(ending, level, successful):
+    run = run_of(replace(check(edges=1), ending=ending))
+    (invocation,) = run["invocations"]
+    told = [said["level"] for said in invocation["toolExecutionNotifications"]]
+    assert told == ([level] if level else [])
+    assert invocation["executionSuccessful"] is successful
+    assert run["results"] == run["artifacts"] == []
+
+
+def test_the_schema_is_not_one_that_takes_anything(refuted):
+    document = json.loads(sarif(refuted))
+    for spoil in (
+        lambda run: run["results"][0].pop("message"),
+        lambda run: run["results"][0].update(level="loud"),
+        lambda run: run["tool"]["driver"].pop("name"),
+        lambda run: run["results"][0]["locations"][0].update(line=3),
+        lambda run: run["results"][0]["graphs"][0]["edges"][0].pop("id"),
+    ):
+        spoilt = copy.deepcopy(document)
+        spoil(spoilt["runs"][0])
+        assert not VALIDATOR.is_valid(spoilt)
+
+
+def test_an_explorer_outside_the_project_is_named_by_its_whole_path(refuted, monkeypatch, tmp_path):
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    monkeypatch.setenv("GITHUB_WORKSPACE", str(elsewhere))
+    run = run_of(refuted)
+    assert run["originalUriBaseIds"]["SRCROOT"]["uri"].endswith("/elsewhere/")
+    assert run["artifacts"][0]["location"] == {"uri": (tmp_path / "mine.py").resolve().as_uri()}

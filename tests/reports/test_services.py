@@ -1,0 +1,108 @@
+"""What GitHub's runner reads: Markdown, and commands on stderr."""
+
+import re
+from dataclasses import replace
+
+import pytest
+
+from allworlds.checker import Completed, Interrupted, Stopped, check
+from allworlds.reports import written
+from allworlds.reports.annotations import runner_commands
+from allworlds.reports.markdown import markdown
+from allworlds.reports.run_text import finding_text
+
+pytestmark = pytest.mark.usefixtures("without_workers")
+
+
+def read(line):
+    """A command as the runner reads it: kind, properties and message."""
+    kind, properties, message = re.fullmatch(r"::(\w+) (.*?)::(.*)", line).groups()
+
+    def plain(text):
+        for sign, code in ((":", "%3A"), (",", "%2C"), ("\r", "%0D"), ("\n", "%0A"), ("%", "%25")):
+            text = text.replace(code, sign)
+        return text
+
+    told = dict(part.split("=", 1) for part in properties.split(","))
+    return kind, {name: plain(value) for name, value in told.items()}, plain(message)
+
+
+def test_a_finding_is_an_error_at_the_line_of_the_explorer(refuted, line):
+    lines = runner_commands(refuted).splitlines()
+    assert len(lines) == 2
+    for told, finding in zip(lines, refuted.findings, strict=True):
+        kind, properties, message = read(told)
+        assert (kind, properties["file"], properties["line"]) == ("error", "mine.py", str(line))
+        assert properties["title"].startswith("mine.py:explore breaks the law 'map' in a world")
+        assert message == finding_text(finding, 80)
+
+
+@pytest.mark.parametrize(
+    ("ending", "kind", "word"),
+    [
+        (Completed(), "notice", "HOLDS"),
+        (Completed(("never",)), "error", "VACUOUS"),
+        (Stopped("100% of the time,\nall of it: over"), "warning", "INCONCLUSIVE"),
+        (Interrupted(), "warning", "INCONCLUSIVE"),
+    ],
+    ids=["holds", "vacuous", "stopped", "interrupted"],
+)
+def test_a_verdict_without_a_finding_is_told_once(ending, kind, word):
+    (line,) = runner_commands(replace(check(edges=1), ending=ending)).splitlines()
+    told, properties, message = read(line)
+    assert (told, properties) == (kind, {"title": f"allworlds: {word}"})
+    assert message.startswith("algorithm1: ")
+    assert ending.reason in message
+
+
+def test_the_page_of_a_job_shows_verdict_picture_and_counts(refuted):
+    page = markdown(refuted)
+    assert page.startswith("## allworlds: REFUTED mine.py:explore\n\nlaw map is broken; ")
+    for finding in refuted.findings:
+        assert f"```text\n{finding_text(finding, 100)}\n```" in page
+    assert "| edges | vertices | worlds |" in page
+    assert page.count("<details>") == page.count("</details>") == 1
+
+
+def test_what_an_explorer_says_cannot_end_its_block(refuted):
+    first = refuted.findings[0]
+    refuted.tally.findings[0] = replace(first, detail="```\n# not a heading\n````")
+    page = markdown(refuted)
+    assert "\n`````text\nFINDING" in page
+    assert page.count("`````") == 2
+
+
+def test_what_is_no_picture_is_no_markup(refuted):
+    page = markdown(replace(refuted, explorer="a|b*c_<script>.py:explore"))
+    assert r"REFUTED a\|b\*c\_&lt;script>.py:explore" in page
+
+
+def test_a_service_gets_the_report_without_being_asked(refuted, cli, monkeypatch, tmp_path):
+    summary = tmp_path / "summary.md"
+    summary.write_text("before\n")
+    monkeypatch.setenv("GITHUB_ACTIONS", "true")
+    monkeypatch.setenv("GITHUB_STEP_SUMMARY", str(summary))
+    code, out, err = cli("check", "mine.py:explore", "--edges", 2, "-q", "--max-findings", 2)
+    assert code == 1
+    assert out.startswith("REFUTED")
+    assert err == runner_commands(refuted)
+    assert summary.read_text(encoding="utf-8") == "before\n" + markdown(refuted)
+
+
+def test_elsewhere_nothing_is_told_to_a_service(refuted, cli):
+    assert refuted
+    assert cli("check", "mine.py:explore", "--edges", 2, "-q")[2] == ""
+
+
+def test_a_page_that_cannot_be_written_is_lost_with_a_word(cli, monkeypatch, tmp_path):
+    monkeypatch.setenv("GITHUB_STEP_SUMMARY", str(tmp_path))
+    code, _, err = cli("check", "--edges", 1, "-q")
+    assert (code, err.count("\n")) == (0, 1)
+    assert "GITHUB_STEP_SUMMARY cannot be written: Is a directory" in err
+
+
+@pytest.mark.parametrize(
+    ("form", "made"), [("markdown", markdown), ("annotations", runner_commands)]
+)
+def test_they_can_be_asked_for_elsewhere_too(refuted, form, made):
+    assert written(form, refuted) == made(refuted)
