@@ -18,9 +18,9 @@ MOST_DARTS = 200
 STUB, NARROWEST, WIDEST = 30.0, 130.0, 900.0
 """In pixels: the straight beginning of an edge, at least; the drawing, at least and at most."""
 
-DISC, HIGH, GAP, FAR = 12.0, 14.0, 16.0, 44.0
-"""Likewise: the radius of a vertex and the height of a number; the way from a number to the next
-one, at least; and how far a number is moved from its vertex for that, at most."""
+DISC, CHIP, HIGH, GAP, FAR = 12.0, 10.0, 14.0, 16.0, 46.0
+"""Likewise: the radii of a vertex and of the robot, and the height of a number; the way from a
+number to the next one, at least; how far a number is moved from its vertex for that, at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +54,8 @@ class Layout:
         """
         here = self.along(dart)
         aside, high = abs(here.real), abs(here.imag)
-        free = DISC + min(wide / 2 / max(aside, 0.01), HIGH / 2 / max(high, 0.01)) + 2
+        half = min(wide / 2 / max(aside, 0.01), HIGH / 2 / max(high, 0.01))
+        free = DISC + max(half, CHIP) + 2
         around = [d for d, way in enumerate(self.ways) if way[0] == self.ways[dart][0]]
         nearest = min((abs(here - self.along(d)) for d in around if d != dart), default=2)
         return max(free, min(GAP / max(nearest, 0.01), FAR))

@@ -13,13 +13,13 @@ from itertools import pairwise
 from math import cos, pi, sin, tau
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing.layout import DISC, HIGH, Layout, layout
+from allworlds.drawing.layout import CHIP, DISC, HIGH, Layout, layout
 from allworlds.drawing.scene import Scene
 from allworlds.maps.combinatorial import Dart
 from allworlds.markup import Child, tag
 
-CHIP, MARGIN = 10.0, 30.0
-"""In pixels: the radius of the robot, and the free room round the drawing."""
+MARGIN = 30.0
+"""The free room round the drawing, in pixels."""
 
 FLAG = 12.0
 """The length of the head of the arrow that stands for a marker's direction, in pixels."""

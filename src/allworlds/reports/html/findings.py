@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from xml.etree import ElementTree as ET
 
 from allworlds.explaining import Belief, Explanation, Story, explain
-from allworlds.findings import Finding, true_trail
+from allworlds.findings import Finding, find_parting, true_trail
+from allworlds.maps.combinatorial import Dart
 from allworlds.markup import Child, record, tag
 from allworlds.reports.finding_words import (
     choices_words,
@@ -16,9 +17,11 @@ from allworlds.reports.finding_words import (
     seen_words,
     wrong,
 )
+from allworlds.reports.html.beside import figures_beside
 from allworlds.reports.html.viewer import figure, viewer
 from allworlds.reports.html.walk import walk
 from allworlds.reports.scenes import OTHER, walk_in_answer, walk_in_world
+from allworlds.world import World
 
 
 def finding_section(finding: Finding, number: int, origin: str = "") -> ET.Element:
@@ -49,16 +52,29 @@ def _sentences(sentences: tuple[str, ...]) -> Iterator[Child]:
 def _viewer(story: Story, belief: Belief | None, told: Explanation, name: str) -> ET.Element:
     """The pictures of a finding, and its walk."""
     world, transcript = story.world, story.transcript
-    figures = [figure("The world", walk_in_world(world, transcript), f"{name}-world", "robot")]
+    scene = walk_in_world(world, transcript)
+    others: dict[str, Sequence[Dart]] = {}
     if belief:
-        scene = walk_in_answer(world, belief.answer, transcript)
-        figures.append(figure("The answer", scene, f"{name}-answer", "believed"))
-    if told.other:
-        scene = walk_in_world(told.other, transcript)
-        figures.append(figure(OTHER.capitalize(), scene, f"{name}-other", "believed"))
+        answer = walk_in_answer(world, belief.answer, transcript)
+        trails, agreement = (story.walked, belief.believed), belief.agreement
+        figures = figures_beside(scene, answer, trails, agreement, name)
+    elif told.other:
+        others["believed"] = true_trail(told.other, transcript)
+        figures = _agreeing(story, told.other, others["believed"], name)
+    else:
+        figures = [figure("The world", scene, f"{name}-world", "robot")]
     title = f"The walk of finding {name.rpartition('-')[2]}."
-    others = {"believed": true_trail(told.other, transcript)} if told.other else {}
     return viewer(figures, walk(story, name, belief, told.step, others), title)
+
+
+def _agreeing(story: Story, other: World, trail: Sequence[Dart], name: str) -> list[ET.Element]:
+    """The world, and beside it the other one in which the robot would have sensed the same."""
+    fits = [True] * len(trail)
+    parting = find_parting(story.map, story.walked, other.map, trail, fits)
+    world = walk_in_world(story.world, story.transcript)
+    scene, trails = walk_in_world(other, story.transcript), (story.walked, trail)
+    agreement = parting.step if parting else len(trail)
+    return figures_beside(world, scene, trails, agreement, name, OTHER.capitalize())
 
 
 def _facts(finding: Finding, origin: str) -> Iterator[ET.Element]:

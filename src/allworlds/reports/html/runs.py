@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from xml.etree import ElementTree as ET
 
 from allworlds.checker import Replay, SingleRun
+from allworlds.drawing import layout
 from allworlds.episode import Answered
 from allworlds.explaining import Explanation, Walked
 from allworlds.findings import believed_walk
+from allworlds.maps.combinatorial import Dart
 from allworlds.markup import tag
 from allworlds.reports.finding_words import headline
+from allworlds.reports.html.beside import figures_beside
 from allworlds.reports.html.findings import finding_section
 from allworlds.reports.html.frame import Page
+from allworlds.reports.html.known import known, known_figure
 from allworlds.reports.html.viewer import figure, viewer
 from allworlds.reports.html.walk import LONGEST, walk
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
@@ -89,11 +93,22 @@ def run_parts(run: SingleRun, name: str) -> Iterator[ET.Element]:
     steps = len(transcript.steps)
     if steps >= LONGEST:
         yield tag("p", f"The first {number(LONGEST - 1)} of {number(steps)} steps are told.")
-    figures = [figure("The world", walk_in_world(world, transcript), f"{name}-world", "robot")]
-    others = {}
-    if isinstance(ending, Answered):
-        scene = walk_in_answer(world, ending.estimate, transcript)
-        figures.append(figure("The answer", scene, f"{name}-answer", "believed"))
-        others["believed"] = believed_walk(world, ending.estimate, transcript).trail
-    steps_list = walk(Walked(world, transcript), name, others=others)
+    walked, scene = Walked(world, transcript), walk_in_world(world, transcript)
+    others: dict[str, Sequence[Dart]] = {}
+    if (seen := known(run)) is not None:
+        drawn = layout(world.map, world.start)
+        others["known"] = walked.walked
+        figures = [
+            figure("The world", scene, f"{name}-world", "robot", drawn),
+            known_figure(scene, seen, f"{name}-known", drawn),
+        ]
+    elif isinstance(ending, Answered):
+        answer = walk_in_answer(world, ending.estimate, transcript)
+        belief = believed_walk(world, ending.estimate, transcript)
+        others["believed"] = belief.trail
+        trails = (walked.walked, belief.trail)
+        figures = figures_beside(scene, answer, trails, belief.agreement, name)
+    else:
+        figures = [figure("The world", scene, f"{name}-world", "robot")]
+    steps_list = walk(walked, name, others=others)
     yield viewer(figures, steps_list, f"The walk of {run.explorer}.")

@@ -36,7 +36,7 @@ function makePicture(frame) {
     svg.style.setProperty("--k", 1 / scale);
   }
 
-  function arrow(dart, step, kind) {
+  function arrow(dart, step) {
     const edge = edges.get(dart);
     const length = edge.getTotalLength();
     // The dart is the one by which it arrives: the edge is drawn from its first dart to its second.
@@ -44,7 +44,7 @@ function makePicture(frame) {
     const at = edge.getPointAtLength(length / 2);
     const ahead = edge.getPointAtLength(length / 2 + (back ? -1 : 1));
     const angle = Math.atan2(ahead.y - at.y, ahead.x - at.x);
-    const outer = element(svg, "g", { transform: `translate(${at.x} ${at.y})`, class: `arrow ${kind}` });
+    const outer = element(svg, "g", { transform: `translate(${at.x} ${at.y})`, class: "arrow" });
     const inner = element(svg, "g", { class: "fixed" });
     const turn = `rotate(${(angle * 180) / Math.PI})`;
     inner.append(element(svg, "path", { d: "M10 0 L-7 -7 L-7 7 Z", transform: turn }));
@@ -68,10 +68,15 @@ function makePicture(frame) {
     const { [follows]: dart, moved } = items[current].dataset;
     if (moved !== undefined) {
       edges.get(dart).classList.add("last");
-      arrow(dart, current, "now");
+      arrow(dart, current);
     }
     svg.querySelector(`[data-dart="${dart}"]`).classList.add("here");
-    for (const part of grown) part.classList.toggle("later", part.dataset.since > current);
+    for (const part of grown) {
+      part.classList.toggle("later", Number(part.dataset.since) > current);
+      if ("until" in part.dataset) {
+        part.classList.toggle("gone", Number(part.dataset.until) <= current);
+      }
+    }
   }
 
   return { frame, fit, draw };
