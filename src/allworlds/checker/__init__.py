@@ -16,6 +16,8 @@
     a check as a run directory knows it;
 ``corpus``
     findings of earlier checks, which are tried first;
+``ending``
+    how a job comes to its end;
 ``report``
     the verdict with its scope;
 ``single``, ``replaying``
@@ -26,6 +28,14 @@
 
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.dearest import dearest_runs
+from allworlds.checker.ending import (
+    Completed,
+    Disagreed,
+    Ending,
+    Interrupted,
+    Stopped,
+    ending_of,
+)
 from allworlds.checker.engines import ENGINES
 from allworlds.checker.exhaustive import check, estimate, merged_check
 from allworlds.checker.gate import Cell, count_gate
@@ -33,14 +43,7 @@ from allworlds.checker.guessing import Estimate
 from allworlds.checker.job import Job
 from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
 from allworlds.checker.replaying import Replay, replay
-from allworlds.checker.report import (
-    Completed,
-    Disagreed,
-    Ending,
-    Interrupted,
-    Report,
-    Stopped,
-)
+from allworlds.checker.report import Report
 from allworlds.checker.single import SingleRun, run, single_run, worlds
 
 __all__ = [
@@ -62,6 +65,7 @@ __all__ = [
     "check",
     "count_gate",
     "dearest_runs",
+    "ending_of",
     "estimate",
     "merged_check",
     "refuse_others",

@@ -13,6 +13,9 @@ def fuzz(
     explorer: opt.Explorer = None,
     *,
     edges: Annotated[int, opt.number(opt.SCOPE, "M", "At most M edges.")],
+    min_edges: Annotated[
+        int, opt.number(opt.SCOPE, "L", "At least L edges: more than were tried exhaustively.")
+    ] = 1,
     runs: Annotated[int, opt.number(opt.SCOPE, "R", "How many worlds.")],
     seed: Annotated[int, opt.number(opt.SCOPE, "S", "Which sample.")] = 0,
     command: opt.Exec = None,
@@ -24,7 +27,7 @@ def fuzz(
     files: Files,
     output: opt.Output,
 ) -> int:
-    """Example: allworlds fuzz my_explorer.py:explore --edges 20 --runs 1000
+    """Example: allworlds fuzz my_explorer.py:explore --edges 20 --min-edges 6 --runs 1000
 
     Run an explorer in random worlds beyond the exhaustive bound, and shrink what refutes it.
     Exit code 0: not refuted by the sample, 1: refuted.
@@ -36,6 +39,7 @@ def fuzz(
         report = allworlds.fuzz(
             opt.explorer_name(explorer, command, native),
             edges=edges,
+            min_edges=min_edges,
             runs=runs,
             seed=seed,
             listener=progress,

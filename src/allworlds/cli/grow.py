@@ -4,25 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
 from allworlds.cli import options as opt
 from allworlds.cli.files import ensure_all_writable, write_files
 from allworlds.cli.output import Progress, emit
 
-Explorers = Annotated[
-    list[str],
-    typer.Argument(
-        metavar="EXPLORER...",
-        help="Built-in names, module:attribute, path/to/file.py:attribute, entry points or "
-        "exec:COMMAND.",
-    ),
-]
-
 
 def grow(
-    explorers: Explorers,
+    explorers: opt.Explorers = None,
     *,
+    programs: opt.Programs,
     families: Annotated[
         str,
         opt.option(
@@ -68,7 +58,7 @@ def grow(
     many = opt.many_runs("maps", lighthouse, rules, effort)
     with Progress(quiet=output.quiet) as progress:
         report = allworlds.grow(
-            *explorers,
+            *programs.after(explorers),
             families=families.split(","),
             to=to,
             worlds=worlds,

@@ -16,7 +16,13 @@ def worst(
     command: opt.Exec = None,
     native: opt.Native = None,
     edges: Annotated[
-        int | None, opt.number(opt.SCOPE, "M", "At most M edges.", show_default=False)
+        int | None,
+        opt.number(
+            opt.SCOPE,
+            "M",
+            "At most M edges (default: 5 of algorithm1, 3 of others).",
+            show_default=False,
+        ),
     ] = None,
     map_class: opt.MapClassName = "maps",
     transit: Annotated[

@@ -5,6 +5,7 @@ inside of a world nor any explorer.  Each law is a function from a :class:`Case`
 :class:`Violation` or None; the table :data:`LAWS` names them in the order of precedence.
 """
 
+from allworlds.judge.ambiguity import ambiguity_law
 from allworlds.judge.bounds import Bound, bound_named, paper_bound
 from allworlds.judge.case import Case, Violation
 from allworlds.judge.folding import Folded, fold
@@ -31,6 +32,7 @@ __all__ = [
     "Law",
     "Setting",
     "Violation",
+    "ambiguity_law",
     "bound_law",
     "bound_named",
     "fold",

@@ -131,7 +131,8 @@ def _whole(report: Report) -> Iterator[_Case]:
 
 def _sample(report: Report, sample: Sample) -> _Case:
     edges = plural(report.scope.extent.levels[-1], "edge")
-    name = f"{plural(sample.runs, 'random world')} with up to {edges}"
+    least = "up to" if sample.min_edges == 1 else f"{sample.min_edges} to"
+    name = f"{plural(sample.runs, 'random world')} with {least} {edges}"
     if report.findings:
         return _failure(name, report.findings)
     if report.verdict is Verdict.NOT_REFUTED:

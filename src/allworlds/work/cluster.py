@@ -178,8 +178,10 @@ def _installed() -> Any:
 
 
 def _local_cluster(distributed: Any, workers: int) -> Any:
+    # Without an address of its own the scheduler would ask for port 8787, which others may have.
+    address = "127.0.0.1:0"
     return distributed.LocalCluster(
-        n_workers=workers, threads_per_worker=1, dashboard_address=None, silence_logs=50
+        n_workers=workers, threads_per_worker=1, dashboard_address=address, silence_logs=50
     )
 
 
