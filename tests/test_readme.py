@@ -69,8 +69,12 @@ ELSEWHERE = {
     "loops.py",
     "test_explorer.py",
     "path/to/file.py",
+    "explorer.py",
+    "mine/explorer.py",
+    "test_conformance.py",
+    "src/mine.py",
 }
-NO_PATHS = {"application/json"}
+NO_PATHS = {"application/json", "build/site"}
 
 
 def paths_in(text):

@@ -36,6 +36,7 @@ from allworlds.protocol import POLICIES, SEEDED, Percept
 from allworlds.reports import FILES, FORMATS, text
 from allworlds.reports.html import PAGES
 from allworlds.runs import Sample, Schedule, Scope
+from allworlds.skeletons import LANGUAGES
 from allworlds.smt import SEARCHED
 from allworlds.subjects import load
 from allworlds.verbs import GROUPS, VERBS
@@ -163,7 +164,7 @@ def test_what_every_verb_says_is_recorded():
 PRINTED = {"as_json", "quiet", "help", *FORMATS}
 ONLY_CLI = {
     "worst": {"explorer", "command", "native"},
-    "check": {"estimate", "events", "explorer", "command", "native"},
+    "check": {"estimate", "events", "explorer", "command", "native", "watch"},
     "fuzz": {"explorer", "command", "native"},
     "run": {"arguments", "command", "native", "family", "holes", "seed"},
     "replay": {"file", "explorer", "command", "native"},
@@ -276,6 +277,7 @@ def test_an_option_with_few_values_shows_them_all(verb, name, table):
         ("check", "map_class", MapClass),
         ("twins", "lighthouse", LIGHTHOUSES),
         ("search", "lighthouse", SEARCHED),
+        ("init", "lang", LANGUAGES),
     ],
 )
 def test_the_help_of_an_option_lists_every_name_of_its_table(verb, name, table):

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from allworlds.minimax import optimum
     from allworlds.mutation import mutants
     from allworlds.playing import play
+    from allworlds.skeletons import init
     from allworlds.smt import search
     from allworlds.worst_case import worst
 
@@ -70,6 +71,7 @@ __all__ = [
     "explain",
     "fuzz",
     "grow",
+    "init",
     "merge",
     "mutants",
     "native",

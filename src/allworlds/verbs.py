@@ -152,6 +152,13 @@ VERBS = (
         "The best that any explorer can do in the worst world, by minimax.",
     ),
     Verb(
+        "init",
+        "skeletons:init",
+        "init_text:init_text",
+        "init",
+        "A skeleton of an explorer of one's own, in one of several languages.",
+    ),
+    Verb(
         "play",
         "playing:play",
         "play_text:play_text",

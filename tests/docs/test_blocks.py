@@ -25,6 +25,7 @@ SLOW = {
     "docs/ambiguity.md",
     "docs/how-to/bound.md",
     "docs/how-to/languages.md",
+    "docs/how-to/pytest.md",
     "docs/native.md",
     "docs/search.md",
     "docs/theory.md",

@@ -45,6 +45,7 @@ LEAST = {
     "search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
     "bench": "--edges 4 --rounds 1",
     "optimum": "--edges 1",
+    "init": "{tmp}/least",
     "play": "theta --html {tmp}/least-play.html",
     "native": "--header",
     "ambiguity census": "--edges 1",
@@ -134,6 +135,8 @@ COMMANDS = {
     "search-none": (
         "search --lighthouse none --class simple --vertices 4 --edges 4 --out none --json"
     ),
+    "init": "init made/c --lang c --json",
+    "init-text": "init made/python",
     "play": "play theta-torus --html play.html --json",
     "play-page-text": "play theta --html play.html",
     "play-text": "play theta --lighthouse position",
@@ -146,6 +149,7 @@ COMMANDS = {
     "refused-explorer": "check algorthm1",
     "refused-lighthouse": "check --lighthouse lamp",
     "refused-world": ["run", "algorithm1", HOSTILE],
+    "refused-lang": "init made/other --lang cobol",
     "refused-law": "check --laws mpa",
     "refused-bound": "check --bound n+",
     "refused-file": "replay missing.json",

@@ -28,6 +28,7 @@ from allworlds.minimax import optimum
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.playing import play
+from allworlds.skeletons import init
 from allworlds.smt import search
 from allworlds.verbs import VERBS
 from allworlds.world import LIGHTHOUSES, Directional, Position, World
@@ -102,6 +103,11 @@ def kept(verb):
         return verb(directory).to_json()
 
 
+def skeleton():
+    with tempfile.TemporaryDirectory() as directory:
+        return init(directory).to_json()
+
+
 def back_and_forth():
     """A player of two motions."""
     actions = iter([Move(1), Move(0), None])
@@ -148,6 +154,7 @@ DOCUMENTS = {
         lambda: fuzz(WRONG["pose-lost"].explorer(), edges=6, runs=3).to_json(),
     ),
     "count": (whole("count"), lambda: count(edges=3).to_json()),
+    "init": (whole("init"), skeleton),
     "play": (whole("play"), lambda: play("theta", player=back_and_forth()).to_json()),
     "native": (whole("native"), lambda: native(header=True).to_json()),
     "count simple": (whole("count"), lambda: count(vertices=4, map_class="simple").to_json()),

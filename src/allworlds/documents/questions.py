@@ -49,6 +49,17 @@ class CountReport(InRows, Extent):
     rows: Annotated[list[CountRow], "one a number of edges, ascending"]
 
 
+class InitReport(Report):
+    """Report of 'init'."""
+
+    directory: Annotated[Text, "as it was named"]
+    lang: Annotated[str, Named("skeletons:LANGUAGES"), "of the explorer"]
+    files: Annotated[list[Text], "that were written, relative to the directory, sorted"]
+    explorer: Annotated[Text, "the file to be filled in"]
+    check: Annotated[Text, "a shell command that checks it"]
+    test: Annotated[Text, "a shell command that runs its test, in the directory"]
+
+
 class PlayReport(Report):
     """Report of 'play'."""
 

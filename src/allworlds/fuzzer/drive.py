@@ -64,7 +64,7 @@ def fuzz(
     def job() -> None:
         with workers_for(subject, limits, limits.deadline()) as workers:
             _try(workers, scope, tally, listener or Silent())
-            _shrink(workers, scope, tally)
+            shrink_found(workers, scope, tally)
         tally.findings = [
             confirmed(found, subject, limits, scope.schedules) for found in tally.findings
         ]
@@ -92,7 +92,9 @@ def _try(workers: Transport[Examination], scope: Scope, tally: Tally, listener: 
     gather(workers, Examination(scope, tally.keep), batches(scope.coverage), tally, listener)
 
 
-def _shrink(workers: Transport[Examination], scope: Scope, tally: Tally) -> None:
+def shrink_found(workers: Transport[Examination], scope: Scope, tally: Tally) -> None:
+    """Put the smallest finding that the shrinker reaches in the place of each one found."""
+
     def refute(given: Sequence[GivenWorlds]) -> Finding | None:
         found = Tally(keep=1)
         gather(workers, Examination(scope, found.keep), given, found, Silent())

@@ -88,6 +88,12 @@ def brief(verb: str, result: Any, width: int) -> str:
     return made
 
 
+def finding_in_words(finding: Any, width: int) -> str:
+    """A finding with its picture, as the text of ``check`` has it."""
+    made: str = _load("run_text:finding_text")(finding, width)
+    return made
+
+
 def written(form: str, report: Any) -> str:
     """The content of a file of that format."""
     made: str = _load(FORMATS[form].home)(report)
@@ -132,6 +138,7 @@ __all__ = [
     "brief",
     "ensure_drawable",
     "file_of",
+    "finding_in_words",
     "page_of",
     "text",
     "written",
