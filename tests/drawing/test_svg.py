@@ -2,6 +2,7 @@
 
 import re
 from cmath import exp, phase
+from importlib import import_module
 from itertools import combinations, pairwise
 from math import inf, tau
 from xml.etree import ElementTree as ET
@@ -10,7 +11,6 @@ import pytest
 
 from allworlds import worlds
 from allworlds.drawing import Names, Scene, in_words, picture
-from allworlds.drawing import layout as layouts
 from allworlds.drawing.mesh import mesh, place
 from allworlds.drawing.planar import planar
 from allworlds.maps import CombinatorialMap
@@ -19,6 +19,7 @@ from allworlds.maps.combinatorial import cycles
 from allworlds.maps.families import family
 from small import slow
 
+layouts = import_module("allworlds.drawing.layout")
 NS = "{http://www.w3.org/2000/svg}"
 SMALL = [world.map for world in worlds(edges=3)]
 FEW = [*SMALL[:12], *SMALL[12::5]]  # all with one or two edges, and some with three
