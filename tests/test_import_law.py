@@ -52,17 +52,18 @@ HOMES = {
     "distributed": ["work.cluster"],
     "hypothesis": ["strategies"],
     "llvmlite": ["kernel"],
-    "matplotlib": ["reports.grow_plot"],
+    "matplotlib": ["reports.grow_plot", "figures"],
     "networkx": ["maps.networks", "maps.counting.atlas", "judge.second_opinion", "mutation.judges"],
     "numba": ["kernel"],
     "numpy": ["kernel", "growing"],
     "pysat": ["smt"],
     "rich": ["cli", "reports"],
+    "sympy": ["ledger.complexity"],
     "typer": ["cli", "reports"],
     "z3": ["smt"],
 }
 # Loaded only inside the functions that need them, or for types.
-LAZY = {"distributed", "matplotlib", "networkx", "rich"}
+LAZY = {"distributed", "matplotlib", "networkx", "rich", "sympy"}
 
 # Two ways to one answer share nothing but what is named here, however many modules between.
 COMPARED = [

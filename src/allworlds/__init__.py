@@ -35,9 +35,11 @@ if TYPE_CHECKING:
     from allworlds.comparing import compare
     from allworlds.counter import count
     from allworlds.explaining import explain
+    from allworlds.figures import figure
     from allworlds.fuzzer import fuzz
     from allworlds.growing import grow
     from allworlds.joining import merge, status
+    from allworlds.ledger import claims
     from allworlds.libraries import native
     from allworlds.minimax import optimum
     from allworlds.mutation import mutants
@@ -66,9 +68,11 @@ __all__ = [
     "ambiguity",
     "bench",
     "check",
+    "claims",
     "compare",
     "count",
     "explain",
+    "figure",
     "fuzz",
     "grow",
     "init",

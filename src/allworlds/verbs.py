@@ -110,6 +110,13 @@ VERBS = (
         "How an explorer's cost grows with the world.",
     ),
     Verb(
+        "figure",
+        "figures:figure",
+        "figure_text:figure_text",
+        "figure",
+        "The paper's figures, drawn anew from runs.",
+    ),
+    Verb(
         "merge",
         "joining:merge",
         "merge_text:merge_text",
@@ -150,6 +157,14 @@ VERBS = (
         "optimum_text:optimum_text",
         "optimum",
         "The best that any explorer can do in the worst world, by minimax.",
+    ),
+    Verb(
+        "claims",
+        "ledger:claims",
+        "claims_text:claims_text",
+        "claims",
+        "The paper's sentences and ours, each with what was found.",
+        brief="claims_text:claims_line",
     ),
     Verb(
         "init",

@@ -19,9 +19,11 @@ from allworlds.comparing import compare
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
+from allworlds.figures import figure
 from allworlds.fuzzer import fuzz
 from allworlds.growing import grow
 from allworlds.joining import merge, status
+from allworlds.ledger import claims
 from allworlds.libraries import native
 from allworlds.maps import named_map
 from allworlds.minimax import optimum
@@ -103,6 +105,11 @@ def kept(verb):
         return verb(directory).to_json()
 
 
+def drawn():
+    with tempfile.TemporaryDirectory() as folder:
+        return figure("2", out=f"{folder}/figure.svg").to_json()
+
+
 def skeleton():
     with tempfile.TemporaryDirectory() as directory:
         return init(directory).to_json()
@@ -139,6 +146,7 @@ DOCUMENTS = {
         lambda: check(WRONG["mirror-image"].explorer(), edges=3, max_findings=3).to_json(),
     ),
     "compare": (whole("compare"), lambda: compare("algorithm1", "greedy", edges=2).to_json()),
+    "figure": (whole("figure"), drawn),
     "grow": (whole("grow"), lambda: grow("greedy", families=["strip"], to=30).to_json()),
     "compare in a family": (
         whole("compare"),
@@ -176,6 +184,10 @@ DOCUMENTS = {
         lambda: replay(finding_of("mirror-image"), WRONG["mirror-image"].explorer()).to_json(),
     ),
     "mutants": (whole("mutants"), lambda: mutants(edges=1).to_json()),
+    "claims": (
+        whole("claims"),
+        lambda: claims(only=["fig1", "printed-3", "bound-polynomial", "coq-2m"]).to_json(),
+    ),
     "optimum": (whole("optimum"), lambda: optimum(edges=2).to_json()),
     "optimum not found": (
         whole("optimum"),

@@ -13,10 +13,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib import import_module
-from importlib.util import find_spec
 from typing import Any
 
-from allworlds.inputs import InputError
+from allworlds.inputs import ensure_installed
 from allworlds.verbs import VERBS
 
 
@@ -63,6 +62,7 @@ FORMATS = {
 
 
 FILES = {
+    ("claims", "junit"): "claims_junit:claims_junit",
     ("compare", "csv"): "compare_text:compare_csv",
     ("grow", "csv"): "grow_text:grow_csv",
     ("grow", "plot"): "grow_plot:grow_plot",
@@ -121,8 +121,7 @@ def ensure_drawable() -> None:
     Raises:
         InputError: if what draws them is not installed.
     """
-    if find_spec("matplotlib") is None:
-        raise InputError("plot needs matplotlib: pip install 'allworlds[figures]'")
+    ensure_installed("matplotlib", "figures", "plot")
 
 
 def _load(home: str) -> Any:

@@ -2,7 +2,7 @@
 
 ``PAGES``
     **the** table of the kinds of pages, by the verb;
-``checks``, ``runs``, ``alike``, ``dearest``, ``comparison``
+``checks``, ``runs``, ``alike``, ``dearest``, ``comparison``, ``claims``
     what each kind says;
 ``frame``
     what every page has round it;
@@ -30,6 +30,7 @@ PAGES = {
     "search": "html.alike:search_page",
     "worst": "html.dearest:worst_page",
     "compare": "html.comparison:comparison_page",
+    "claims": "html.claims:claims_page",
     "play": "play:play_page",
 }
 """What makes the page of each verb's result: module and function."""
