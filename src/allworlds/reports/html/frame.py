@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
 from allworlds.markup import document, raw, record, tag
+from allworlds.version import __version__
 
 
 class Own(NamedTuple):
@@ -73,12 +74,12 @@ def _framed(page: Page, summary: Mapping[str, Any] | None) -> str:
     records, held = [], "is too large to hold its report: --json prints it"
     if summary is not None:
         records = [record(summary, class_="report", id="report-json")]
-        held = "holds its report as JSON"
+        held = "holds its data as JSON"
     body = tag(
         "body",
         tag("header", tag("h1", page.title, ": ", tag("bdi", page.subject)), said),
         tag("main", *page.sections),
-        tag("footer", tag("p", "This page needs no network, and ", held, ".")),
+        tag("footer", tag("p", f"{_MADE} This page needs no network, and {held}.")),
         *records,
         raw("script", script),
     )
@@ -98,6 +99,7 @@ def counts(header: list[str], rows: list[list[str]], caption: str) -> Iterator[E
         )
 
 
+_MADE = f"Made by allworlds {__version__}."
 _REFUSED = "base-uri 'none'; form-action 'none'"
 
 
