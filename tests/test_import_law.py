@@ -52,7 +52,7 @@ HOMES = {
     "distributed": ["work.cluster"],
     "hypothesis": ["strategies"],
     "llvmlite": ["kernel"],
-    "matplotlib": ["reports.grow_plot"],
+    "matplotlib": ["reports.grow_plot", "figures"],
     "networkx": ["maps.networks", "maps.counting.atlas", "judge.second_opinion", "mutation.judges"],
     "numba": ["kernel"],
     "numpy": ["kernel", "growing"],
