@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
 from allworlds.cli import options as opt
-from allworlds.cli.files import ensure_all_writable, write_files
+from allworlds.cli.files import PageFile, ensure_all_writable, write_files
 from allworlds.cli.output import Progress, emit
 
 
@@ -19,15 +17,7 @@ def compare(
     rules: opt.Rules,
     effort: opt.Effort,
     csv: opt.CsvFile = None,
-    html: Annotated[
-        str | None,
-        opt.option(
-            opt.OUTPUT,
-            "FILE",
-            "Write a web page too, with the walks in the world that differs most.",
-            show_default=False,
-        ),
-    ] = None,
+    page: PageFile,
     output: opt.Output,
 ) -> int:
     """Example: allworlds compare algorithm1 greedy --edges 4
@@ -38,8 +28,9 @@ def compare(
     """
     import allworlds
 
-    files = {"csv": csv, "html": html}
+    files = {"csv": csv}
     ensure_all_writable(files)
+    page.ensure_writable()
     with Progress(quiet=output.quiet) as progress:
         report = allworlds.compare(
             *programs.after(explorers),
@@ -52,4 +43,5 @@ def compare(
             **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
         )
     write_files("compare", report, files)
+    page.write("compare", report)
     return emit(report, "compare", output, workers=effort.count)

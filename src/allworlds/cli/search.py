@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.files import PageFile
 from allworlds.cli.output import Progress, emit
 from allworlds.cli.values import motion_list
 
@@ -57,6 +58,7 @@ def search(
             show_default=False,
         ),
     ] = None,
+    page: PageFile,
     output: opt.Output,
 ) -> int:
     """Example: allworlds search --lighthouse position --class simple --vertices 4 --edges 6
@@ -65,6 +67,8 @@ def search(
     code 0: answered, 3: the time was over, 4: no world exists within the bounds.
     """
     import allworlds
+
+    page.ensure_writable()
 
     with Progress(quiet=output.quiet) as progress:
         result = allworlds.search(
@@ -84,4 +88,5 @@ def search(
         for notice in result.notices:
             progress.notice(notice)
     seconds = [searched.seconds for searched in result.searched]
+    page.write("search", result)
     return emit(result, "search", output, level_seconds=seconds)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.files import PageFile
 from allworlds.cli.output import Progress, emit
 from allworlds.cli.values import shard_numbers, worker_count
 
@@ -39,6 +40,7 @@ def worst(
     workers: opt.Workers = "auto",
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
+    page: PageFile,
     output: opt.Output,
 ) -> int:
     """Example: allworlds worst --edges 5
@@ -48,6 +50,8 @@ def worst(
     1: a schedule breaks a law, 70: the replay of a row disagrees.
     """
     import allworlds
+
+    page.ensure_writable()
 
     threads = worker_count(workers)
     with Progress(quiet=output.quiet) as progress:
@@ -63,4 +67,5 @@ def worst(
             workers=threads,
             listener=progress,
         )
+    page.write("worst", report)
     return emit(report, "worst", output, workers=threads)
