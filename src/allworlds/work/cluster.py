@@ -1,16 +1,15 @@
 """Units on the machines of a Dask cluster.
 
 A task is some units with an engine and a way to have it done; what comes back are whole results,
-and so a unit whose worker is lost is simply done again, by another one.  On a worker a *lane* is a
-transport that outlives the tasks of its job: as many as the worker has threads.
+and so a unit whose worker is lost is simply done again, by another one.  What a worker has of a
+job is in :mod:`allworlds.work.lanes`.
 """
 
 from __future__ import annotations
 
-import threading
-from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
 from itertools import islice
 from time import monotonic
 from typing import Any, Self
@@ -20,7 +19,8 @@ from allworlds.inputs import InputError, show
 from allworlds.version import __version__
 from allworlds.work.effort import POLL, check_deadline
 from allworlds.work.here import Here
-from allworlds.work.work import Part, Sum, Transport
+from allworlds.work.lanes import Done, Errand, Lost, done, end_job
+from allworlds.work.work import Part, Transport
 
 LOCAL = "local"
 """In place of an address: a cluster of this machine alone, which is started and ended."""
@@ -28,23 +28,58 @@ LOCAL = "local"
 PATIENCE = 10.0
 """Seconds in which a scheduler must answer."""
 
-IDLE = 120.0
-"""Seconds after which a worker closes lanes that nobody uses; their owner may have been killed."""
-
 TRIES = 3
 """So often it is tried to speak with a scheduler."""
 
 AHEAD = 3
 """For each thread of the cluster so many tasks are on their way."""
 
+TASK = 0.1
+"""Seconds that a task is to take at least, if its units allow it: to send one costs some
+thousandths of a second."""
 
-class Lost(Exception):
-    """Workers were lost again and again, or the scheduler was."""
+TASKS_A_SECOND = 100
+"""More of them a scheduler, and whoever adds up, had better not be given; so the tasks of a large
+cluster take longer."""
+
+MOST_UNITS = 1000
+"""A task has no more; whatever is on its way is lost if the command is killed."""
+
+QUIET = {
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "500ms",
+    "distributed.admin.system-monitor.interval": "2s",
+}
+"""What a local cluster is started with: by itself Dask looks a hundred times a second at what each
+worker does, for a page that nobody sees here."""
 
 
 def all_well() -> str:
     """What speaks against a worker: nothing."""
     return ""
+
+
+@dataclass(slots=True)
+class Pace:
+    """How many units make a task, by what those of the same level have cost so far.
+
+    Attributes:
+        cost: seconds a unit, the last tasks counting most; None before the first.
+    """
+
+    cost: float | None = None
+
+    def units(self, threads: int) -> int:
+        """For a cluster with so many threads."""
+        if self.cost is None:
+            return 1
+        seconds = max(TASK, threads / TASKS_A_SECOND)
+        return max(1, min(MOST_UNITS, int(seconds / max(self.cost, 1e-6))))
+
+    def took(self, units: int, seconds: float) -> None:
+        """A task of so many units took so long."""
+        cost = seconds / units
+        self.cost = cost if self.cost is None else (self.cost + cost) / 2
 
 
 class Dask:
@@ -56,7 +91,6 @@ class Dask:
         inside: on a worker, how units get to the engine there; picklable.
         probe: what speaks against a worker, asked there once; picklable.
         order: of the units.
-        batch: units of a task.
         deadline: on the monotonic clock, or None.
 
     Raises:
@@ -68,7 +102,6 @@ class Dask:
         scheduler: str,
         workers: int = 1,
         deadline: float | None = None,
-        batch: int = 1,
         inside: Callable[[], Transport[Any]] = Here,
         probe: Callable[[], str] = all_well,
         order: Callable[[Iterable[Any]], Iterable[Any]] = iter,
@@ -76,7 +109,7 @@ class Dask:
         self._distributed = _installed()
         self._scheduler, self._workers = scheduler, workers
         self._inside, self._probe, self._order = inside, probe, order
-        self._batch, self._deadline = batch, deadline
+        self._deadline = deadline
         self._job = uuid4().hex
         self._stack = ExitStack()
         self._client: Any = None
@@ -86,7 +119,7 @@ class Dask:
         with self._stack as stack:
             address: Any = self._scheduler
             if address == LOCAL:
-                address = stack.enter_context(_local_cluster(self._distributed, self._workers))
+                address = stack.enter_context(local_cluster(self._workers))
             self._client = stack.enter_context(self._connected(address))
             self._stack = stack.pop_all()
         return self
@@ -105,17 +138,22 @@ class Dask:
             InputError: if a worker cannot do it.
         """
         waiting = iter(self._order(units))
+        packed = Errand(self._inside, self._probe, engine).packed()
         at_work: dict[Any, list[Any]] = {}
+        pace = Pace()
         try:
             while True:
-                while len(at_work) < self._window() and (batch := [*islice(waiting, self._batch)]):
-                    task = (self._job, __version__, self._inside, self._probe, engine, batch)
+                while len(at_work) < self._window() and (
+                    batch := [*islice(waiting, pace.units(self._threads))]
+                ):
+                    task = (self._job, __version__, packed, batch)
                     at_work[self._client.submit(done, *task, pure=False)] = batch
                 if not at_work:
                     return
                 for future in self._finished(at_work):
-                    results = self._result(future)
-                    for unit, result in zip(at_work.pop(future), results, strict=True):
+                    came = self._result(future)
+                    pace.took(len(came.results), came.seconds)
+                    for unit, result in zip(at_work.pop(future), came.results, strict=True):
                         yield Part(unit, result, last=True)
                 check_deadline(self._deadline)
         finally:
@@ -155,16 +193,16 @@ class Dask:
             return []
         return list(told.done)
 
-    def _result(self, future: Any) -> list[Any]:
+    def _result(self, future: Any) -> Done:
         from distributed.scheduler import KilledWorker
 
         try:
-            results: list[Any] = future.result()
+            came: Done = future.result()
         except KilledWorker as error:
             raise Lost(f"Dask workers were lost over the same units: {error}") from None
         except self._distributed.CancelledError:
             raise Lost(f"the Dask scheduler {self._scheduler} is gone") from None
-        return results
+        return came
 
 
 def _installed() -> Any:
@@ -177,118 +215,20 @@ def _installed() -> Any:
     return distributed
 
 
-def _local_cluster(distributed: Any, workers: int) -> Any:
-    return distributed.LocalCluster(
-        n_workers=workers, threads_per_worker=1, dashboard_address=None, silence_logs=50
-    )
+@contextmanager
+def local_cluster(workers: int) -> Iterator[Any]:
+    """A cluster of so many processes on this machine, each with one thread; it ends with it.
 
+    Raises:
+        InputError: if Dask is not installed.
+    """
+    distributed = _installed()
+    import dask
 
-# ---------------------------------------------------------------- on a worker
-
-
-class _Lanes:
-    """What a worker has of one job."""
-
-    def __init__(self) -> None:
-        self.idle: list[Transport[Any]] = []
-        self.at_work: list[Any] = []
-        self.ended = False
-        self.well = False
-        self.used = monotonic()
-
-
-_JOBS: defaultdict[str, _Lanes] = defaultdict(_Lanes)
-_TURN = threading.Lock()
-
-
-def done(
-    job: str,
-    version: str,
-    inside: Callable[[], Transport[Any]],
-    probe: Callable[[], str],
-    engine: Any,
-    batch: list[Any],
-) -> list[Any]:
-    """The results of some units, each whole, in their order."""
-    lane = _lane(job, version, inside, probe)
-    lanes = _JOBS[job]
-    lanes.at_work.append(engine)
-    results: dict[str, Sum] = {}
-    try:
-        for part in lane.map(engine, batch):
-            _go_on(lanes)
-            key = part.unit.key
-            if key in results:
-                results[key].add(part.result)
-            else:
-                results[key] = part.result
-    except BaseException:
-        lane.__exit__(None, None, None)
-        raise
-    else:
-        _give_back(job, lane)
-    finally:
-        lanes.at_work.remove(engine)
-    return [results[unit.key] for unit in batch]
-
-
-def _go_on(lanes: _Lanes) -> None:
-    if lanes.ended:
-        raise Lost("the job has ended")
-
-
-def end_job(job: str) -> None:
-    """Give up whatever is being done for a job on this worker."""
-    lanes = _JOBS[job]
-    lanes.ended = True
-    for engine in list(lanes.at_work):
-        if halt := getattr(engine, "halt", None):
-            halt()
-    _close_idle(job)
-
-
-def _lane(
-    job: str, version: str, inside: Callable[[], Transport[Any]], probe: Callable[[], str]
-) -> Transport[Any]:
-    with _TURN:
-        lanes = _JOBS[job]
-        if not lanes.well:
-            said = f"has allworlds {__version__}, not {version}" if version != __version__ else ""
-            if said := said or probe():
-                raise InputError(f"the Dask worker {_address()}: {said}")
-            lanes.well = True
-        if lanes.idle:
-            return lanes.idle.pop()
-    return inside().__enter__()
-
-
-def _give_back(job: str, lane: Transport[Any]) -> None:
-    with _TURN:
-        lanes = _JOBS[job]
-        lanes.used = monotonic()
-        lanes.idle.append(lane)
-    if lanes.ended:
-        _close_idle(job)
-    else:
-        timer = threading.Timer(IDLE, _close_unused, (job,))
-        timer.daemon = True
-        timer.start()
-
-
-def _close_unused(job: str) -> None:
-    if monotonic() - _JOBS[job].used >= IDLE:
-        _close_idle(job)
-
-
-def _close_idle(job: str) -> None:
-    with _TURN:
-        idle, _JOBS[job].idle = _JOBS[job].idle, []
-    for lane in idle:
-        lane.__exit__(None, None, None)
-
-
-def _address() -> str:
-    from distributed import get_worker
-
-    address: str = get_worker().address
-    return address
+    with (
+        dask.config.set(QUIET),
+        distributed.LocalCluster(
+            n_workers=workers, threads_per_worker=1, dashboard_address=None, silence_logs=50
+        ) as cluster,
+    ):
+        yield cluster

@@ -46,7 +46,6 @@ if TYPE_CHECKING:
 
 DEFAULT_EDGES, OTHERS_EDGES = 5, 3
 MOST_EDGES = 12
-DASK_BATCH = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -228,7 +227,7 @@ def worst(
     engine = search.engine()
     if not engine.is_compiled():
         heard.notice(COMPILING)
-    transport = Threads(workers) if dask is None else Dask(dask, workers, batch=DASK_BATCH)
+    transport = Threads(workers) if dask is None else Dask(dask, workers)
     with records_in(run, search.identity, heard.notice) as records, transport as there:
         return search.report(there, engine, records, heard)
 
