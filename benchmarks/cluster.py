@@ -1,6 +1,6 @@
 """What two workers of a Dask cluster are worth of two threads, or processes, of this machine.
 
-    python benchmarks/cluster.py [--rounds N] [--kernel-edges M] [--python-edges M]
+    python benchmarks/cluster.py [--rounds N] [--engine kernel|python]
 
 The same check is done here and on a cluster of this machine, in turns, so that whatever else the
 machine does falls on both; the first turn of each is not counted, since it starts what stays: the
@@ -24,6 +24,12 @@ from allworlds import check
 from allworlds.work import local_cluster
 
 WORKERS = 2
+
+JOBS: dict[str, dict[str, Any]] = {
+    "kernel": {"edges": 9, "vertices": 2},
+    "python": {"edges": 5},
+}
+"""Checks that take some ten seconds, so that what is sent once does not count."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,12 +67,13 @@ def told(name: str, ratios: list[float]) -> str:
     return f"{name} {statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
 
 
-def measure(engine: str, edges: int, rounds: int, address: str) -> None:
+def measure(engine: str, rounds: int, address: str) -> None:
     """Print the ratios of one engine."""
     turns: list[tuple[Taken, Taken]] = []
+    job = {"engine": engine, **JOBS[engine]}
     for _ in range(rounds + 1):
-        here, whole = taken(engine=engine, edges=edges)
-        there, same = taken(engine=engine, edges=edges, dask=address)
+        here, whole = taken(**job)
+        there, same = taken(**job, dask=address)
         if same != whole:
             raise SystemExit(f"the reports of {engine} differ: this measures nothing")
         turns.append((here, there))
@@ -74,7 +81,7 @@ def measure(engine: str, edges: int, rounds: int, address: str) -> None:
     cpus = [here.cpu / there.cpu for here, there in turns[1:]]
     seconds = statistics.median(here.cpu for here, _ in turns[1:])
     print(
-        f"{engine:<7} m = {edges}: {told('clock', walls)}, {told('processors', cpus)}; "
+        f"{engine}, {JOBS[engine]}: {told('clock', walls)}, {told('processors', cpus)}; "
         f"here {seconds:.1f} s of processors",
         flush=True,
     )
@@ -84,13 +91,11 @@ def main() -> None:
     """Measure, and print."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--kernel-edges", type=int, default=8)
-    parser.add_argument("--python-edges", type=int, default=5)
+    parser.add_argument("--engine", choices=JOBS, action="append")
     options = parser.parse_args()
     with local_cluster(WORKERS) as cluster:
-        address = cluster.scheduler_address
-        measure("kernel", options.kernel_edges, options.rounds, address)
-        measure("python", options.python_edges, options.rounds, address)
+        for engine in options.engine or JOBS:
+            measure(engine, options.rounds, cluster.scheduler_address)
 
 
 if __name__ == "__main__":

@@ -210,7 +210,9 @@ def task(monkeypatch):
     packed = lanes.Errand(Lane, cluster.all_well, Twice()).packed()
 
     def do(job):
-        assert lanes.done(job, __version__, packed, [Unit(7)]).results == [[7, 7]]
+        told = lanes.done(job, __version__, packed, [Unit(7)])
+        assert told.results == [[7, 7]]
+        return told
 
     return do, Lane.closed
 
@@ -254,21 +256,29 @@ def test_what_is_done_when_its_job_ends_is_given_up(task, monkeypatch):
 def test_what_is_the_same_in_all_tasks_is_unpacked_once(task, monkeypatch):
     do, _ = task
     do("d")
+    assert do("d").seconds >= 0
     monkeypatch.setattr("distributed.protocol.pickle.loads", None)
     do("d")
 
 
 def test_a_task_holds_as_many_units_as_are_worth_sending():
     pace = cluster.Pace()
-    assert pace.units(2) == 1
-    pace.took(1, 0.004)
-    assert pace.units(2) == 25
-    assert pace.units(1000) == 1000
-    pace.took(25, 25.0)
-    assert pace.units(2) == 1
-    assert pace.units(1000) == 19
-    cheap = cluster.Pace(0.0)
-    assert cheap.units(2) == cluster.MOST_UNITS
+    pace.took(1, None)
+    pace.begin_level()
+    assert pace.units(100, 2) == 1
+    pace.took(1, 0.01)
+    assert pace.units(1000, 2) == 100
+    assert pace.units(80, 2) == 20
+    assert pace.units(3, 2) == 10
+    assert pace.units(10**6, 1000) == 500
+    assert pace.units(10**6, 10_000) == 50
+    pace.begin_level()
+    assert pace.units(1000, 2) == 6
+    pace.took(50, 500.0)
+    assert pace.units(1000, 2) == 1
+    pace.took(10, 0.0)
+    assert pace.units(1000, 2) == 1
+    assert cluster.Pace(1e-6).units(1000, 2) == 100_000
 
 
 # ---------------------------------------------------------------- real processes

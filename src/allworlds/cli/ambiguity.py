@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import watched
 from allworlds.cli.output import Progress, emit
 from allworlds.cli.values import shard_numbers
 
@@ -15,7 +16,7 @@ def census(
     shard: opt.ShardText = "0/1",
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
-    output: opt.Output,
+    output: opt.Watched,
 ) -> int:
     """Example: allworlds ambiguity census --edges 5
 
@@ -24,7 +25,7 @@ def census(
     """
     import allworlds
 
-    with Progress(quiet=output.quiet) as progress:
+    with watched(output) as listener:
         result = allworlds.ambiguity.census(
             edges=bounds.edges,
             vertices=bounds.vertices,
@@ -32,8 +33,9 @@ def census(
             shard=shard_numbers(shard),
             run=run,
             dask=dask,
-            listener=progress,
+            listener=listener,
         )
+        listener.verdict(result)
     return emit(result, "ambiguity census", output)
 
 

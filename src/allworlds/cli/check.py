@@ -7,9 +7,9 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
-from allworlds.cli.events import told_to
+from allworlds.cli.events import watched
 from allworlds.cli.files import Files, ensure_directory
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 from allworlds.cli.values import shard_numbers
 
 
@@ -54,17 +54,8 @@ def check(
             rich_help_panel=opt.EFFORT,
         ),
     ] = False,
-    events: Annotated[
-        str | None,
-        opt.option(
-            opt.OUTPUT,
-            "FILE",
-            "Write what happens, as it happens: a line of JSON each.",
-            show_default=False,
-        ),
-    ] = None,
     files: Files,
-    output: opt.Output,
+    output: opt.Watched,
 ) -> int:
     """Example: allworlds check my_explorer.py:explore --edges 4
 
@@ -90,7 +81,7 @@ def check(
         )
         return emit(guess, "check", output, workers=effort.count)
     ensure_directory(corpus)
-    with Progress(quiet=output.quiet) as progress, told_to(events, progress) as listener:
+    with watched(output) as listener:
         report = allworlds.check(
             explore,
             edges=bounds.edges,

@@ -7,8 +7,9 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import watched
 from allworlds.cli.files import ensure_all_writable, write_files
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 from allworlds.maps.families import FORMS
 
 Explorers = Annotated[
@@ -51,7 +52,7 @@ def compare(
             show_default=False,
         ),
     ] = None,
-    output: opt.Output,
+    output: opt.Watched,
 ) -> int:
     """Example: allworlds compare algorithm1 greedy --edges 4
 
@@ -63,10 +64,10 @@ def compare(
 
     files = {"csv": csv, "html": html}
     ensure_all_writable(files)
-    with Progress(quiet=output.quiet) as progress:
+    with watched(output) as listener:
         report = allworlds.compare(
             *explorers,
-            listener=progress,
+            listener=listener,
             edges=bounds.edges,
             vertices=bounds.vertices,
             family=family,
@@ -74,5 +75,6 @@ def compare(
             seed=seed,
             **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
         )
+        listener.verdict(report)
     write_files("compare", report, files)
     return emit(report, "compare", output, workers=effort.count)

@@ -7,8 +7,9 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import watched
 from allworlds.cli.files import ensure_all_writable, write_files
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 
 Explorers = Annotated[
     list[str],
@@ -51,7 +52,7 @@ def grow(
             show_default=False,
         ),
     ] = None,
-    output: opt.Output,
+    output: opt.Watched,
 ) -> int:
     """Example: allworlds grow algorithm1 greedy --family lattice,torus --to 100
 
@@ -66,15 +67,16 @@ def grow(
         ensure_drawable()
     ensure_all_writable(files)
     many = opt.many_runs("maps", lighthouse, rules, effort)
-    with Progress(quiet=output.quiet) as progress:
+    with watched(output) as listener:
         report = allworlds.grow(
             *explorers,
             families=families.split(","),
             to=to,
             worlds=worlds,
             seed=seed,
-            listener=progress,
+            listener=listener,
             **many,
         )
+        listener.verdict(report)
     write_files("grow", report, files)
     return emit(report, "grow", output, workers=effort.count)

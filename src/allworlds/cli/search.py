@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.events import watched
+from allworlds.cli.output import emit
 from allworlds.cli.values import motion_list
 
 
@@ -57,7 +58,7 @@ def search(
             show_default=False,
         ),
     ] = None,
-    output: opt.Output,
+    output: opt.Watched,
 ) -> int:
     """Example: allworlds search --lighthouse position --class simple --vertices 4 --edges 6
 
@@ -66,7 +67,7 @@ def search(
     """
     import allworlds
 
-    with Progress(quiet=output.quiet) as progress:
+    with watched(output) as listener:
         result = allworlds.search(
             lighthouse=lighthouse,
             map_class=map_class,
@@ -79,9 +80,10 @@ def search(
             solver=solver,
             out=out,
             time_limit=time_limit,
-            listener=progress,
+            listener=listener,
         )
         for notice in result.notices:
-            progress.notice(notice)
+            listener.notice(notice)
+        listener.verdict(result)
     seconds = [searched.seconds for searched in result.searched]
     return emit(result, "search", output, level_seconds=seconds)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.events import watched
+from allworlds.cli.output import emit
 from allworlds.cli.values import shard_numbers, worker_count
 
 
@@ -33,7 +34,7 @@ def worst(
     workers: opt.Workers = "auto",
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
-    output: opt.Output,
+    output: opt.Watched,
 ) -> int:
     """Example: allworlds worst --edges 5
 
@@ -44,7 +45,7 @@ def worst(
     import allworlds
 
     threads = worker_count(workers)
-    with Progress(quiet=output.quiet) as progress:
+    with watched(output) as listener:
         report = allworlds.worst(
             opt.explorer_name(explorer, command, native),
             edges=edges,
@@ -55,6 +56,7 @@ def worst(
             run=run,
             dask=dask,
             workers=threads,
-            listener=progress,
+            listener=listener,
         )
+        listener.verdict(report)
     return emit(report, "worst", output, workers=threads)

@@ -7,6 +7,7 @@ job is in :mod:`allworlds.work.lanes`.
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
@@ -34,16 +35,20 @@ TRIES = 3
 AHEAD = 3
 """For each thread of the cluster so many tasks are on their way."""
 
-TASK = 0.1
-"""Seconds that a task is to take at least, if its units allow it: to send one costs some
-thousandths of a second."""
+LEAST, TASK = 0.1, 1.0
+"""Seconds that a task takes at least and at most, as far as whole units allow: to send one costs
+some thousandths of a second."""
 
 TASKS_A_SECOND = 100
 """More of them a scheduler, and whoever adds up, had better not be given; so the tasks of a large
 cluster take longer."""
 
-MOST_UNITS = 1000
-"""A task has no more; whatever is on its way is lost if the command is killed."""
+GROWTH = 16
+"""A unit of the next level is thought to cost so many times as much, until one has been done."""
+
+IN_SIGHT = 64
+"""For each thread of the cluster so many units are looked for beforehand; the fewer are left, the
+fewer make a task, so that all threads end at about the same time."""
 
 QUIET = {
     "distributed.worker.profile.enabled": False,
@@ -61,7 +66,7 @@ def all_well() -> str:
 
 @dataclass(slots=True)
 class Pace:
-    """How many units make a task, by what those of the same level have cost so far.
+    """How many units make a task, by what others have cost so far.
 
     Attributes:
         cost: seconds a unit, the last tasks counting most; None before the first.
@@ -69,16 +74,23 @@ class Pace:
 
     cost: float | None = None
 
-    def units(self, threads: int) -> int:
-        """For a cluster with so many threads."""
+    def units(self, left: int, threads: int) -> int:
+        """The next task's, where so many are in sight, for a cluster with so many threads."""
         if self.cost is None:
             return 1
-        seconds = max(TASK, threads / TASKS_A_SECOND)
-        return max(1, min(MOST_UNITS, int(seconds / max(self.cost, 1e-6))))
+        most = max(TASK, threads / TASKS_A_SECOND) / self.cost
+        return max(1, int(min(most, max(LEAST / self.cost, left / (2 * threads)))))
 
-    def took(self, units: int, seconds: float) -> None:
-        """A task of so many units took so long."""
-        cost = seconds / units
+    def begin_level(self) -> None:
+        """Other units follow, which cost more."""
+        if self.cost is not None:
+            self.cost *= GROWTH
+
+    def took(self, units: int, seconds: float | None) -> None:
+        """A task of so many units took so long; None says nothing."""
+        if seconds is None:
+            return
+        cost = max(seconds / units, 1e-6)
         self.cost = cost if self.cost is None else (self.cost + cost) / 2
 
 
@@ -114,6 +126,7 @@ class Dask:
         self._stack = ExitStack()
         self._client: Any = None
         self._threads, self._looked = 0, 0.0
+        self._pace = Pace()
 
     def __enter__(self) -> Self:
         with self._stack as stack:
@@ -137,15 +150,18 @@ class Dask:
             Lost: if workers are lost again and again.
             InputError: if a worker cannot do it.
         """
-        waiting = iter(self._order(units))
+        waiting, sight = iter(self._order(units)), deque[Any]()
         packed = Errand(self._inside, self._probe, engine).packed()
         at_work: dict[Any, list[Any]] = {}
-        pace = Pace()
+        pace = self._pace
+        pace.begin_level()
         try:
             while True:
-                while len(at_work) < self._window() and (
-                    batch := [*islice(waiting, pace.units(self._threads))]
-                ):
+                while len(at_work) < AHEAD * self._counted():
+                    sight.extend(islice(waiting, IN_SIGHT * self._threads - len(sight)))
+                    number = min(len(sight), pace.units(len(sight), self._threads))
+                    if not (batch := [sight.popleft() for _ in range(number)]):
+                        break
                     task = (self._job, __version__, packed, batch)
                     at_work[self._client.submit(done, *task, pure=False)] = batch
                 if not at_work:
@@ -178,12 +194,12 @@ class Dask:
                 return self._distributed.Client(address, timeout=PATIENCE)
         return self._distributed.Client(address, timeout=PATIENCE)
 
-    def _window(self) -> int:
-        """How many tasks may be on their way; workers come and go."""
+    def _counted(self) -> int:
+        """The threads of the cluster, counted once a second; workers come and go."""
         if monotonic() > self._looked + 1:
-            self._threads = sum(self._client.nthreads().values())
+            self._threads = max(2, sum(self._client.nthreads().values()))
             self._looked = monotonic()
-        return AHEAD * max(self._threads, 2)
+        return self._threads
 
     def _finished(self, at_work: Iterable[Any]) -> list[Any]:
         """Those that have come back; after a moment none."""

@@ -43,15 +43,18 @@ class Errand:
         """It, as it travels; packed once, however many tasks there are."""
         from distributed.protocol.pickle import dumps
 
-        travels: bytes = dumps(self)
+        travels: bytes = dumps(self)  # type: ignore[no-untyped-call]  # Dask is not typed
         return travels
 
 
 class Done(NamedTuple):
-    """What comes back from a task: whole results, in the order of its units, and the seconds."""
+    """What comes back from a task: whole results, in the order of its units, and the seconds.
+
+    Of the first task of a lane these are not told, since most of them go into what stays.
+    """
 
     results: list[Any]
-    seconds: float
+    seconds: float | None
 
 
 class _Lanes:
@@ -69,7 +72,7 @@ class _Lanes:
         if packed not in self.errands:
             from distributed.protocol.pickle import loads
 
-            self.errands[packed] = loads(packed)
+            self.errands[packed] = loads(packed)  # type: ignore[no-untyped-call]  # as above
         return self.errands[packed]
 
 
@@ -91,6 +94,9 @@ def done(job: str, version: str, packed: bytes, batch: list[Any]) -> Done:
         Lost: if the job has ended.
     """
     errand, lane = _lane(job, version, packed)
+    new = lane is None
+    if lane is None:
+        lane = errand.inside().__enter__()
     began = perf_counter()
     results: dict[str, Sum] = {}
     try:
@@ -105,7 +111,7 @@ def done(job: str, version: str, packed: bytes, batch: list[Any]) -> Done:
         lane.__exit__(None, None, None)
         raise
     _give_back(job, lane)
-    return Done([results[unit.key] for unit in batch], perf_counter() - began)
+    return Done([results[unit.key] for unit in batch], None if new else perf_counter() - began)
 
 
 def end_job(job: str) -> None:
@@ -124,7 +130,8 @@ def _go_on(job: str) -> None:
         raise Lost("the job has ended")
 
 
-def _lane(job: str, version: str, packed: bytes) -> tuple[Errand, Transport[Any]]:
+def _lane(job: str, version: str, packed: bytes) -> tuple[Errand, Transport[Any] | None]:
+    """What is to be done, and a lane that is idle; None if there is none."""
     with _TURN:
         _go_on(job)
         lanes = _JOBS[job]
@@ -134,9 +141,7 @@ def _lane(job: str, version: str, packed: bytes) -> tuple[Errand, Transport[Any]
         if not lanes.well and (said := errand.probe()):
             raise _unfit(said)
         lanes.well = True
-        if lanes.idle:
-            return errand, lanes.idle.pop()
-    return errand, errand.inside().__enter__()
+        return errand, lanes.idle.pop() if lanes.idle else None
 
 
 def _unfit(said: str) -> InputError:
