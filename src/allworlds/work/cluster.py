@@ -46,7 +46,7 @@ cluster take longer."""
 GROWTH = 16
 """A unit of the next level is thought to cost so many times as much, until one has been done."""
 
-IN_SIGHT = 64
+IN_SIGHT = 512
 """For each thread of the cluster so many units are looked for beforehand; the fewer are left, the
 fewer make a task, so that all threads end at about the same time."""
 
