@@ -38,6 +38,14 @@ def test(session: nox.Session) -> None:
 
 
 @nox.session
+def docs(session: nox.Session) -> None:
+    """Build the site of the documents, strictly, into build/site."""
+    session.install(".[docs]")
+    session.run("mkdocs", "build", "--strict", env={"NO_MKDOCS_2_WARNING": "1"})
+    session.run("python", "docsite/check.py", "build/site")
+
+
+@nox.session
 def exhaustive(session: nox.Session) -> None:
     """Do the main job, further than the tests go."""
     session.install(".")

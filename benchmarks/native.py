@@ -1,16 +1,25 @@
 """What a run of a native explorer costs in the compiled engine, part by part.
 
-    python benchmarks/native.py LIBRARY [--edges M]
+    python benchmarks/native.py LIBRARY [--edges M] [--units N] [--explore PROGRAM]
 
-Everything is done in this process: laid out, played, judged, played again, compared.  Printed is
-the processor time a run, in microseconds, of each part; messages and processes come on top.
+Laid out, played, judged, played again and compared: all in this process; messages and processes
+come on top.  Beside it stand, in the same units of work: the explorer played twice by a loop in C
+and nothing else, which is what no judge can do without, and the Python engine with the built-in
+explorer, which plays once.  PROGRAM is a yardstick that is called with ``0 M`` and prints how many
+worlds there are (``leaves``).  Printed is processor time, in microseconds a run.
 """
 
 from __future__ import annotations
 
 import argparse
+import ctypes
+import re
+import resource
+import subprocess
+import tempfile
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from allworlds import kernel
@@ -18,11 +27,46 @@ from allworlds.checker.questions import level_of
 from allworlds.findings import make_rules
 from allworlds.isolation.jobs import PlayStretch
 from allworlds.isolation.stretches import Actor, Shared
-from allworlds.libraries import Library, NativeExplorer
+from allworlds.libraries import ROOM, Library, NativeExplorer
+from allworlds.libraries import __file__ as header
 from allworlds.maps.classes import Extent, MapClass
-from allworlds.work import units_of_level
+from allworlds.runs import Examination, Scope
+from allworlds.subjects import load
 
 PARTS = ("laid out", "first play", "judged", "second play", "compared")
+SAMPLED = 40
+"""In so many units, evenly spaced, the Python engine plays the first runs."""
+
+
+class Bare:
+    """A library that is played without anybody who looks on.
+
+    Args:
+        path: of the library.
+        folder: where the loop is built.
+    """
+
+    def __init__(self, path: str, folder: str) -> None:
+        source, loop = Path(__file__).with_name("bare.c"), Path(folder) / "bare.so"
+        include = str(Path(header).parent)
+        command = ["cc", "-O2", "-shared", "-fPIC", "-I", include, "-o", str(loop), str(source)]
+        subprocess.run(command, check=True)
+        self._play = ctypes.CDLL(str(loop)).play
+        self._play.restype = ctypes.c_long
+        library = Library(path)
+        addresses = library.addresses()
+        names = ("start", "step", "answer", "choose")
+        self._explorer = (ctypes.c_void_p * 5)(*(addresses[name] for name in names), library.new())
+        self._room = [(ctypes.c_int32 * ROOM)() for _ in range(2)]
+
+    def play(self, stretch: kernel.Stretch, runs: int) -> int:
+        """The number of traversals of so many runs that have been laid out."""
+        heads, worlds = stretch.heads, stretch.worlds
+        sizes = ctypes.c_long(runs), ctypes.c_long(worlds.shape[1])
+        told = ctypes.c_void_p(heads[:, kernel.RUN_TOLD :].ctypes.data)
+        apart = ctypes.c_long(heads.shape[1])
+        tables = ctypes.c_void_p(worlds.ctypes.data)
+        return int(self._play(self._explorer, *sizes, tables, told, apart, ROOM, *self._room))
 
 
 def main() -> None:
@@ -30,14 +74,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("library")
     parser.add_argument("--edges", type=int, default=6)
+    parser.add_argument("--units", type=int, default=1 << 30, help="the first so many alone")
+    parser.add_argument("--explore", metavar="PROGRAM")
     given = parser.parse_args()
     rules = make_rules({}, "directional", "paper")
     extent = Extent(MapClass.MAPS, given.edges, None)
+    scope = Scope(extent, rules)
+    units = list(scope.units(given.edges))[: given.units]
     level = level_of("native:", rules, extent, given.edges)
     memory = [Shared(given.edges) for _ in range(2)]
     actors = [Actor(NativeExplorer(Library(given.library)), bytearray(16)) for _ in range(2)]
     kernel.load_native()
-    spent, runs = dict.fromkeys(PARTS, 0.0), 0
+    spent, runs = dict.fromkeys((*PARTS, "bare"), 0.0), 0
 
     def timed(part: str, work: Callable[[], Any]) -> Any:
         start = time.process_time()
@@ -45,7 +93,9 @@ def main() -> None:
         spent[part] += time.process_time() - start
         return done
 
-    for unit in units_of_level(extent, given.edges):
+    with tempfile.TemporaryDirectory() as folder:
+        bare = Bare(given.library, folder)
+    for unit in units:
         judge = kernel.UnitJudge(level, unit.prefix, 1, *(each.stretch for each in memory))
         laid = None
         while laid is None or not laid.last:
@@ -60,10 +110,39 @@ def main() -> None:
             if not good or rows.broken or judge.differing(laid, size):
                 raise SystemExit("a law is broken: this measures nothing")
             timed("compared", lambda j=judge, a=laid, s=size: j.differing(a, s))
+            walked = timed("bare", lambda n=laid.runs: bare.play(memory[0].stretch, n))
+            assert walked == sum(row.traversals for row in rows.counts)
             runs += laid.runs
-    for part, seconds in spent.items():
-        print(f"{part:12} {seconds / runs * 1e6:6.2f}")
-    print(f"{'all':12} {sum(spent.values()) / runs * 1e6:6.2f} microseconds a run, {runs:,} runs")
+    cost = {part: seconds / runs * 1e6 for part, seconds in spent.items()}
+    for part in PARTS:
+        print(f"{part:12} {cost[part]:6.2f}")
+    whole = sum(cost[part] for part in PARTS)
+    print(f"{'all':12} {whole:6.2f} microseconds a run, {runs:,} runs")
+    print(f"{'bare':12} {2 * cost['bare']:6.2f} two plays in C and nothing else")
+    python = python_engine(scope, units)
+    print(f"{'Python':12} {python:6.0f} the Python engine, {python / whole:.0f} times as much;")
+    print(f"{'':12} {python / 2 / cost['bare']:6.0f} times the two bare plays")
+    if given.explore:
+        print(f"{'yardstick':12} {yardstick(given.explore, given.edges, whole)}")
+
+
+def python_engine(scope: Scope, units: list[Any]) -> float:
+    """Microseconds a run of the built-in explorer, in a sample of the units."""
+    examination = Examination(scope, 1).own(load("algorithm1"))
+    start, runs = time.process_time(), 0
+    for unit in units[:: -(-len(units) // SAMPLED)]:
+        _, tally = next(iter(examination.parts(unit)))
+        runs += tally.runs
+    return (time.process_time() - start) / runs * 1e6
+
+
+def yardstick(program: str, edges: int, cost: float) -> str:
+    """How many runs there are for each of its worlds in the same time."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    said = subprocess.run([program, "0", str(edges)], check=True, capture_output=True, text=True)
+    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    (worlds,) = re.findall(r"leaves (\d+)", said.stdout)
+    return f"{seconds / int(worlds) * 1e6 / cost:.3f} runs for each of its worlds"
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ import allworlds.libraries
 
 PROJECT = Path(__file__).parents[1]
 EXAMPLES = PROJECT / "examples"
+FOR_TESTS = Path(__file__).parent / "explorers_for_tests"
 HEADER = Path(allworlds.libraries.__file__).parent
 FOLDER = Path(tempfile.mkdtemp(prefix="allworlds-"))
 
@@ -45,9 +46,15 @@ def example(name: str) -> str:
     return built(EXAMPLES / name)
 
 
+def quotient(**named: int) -> str:
+    """A library that answers with a quotient of one dart."""
+    source = FOR_TESTS / "quotient.c"
+    return built(source, *[f"-D{name}={value}" for name, value in named.items()])
+
+
 def attack(code: str, **named: str) -> str:
     """A library that is right in every world with one edge, but does this where v0 has degree 1."""
-    source = Path(__file__).parent / "explorers_for_tests" / "native.c"
+    source = FOR_TESTS / "native.c"
     given = {"ATTACK": code, **named}
     return built(source, *[f"-D{name}={value}" for name, value in given.items()], "-lpthread")
 
@@ -67,6 +74,7 @@ ATTACKS = {
     "in_another_thread(wait_for_ever, 0)": ("crash", "left behind"),
     "kind = 0": ("illegal-action", "kind 0"),
     "kind = 77": ("illegal-action", "kind 77"),
+    "kind = ALLWORLDS_AMBIGUOUS": ("illegal-action", "no function allworlds_quotient"),
     "kind = ALLWORLDS_DROP": ("illegal-action", "Drop"),
     "kind = ALLWORLDS_CHECKPOINT; count = 1 << 20": ("illegal-action", "1048576 darts"),
     "here_is = episodes % 2": ("nondeterministic", "the second answer differs"),

@@ -3,7 +3,7 @@
 import time
 from pathlib import Path
 
-PATIENCE = 60.0
+PATIENCE = 300.0
 """Seconds that only a hang takes, on any machine and under any load."""
 
 SOON = 4.0

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import sys
 from collections import defaultdict
 from fractions import Fraction
 
@@ -18,6 +19,8 @@ from allworlds.reports.compare_text import compare_csv, compare_text
 from allworlds.reports.html import comparison_page
 from allworlds.work import TimeIsUp
 from allworlds.world import Directional, World
+from kept_jobs import EXPLORERS
+from native_libraries import example
 
 CLUSTER = "algorithm1-cluster"
 
@@ -129,7 +132,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
 
         return level
 
-    from allworlds.comparing import _Contest
+    from allworlds.comparing.contest import _Contest
 
     begun = _Contest._level
     for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
@@ -199,3 +202,20 @@ def test_the_command_writes_every_file(cli, tmp_path):
     assert json.loads(out)["explorers"][1]["name"] == "greedy"
     assert names["csv"].read_text().startswith("edges,vertices")
     assert names["html"].read_text().startswith("<!DOCTYPE html>")
+
+
+def program(kind):
+    return " ".join([sys.executable, str(EXPLORERS / "program.py"), kind])
+
+
+def test_a_program_and_a_shared_library_are_compared_like_any_other(cli):
+    library = example("c/algorithm1.c")
+    code, out, _ = cli(
+        *("compare", "algorithm1", "--edges", 2, "--json"),
+        *("--exec", program("right"), "--native", library),
+    )
+    document = json.loads(out)
+    names = [explorer["name"] for explorer in document["explorers"]]
+    assert code == 0
+    assert names == ["algorithm1", f"exec:{program('right')}", f"native:{library}"]
+    assert all(row["runs"] for row in document["rows"])

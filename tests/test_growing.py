@@ -3,13 +3,15 @@
 import csv
 import io
 import json
+import sys
 from dataclasses import replace
 from math import log
 
 import pytest
 
 from allworlds import grow, run
-from allworlds.growing import GROWING, GrowRow, Growth, members_of
+from allworlds.checker import Completed
+from allworlds.growing import GROWING, Climb, GrowRow, Growth, members_of
 from allworlds.inputs import InputError
 from allworlds.isolation import Unsettled
 from allworlds.maps.families import edges_of
@@ -18,6 +20,7 @@ from allworlds.reports import file_of
 from allworlds.reports.grow_text import grow_csv, grow_text
 from allworlds.work import TimeIsUp
 from allworlds.world import world_of_family
+from kept_jobs import EXPLORERS
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +59,7 @@ def test_the_exponent_of_a_power_is_its_exponent():
     rows = tuple(
         GrowRow("torus", m, m // 2, "who", ("torus",), (3 * m**2,), None) for m in (10, 20, 40)
     )
-    (fitted,) = Growth(("who",), ("torus",), rows, ()).exponents
+    (fitted,) = Growth(("who",), ("torus",), rows, (), Completed()).exponents
     assert fitted.exponent == pytest.approx(2)
     assert fitted.last == pytest.approx(2)
 
@@ -91,9 +94,7 @@ def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():
 
 
 def test_the_time_limit_and_an_interrupt_leave_finished_families(monkeypatch):
-    from allworlds.growing import _Growth
-
-    walked = _Growth._costs
+    walked = Climb._costs
     for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
 
         def costs(growth, one, maps, deadline, error=error):
@@ -101,7 +102,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_families(monkeypatch):
                 raise error
             return walked(growth, one, maps, deadline)
 
-        monkeypatch.setattr(_Growth, "_costs", costs)
+        monkeypatch.setattr(Climb, "_costs", costs)
         told = grow("greedy", families=["bouquet", "strip"], to=14, worlds=1, time_limit=1000)
         assert told.exit_code == code
         assert {row.family for row in told.rows} == {"bouquet"}
@@ -164,3 +165,17 @@ def test_an_explorer_twice_or_none_is_refused():
         grow("greedy", "greedy", families=["strip"])
     with pytest.raises(InputError, match="an explorer at least"):
         grow(families=["strip"])
+
+
+def test_a_program_grows_like_any_other(cli):
+    program = f"{sys.executable} {EXPLORERS / 'program.py'} right"
+    code, out, _ = cli(
+        *("grow", "algorithm1", "--exec", program, "--family", "bouquet", "--to", 12, "--json")
+    )
+    document = json.loads(out)
+    assert code == 0
+    assert document["explorers"] == ["algorithm1", f"exec:{program}"]
+    walked = {name: [] for name in document["explorers"]}
+    for row in document["rows"]:
+        walked[row["explorer"]].append(row["members"])
+    assert walked["algorithm1"] == walked[f"exec:{program}"] != []

@@ -58,11 +58,12 @@ HOMES = {
     "numpy": ["kernel", "growing"],
     "pysat": ["smt"],
     "rich": ["cli", "reports"],
+    "sympy": ["ledger.complexity"],
     "typer": ["cli", "reports"],
     "z3": ["smt"],
 }
 # Loaded only inside the functions that need them, or for types.
-LAZY = {"distributed", "matplotlib", "networkx", "rich"}
+LAZY = {"distributed", "matplotlib", "networkx", "rich", "sympy"}
 
 # Two ways to one answer share nothing but what is named here, however many modules between.
 COMPARED = [

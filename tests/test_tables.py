@@ -35,6 +35,7 @@ from allworlds.outcome import Exit, Verdict
 from allworlds.protocol import POLICIES, SEEDED, Percept
 from allworlds.reports import FILES, FORMATS, text
 from allworlds.runs import Sample, Schedule, Scope
+from allworlds.skeletons import LANGUAGES
 from allworlds.smt import SEARCHED
 from allworlds.subjects import load
 from allworlds.verbs import GROUPS, VERBS
@@ -162,7 +163,7 @@ def test_what_every_verb_says_is_recorded():
 PRINTED = {"as_json", "quiet", "events", "help", *FORMATS}
 ONLY_CLI = {
     "worst": {"explorer", "command", "native"},
-    "check": {"estimate", "explorer", "command", "native"},
+    "check": {"estimate", "explorer", "command", "native", "watch"},
     "fuzz": {"explorer", "command", "native"},
     "run": {"arguments", "command", "native", "family", "holes", "seed"},
     "replay": {"file", "explorer", "command", "native"},
@@ -170,8 +171,8 @@ ONLY_CLI = {
     "twins": {"lighthouse"},
     "ambiguity class": {"lighthouse"},
     "bench": {"peer"},
-    "compare": {"csv"},
-    "grow": {"csv", "plot"},
+    "compare": {"csv", "command", "native"},
+    "grow": {"csv", "plot", "command", "native"},
 }
 ONLY_PYTHON = {
     "worst": {"explore"},
@@ -181,6 +182,7 @@ ONLY_PYTHON = {
     "replay": {"finding", "explore"},
     "explain": {"finding"},
     "bench": {"peers"},
+    "play": {"player"},
     # It takes no class of maps.
     "grow": {"map_class"},
 }
@@ -274,6 +276,7 @@ def test_an_option_with_few_values_shows_them_all(verb, name, table):
         ("check", "map_class", MapClass),
         ("twins", "lighthouse", LIGHTHOUSES),
         ("search", "lighthouse", SEARCHED),
+        ("init", "lang", LANGUAGES),
     ],
 )
 def test_the_help_of_an_option_lists_every_name_of_its_table(verb, name, table):
@@ -315,7 +318,7 @@ def test_every_law_is_explained_and_told_in_the_order_of_precedence():
     assert finished == [*LAWS]
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", [*LAWS, "ambiguity"])
 def test_every_law_of_finished_runs_has_its_mutants(law):
     assert any(weak.law == law and weak.softer is None for weak in WEAK_JUDGES)
     kept = page("tests/recorded/records/mutants.txt").partition("\n{")[2]

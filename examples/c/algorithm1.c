@@ -125,7 +125,7 @@ static void measure(struct robot *r, int32_t goal)
         r->vertices[v].length = -1;
     r->vertices[goal].length = 0;
     queue[0] = goal;
-    for (int32_t taken = 0; taken < known; taken++) {
+    for (int32_t taken = 0; known < r->vertex_count; taken++) { /* S is connected */
         struct vertex *v = &r->vertices[queue[taken]];
         int32_t end = v->first + r->darts[v->first].expected.degree;
         for (int32_t dart = v->first; dart < end; dart++) {
@@ -336,10 +336,12 @@ int32_t allworlds_answer(void *state, int32_t capacity, int32_t *sigma, int32_t 
     if (r->dart_count > capacity)
         return r->dart_count;
     for (int32_t dart = 0; dart < r->dart_count; dart++) {
-        const struct vertex *v = &r->vertices[r->darts[dart].vertex];
-        int32_t degree = r->darts[dart].expected.degree;
-        sigma[dart] = v->first + (dart - v->first + 1) % degree;
+        sigma[dart] = dart + 1;
         alpha[dart] = r->darts[dart].twin;
+    }
+    for (int32_t v = 0; v < r->vertex_count; v++) {
+        int32_t first = r->vertices[v].first;
+        sigma[first + r->darts[first].expected.degree - 1] = first;
     }
     *here = r->here;
     return r->dart_count;

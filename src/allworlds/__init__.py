@@ -38,9 +38,12 @@ if TYPE_CHECKING:
     from allworlds.fuzzer import fuzz
     from allworlds.growing import grow
     from allworlds.joining import merge, status
+    from allworlds.ledger import claims
     from allworlds.libraries import native
     from allworlds.minimax import optimum
     from allworlds.mutation import mutants
+    from allworlds.playing import play
+    from allworlds.skeletons import init
     from allworlds.smt import search
     from allworlds.worst_case import worst
 
@@ -64,15 +67,18 @@ __all__ = [
     "ambiguity",
     "bench",
     "check",
+    "claims",
     "compare",
     "count",
     "explain",
     "fuzz",
     "grow",
+    "init",
     "merge",
     "mutants",
     "native",
     "optimum",
+    "play",
     "replay",
     "run",
     "search",

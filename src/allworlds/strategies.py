@@ -21,7 +21,7 @@ from itertools import combinations_with_replacement, count
 from math import comb
 from typing import TypeAlias
 
-from hypothesis import assume
+from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, integers, lists
 
 from allworlds.inputs import InputError, an_integer
@@ -37,6 +37,7 @@ __all__ = [
     "motions",
     "planar_maps",
     "planar_simple_maps",
+    "sampled_maps",
     "simple_maps",
     "worlds",
 ]
@@ -84,6 +85,32 @@ def planar_simple_maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy
         ``@given(planar_simple_maps(max_edges=10))``
     """
     return _of_class(MapClass.PLANAR_SIMPLE, min_edges, max_edges)
+
+
+def sampled_maps(map_class: str, max_edges: int, count: int) -> list[CombinatorialMap]:
+    """The first ``count`` maps of a class that Hypothesis draws, the same every time.
+
+    Args:
+        map_class: the name of the class.
+        max_edges: as of :func:`maps`.
+        count: how many.
+    """
+    drawn: list[CombinatorialMap] = []
+
+    @settings(
+        max_examples=count,
+        derandomize=True,
+        database=None,
+        deadline=None,
+        phases=[Phase.generate],
+        suppress_health_check=[*HealthCheck],
+    )
+    @given(_of_class(MapClass.named(map_class), 1, max_edges))
+    def draw(map_: CombinatorialMap) -> None:
+        drawn.append(map_)
+
+    draw()
+    return drawn
 
 
 def worlds(

@@ -154,6 +154,28 @@ VERBS = (
         "The best that any explorer can do in the worst world, by minimax.",
     ),
     Verb(
+        "claims",
+        "ledger:claims",
+        "claims_text:claims_text",
+        "claims",
+        "The paper's sentences and ours, each with what was found.",
+        brief="claims_text:claims_line",
+    ),
+    Verb(
+        "init",
+        "skeletons:init",
+        "init_text:init_text",
+        "init",
+        "A skeleton of an explorer of one's own, in one of several languages.",
+    ),
+    Verb(
+        "play",
+        "playing:play",
+        "play_text:play_text",
+        "play",
+        "Be the robot yourself, in a page or in the terminal.",
+    ),
+    Verb(
         "native",
         "libraries:native",
         "native_text:native_text",

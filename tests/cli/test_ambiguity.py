@@ -1,6 +1,4 @@
 import json
-import re
-from pathlib import Path
 
 import pytest
 
@@ -106,25 +104,3 @@ def test_the_verbs_are_functions_of_the_package():
     assert allworlds.twins(k4, k4).relation == "same"
     assert allworlds.ambiguity.class_of(k4).size == 4
     assert allworlds.ambiguity.census(edges=2).rows[-1].classes == 1
-
-
-def console_blocks():
-    page = Path(__file__).parents[2] / "docs" / "ambiguity.md"
-    blocks = re.findall(
-        r"^```console\n(.*?)^```$", page.read_text("utf-8"), re.DOTALL | re.MULTILINE
-    )
-    for block in blocks:
-        for told in re.split(r"^\$ allworlds ", block, flags=re.MULTILINE)[1:]:
-            command, _, expected = told.partition("\n")
-            yield command.split(), expected
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("arguments", "expected"), list(console_blocks()))
-def test_the_page_about_ambiguity_shows_what_is_printed(cli, arguments, expected, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "100")
-    pattern = "".join(
-        r"(?:.*\n)*?" if line == "...\n" else re.escape(line)
-        for line in expected.splitlines(keepends=True)
-    )
-    assert re.fullmatch(pattern, cli(*arguments)[1])

@@ -1,13 +1,16 @@
 """Slips that are recognised: each claim is compared with what was done to a right answer."""
 
+from functools import cache
+
 import pytest
 
 from allworlds import CombinatorialMap, Move
 from allworlds.checker import check, run
 from allworlds.explaining import Belief, Story, explain
-from allworlds.explaining.slips import LARGEST, SLIPS, tell_slip
+from allworlds.explaining.slips import LARGEST, SLIPS, the_slip
+from allworlds.explaining.tellers import GUESSED
 from allworlds.explorers import algorithm1
-from allworlds.judge.second_opinion import same_map
+from allworlds.judge.second_opinion import same_map, same_pose
 from allworlds.maps.canonical import isomorphism, rooted_isomorphism
 from allworlds.maps.families import family
 from allworlds.maps.surgery import contracted, deleted
@@ -83,11 +86,22 @@ CASES = {
 }
 
 
+SPOILED = {f"spoiled: {name}": spoiling(spoil) for name, (spoil, _) in CASES.items()}
+WRONG = {mutant.name: mutant.explorer() for mutant in WRONG_EXPLORERS} | SPOILED
+
+
+@cache
+def findings_of(name):
+    """What is wrong with an explorer, the smallest first."""
+    return check(WRONG[name], edges=3, max_findings=20).findings
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_a_spoiled_answer_is_told_by_its_slip_in_every_small_world(name):
     spoil, words = CASES[name]
     findings = check(spoiling(spoil), edges=3, max_findings=1000, laws=("map", "pose")).findings
-    told = [" ".join(tell_slip(Belief(Story(finding)))) for finding in findings]
+    slips = [the_slip(Belief(Story(finding))) for finding in findings]
+    told = [slip.sentence if slip else "" for slip in slips]
     assert len(told) > 10
     # What was done can often be undone in another way, too, but it is never without a name.
     assert all(told)
@@ -98,7 +112,7 @@ def test_a_spoiled_answer_is_told_by_its_slip_in_every_small_world(name):
 
 @pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
 def test_a_mirror_image_is_claimed_exactly_where_there_is_one(mutant):
-    for finding in check(mutant.explorer(), edges=3, max_findings=20).findings:
+    for finding in findings_of(mutant.name):
         if finding.law not in ("map", "pose"):
             continue
         belief = Belief(Story(finding))
@@ -117,16 +131,105 @@ def _inverse(sigma):
     return inverse
 
 
+@pytest.mark.parametrize("name", WRONG)
+def test_whatever_slip_is_claimed_the_answer_is_right_without_it(name):
+    for finding in findings_of(name):
+        if finding.law not in ("map", "pose"):
+            continue
+        belief = Belief(Story(finding))
+        world, answer = finding.world.map, belief.answer.map
+        for recognise in SLIPS.values():
+            slip = recognise(belief)
+            if slip is None:
+                continue
+            assert same_map(slip.mended, slip.truth)
+            if slip.here is not None:
+                assert same_pose(slip.mended, slip.here, world, belief.story.walked[-1])
+            assert slip.truth.edge_count == world.edge_count - (slip.truth is not world)
+            if slip.name == "edges crossed":
+                assert slip.mended.sigma == answer.sigma
+                others = [d for d in answer.darts if answer.alpha[d] != slip.mended.alpha[d]]
+                assert len(others) == 4
+        assert explain(finding).to_json()["slip"] != ""
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_an_answer_is_called_guessed_only_where_its_world_fits_the_whole_log(name):
+    for finding in findings_of(name):
+        told = explain(finding)
+        if told.slip != GUESSED:
+            continue
+        assert told.step is None
+        (place,) = {
+            d
+            for d in told.answer.map.darts
+            if trail(told.answer.map, d, finding.transcript)[-1] == told.answer.here
+        }
+        darts = trail(told.answer.map, place, finding.transcript)
+        degrees = [percept.degree for percept in finding.transcript.percepts]
+        assert [told.answer.map.degree_at[dart] for dart in darts] == degrees
+        if finding.world.lighthouse.kind == "directional":
+            north = told.answer.map.turn(place, finding.transcript.first.bearing)
+            other = World(told.answer.map, Directional(north), place)
+            assert [other.percepts[dart] for dart in darts] == finding.transcript.percepts
+
+
+def trail(map_, dart, transcript):
+    """The walk from a dart: written anew, for it is compared."""
+    darts = [dart]
+    for action in transcript.actions:
+        for _ in range(action.k % map_.degree_at[dart]):
+            dart = map_.sigma[dart]
+        dart = map_.alpha[dart]
+        darts.append(dart)
+    return darts
+
+
+def elsewhere(estimate):
+    """The first edge that can be taken out leads anew from the first to the last vertex."""
+    for d in estimate.map.darts:
+        fewer = deleted(estimate.map, d)
+        if fewer is None:
+            continue
+        size = len(fewer.sigma)
+        sigma = [*fewer.sigma, size, size + 1]
+        for new, at in ((size, 0), (size + 1, fewer.vertices[-1][0])):
+            sigma[new], sigma[at] = sigma[at], new
+        return Estimate(CombinatorialMap(sigma, [*fewer.alpha, size + 1, size]), 0)
+    return None
+
+
+def test_an_edge_that_is_elsewhere_is_told_where_no_crossing_of_two_explains_it():
+    findings = check(spoiling(elsewhere), edges=3, max_findings=300, laws=("map",)).findings
+    slips = [the_slip(Belief(Story(finding))) for finding in findings]
+    assert all(slips)
+    assert "edge misplaced" in {slip.name for slip in slips}
+
+
 def test_the_slip_stands_in_the_explanation():
     (finding,) = check(spoiling(mirrored), edges=4, laws=("map", "pose")).findings
-    assert any("mirror image" in sentence for sentence in explain(finding).sentences)
+    told = explain(finding)
+    assert told.slip == told.to_json()["slip"] == "mirror image"
+    assert "mirror image" in told.sentences[0]
+
+
+def test_a_pose_that_is_off_by_a_turn_is_told_so():
+    def turned(estimate):
+        return Estimate(estimate.map, estimate.map.sigma[estimate.here])
+
+    findings = check(spoiling(turned), edges=3, max_findings=100, laws=("pose",)).findings
+    told = [explain(finding) for finding in findings]
+    assert "off by a turn" in {one.slip for one in told}
+    for one in told:
+        assert one.slip in ("off by a turn", "mirror image")
+        assert any("off by a turn" in sentence for sentence in one.sentences)
 
 
 def test_an_exchange_is_told_in_the_darts_of_the_world():
     # A star of three leaves whose second and third dart are at loops' ends: only orders differ.
     findings = check(spoiling(exchanged), edges=3, max_findings=1000, laws=("map",)).findings
     for finding in findings:
-        (sentence,) = tell_slip(Belief(Story(finding)))
+        sentence = the_slip(Belief(Story(finding))).sentence
         told = [
             int(word)
             for word in sentence.replace(",", " ").replace(".", " ").split()
@@ -142,4 +245,4 @@ def test_nothing_is_looked_for_in_large_maps():
         yield Move(0)
         return Estimate(family("cycle:3"), 0)
 
-    assert tell_slip(Belief(Story(run(explore, world).finding))) == []
+    assert the_slip(Belief(Story(run(explore, world).finding))) is None

@@ -19,21 +19,30 @@ def test_a_crash_is_told_with_its_last_step_and_the_last_line_of_the_traceback(t
     law, _, text = told("crashes-at-leaves")
     assert law == "crash"
     assert "step 1, move 0: to v1, dart 1, where it sensed 'degree 1'" in text
-    assert text.endswith("stderr: IndexError: a vertex without another dart")
+    # It stands in what was seen, and is not said twice.
+    assert text.count("IndexError: a vertex without another dart") == 1
+
+
+def test_of_what_a_program_wrote_the_line_that_tells_is_told(finding_of):
+    wrote = "/mine.js:3\n\nReferenceError: f is not defined\n    at g (/mine.js:3:1)\n\nNode.js v20"
+    finding = replace(finding_of("crashes-at-leaves"), seen="the end of its output", detail=wrote)
+    assert explain(finding).sentences[-1] == (
+        "What it wrote of it: ReferenceError: f is not defined"
+    )
 
 
 def test_a_run_that_ends_at_the_start_has_no_last_step(told):
     law, _, text = told("drops-markers")
     assert law == "illegal-action"
     assert "It made no step" in text
-    assert "Seen was: Drop()." in text
+    assert "seen was: Drop()." in text
 
 
 @pytest.mark.parametrize(
     ("name", "law", "words"),
     [
-        ("no-answer", "no-estimate", "Seen was: None."),
-        ("never-stops", "budget", "Seen was: traversal 109."),
+        ("no-answer", "no-estimate", "seen was: None."),
+        ("never-stops", "budget", "seen was: traversal 109."),
         ("state-kept", "nondeterministic", "differs at step 1"),
     ],
 )
@@ -48,7 +57,16 @@ def test_a_timeout_is_told(finding_of):
     finding = replace(finding_of("crashes-at-leaves"), law="timeout", seen="silent", detail="")
     text = " ".join(explain(finding).sentences)
     assert "silent for too long" in text
-    assert "The last line" not in text
+    assert "wrote of it" not in text
+    assert "flush" not in text
+
+
+def test_a_program_that_was_silent_is_asked_whether_it_flushes(finding_of):
+    finding = finding_of("crashes-at-leaves")
+    silent = replace(finding, explorer="exec:./mine", law="timeout", seen="silent", detail="")
+    assert "Does the program flush its output after every line?" in " ".join(
+        explain(silent).sentences
+    )
 
 
 # ---------------------------------------------------------------- the answer is wrong
@@ -58,7 +76,7 @@ def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
     law, step, text = told("pose-lost")
     assert (law, step) == ("pose", 2)
     # Two loops side by side, at dart 3; 'here' is dart 0, which the symmetry takes to dart 2.
-    assert "stands at v0, dart 3; it believes to stand at dart 2 of the same vertex" in text
+    assert "stands at v0, dart 3, and believes to stand at dart 2 of the same vertex" in text
     assert "turned further by 1 of 4 darts clockwise" in text
     assert "symmetric: 1 other dart" in text
 
@@ -67,7 +85,8 @@ def test_a_robot_at_another_vertex_is_told_so(explained, answering):
     # A vertex of degree 3 with a loop and a leaf: no symmetry.
     explanation = explained(LASSO, answering(LASSO, 3, 0))
     assert explanation.law == "pose"
-    assert "it believes to stand at v1, dart 3, which is another vertex" in explanation.sentences[1]
+    assert "believes to stand at v1, dart 3, which is another vertex" in explanation.sentences[0]
+    assert explanation.slip == "another vertex"
 
 
 def test_a_pose_finding_whose_answer_is_another_map_is_refused(finding_of):
@@ -105,12 +124,11 @@ def test_a_pass_without_progress_is_told(told):
 # ---------------------------------------------------------------- the answer was guessed
 
 
-def test_folding_names_the_open_darts_and_the_vertex_seen_as_several(told):
+def test_folding_counts_the_open_darts_and_names_the_vertex_seen_as_several(told):
     law, step, text = told("no-retracing")
     assert (law, step) == ("folding", None)
-    assert "v1: darts 1, 3 and 5" in text
-    assert "dart 3 to dart 5 of v1" in text
-    assert "came to v1 in 2 ways" in text
+    assert "does not settle where 3 darts lead" in text
+    assert "came to v1 in 2 ways that may lead to as many places" in text
 
 
 # ---------------------------------------------------------------- the answer was dear

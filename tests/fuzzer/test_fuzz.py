@@ -4,6 +4,8 @@ from allworlds.fuzzer import fuzz
 from allworlds.fuzzer.shrink import shrink
 from allworlds.inputs import InputError
 from allworlds.progress import Silent
+from allworlds.reports.check_words import scope_words, size_table
+from allworlds.reports.junit import junit
 from allworlds.work import TimeIsUp
 from small import slow
 
@@ -37,7 +39,12 @@ def test_algorithm_1_is_not_refuted_and_that_is_no_proof():
     assert not report.complete
     assert report.runs == 200
     document = report.to_json()
-    assert document["scope"]["sample"] == {"edges": 14, "runs": 200, "seed": 0}
+    assert document["scope"]["sample"] == {
+        "edges": 14,
+        "min_edges": 1,
+        "runs": 200,
+        "seed": 0,
+    }
     assert document["scope"]["gate"] == "absent"
     assert not document["scope"]["complete"]
     assert sum(row["runs"] for row in document["rows"]) == 200
@@ -52,6 +59,26 @@ def test_the_sample_follows_its_class_and_its_seed(map_class):
     )
     assert one == again
     assert one["rows"] != other["rows"]
+
+
+def test_a_sample_beyond_the_exhaustive_bound_has_a_row_for_each_number_of_edges():
+    report = fuzz("algorithm1", edges=9, runs=40, min_edges=6)
+    assert {row["edges"] for row in report.to_json()["rows"]} == {6, 7, 8, 9}
+    header, rows = size_table(report)
+    assert [row[0] for row in rows] == ["6", "7", "8", "9"]
+    for what in ("worlds", "runs", "traversals"):
+        told = sum(int(row[header.index(what)].replace(",", "")) for row in rows)
+        assert told == sum(row[what] for row in report.to_json()["rows"])
+    assert "of the class maps with 6 to 9 edges" in dict(scope_words(report))["scope"]
+    assert 'name="40 random worlds with 6 to 9 edges"' in junit(report)
+
+
+@pytest.mark.parametrize(
+    ("least", "words"), [(0, "min-edges = 0 is not positive"), (10, "is more than edges = 9")]
+)
+def test_a_least_number_of_edges_that_no_world_can_have_is_refused(least, words):
+    with pytest.raises(InputError, match=words):
+        fuzz("algorithm1", edges=9, runs=1, min_edges=least)
 
 
 def test_whoever_listens_is_told_of_every_world():

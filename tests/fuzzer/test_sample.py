@@ -52,6 +52,17 @@ def test_every_run_has_one_valid_world_of_the_class_within_the_bound(map_class):
 
 
 @CLASSES
+@pytest.mark.parametrize("least", [7, 14])
+def test_no_world_of_a_sample_is_smaller_than_it_is_to_be(map_class, least):
+    # No lattice has 14 edges of which none is taken away: other maps take its place.
+    (batch,) = batches(Sample(30, min_edges=least))
+    sizes = [map_.edge_count for map_, _ in batch.placed(Extent(map_class, 14), Directional)]
+    assert len(sizes) == 30
+    assert min(sizes) >= least
+    assert max(sizes) <= 14
+
+
+@CLASSES
 def test_every_number_of_edges_and_every_bearing_comes(map_class):
     sample = drawn(map_class, 6, 300)
     assert {map_.edge_count for map_, _ in sample} == set(range(1, 7))

@@ -19,8 +19,8 @@ from allworlds.libraries.guarded import Guarded
 from allworlds.libraries.library import CAction, CPercept
 from allworlds.protocol import KINDS, Choices, ExplorerFault, Percept, Schedules
 from allworlds.subjects import load
-from allworlds.world import Directional, World
-from native_libraries import ATTACKS, EXAMPLES, attack, example
+from allworlds.world import Directional, Position, World
+from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, example, quotient
 from processes import PATIENCE, SOON
 
 EDGE = World(small.EDGE, Directional(0))
@@ -107,11 +107,36 @@ def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
     assert again.runs == 0
 
 
+def test_worst_says_that_the_python_engine_plays_a_library(cli):
+    code, out, err = cli("worst", "--native", example("c/algorithm1.c"), "--edges", 1)
+    assert code == 0
+    assert "every schedule" in out
+    assert "the python engine" in err
+
+
 def test_it_is_told_what_the_lighthouse_tells():
     lighthouse = {"kind": "natural", "dart": 0}
     world = {"sigma": [0, 2, 3, 1], "alpha": [1, 0, 3, 2], "start": 0, "lighthouse": lighthouse}
     told = run(native(attack("if (told != 3) abort()")), json.dumps(world))
     assert told.outcome.violation.law == "map"
+
+
+def test_it_may_say_that_several_worlds_look_alike():
+    position, ours = Position(0), native(quotient())
+    for map_ in (small.PLANE, small.TORUS):
+        assert run(ours, World(map_, position)).verdict.value == "holds"
+    report = check(ours, edges=2, lighthouse="position", engine="python")
+    twin = f"{FOR_TESTS / 'quotients.py'}:two_loops"
+    theirs = check(twin, edges=2, lighthouse="position", workers=1)
+    (finding,), (other,) = report.findings, theirs.findings
+    assert (finding.law, finding.world) == (other.law, other.world)
+    assert (finding.expected, finding.seen) == (other.expected, other.seen)
+
+
+def test_a_quotient_without_darts_or_with_too_many_is_no_answer():
+    for size in (0, 1 << 20):
+        found = run(native(quotient(SIZE=size)), World(small.PLANE, Position(0)))
+        assert found.finding.law == "no-estimate"
 
 
 # ---------------------------------------------------------------- what it may do to its process

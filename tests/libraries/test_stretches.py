@@ -33,7 +33,7 @@ from allworlds.runs import (
 from allworlds.subjects import load
 from allworlds.work import Limits
 from allworlds.world import Directional, World
-from native_libraries import ATTACKS, attack, example
+from native_libraries import ATTACKS, attack, example, quotient
 from processes import PATIENCE, SOON
 
 EDGE = World(small.EDGE, Directional(0))
@@ -100,6 +100,12 @@ def test_every_lighthouse_is_judged_as_in_the_other_engine(lighthouse):
     tally = parts(CastHere(example("c/hasty.c")), 3, keep=3, scope=scope)
     assert tally.runs
     assert tally.findings
+
+
+def test_what_several_worlds_look_like_is_judged_by_the_other_engine():
+    scope = Scope(Extent(MapClass.MAPS, 2, None), make_rules({}, "position", "none"))
+    tally = parts(CastHere(quotient()), 2, keep=3, scope=scope)
+    assert {found.law for found in tally.findings} == {"ambiguity"}
 
 
 IN_COMPILED_CODE = (

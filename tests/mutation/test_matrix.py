@@ -64,7 +64,7 @@ def test_explorers_are_killed_by_laws_judges_by_the_sound_one_enumerators_by_two
     assert killers["enumerator"] == {"count gate", "brute-force enumerator"}
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", [*LAWS, "ambiguity"])
 def test_every_law_kills_some_explorer_and_is_missed_by_some_judge(full, law):
     assert law in {kill.killed_by for kill in full.kills if kill.kind == "explorer"}
     assert law in {weak.law for weak in WEAK_JUDGES}
@@ -93,6 +93,9 @@ def test_every_kill_names_its_smallest_world(full, small):
         ("never-stops", "budget", 1),
         ("crashes-at-leaves", "crash", 1),
         ("lucky-guess", "folding", 1),
+        ("doubtful-for-no-reason", "ambiguity", 1),
+        ("degrees-of-the-quotient", "ambiguity", 2),
+        ("quotient-not-compared", "sound judge on doubtful-for-no-reason", 1),
         ("wrong-in-one-world", "pose", 3),
         ("mirror-accepted", "sound judge on mirror-image", 4),
     ],
@@ -145,6 +148,7 @@ def only(monkeypatch, wrong, equivalent=()):
     """The matrix of these explorers and nothing else."""
     for name, values in (
         ("WRONG_EXPLORERS", tuple(wrong)),
+        ("WRONG_LEARNERS", ()),
         ("EQUIVALENT_EXPLORERS", tuple(equivalent)),
         ("WEAK_JUDGES", ()),
         ("BROKEN_ENUMERATORS", ()),

@@ -9,6 +9,7 @@ from dataclasses import replace
 import pytest
 from jsonschema import Draft202012Validator
 
+from allworlds import Move
 from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
 from allworlds.checker import Interrupted, check, replay, run, worlds
@@ -19,11 +20,14 @@ from allworlds.explaining import explain
 from allworlds.fuzzer import fuzz
 from allworlds.growing import grow
 from allworlds.joining import merge, status
+from allworlds.ledger import claims
 from allworlds.libraries import native
 from allworlds.maps import named_map
 from allworlds.minimax import optimum
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.playing import play
+from allworlds.skeletons import init
 from allworlds.smt import search
 from allworlds.verbs import VERBS
 from allworlds.world import LIGHTHOUSES, Directional, Position, World
@@ -81,6 +85,17 @@ def kept(verb):
         return verb(directory).to_json()
 
 
+def skeleton():
+    with tempfile.TemporaryDirectory() as directory:
+        return init(directory).to_json()
+
+
+def back_and_forth():
+    """A player of two motions."""
+    actions = iter([Move(1), Move(0), None])
+    return lambda percept, refused: next(actions)
+
+
 DOCUMENTS = {
     "check holds": (whole("check"), lambda: check(edges=2).to_json()),
     "check of a class": (whole("check"), lambda: check(vertices=3, map_class="simple").to_json()),
@@ -121,6 +136,8 @@ DOCUMENTS = {
         lambda: fuzz(WRONG["pose-lost"].explorer(), edges=6, runs=3).to_json(),
     ),
     "count": (whole("count"), lambda: count(edges=3).to_json()),
+    "init": (whole("init"), skeleton),
+    "play": (whole("play"), lambda: play("theta", player=back_and_forth()).to_json()),
     "native": (whole("native"), lambda: native(header=True).to_json()),
     "count simple": (whole("count"), lambda: count(vertices=4, map_class="simple").to_json()),
     "run": (whole("run"), lambda: run("algorithm1", World(THETA, Directional(0))).to_json()),
@@ -141,6 +158,10 @@ DOCUMENTS = {
         lambda: replay(finding_of("mirror-image"), WRONG["mirror-image"].explorer()).to_json(),
     ),
     "mutants": (whole("mutants"), lambda: mutants(edges=1).to_json()),
+    "claims": (
+        whole("claims"),
+        lambda: claims(only=["fig1", "printed-3", "bound-polynomial", "coq-2m"]).to_json(),
+    ),
     "optimum": (whole("optimum"), lambda: optimum(edges=2).to_json()),
     "optimum not found": (
         whole("optimum"),

@@ -1,6 +1,8 @@
+from pathlib import Path
+
 import pytest
 
-from allworlds.subjects import place_of_explorer
+from allworlds.subjects import files_of_explorer, place_of_explorer
 
 TEXT = '''\
 """An explorer."""
@@ -45,6 +47,24 @@ def test_the_line_of_a_python_explorer_is_that_of_its_definition(folder, module,
     assert (place.file, place.line) == ((folder / "placed.py").resolve(), line)
     assert place.named_from(folder.resolve()) == "placed.py"
     assert place.named_from(folder.resolve() / "deeper") == place.file.as_posix()
+
+
+def test_of_a_file_without_an_attribute_the_place_is_the_file(folder):
+    place = place_of_explorer("placed.py")
+    assert (place.file, place.line) == ((folder / "placed.py").resolve(), 1)
+
+
+def test_the_files_with_which_an_explorer_changes_are_those_it_is_made_of(folder):
+    for name in ("run.sh", "explorer.js", "fast.so", "fast.rs"):
+        (folder / name).touch()
+    assert files_of_explorer("exec:sh run.sh explorer.js x") == [
+        Path("run.sh"),
+        Path("explorer.js"),
+    ]
+    assert files_of_explorer("native:fast.so") == [Path("fast.so")]
+    assert files_of_explorer("placed:explore") == [(folder / "placed.py").resolve()]
+    for name in ("algorithm1", "exec:true", "exec:'", "native:missing.so", "missing.py:explore"):
+        assert files_of_explorer(name) == []
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,13 @@ separation
 """
 
 from allworlds.ambiguity.census import AmbiguityCensus, CensusRow, census, merged_census
-from allworlds.ambiguity.comparison import Bisimulation, Comparison, Separation, twins
+from allworlds.ambiguity.comparison import (
+    Bisimulation,
+    Comparison,
+    Separation,
+    sensed,
+    twins,
+)
 from allworlds.ambiguity.members import DEFAULT_LIMIT, AmbiguityClass, class_of, projection_of
 from allworlds.maps.criterion import Disagreement, class_size, is_ambiguous, pose_count
 
@@ -38,5 +44,6 @@ __all__ = [
     "merged_census",
     "pose_count",
     "projection_of",
+    "sensed",
     "twins",
 ]

@@ -16,6 +16,8 @@
     a check as a run directory knows it;
 ``corpus``
     findings of earlier checks, which are tried first;
+``ending``
+    how a job comes to its end;
 ``report``
     the verdict with its scope;
 ``single``, ``replaying``
@@ -23,6 +25,14 @@
 """
 
 from allworlds.checker.corpus import UserCorpus
+from allworlds.checker.ending import (
+    Completed,
+    Disagreed,
+    Ending,
+    Interrupted,
+    Stopped,
+    ending_of,
+)
 from allworlds.checker.engines import ENGINES
 from allworlds.checker.exhaustive import check, estimate, merged_check
 from allworlds.checker.gate import Cell, count_gate
@@ -30,14 +40,7 @@ from allworlds.checker.guessing import Estimate
 from allworlds.checker.job import Job
 from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
 from allworlds.checker.replaying import Replay, replay
-from allworlds.checker.report import (
-    Completed,
-    Disagreed,
-    Ending,
-    Interrupted,
-    Report,
-    Stopped,
-)
+from allworlds.checker.report import Report
 from allworlds.checker.single import SingleRun, run, single_run, worlds
 
 __all__ = [
@@ -58,6 +61,7 @@ __all__ = [
     "UserCorpus",
     "check",
     "count_gate",
+    "ending_of",
     "estimate",
     "merged_check",
     "refuse_others",

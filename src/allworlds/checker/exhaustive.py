@@ -9,20 +9,14 @@ from pathlib import Path
 from typing import Any, Unpack
 
 from allworlds.checker.corpus import UserCorpus
+from allworlds.checker.ending import Completed, Disagreed, Ending, Interrupted, Stopped
 from allworlds.checker.engines import Engine, Way, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
 from allworlds.checker.guessing import LONG, Estimate, estimated, is_worth_a_guess
 from allworlds.checker.job import Job
 from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
 from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
-from allworlds.checker.report import (
-    Completed,
-    Disagreed,
-    Ending,
-    Interrupted,
-    Report,
-    Stopped,
-)
+from allworlds.checker.report import Report
 from allworlds.findings import Finding
 from allworlds.inputs import InputError, a_path, an_integer, show
 from allworlds.isolation import Unsettled, confirmed, subject_of

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias, assert_never
+from typing import TYPE_CHECKING, assert_never
 
 from allworlds.checker.corpus import UserCorpus
+from allworlds.checker.ending import Completed, Disagreed, Ending, Interrupted, Stopped
 from allworlds.checker.gate import Cell
 from allworlds.findings import Finding
 from allworlds.outcome import SCHEMA, Exit, Verdict
@@ -14,49 +15,6 @@ from allworlds.work import Shard, Whole
 
 if TYPE_CHECKING:
     from allworlds import documents
-
-
-@dataclass(frozen=True, slots=True)
-class Completed:
-    """Everything was done that was to be done.
-
-    Attributes:
-        missing: witnesses that a complete check must have seen and has not.
-    """
-
-    missing: tuple[str, ...] = ()
-    reason = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Stopped:
-    """Something is left undone.
-
-    Attributes:
-        reason: why.
-        enough: nothing more is to be done all the same.
-    """
-
-    reason: str
-    enough: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Interrupted:
-    """By the user."""
-
-    reason = "interrupted"
-
-
-@dataclass(frozen=True, slots=True)
-class Disagreed:
-    """Two roads to one number lead to different ones, so nothing is to be believed."""
-
-    reason: str
-
-
-Ending: TypeAlias = Completed | Stopped | Interrupted | Disagreed
-"""How a check came to its end, each with the reason why it is not complete, if it is not."""
 
 
 @dataclass(frozen=True)
@@ -219,6 +177,7 @@ class Report:
         if isinstance(coverage, Sample):
             sample = {
                 "edges": scope.extent.levels[-1],
+                "min_edges": coverage.min_edges,
                 "runs": coverage.runs,
                 "seed": coverage.seed,
             }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.events import watched
+from allworlds.cli.events import listening
 from allworlds.cli.output import Progress, emit
 from allworlds.cli.values import shard_numbers
 
@@ -16,7 +16,7 @@ def census(
     shard: opt.ShardText = "0/1",
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
-    output: opt.Watched,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds ambiguity census --edges 5
 
@@ -25,7 +25,7 @@ def census(
     """
     import allworlds
 
-    with watched(output) as listener:
+    with listening(output) as listener:
         result = allworlds.ambiguity.census(
             edges=bounds.edges,
             vertices=bounds.vertices,

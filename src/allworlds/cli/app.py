@@ -17,6 +17,7 @@ from typing import Annotated, Any, NoReturn
 import typer
 
 from allworlds.cli.groups import grouped
+from allworlds.cli.helping import made_helpful
 from allworlds.cli.made_by import beginning
 from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable
 from allworlds.inputs import InputError, show
@@ -161,7 +162,7 @@ def _invoked(arguments: list[str]) -> int:
 @cache
 def _verbs() -> Any:
     """All verbs as click sees them; Typer needs longer to make them than a small verb runs."""
-    return typer.main.get_command(app)
+    return made_helpful(typer.main.get_command(app))
 
 
 def _complaint(error: Exception, arguments: list[str]) -> str:

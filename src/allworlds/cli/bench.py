@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.events import watched
+from allworlds.cli.events import listening
 from allworlds.cli.output import emit
 
 
@@ -27,7 +27,7 @@ def bench(
             show_default=False,
         ),
     ] = None,
-    output: opt.Watched,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds bench --edges 7 --peer 'lazy=./lazy 1 7'
 
@@ -36,7 +36,7 @@ def bench(
     """
     import allworlds
 
-    with watched(output) as listener:
+    with listening(output) as listener:
         report = allworlds.bench(edges=edges, rounds=rounds, peers=peer or (), listener=listener)
         listener.verdict(report)
     return emit(report, "bench", output)

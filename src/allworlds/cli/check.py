@@ -7,10 +7,12 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
-from allworlds.cli.events import watched
+from allworlds.cli.events import listening
 from allworlds.cli.files import Files, ensure_directory
 from allworlds.cli.output import emit
 from allworlds.cli.values import shard_numbers
+from allworlds.cli.watch import kept_in, watched
+from allworlds.inputs import InputError, show
 
 
 def check(
@@ -46,6 +48,10 @@ def check(
     ] = None,
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
+    watch: Annotated[
+        bool,
+        opt.flag(opt.EFFORT, "Check again whenever the explorer is saved, what was found first."),
+    ] = False,
     estimate: Annotated[
         bool,
         typer.Option(
@@ -55,7 +61,7 @@ def check(
         ),
     ] = False,
     files: Files,
-    output: opt.Watched,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds check my_explorer.py:explore --edges 4
 
@@ -81,21 +87,32 @@ def check(
         )
         return emit(guess, "check", output, workers=effort.count)
     ensure_directory(corpus)
-    with watched(output) as listener:
-        report = allworlds.check(
-            explore,
-            edges=bounds.edges,
-            vertices=bounds.vertices,
-            schedules=schedules,
-            shard=shard_numbers(shard),
-            max_findings=max_findings,
-            engine=engine,
-            corpus=corpus,
-            run=run,
-            dask=dask,
-            listener=listener,
-            **many,
+
+    def once(corpus: str | None) -> int:
+        with listening(output) as listener:
+            report = allworlds.check(
+                explore,
+                edges=bounds.edges,
+                vertices=bounds.vertices,
+                schedules=schedules,
+                shard=shard_numbers(shard),
+                max_findings=max_findings,
+                engine=engine,
+                corpus=corpus,
+                run=run,
+                dask=dask,
+                listener=listener,
+                **many,
+            )
+            listener.verdict(report)
+        files.write(report)
+        return emit(report, "check", output, workers=effort.count)
+
+    if not watch:
+        return once(corpus)
+    if run is not None:
+        raise InputError(
+            f"watch cannot be given with run {show(run)}, which is about one text of the explorer"
         )
-        listener.verdict(report)
-    files.write(report)
-    return emit(report, "check", output, workers=effort.count)
+    with kept_in(corpus) as past:
+        return watched(explore, lambda: once(past))

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from allworlds.cli import options as opt
-from allworlds.cli.events import watched
+from allworlds.cli.events import listening
 from allworlds.cli.output import emit
 
 
-def count(*, bounds: opt.Bounds, output: opt.Watched) -> int:
+def count(*, bounds: opt.Bounds, output: opt.LongOutput) -> int:
     """Example: allworlds count --edges 6
 
     Enumerate every rooted map of a class, count, and compare the counts with an independent
@@ -15,7 +15,7 @@ def count(*, bounds: opt.Bounds, output: opt.Watched) -> int:
     """
     import allworlds
 
-    with watched(output) as listener:
+    with listening(output) as listener:
         census = allworlds.count(
             edges=bounds.edges,
             vertices=bounds.vertices,

@@ -4,26 +4,16 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
 from allworlds.cli import options as opt
-from allworlds.cli.events import watched
+from allworlds.cli.events import listening
 from allworlds.cli.files import ensure_all_writable, write_files
 from allworlds.cli.output import emit
 
-Explorers = Annotated[
-    list[str],
-    typer.Argument(
-        metavar="EXPLORER...",
-        help="Built-in names, module:attribute, path/to/file.py:attribute, entry points or "
-        "exec:COMMAND.",
-    ),
-]
-
 
 def grow(
-    explorers: Explorers,
+    explorers: opt.Explorers = None,
     *,
+    programs: opt.Programs,
     families: Annotated[
         str,
         opt.option(
@@ -52,7 +42,7 @@ def grow(
             show_default=False,
         ),
     ] = None,
-    output: opt.Watched,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds grow algorithm1 greedy --family lattice,torus --to 100
 
@@ -67,9 +57,9 @@ def grow(
         ensure_drawable()
     ensure_all_writable(files)
     many = opt.many_runs("maps", lighthouse, rules, effort)
-    with watched(output) as listener:
+    with listening(output) as listener:
         report = allworlds.grow(
-            *explorers,
+            *programs.after(explorers),
             families=families.split(","),
             to=to,
             worlds=worlds,

@@ -22,10 +22,12 @@ class Effort(TypedDict, total=False):
     Attributes:
         workers: processes or threads; left out by a verb that takes none.
         level_seconds: of each level, where each is timed.
+        claim_seconds: of each claim.
     """
 
     workers: int
     level_seconds: Sequence[float]
+    claim_seconds: Sequence[float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,4 +68,6 @@ def made_by(effort: Effort) -> documents.MadeBy:
     }
     if "level_seconds" in effort:
         document["level_seconds"] = [round(seconds, 3) for seconds in effort["level_seconds"]]
+    if "claim_seconds" in effort:
+        document["claim_seconds"] = [round(seconds, 3) for seconds in effort["claim_seconds"]]
     return document

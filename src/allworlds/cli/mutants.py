@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.events import watched
+from allworlds.cli.events import listening
 from allworlds.cli.output import emit
 
 
@@ -14,7 +14,7 @@ def mutants(
     edges: Annotated[
         int, opt.number(opt.SCOPE, "M", "Try worlds with at most M edges (1 to 4).")
     ] = 4,
-    output: opt.Watched,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds mutants
 
@@ -23,7 +23,7 @@ def mutants(
     """
     import allworlds
 
-    with watched(output) as listener:
+    with listening(output) as listener:
         matrix = allworlds.mutants(edges=edges, listener=listener)
         listener.verdict(matrix)
     return emit(matrix, "mutants", output)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.events import watched
+from allworlds.cli.events import listening
 from allworlds.cli.output import emit
 
 
@@ -18,7 +18,7 @@ def optimum(
         float | None,
         opt.option(opt.EFFORT, "S", "Seconds for the search of each row.", parser=opt.seconds),
     ] = None,
-    output: opt.Watched,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds optimum --edges 4
 
@@ -29,7 +29,7 @@ def optimum(
     """
     import allworlds
 
-    with watched(output) as listener:
+    with listening(output) as listener:
         report = allworlds.optimum(edges=edges, time_limit=time_limit, listener=listener)
         listener.verdict(report)
     return emit(report, "optimum", output)

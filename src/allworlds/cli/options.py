@@ -12,7 +12,9 @@ from allworlds.cli.values import integer, law_names, seconds, worker_count
 from allworlds.inputs import InputError, show
 from allworlds.judge import LAWS
 from allworlds.maps.classes import MapClass
+from allworlds.maps.families import FORMS
 from allworlds.protocol import ANSWER_TIMEOUT, DEFAULT_POLICY, POLICIES, SEEDED
+from allworlds.runs import DEFAULT_EDGES
 from allworlds.subjects import EXEC, NATIVE
 from allworlds.world import LIGHTHOUSES
 
@@ -68,6 +70,15 @@ Native = Annotated[
         "PATH",
         "In place of EXPLORER: a shared library with the functions of allworlds.h.",
         "--native",
+    ),
+]
+Explorers = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="[EXPLORER...]",
+        help="Built-in names, module:attribute, path/to/file.py:attribute or entry points; those "
+        "of --exec and --native come after them.",
+        show_default=False,
     ),
 ]
 Workers = Annotated[str, option(EFFORT, "N|auto", "Processes, or threads.")]
@@ -127,11 +138,71 @@ AnswerTimeout = Annotated[
 class Bounds:
     """The extent of an exhaustive verb."""
 
-    edges: Annotated[int | None, number(SCOPE, "M", "At most M edges.", show_default=False)] = None
+    edges: Annotated[
+        int | None,
+        number(
+            SCOPE,
+            "M",
+            f"At most M edges (default of check, unless --vertices is given: {DEFAULT_EDGES}).",
+            show_default=False,
+        ),
+    ] = None
     vertices: Annotated[
-        int | None, number(SCOPE, "N", "At most N vertices (alone: simple classes only).")
+        int | None,
+        number(SCOPE, "N", "At most N vertices (alone: simple classes only; default: any)."),
     ] = None
     map_class: MapClassName = "maps"
+
+
+@dataclass(frozen=True, slots=True)
+class Family:
+    """One world of a family, in place of another."""
+
+    family: Annotated[str | None, option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
+    holes: Annotated[
+        str | None,
+        option(
+            SCOPE,
+            "P%",
+            "Share of a family's edges to remove [default: none].",
+            show_default=False,
+        ),
+    ] = None
+    seed: Annotated[int, number(SCOPE, "S", "For whatever is drawn of a family.")] = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Programs:
+    """Explorers that are no Python, beside the EXPLORERs."""
+
+    command: Annotated[
+        list[str] | None,
+        option(
+            SCOPE,
+            "COMMAND",
+            "An explorer too: a program that speaks JSON lines; repeatable.",
+            "--exec",
+            show_default=False,
+        ),
+    ] = None
+    native: Annotated[
+        list[str] | None,
+        option(
+            SCOPE,
+            "PATH",
+            "An explorer too: a shared library with the functions of allworlds.h; repeatable.",
+            "--native",
+            show_default=False,
+        ),
+    ] = None
+
+    def after(self, explorers: list[str] | None) -> list[str]:
+        """The names of all explorers, these at the end."""
+        return [
+            *(explorers or []),
+            *(EXEC + command for command in self.command or []),
+            *(NATIVE + path for path in self.native or []),
+        ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,7 +242,7 @@ class Rules:
         number(
             RULES,
             "B",
-            "More traversals break the law 'budget' (default: 8 x ((1)+(2)) + 100).",
+            "More traversals break the law 'budget' (default: 8 x the bound paper + 100).",
             show_default=False,
         ),
     ] = None
@@ -230,7 +301,7 @@ class Output:
 
 
 @dataclass(frozen=True, slots=True)
-class Watched(Output):
+class LongOutput(Output):
     """What is printed of a verb that may take long, and what is told of it meanwhile."""
 
     events: Annotated[

@@ -10,7 +10,6 @@ from allworlds.cli import options as opt
 from allworlds.cli.output import emit
 from allworlds.cli.values import index_list
 from allworlds.inputs import InputError, show
-from allworlds.maps.families import FORMS
 from allworlds.subjects import names_explorer
 
 
@@ -27,20 +26,7 @@ def run(
     *,
     command: opt.Exec = None,
     native: opt.Native = None,
-    family: Annotated[
-        str | None,
-        opt.option(opt.SCOPE, "F", f"In place of WORLD: {FORMS}."),
-    ] = None,
-    holes: Annotated[
-        str | None,
-        opt.option(
-            opt.SCOPE,
-            "P%",
-            "Share of a family's edges to remove [default: none].",
-            show_default=False,
-        ),
-    ] = None,
-    seed: Annotated[int, opt.number(opt.SCOPE, "S", "For a random family, or for the holes.")] = 0,
+    drawn: opt.Family,
     choices: Annotated[
         str | None,
         opt.option(
@@ -62,15 +48,15 @@ def run(
 
     explorer, place = explorer_and_world(
         list(arguments or []),
-        family=family is not None,
+        family=drawn.family is not None,
         program=any(given is not None for given in (command, native)),
     )
     name = opt.explorer_name(explorer, command, native)
     world: World | str = place
-    if family is not None:
-        world = world_of_family(family, holes, seed, own_lighthouse(name))
-    elif holes is not None:
-        raise InputError(f"holes {holes} has no effect without --family")
+    if drawn.family is not None:
+        world = world_of_family(drawn.family, drawn.holes, drawn.seed, own_lighthouse(name))
+    elif drawn.holes is not None:
+        raise InputError(f"holes {drawn.holes} has no effect without --family")
     told = allworlds.run(name, world, choices=index_list(choices), **rules.options())
     return emit(told, "run", output)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.events import watched
+from allworlds.cli.events import listening
 from allworlds.cli.output import emit
 from allworlds.cli.values import motion_list
 
@@ -58,7 +58,7 @@ def search(
             show_default=False,
         ),
     ] = None,
-    output: opt.Watched,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds search --lighthouse position --class simple --vertices 4 --edges 6
 
@@ -67,7 +67,7 @@ def search(
     """
     import allworlds
 
-    with watched(output) as listener:
+    with listening(output) as listener:
         result = allworlds.search(
             lighthouse=lighthouse,
             map_class=map_class,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.events import watched
+from allworlds.cli.events import listening
 from allworlds.cli.output import emit
 from allworlds.cli.values import shard_numbers, worker_count
 
@@ -16,7 +16,13 @@ def worst(
     command: opt.Exec = None,
     native: opt.Native = None,
     edges: Annotated[
-        int | None, opt.number(opt.SCOPE, "M", "At most M edges.", show_default=False)
+        int | None,
+        opt.number(
+            opt.SCOPE,
+            "M",
+            "At most M edges (default: 5 of algorithm1, 3 of others).",
+            show_default=False,
+        ),
     ] = None,
     map_class: opt.MapClassName = "maps",
     transit: Annotated[
@@ -34,7 +40,7 @@ def worst(
     workers: opt.Workers = "auto",
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
-    output: opt.Watched,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds worst --edges 5
 
@@ -45,7 +51,7 @@ def worst(
     import allworlds
 
     threads = worker_count(workers)
-    with watched(output) as listener:
+    with listening(output) as listener:
         report = allworlds.worst(
             opt.explorer_name(explorer, command, native),
             edges=edges,

@@ -2,7 +2,8 @@
 
 ``words``
     what narrows a type, and the narrowed types;
-``worlds``, ``findings``, ``checks``, ``questions``, ``comparisons``, ``runs``, ``common``
+``worlds``, ``findings``, ``checks``, ``questions``, ``claims``, ``comparisons``, ``runs``,
+``common``
     the shapes: a typed dictionary each, with a sentence for every key.
 
 Strict types hold every ``to_json`` to them.  The JSON Schemas of the package and the reference
@@ -14,6 +15,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from allworlds.documents.checks import *
+from allworlds.documents.claims import *
 from allworlds.documents.common import *
 from allworlds.documents.comparisons import *
 from allworlds.documents.findings import *

@@ -27,6 +27,7 @@ class Sample(TypedDict):
     """How random worlds were drawn."""
 
     edges: Annotated[Positive, "at most so many"]
+    min_edges: Annotated[Positive, "at least so many"]
     runs: Annotated[Positive, "how many worlds were drawn"]
     seed: Annotated[int, "from which"]
 
@@ -176,6 +177,11 @@ class ExplainReport(Report):
     other: Annotated[
         World | None,
         "under the law `folding` another world that agrees with the log; else null",
+    ]
+    slip: Annotated[
+        Text | None,
+        "the one thing that makes all the difference between answer and world, such as "
+        "`mirror image`; null: none that is known",
     ]
 
 

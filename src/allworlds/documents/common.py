@@ -33,6 +33,7 @@ class MadeBy(TypedDict):
     ]
     seconds: Annotated[Seconds, "from then until this document was written"]
     level_seconds: NotRequired[Annotated[list[Seconds], "of `search`: for each of its `levels`"]]
+    claim_seconds: NotRequired[Annotated[list[Seconds], "of `claims`: for each of them"]]
 
 
 class Report(TypedDict):

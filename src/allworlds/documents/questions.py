@@ -20,7 +20,7 @@ from allworlds.documents.words import (
     Version,
     code,
 )
-from allworlds.documents.worlds import Percept, Rooted, World
+from allworlds.documents.worlds import Percept, Rooted, Transcript, World
 from allworlds.outcome import Exit
 
 
@@ -47,6 +47,25 @@ class CountReport(InRows, Extent):
 
     gate: Annotated[Gate, "the comparison of every row with an independent source"]
     rows: Annotated[list[CountRow], "one a number of edges, ascending"]
+
+
+class InitReport(Report):
+    """Report of 'init'."""
+
+    directory: Annotated[Text, "as it was named"]
+    lang: Annotated[str, Named("skeletons:LANGUAGES"), "of the explorer"]
+    files: Annotated[list[Text], "that were written, relative to the directory, sorted"]
+    explorer: Annotated[Text, "the file to be filled in"]
+    check: Annotated[Text, "a shell command that checks it"]
+    test: Annotated[Text, "a shell command that runs its test, in the directory"]
+
+
+class PlayReport(Report):
+    """Report of 'play'."""
+
+    path: Annotated[str | None, "the page in which it is played; null where it was played here"]
+    world: World
+    transcript: Annotated[Transcript, "what was done and sensed; of a page the start alone"]
 
 
 class NativeReport(Report):

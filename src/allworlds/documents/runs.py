@@ -3,6 +3,7 @@
 from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
 from allworlds.documents.checks import CheckReport, MutantsReport
+from allworlds.documents.claims import ClaimsReport
 from allworlds.documents.common import MadeBy, Report
 from allworlds.documents.comparisons import CompareReport, GrowReport
 from allworlds.documents.findings import Finding
@@ -40,6 +41,7 @@ WatchedReport: TypeAlias = (
     | SearchReport
     | BenchReport
     | OptimumReport
+    | ClaimsReport
 )
 """What a verb with `--events` may report."""
 

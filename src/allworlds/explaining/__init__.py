@@ -8,6 +8,10 @@
     the step where belief and truth part, and what the log leaves open, in sentences;
 ``slips``
     the one slip that makes a right answer a wrong one;
+``stderr``
+    the line of a traceback that tells;
+``spending``
+    what the traversals were spent on;
 ``another``
     another world that agrees with the log;
 ``story``
@@ -15,6 +19,7 @@
 """
 
 from allworlds.explaining.explanation import Explanation, explain
+from allworlds.explaining.spending import Spending
 from allworlds.explaining.story import Belief, Story, Walked
 
-__all__ = ["Belief", "Explanation", "Story", "Walked", "explain"]
+__all__ = ["Belief", "Explanation", "Spending", "Story", "Walked", "explain"]

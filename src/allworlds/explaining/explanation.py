@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from allworlds.explaining.spending import Spending
 from allworlds.explaining.story import Story
 from allworlds.explaining.tellers import teller_of
 from allworlds.findings import Finding
@@ -33,6 +34,9 @@ class Explanation:
         answer: the wrong answer; None where the finding holds none.
         other: another world in which the robot would have sensed the same, where that is what
             is wrong; else None.
+        slip: the name of the one thing that makes all the difference between the answer and the
+            world; empty where there is none, or none that is known.
+        spent: what the traversals were spent on, where they were too many; else None.
     """
 
     finding: Finding
@@ -41,6 +45,8 @@ class Explanation:
     robot: Dart
     answer: Estimate | None
     other: World | None = None
+    slip: str = ""
+    spent: Spending | None = None
 
     @property
     def explorer(self) -> str:
@@ -75,6 +81,7 @@ class Explanation:
             "robot": self.robot,
             "answer": answer.to_json() if answer else None,
             "other": self.other.to_json() if self.other else None,
+            "slip": self.slip or None,
         }
 
 
@@ -95,4 +102,6 @@ def explain(finding: Finding) -> Explanation:
         story.walked[-1],
         telling.answer,
         telling.other,
+        telling.slip,
+        telling.spent,
     )

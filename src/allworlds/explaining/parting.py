@@ -8,19 +8,19 @@ from allworlds.explaining.story import Belief, Story
 from allworlds.findings import Parting
 from allworlds.judge import fold
 from allworlds.maps.combinatorial import cycles
-from allworlds.words import darts
+from allworlds.words import listed, plural
 
 
 def tell_parting(belief: Belief) -> list[str]:
     """Where the walk and the same walk in the answer part, and how that could be sensed."""
     parting, misfits = belief.parting, belief.misfits
-    sentences = ["Follow the log in the world and in the answer."]
     if parting is None:
-        sentences.append(
-            "They never part: the log fits the world and the answer, and the rest was guessed."
+        fits = (
+            "The answer is another world that fits the whole log: nothing that the robot sensed "
+            "tells the two apart, so it was guessed."
         )
-        return sentences + tell_open_darts(belief.story)
-    sentences.append(_say_parting(belief, parting))
+        return [fits, *tell_open_darts(belief.story)]
+    sentences = [_say_parting(belief, parting)]
     if parting.step in misfits:
         return sentences
     if misfits:
@@ -63,7 +63,7 @@ def _say_misfit(belief: Belief, step: int) -> str:
 
 
 def tell_open_darts(story: Story) -> list[str]:
-    """The darts that the folded log leaves open, and the vertices that it has several times.
+    """How much the folded log leaves open, and the vertices that it has several times.
 
     Nothing where it leaves none open, or where the lighthouse allows no folding.
     """
@@ -76,25 +76,14 @@ def tell_open_darts(story: Story) -> list[str]:
             if y not in image:
                 image[y] = true[image[x]]
                 queue.append(y)
-    unsettled = sorted({image[x] for x, y in enumerate(folded.alpha) if x == y})
+    unsettled = {image[x] for x, y in enumerate(folded.alpha) if x == y}
     if not unsettled:
         return []
-    at: dict[str, list[str]] = {}
-    for dart in unsettled:
-        at.setdefault(story.vertex(dart), []).append(str(dart))
-    names = "; ".join(f"{vertex}: {darts(open_)}" for vertex, open_ in at.items())
-    leads = [
-        f"dart {d} to dart {map_.alpha[d]} of {story.vertex(map_.alpha[d])}" for d in unsettled
-    ]
-    sentences = [
-        f"It was never settled where these darts lead: {names}.",
-        f"In the world they lead as follows: {', '.join(leads)}.",
-    ]
+    many = len(unsettled) > 1
+    open_ = f"where {plural(len(unsettled), 'dart')} {'lead' if many else 'leads'}"
     copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
-    for vertex, count in sorted(copies.items()):
-        if count > 1:
-            sentences.append(
-                f"The robot came to {vertex} in {count} ways of which the log does not tell that "
-                "they lead to one vertex."
-            )
-    return sentences
+    twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
+    told = f"The log does not settle {open_}"
+    if twice:
+        told += f", and the robot came to {listed(twice)} that may lead to as many places"
+    return [f"{told}."]

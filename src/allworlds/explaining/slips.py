@@ -7,7 +7,8 @@ world, so what it says is true of the answer, whatever has led to it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TypeAlias
+from dataclasses import dataclass
+from typing import TypeAlias, TypeGuard
 
 from allworlds.explaining.story import Belief
 from allworlds.maps.canonical import Mismatch, isomorphism, rooted_isomorphism
@@ -17,46 +18,71 @@ from allworlds.maps.surgery import contracted, deleted
 LARGEST = 40
 """Edges above which slips are not looked for: there are quadratically many, each compared anew."""
 
-Recogniser: TypeAlias = Callable[[Belief], str]
-"""The slip as a sentence with the darts of the world; empty if it is another one, or none."""
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """What makes all the difference between an answer and the world.
+
+    Attributes:
+        name: in the table.
+        sentence: what it is, with the darts of the world.
+        mended: the map without the slip.
+        truth: what it is the same map as: the world, or what is left of that without the edge
+            that the slip is about.
+        here: where the robot is in the mended map; None where that is wrong, too, or unknown.
+    """
+
+    name: str
+    sentence: str
+    mended: CombinatorialMap
+    truth: CombinatorialMap
+    here: Dart | None = None
 
 
-def tell_slip(belief: Belief) -> list[str]:
+Recogniser: TypeAlias = Callable[[Belief], Slip | None]
+"""The slip; None if it is another one, or none."""
+
+
+def the_slip(belief: Belief) -> Slip | None:
     """The first slip of the table that makes all the difference, if one does."""
     if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
-        return []
-    return [told for told in (recognise(belief) for recognise in SLIPS.values()) if told][:1]
+        return None
+    return next((slip for recognise in SLIPS.values() if (slip := recognise(belief))), None)
 
 
-def _mirrored(belief: Belief) -> str:
+def _mirrored(belief: Belief) -> Slip | None:
     """Every rotation is given anticlockwise."""
     answer, world, robot = belief.answer, belief.story.map, belief.story.walked[-1]
     mirrored = answer.map.mirrored()
     if rooted_isomorphism(mirrored, answer.here, world, robot):
-        return (
+        sentence = (
             "The answer is a mirror image: with its rotations read anticlockwise it would be right."
         )
+        return Slip("mirror image", sentence, mirrored, world, answer.here)
     if isomorphism(mirrored, world) and not isomorphism(answer.map, world):
-        return (
+        sentence = (
             "The answer's map is the mirror image of the world's: its rotations are anticlockwise."
         )
-    return ""
+        return Slip("mirror image", sentence, mirrored, world)
+    return None
 
 
-def _glued_crosswise(belief: Belief) -> str:
+def _glued_crosswise(belief: Belief) -> Slip | None:
     """Two edges have one end each exchanged."""
     world, robot = belief.story.map, belief.story.walked[-1]
     if isomorphism(belief.answer.map, world):
-        return ""
-    of_map_alone = ""
+        return None
+    of_map_alone = None
     for mended, wrong in _reglued(belief.answer.map):
         names = rooted_isomorphism(mended, belief.answer.here, world, robot)
         if not isinstance(names, Mismatch):
-            return _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
-        if not of_map_alone:
+            sentence = _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
+            return Slip("edges crossed", sentence, mended, world, belief.answer.here)
+        if of_map_alone is None:
             names = isomorphism(mended, world)
             if not isinstance(names, Mismatch):
-                of_map_alone = _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
+                sentence = _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
+                of_map_alone = Slip("edges crossed", sentence, mended, world)
     return of_map_alone
 
 
@@ -97,40 +123,65 @@ def _pairs(edges: list[tuple[Dart, Dart]]) -> str:
     return " and ".join(f"dart {d} with {e}" for d, e in ordered)
 
 
-def _edge_missing(belief: Belief) -> str:
+def _edge_misplaced(belief: Belief) -> Slip | None:
+    """One edge has an end, or both, in another place."""
+    world, answer = belief.story.map, belief.answer.map
+    if answer.edge_count != world.edge_count or isomorphism(answer, world):
+        return None
+    left = [(edge, less) for edge in world.edges if (less := deleted(world, edge[0]))]
+    for d, _ in answer.edges:
+        fewer = deleted(answer, d)
+        for (a, b), less in left:
+            if fewer and isomorphism(fewer, less):
+                sentence = (
+                    f"All but one edge is right: that of darts {a} and {b} of the world is "
+                    "elsewhere in the answer."
+                )
+                return Slip("edge misplaced", sentence, fewer, less)
+    return None
+
+
+def _edge_missing(belief: Belief) -> Slip | None:
     """One edge of the world is not in the answer, or is a vertex there."""
     world, answer = belief.story.map, belief.answer.map
     if answer.edge_count != world.edge_count - 1:
-        return ""
+        return None
     for d, e in world.edges:
-        if _same(deleted(world, d), answer):
-            return f"The answer lacks one edge of the world: that of darts {d} and {e}."
+        if _same(less := deleted(world, d), answer):
+            sentence = f"The answer lacks one edge of the world: that of darts {d} and {e}."
+            return Slip("edge missing", sentence, answer, less)
     for d, e in world.edges:
-        if _same(contracted(world, d), answer):
+        if _same(less := contracted(world, d), answer):
             ends = f"{belief.story.vertex(d)} and {belief.story.vertex(e)}"
-            return f"The answer takes {ends} for one vertex, and has no edge between them."
-    return ""
+            sentence = f"The answer takes {ends} for one vertex, and has no edge between them."
+            return Slip("one vertex for two", sentence, answer, less)
+    return None
 
 
-def _edge_too_many(belief: Belief) -> str:
+def _edge_too_many(belief: Belief) -> Slip | None:
     """One edge of the answer is not in the world, or is a vertex there."""
     world, answer = belief.story.map, belief.answer.map
     if answer.edge_count != world.edge_count + 1:
-        return ""
-    if any(_same(deleted(answer, d), world) for d, _ in answer.edges):
-        return "The answer has one edge too many: without it, it is the map of the world."
-    if any(_same(contracted(answer, d), world) for d, _ in answer.edges):
-        return "The answer takes one vertex for two, with an edge between them."
-    return ""
+        return None
+    for d, _ in answer.edges:
+        if _same(less := deleted(answer, d), world):
+            sentence = "The answer has one edge too many: without it, it is the map of the world."
+            return Slip("edge too many", sentence, less, world)
+    for d, _ in answer.edges:
+        if _same(less := contracted(answer, d), world):
+            sentence = "The answer takes one vertex for two, with an edge between them."
+            return Slip("two vertices for one", sentence, less, world)
+    return None
 
 
-def _same(a: CombinatorialMap | None, b: CombinatorialMap) -> bool:
-    return a is not None and not isinstance(isomorphism(a, b), Mismatch)
+def _same(a: CombinatorialMap | None, b: CombinatorialMap) -> TypeGuard[CombinatorialMap]:
+    return a is not None and bool(isomorphism(a, b))
 
 
 SLIPS: dict[str, Recogniser] = {
     "mirrored": _mirrored,
     "glued crosswise": _glued_crosswise,
+    "an edge misplaced": _edge_misplaced,
     "an edge missing": _edge_missing,
     "an edge too many": _edge_too_many,
 }

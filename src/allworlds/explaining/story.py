@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from allworlds.findings import (
     Finding,
@@ -17,6 +17,9 @@ from allworlds.inputs import InputError, show
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Estimate, Percept, Transcript
 from allworlds.world import World
+
+if TYPE_CHECKING:
+    from allworlds.explaining.spending import Spending
 
 
 class Walked:
@@ -77,9 +80,9 @@ class Story(Walked):
         just = last == step - 1
         return "which it had just left" if just else f"which it had left at step {last + 1}"
 
-    def expected_and_seen(self) -> list[str]:
+    def expected_and_seen(self) -> str:
         """What the law expected and what was seen, as the finding has it."""
-        return [f"Expected was: {self.finding.expected}.", f"Seen was: {self.finding.seen}."]
+        return f"Expected was: {self.finding.expected}; seen was: {self.finding.seen}."
 
 
 class Belief:
@@ -140,12 +143,17 @@ class Telling:
         step: the first step at which belief and truth part; None where they part at none.
         answer: the wrong answer; None where the law is not about the answer.
         other: another world that agrees with the log; None where the law is not about that.
+        slip: the name of what makes all the difference between answer and world; empty where
+            nothing that is known does.
+        spent: what the traversals were spent on; None where the law is not about the cost.
     """
 
     sentences: list[str]
     step: int | None = None
     answer: Estimate | None = None
     other: World | None = None
+    slip: str = ""
+    spent: Spending | None = None
 
 
 Teller: TypeAlias = Callable[[Story], Telling]

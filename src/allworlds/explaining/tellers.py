@@ -8,13 +8,21 @@ from __future__ import annotations
 
 from allworlds.explaining.another import another_world
 from allworlds.explaining.parting import tell_open_darts, tell_parting
-from allworlds.explaining.slips import tell_slip
+from allworlds.explaining.slips import the_slip
+from allworlds.explaining.spending import spending
+from allworlds.explaining.stderr import telling_line
 from allworlds.explaining.story import Belief, Story, Teller, Telling
-from allworlds.inputs import InputError
+from allworlds.inputs import InputError, an_integer
 from allworlds.maps.canonical import carries, numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol import Move
+from allworlds.subjects import EXEC
 from allworlds.words import plural, size
+
+GUESSED, TURNED, ELSEWHERE = "guessed", "off by a turn", "another vertex"
+"""What makes all the difference where it is no slip in drawing the map."""
+
+FLUSH = "Does the program flush its output after every line? A line in a buffer is silence."
+"""What is asked of a program that was silent for too long."""
 
 # ---------------------------------------------------------------- the run ended too early
 
@@ -23,11 +31,19 @@ def ending(how: str) -> Teller:
     """Tells how the run ended, in that sentence, then its last step and what was seen."""
 
     def tell(story: Story) -> Telling:
-        return Telling(
-            [how, _say_last_step(story), *story.expected_and_seen(), *_last_line(story)],
-        )
+        line = telling_line(story.finding.detail)
+        why = [f"What it wrote of it: {line}"] if line not in str(story.finding.seen) else []
+        return Telling([how, _say_last_step(story), story.expected_and_seen(), *why])
 
     return tell
+
+
+def tell_timeout(story: Story) -> Telling:
+    """As of every ending; of a program that it may be waiting with its line in a buffer."""
+    told = ending("The explorer was silent for too long.")(story)
+    if story.finding.explorer.startswith(EXEC):
+        told.sentences.insert(1, FLUSH)
+    return told
 
 
 def _say_last_step(story: Story) -> str:
@@ -40,28 +56,22 @@ def _say_last_step(story: Story) -> str:
     )
 
 
-def _last_line(story: Story) -> list[str]:
-    """The last line of the finding's detail, where it has one."""
-    detail = story.finding.detail
-    lines = detail.split("\n") if detail else []
-    last = next((line.strip() for line in reversed(lines) if line.strip()), "")
-    return (
-        [f"The last line of its traceback, or of what it wrote to stderr: {last}"] if last else []
-    )
-
-
 # ---------------------------------------------------------------- the answer is wrong
 
 
 def tell_map(story: Story) -> Telling:
     """How large both maps are, and where the walks in them part."""
     belief = Belief(story)
-    sizes = (
-        f"The world has {_size(story.map)}; the answer has {_size(belief.answer.map)} and is "
-        "another map."
-    )
-    told = [*tell_slip(belief), sizes, *tell_parting(belief)]
-    return Telling(told, belief.step, belief.answer)
+    slip, parting = the_slip(belief), tell_parting(belief)
+    name = slip.name if slip else ""
+    if slip:
+        told = [slip.sentence, *parting]
+    elif belief.parting is None:
+        told, name = parting, GUESSED
+    else:
+        sizes = f"The world has {_size(story.map)}; the answer has {_size(belief.answer.map)}"
+        told = [f"{sizes} and is another map.", *parting]
+    return Telling(told, belief.step, belief.answer, slip=name)
 
 
 def _size(map_: CombinatorialMap) -> str:
@@ -74,14 +84,16 @@ def tell_pose(story: Story) -> Telling:
     images = _images(belief)
     alike = len(images) - 1
     symmetry = f"The map is symmetric: {plural(alike, 'other dart')} would do as well."
+    slip = the_slip(belief)
+    turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
     sentences = [
-        *tell_slip(belief),
-        "The map is right, but the robot is not where the answer says.",
+        *([slip.sentence] if slip else []),
         _say_where(story, images),
         *([symmetry] if alike else []),
         *tell_parting(belief),
     ]
-    return Telling(sentences, belief.step, belief.answer)
+    name = slip.name if slip else TURNED if turned else ELSEWHERE
+    return Telling(sentences, belief.step, belief.answer, slip=name)
 
 
 def _images(belief: Belief) -> list[Dart]:
@@ -97,15 +109,18 @@ def _images(belief: Belief) -> list[Dart]:
 
 def _say_where(story: Story, images: list[Dart]) -> str:
     map_, robot = story.map, story.walked[-1]
-    stands = f"The robot stands at {story.place(robot)}; it believes to stand at "
+    stands = (
+        f"The map is right, but not where the robot is: it stands at {story.place(robot)}, and "
+        "believes to stand at "
+    )
     near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
     if not near:
         return f"{stands}{story.place(images[0])}, which is another vertex."
     believed = min(near, key=lambda d: map_.offset(d, robot))
     turned, degree = map_.offset(believed, robot), map_.degree_at[robot]
     return (
-        f"{stands}dart {believed} of the same vertex: in truth it is turned further by {turned} of "
-        f"{degree} darts clockwise."
+        f"{stands}dart {believed} of the same vertex, which is off by a turn: in truth it is "
+        f"turned further by {turned} of {degree} darts clockwise."
     )
 
 
@@ -116,7 +131,7 @@ def tell_ambiguity(story: Story) -> Telling:
         "quotient in which darts are one that nothing tells apart, rooted at the robot's."
     )
     stands = f"In the world the robot stands at {story.place(story.walked[-1])}."
-    return Telling([broken, stands, *story.expected_and_seen()])
+    return Telling([broken, stands, story.expected_and_seen()])
 
 
 # ---------------------------------------------------------------- a checkpoint is wrong
@@ -148,7 +163,7 @@ def _tell_checkpoint(broken: str, story: Story) -> list[str]:
             f"The checkpoint came after step {step}, where the robot stood at "
             f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
         )
-    return sentences + story.expected_and_seen()
+    return [*sentences, story.expected_and_seen()]
 
 
 # ---------------------------------------------------------------- the answer was guessed, or dear
@@ -169,38 +184,16 @@ def tell_folding(story: Story) -> Telling:
 
 def tell_bound(story: Story) -> Telling:
     """What the bound allows, and what the traversals were spent on."""
-    map_, cost, bound = story.map, story.transcript.cost, story.finding.expected
+    spent = spending(story, an_integer("expected", story.finding.expected))
     name = story.finding.rules.the_bound.name
-    back, first = _back_and_first(story)
-    out = cost - back
-    world = size(map_.edge_count, map_.vertex_count)
-    return Telling(
-        [
-            f"The world has {world}, for which the bound ({name}) allows {bound}.",
-            f"The robot made {plural(cost, 'traversal')}: {out} out, {back} to take one back.",
-            f"Of those out {first} went along an edge that was new.",
-        ]
-    )
-
-
-def _back_and_first(story: Story) -> tuple[int, int]:
-    """The traversals that take back the last one not yet taken back, and those of new edges."""
-    map_, back, first = story.map, 0, 0
-    path: list[Dart] = []
-    known: set[Dart] = set()
-    for (action, _), before, arrived in zip(
-        story.transcript.steps, story.walked, story.walked[1:], strict=False
-    ):
-        if type(action) is not Move:
-            continue
-        if path and map_.turn(before, action.k) == path[-1]:
-            path.pop()
-            back += 1
-        else:
-            path.append(arrived)
-        first += arrived not in known
-        known |= {arrived, map_.alpha[arrived]}
-    return back, first
+    traversals = plural(spent.cost, "traversal")
+    out = spent.cost - spent.back
+    told = [
+        f"The world has {_size(story.map)}, for which the bound ({name}) allows {spent.bound}.",
+        f"The robot made {traversals}: {out} out, {spent.back} to take one back.",
+        f"Of those out {len(spent.found)} went along an edge that was new.",
+    ]
+    return Telling(told, spent=spent)
 
 
 # ---------------------------------------------------------------- the table
@@ -209,7 +202,7 @@ def _back_and_first(story: Story) -> tuple[int, int]:
 TELLERS: dict[str, Teller] = {
     # A run that ended before it could be judged has one sentence of its own.
     "crash": ending("The explorer crashed."),
-    "timeout": ending("The explorer was silent for too long."),
+    "timeout": tell_timeout,
     "illegal-action": ending("The explorer did what no robot can do here."),
     "no-estimate": ending("The explorer ended without an answer that could be judged."),
     "budget": ending("The explorer went on for longer than it may."),

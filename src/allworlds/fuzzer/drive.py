@@ -6,21 +6,12 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any, Unpack
 
-from allworlds.checker import (
-    Completed,
-    Ending,
-    Interrupted,
-    ManyRunsOptions,
-    Report,
-    Stopped,
-    refuse_others,
-    rules_for,
-)
+from allworlds.checker import ManyRunsOptions, Report, ending_of, refuse_others, rules_for
 from allworlds.findings import Finding
 from allworlds.fuzzer.sample import batches
 from allworlds.fuzzer.shrink import shrink
 from allworlds.inputs import InputError, an_integer, show
-from allworlds.isolation import Unsettled, confirmed, subject_of, workers_for
+from allworlds.isolation import confirmed, subject_of, workers_for
 from allworlds.maps.classes import Extent
 from allworlds.progress import Listener, Silent
 from allworlds.runs import Examination, GivenWorlds, Sample, Scope, Tally
@@ -36,20 +27,22 @@ def fuzz(
     edges: int,
     runs: int,
     seed: int = 0,
+    min_edges: int = 1,
     listener: Listener | None = None,
     **options: Unpack[ManyRunsOptions],
 ) -> Report:
     """Run an explorer in random worlds of up to ``edges`` edges; shrink what refutes it.
 
     The report is a sample's: at best ``not-refuted``, never complete.  The sample depends on
-    the class, ``edges``, ``runs`` and ``seed`` alone, and the finding is the smallest that
-    the shrinker reaches from the smallest refuting world of the sample.
+    the class, ``edges``, ``min_edges``, ``runs`` and ``seed`` alone, and the finding is the
+    smallest that the shrinker reaches from the smallest refuting world of the sample.
 
     Args:
         explore: a name or a generator function.
         edges: the largest number of edges.
         runs: how many worlds, with one start and one place of the lighthouse each.
         seed: another seed, another sample.
+        min_edges: the smallest number of edges; what is shrunk may have fewer.
         listener: is told of the progress.
         options: as for :func:`allworlds.check`; shrinking ends with the time limit.
 
@@ -60,23 +53,23 @@ def fuzz(
     limits = Limits.of(options)
     subject = subject_of(explore, limits)
     map_class, rules = rules_for(subject, options)
-    sample = Sample(runs, seed)
+    sample = Sample(runs, seed, min_edges)
     scope = Scope(Extent(map_class, _positive(edges)), rules, coverage=sample)
+    if sample.min_edges > scope.extent.levels[-1]:
+        raise InputError(
+            f"min-edges = {show(sample.min_edges)} is more than edges = {scope.extent.levels[-1]}"
+        )
     tally = Tally(keep=1)
-    ending: Ending = Completed()
-    try:
+
+    def job() -> None:
         with workers_for(subject, limits, limits.deadline()) as workers:
             _try(workers, scope, tally, listener or Silent())
-            _shrink(workers, scope, tally)
+            shrink_found(workers, scope, tally)
         tally.findings = [
             confirmed(found, subject, limits, scope.schedules) for found in tally.findings
         ]
-    except Unsettled as error:
-        ending = Stopped(str(error))
-    except TimeIsUp:
-        ending = Stopped(f"the time limit of {limits.time_limit:g} s was reached")
-    except KeyboardInterrupt:
-        ending = Interrupted()
+
+    ending = ending_of(job, limits)
     return Report(subject.name, "python", scope, tally, (), ending)
 
 
@@ -99,7 +92,9 @@ def _try(workers: Transport[Examination], scope: Scope, tally: Tally, listener: 
     gather(workers, Examination(scope, tally.keep), batches(scope.coverage), tally, listener)
 
 
-def _shrink(workers: Transport[Examination], scope: Scope, tally: Tally) -> None:
+def shrink_found(workers: Transport[Examination], scope: Scope, tally: Tally) -> None:
+    """Put the smallest finding that the shrinker reaches in the place of each one found."""
+
     def refute(given: Sequence[GivenWorlds]) -> Finding | None:
         found = Tally(keep=1)
         gather(workers, Examination(scope, found.keep), given, found, Silent())

@@ -18,20 +18,25 @@ from allworlds.world import Lighthouse
 BATCH = 64
 """The runs that one worker does at a time."""
 
+PATIENCE = 1000
+"""So many maps of a generator are looked at before another is asked."""
+
 
 def batches(sample: Sample) -> Iterator[Batch]:
     """The sample in pieces; the same for any number of workers."""
     for first in range(0, sample.runs, BATCH):
-        yield Batch(sample.seed, first, min(first + BATCH, sample.runs))
+        last = min(first + BATCH, sample.runs)
+        yield Batch(sample.seed, first, last, sample.min_edges)
 
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """The runs ``first .. last - 1`` of the sample with that seed."""
+    """The runs ``first .. last - 1`` of the sample with that seed and least number of edges."""
 
     seed: int
     first: int
     last: int
+    min_edges: int = 1
 
     @property
     def key(self) -> str:
@@ -41,17 +46,20 @@ class Batch:
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
         """One world a run: a random map with a random place of the lighthouse.
 
-        Under a class every map that is none of it is drawn again.
+        Under a class every map that is none of it, or is too small, is drawn again; a generator
+        that brings none for long gives way to the first, whose maps have the size that is asked.
         """
         map_class, edges = extent.map_class, extent.levels[-1]
         generators = GENERATORS.get(map_class, (glued(map_class),))
         for run in range(self.first, self.last):
             random = Random(f"{self.seed}/{run}")  # noqa: S311  # reproducible, not secret
             generator = generators[run % len(generators)]
-            size = random.randint(1, edges)
-            map_ = generator(size, random)
-            while not map_class.includes(map_):
-                map_ = generator(size, random)
+            size = random.randint(self.min_edges, edges)
+            map_, tries = generator(size, random), 1
+            while map_.edge_count < self.min_edges or not map_class.includes(map_):
+                if tries == PATIENCE:
+                    generator = generators[0]
+                map_, tries = generator(size, random), tries + 1
             places = list(enumerate(kind.places(map_, 0)))
             yield map_, [random.choice(places)] if places else []
 

@@ -5,6 +5,7 @@ inside of a world nor any explorer.  Each law is a function from a :class:`Case`
 :class:`Violation` or None; the table :data:`LAWS` names them in the order of precedence.
 """
 
+from allworlds.judge.ambiguity import ambiguity_law
 from allworlds.judge.bounds import Bound, bound_named, paper_bound
 from allworlds.judge.case import Case, Violation
 from allworlds.judge.folding import Folded, fold
@@ -19,6 +20,7 @@ from allworlds.judge.laws import (
     judge,
     map_law,
 )
+from allworlds.judge.second_opinion import same_map
 
 __all__ = [
     "LAWS",
@@ -31,10 +33,12 @@ __all__ = [
     "Law",
     "Setting",
     "Violation",
+    "ambiguity_law",
     "bound_law",
     "bound_named",
     "fold",
     "judge",
     "map_law",
     "paper_bound",
+    "same_map",
 ]

@@ -8,7 +8,8 @@ from __future__ import annotations
 from numpy import int64
 
 from allworlds.kernel.calls import entry_of
-from allworlds.kernel.compiling import inner
+from allworlds.kernel.compiling import inlined, inner
+from allworlds.kernel.embedding import grown
 from allworlds.kernel.laws import MAP, NO_ESTIMATE, POSE
 from allworlds.kernel.records import LONG, NONE
 
@@ -25,7 +26,9 @@ def answer_law(published, world, dart, scratch):
     """
     size, here = int64(published.darts), int64(published.here)
     fits = size == world.darts and 0 <= here < size
-    if fits and _carries(published, world, dart, scratch):
+    if fits and (
+        _goes_on(published, world, dart, scratch) or _carries(published, world, dart, scratch)
+    ):
         return 0
     if here < 0 or here >= size or not _is_map(published, scratch):
         return NO_ESTIMATE
@@ -34,6 +37,12 @@ def answer_law(published, world, dart, scratch):
             if _carries(published, world, other, scratch):
                 return POSE
     return MAP
+
+
+@inlined
+def _goes_on(published, world, dart, judged):
+    """Whether the S that was shown last, whose embedding is known, has become the whole world."""
+    return grown(judged, published, world, dart, -1) and judged.explored == world.darts
 
 
 @inner

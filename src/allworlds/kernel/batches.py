@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 from numpy import array, asarray, concatenate, frombuffer, int32, int64, uint8, zeros
 from numpy.random import default_rng
 
-from allworlds.kernel import native, runs
+from allworlds.kernel import logs, native, runs
 from allworlds.kernel.compiling import uncollected
 from allworlds.kernel.engine import asked_of, rows_of, set_up
 from allworlds.kernel.names import POLICIES
@@ -29,9 +29,6 @@ LONGEST_STRETCH = 2048
 
 ROWS = LONGEST_STRETCH + 2 * native.MOST_PLACES
 """Room for the runs of a stretch, of its last world, and for earlier ones."""
-
-LONGEST_KEPT = 4096
-"""So many bytes are kept of a log to be compared later."""
 
 MOST_EARLIER = 16
 """So many earlier runs are played again among those of a stretch."""
@@ -112,11 +109,9 @@ class UnitJudge:
         self._level, self._stretch, self._records = level, stretch, records
         self._ahead, self._job, robot = _room()
         self._reader = new(READER)
+        self._logs, self._percepts = _READ
         for job in (self._ahead, self._job):
             set_up(job, robot, level)
-        explorer = self._job.explorer
-        explorer.start, explorer.step, explorer.answer = native.reader_addresses()
-        explorer.first = asarray(self._reader).ctypes.data
         self._robot = robot
         self._asked = asked_of(level, prefix, keep)
         self._prefix, self._viable, _, _, self._budgets, *_ = self._asked.arguments
@@ -150,19 +145,21 @@ class UnitJudge:
         """
         reader, job, asked = self._reader, self._job, self._asked
         stretch, size = self._stretch, max(0, min(size, LOG_BYTES))
-        logs, begins = stretch.logs[:size].copy(), stretch.begins[: laid.runs].copy()
-        reader.logs, reader.size = logs.ctypes.data, size
+        kept, begins = self._logs, stretch.begins[: laid.runs].copy()
+        kept[:size] = stretch.logs[:size]
+        reader.logs, reader.size = kept.ctypes.data, size
         reader.begins = begins.ctypes.data
-        percepts, starts = zeros(LOG_BYTES, uint8), zeros(laid.runs + 1, int32)
+        percepts = self._percepts
+        starts, ends = zeros(laid.runs + 1, int32), zeros(laid.runs, int32)
         reader.percepts, reader.room = percepts.ctypes.data, LOG_BYTES
-        reader.ends, reader.noted = starts.ctypes.data, 0
+        reader.starts, reader.ends, reader.noted = starts.ctypes.data, ends.ctypes.data, 0
         reader.run = reader.strange = 0
         job.until = laid.until
         asked.clear()
-        runs.examine(job, *asked.arguments, self._never)
+        runs.examine(job, reader, *asked.arguments, self._never)
         starts[laid.runs] = reader.noted
         self._heads[:, native.RUN_MOTIONS] = (starts[1:] - starts[:-1]) // 3 - 1
-        self._first = _Logs(self._heads, percepts, starts, logs, begins)
+        self._first = _Logs(self._heads, percepts, starts, kept[:size], begins, ends)
         self._hand_over(laid, earlier)
         good = reader.strange == 0 and reader.run == laid.runs and job.undefined == 0
         return rows_of(asked, job, self._robot), good
@@ -187,14 +184,17 @@ class UnitJudge:
         """
         records, count = self._records, laid.runs + len(earlier)
         size = max(0, min(size, LOG_BYTES))
-        logs, begins = records.logs[:size].copy(), records.begins[:count].copy()
-        first, ends = [self._first.logs], [*self._first.begins]
-        for kept in earlier:
-            ends.append(sum(map(len, first)))
-            first.append(kept.log)
-        found = zeros(count, int64)
-        differ = native.differing(
-            concatenate(first), array(ends, int32), logs, begins, count, found
+        first, found = self._first, zeros(count, int64)
+        lengths = array([0, *(len(kept.log) for kept in earlier)], int32)
+        begins = len(first.logs) + lengths.cumsum(dtype=int32)
+        differ = logs.differing(
+            concatenate([first.logs, *(kept.log for kept in earlier)]),
+            concatenate([first.begins, begins[:-1]]),
+            concatenate([first.ends, begins[1:]]),
+            records.logs[:size].copy(),
+            records.begins[:count].copy(),
+            count,
+            found,
         )
         different: list[int] = found[:differ].tolist()
         return different
@@ -207,7 +207,7 @@ class UnitJudge:
         """What is needed to play a run again."""
         first = self._first
         start, end, begin = int(first.starts[row]), int(first.starts[row + 1]), first.begins[row]
-        log = first.logs[begin : begin + LONGEST_KEPT].copy()
+        log = first.logs[begin : first.ends[row]].copy()
         return Kept(first.heads[row].copy(), first.percepts[start:end].copy(), log)
 
 
@@ -227,7 +227,11 @@ class _Logs(NamedTuple):
     starts: Any
     logs: Any
     begins: Any
+    ends: Any
 
+
+_READ = zeros(LOG_BYTES + logs.SLACK, uint8), zeros(LOG_BYTES, uint8)
+"""This process's copy of the logs of a stretch, and what is sensed on reading them."""
 
 _ROOMS: list[tuple[Any, Any, Any]] = []
 

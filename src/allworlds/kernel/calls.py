@@ -149,6 +149,66 @@ def address_of(_context, record_array):
 
 
 @intrinsic
+def word_of(_context, address, index):
+    """The eight bytes from number ``index`` on of what begins at the address, as one integer."""
+
+    def generate(_target, builder, _signature, values):
+        start = builder.gep(builder.inttoptr(values[0], _POINTER), [values[1]])
+        word = builder.bitcast(start, ir.IntType(64).as_pointer())
+        return builder.load(word, align=1)
+
+    return types.int64(types.int64, types.int64), generate
+
+
+LANES = 16
+"""So many entries are made bytes at a time, or bytes entries."""
+
+_BYTES = ir.VectorType(ir.IntType(8), LANES)
+_ENTRIES = ir.VectorType(ir.IntType(32), LANES)
+
+
+@intrinsic
+def narrow(_context, target, source, count):
+    """Copies ``LANES`` 32-bit integers to as many bytes.
+
+    What is returned is not 0 if one of the first ``count`` is no byte.
+    """
+
+    def generate(_target, builder, _signature, values):
+        to, origin, count = values
+        entries = builder.load(builder.inttoptr(origin, _ENTRIES.as_pointer()), align=4)
+        builder.store(
+            builder.trunc(entries, _BYTES), builder.inttoptr(to, _BYTES.as_pointer()), align=1
+        )
+        largest = ir.Constant(_ENTRIES, [255] * LANES)
+        odd = builder.icmp_unsigned(">", entries, largest)
+        bits = builder.zext(builder.bitcast(odd, ir.IntType(LANES)), ir.IntType(64))
+        one = ir.Constant(ir.IntType(64), 1)
+        all_ = builder.icmp_signed(">=", count, ir.Constant(ir.IntType(64), LANES))
+        asked = builder.select(
+            all_, ir.Constant(ir.IntType(64), -1), builder.sub(builder.shl(one, count), one)
+        )
+        return builder.and_(bits, asked)
+
+    return types.int64(types.int64, types.int64, types.int64), generate
+
+
+@intrinsic
+def widen(_context, target, source):
+    """Copies ``LANES`` bytes to as many 32-bit integers."""
+
+    def generate(context, builder, _signature, values):
+        to, origin = values
+        bytes_ = builder.load(builder.inttoptr(origin, _BYTES.as_pointer()), align=1)
+        builder.store(
+            builder.zext(bytes_, _ENTRIES), builder.inttoptr(to, _ENTRIES.as_pointer()), align=4
+        )
+        return context.get_dummy_value()
+
+    return types.void(types.int64, types.int64), generate
+
+
+@intrinsic
 def copy(_context, target, source):
     """Makes the target record equal to the source."""
     assert target == source, (target, source)

@@ -75,7 +75,7 @@ def judge(
     job, robot = _room()
     set_up(job, robot, level)
     asked = asked_of(level, prefix, keep, listed)
-    runs.examine(job, *asked.arguments, flag() if halt is None else halt)
+    runs.examine(job, job.explorer, *asked.arguments, flag() if halt is None else halt)
     return rows_of(asked, job, robot)
 
 
@@ -137,7 +137,8 @@ def load_judge(level: Level) -> None:
     stop = flag()
     stop[0] = 1
     with uncollected():
-        runs.examine(_room()[0], *asked_of(level, (-1,)).arguments, stop)
+        job, _ = _room()
+        runs.examine(job, job.explorer, *asked_of(level, (-1,)).arguments, stop)
 
 
 def compile_apart(explorer: str) -> None:
@@ -182,7 +183,7 @@ def set_up(job: Any, robot: Any, level: Level) -> None:
     explorer = job.explorer
     if level.explorer in EXPLORERS:
         explorer.start, explorer.step, explorer.answer = EXPLORERS[level.explorer]()
-    explorer.first = asarray(robot).ctypes.data
+    explorer.state = asarray(robot).ctypes.data
 
 
 @lru_cache(1)

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from numba import int32
-
-from allworlds.kernel.calls import call_answer, call_start, call_step
 from allworlds.kernel.compiling import inlined, inner
+from allworlds.kernel.explorers import go_on, publish, set_out
 from allworlds.kernel.invariants import look_at
 from allworlds.kernel.laws import BUDGET, ILLEGAL_ACTION
 from allworlds.kernel.names import ANSWER_READY, CHECKPOINT, MOVE
@@ -13,13 +11,12 @@ from allworlds.kernel.worlds import arrival
 
 
 @inner
-def play(world, explorer, state, budget, beat, log, judged):
+def play(world, explorer, budget, beat, log, judged):
     """The law that ended the episode, or 0 where there is an answer; ``log`` holds the walk.
 
     Args:
         world: where the robot is.
-        explorer: its functions.
-        state: the address of the explorer's state.
+        explorer: behind its C interface, or a log that is read again.
         budget: the largest legal number of traversals; one checkpoint more is legal.
         beat: ``beat[1]`` grows at each turn of the explorer, for who looks on from outside.
         log: is begun anew; the answer comes to stand in it.
@@ -32,7 +29,7 @@ def play(world, explorer, state, budget, beat, log, judged):
     action.kind = 0
     turn = 1
     beat[1] = turn
-    call_start(explorer.start, state, percept, int32(world.told), action)
+    set_out(explorer, world.told)
     while True:
         turn += 1
         beat[1] = turn
@@ -49,16 +46,16 @@ def play(world, explorer, state, budget, beat, log, judged):
                 return BUDGET
             log.checkpoints += 1
             if log.watched:
-                call_answer(explorer.answer, state, log.published)
+                publish(explorer, log.published)
                 look_at(judged, log.published, world, dart, log.walked)
         elif action.kind == ANSWER_READY:
             log.dart = dart
-            call_answer(explorer.answer, state, log.published)
+            publish(explorer, log.published)
             return 0
         else:
             return ILLEGAL_ACTION
         action.kind = 0
-        call_step(explorer.step, state, percept, action)
+        go_on(explorer)
 
 
 @inlined

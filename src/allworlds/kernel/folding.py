@@ -3,12 +3,19 @@
 A tree of fresh nodes is walked as the log says; on each arrival at v0 the node is merged with
 v0, aligned by the bearing, and merging goes on where one dart would lead to two places.  The
 twin is :mod:`allworlds.judge.folding`.
+
+Dart i of node v is the number ``v << NODE | i``; of each node it is known which of its darts lead
+somewhere, as a set, so that no dart is looked at of which nothing is known.
 """
 
 from __future__ import annotations
 
+from allworlds.kernel.bits import lowest
 from allworlds.kernel.compiling import inlined, inner
-from allworlds.kernel.records import NONE
+from allworlds.kernel.records import DARTS
+
+NODE = DARTS.bit_length() - 1
+PLACE = DARTS - 1
 
 
 @inner
@@ -16,18 +23,15 @@ def folds(world, log, fold):
     """Whether no dart of the folded log is open; the log is that of a directional lighthouse."""
     start = world.start
     home, bearing = world.degree[start], world.bearing[start]
-    fold.nodes = fold.darts = 0
-    _add(fold, home)
-    dart = fold.first[0]
+    fold.nodes = 0
+    dart = _add(fold, home)
     for step in range(log.cost):
-        dart = _root(fold, dart)
-        v = fold.node[dart]
-        leaving = dart + log.motion[step]
-        if leaving >= fold.first[v] + fold.degree[v]:
-            leaving -= fold.degree[v]
-        if fold.link[leaving] == NONE:
-            arrived = _add(fold, log.degree[step])
-            fold.link[leaving], fold.link[arrived] = arrived, leaving
+        v, place = dart >> NODE, (dart & PLACE) + log.motion[step]
+        if place >= fold.degree[v]:
+            place -= fold.degree[v]
+        leaving = v << NODE | place
+        if not fold.linked[v] >> place & 1:
+            _lead(fold, leaving, _add(fold, log.degree[step]))
         dart = fold.link[leaving]
         if log.marks[step]:
             turn = bearing - log.bearing[step]
@@ -35,41 +39,43 @@ def folds(world, log, fold):
                 turn += home
             if not _merge(fold, dart, turn):
                 return False
+        dart = _root(fold, dart)
     for v in range(fold.nodes):
-        if fold.parent[v] == v:
-            for dart in range(fold.first[v], fold.first[v] + fold.degree[v]):
-                if fold.link[dart] == NONE:
-                    return False
+        if fold.parent[v] == v and fold.linked[v] != (1 << fold.degree[v]) - 1:
+            return False
     return True
 
 
-@inner
+@inlined
 def _add(fold, degree):
     """A fresh node; its first dart."""
-    first, v = fold.darts, fold.nodes
-    for dart in range(first, first + degree):
-        fold.node[dart], fold.link[dart] = v, NONE
-    fold.first[v], fold.degree[v] = first, degree
-    fold.parent[v], fold.shift[v] = v, 0
-    fold.darts += degree
-    fold.nodes += 1
-    return first
+    v = fold.nodes
+    fold.nodes = v + 1
+    fold.degree[v], fold.parent[v], fold.shift[v], fold.linked[v] = degree, v, 0, 0
+    return v << NODE
 
 
-@inner
+@inlined
+def _lead(fold, dart, other):
+    """These two darts, of which nothing was known, lead to each other."""
+    fold.link[dart], fold.link[other] = other, dart
+    fold.linked[dart >> NODE] |= 1 << (dart & PLACE)
+    fold.linked[other >> NODE] |= 1 << (other & PLACE)
+
+
+@inlined
 def _root(fold, dart):
     """The dart of the root node that stands for this one.
 
     Dart i of a merged node is dart ``i + shift`` (modulo the degree) of its parent.
     """
-    v = fold.node[dart]
+    v = dart >> NODE
     while fold.parent[v] != v:
-        w = fold.parent[v]
-        place = dart - fold.first[v] + fold.shift[v]
+        place = (dart & PLACE) + fold.shift[v]
         if place >= fold.degree[v]:
             place -= fold.degree[v]
-        dart = fold.first[w] + place
-        v = w
+        v = fold.parent[v]
+        dart = v << NODE | place
     return dart
 
 
@@ -79,32 +85,36 @@ def _merge(fold, a, b):
 
     False where two percepts of one vertex differ.
     """
-    fold.todo[0], fold.todo[1] = a, b
-    waiting = 1
-    while waiting:
+    waiting = 0
+    while True:
+        a, b = _root(fold, a), _root(fold, b)
+        if a != b:
+            v, w = a >> NODE, b >> NODE
+            degree = fold.degree[v]
+            if v == w or degree != fold.degree[w]:
+                return False
+            if v < w:
+                # The older node stays, so that v0 is always a root.
+                a, b, v, w = b, a, w, v
+            shift = (b & PLACE) - (a & PLACE)
+            if shift < 0:
+                shift += degree
+            fold.parent[v], fold.shift[v] = w, shift
+            left = fold.linked[v]
+            while left:
+                place = lowest(left)
+                left &= left - 1
+                x, y = v << NODE | place, place + shift
+                if y >= degree:
+                    y -= degree
+                if fold.linked[w] >> y & 1:
+                    fold.todo[2 * waiting] = fold.link[x]
+                    fold.todo[2 * waiting + 1] = fold.link[w << NODE | y]
+                    waiting += 1
+                else:
+                    fold.link[w << NODE | y] = fold.link[x]
+                    fold.linked[w] |= 1 << y
+        if waiting == 0:
+            return True
         waiting -= 1
-        a, b = _root(fold, fold.todo[2 * waiting]), _root(fold, fold.todo[2 * waiting + 1])
-        if a == b:
-            continue
-        v, w = fold.node[a], fold.node[b]
-        degree = fold.degree[v]
-        if v == w or degree != fold.degree[w]:
-            return False
-        if v < w:
-            # The older node stays, so that v0 is always a root.
-            a, b, v, w = b, a, w, v
-        shift = (b - fold.first[w]) - (a - fold.first[v])
-        if shift < 0:
-            shift += degree
-        fold.parent[v], fold.shift[v] = w, shift
-        for i in range(degree):
-            x = fold.first[v] + i
-            if fold.link[x] == NONE:
-                continue
-            y = _root(fold, x)
-            if fold.link[y] == NONE:
-                fold.link[y] = fold.link[x]
-            else:
-                fold.todo[2 * waiting], fold.todo[2 * waiting + 1] = fold.link[x], fold.link[y]
-                waiting += 1
-    return True
+        a, b = fold.todo[2 * waiting], fold.todo[2 * waiting + 1]

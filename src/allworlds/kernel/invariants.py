@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from allworlds.kernel.calls import entry_of
 from allworlds.kernel.compiling import inlined, inner
+from allworlds.kernel.embedding import grown, remember
 from allworlds.kernel.laws import INVARIANT_1, INVARIANT_2, VARIANT
 from allworlds.kernel.records import NONE
 
@@ -24,22 +25,35 @@ def look_at(judged, published, world, dart, walked):
         dart: the robot's true dart.
         walked: the darts of the edges walked so far, as a set.
     """
-    size, alpha = published.darts, published.alpha
-    explored = 0
-    for d in range(size):
-        e = entry_of(alpha, d)
-        if e != d:
-            explored += 1
-            if 0 <= e < size and entry_of(alpha, e) == e:
-                judged.broken |= 1 << INVARIANT_2
-    if not judged.broken >> INVARIANT_1 & 1 and not _explored_part(
-        judged, published, world, dart, walked
-    ):
-        judged.broken |= 1 << INVARIANT_1
+    if grown(judged, published, world, dart, walked):
+        explored = judged.explored
+    else:
+        explored = _look_anew(judged, published, world, dart, walked)
     t = world.darts // 2 - (explored + 1) // 2
     if judged.shown and t >= judged.t:
         judged.broken |= 1 << VARIANT
     judged.t, judged.shown = t, 1
+
+
+@inner
+def _look_anew(judged, published, world, dart, walked):
+    """How many darts are explored; I-1 and I-2 are looked at without knowing of any other S."""
+    darts, alpha = published.darts, published.alpha
+    explored, mutual = 0, True
+    for d in range(darts):
+        e = entry_of(alpha, d)
+        if e != d:
+            explored += 1
+            if 0 <= e < darts and entry_of(alpha, e) == e:
+                judged.broken |= 1 << INVARIANT_2
+                mutual = False
+    if not judged.broken >> INVARIANT_1 & 1:
+        taken = _explored_part(judged, published, world, dart, walked)
+        if taken == 0:
+            judged.broken |= 1 << INVARIANT_1
+        elif mutual:
+            remember(judged, published, explored, taken)
+    return explored
 
 
 @inlined
@@ -51,10 +65,14 @@ def variant_at_the_end(judged):
 
 @inlined
 def _explored_part(judged, published, world, dart, walked):
-    """Whether S is a part of the world, in the same cyclic orders, and each edge of it walked."""
+    """The darts of the world that are in S, as a set.
+
+    Empty if it is no part of the world, in the same cyclic orders, or an edge of it has not been
+    walked.
+    """
     size, here = published.darts, published.here
     if here < 0 or here >= size or size > world.darts:
-        return False
+        return 0
     sigma, alpha = published.sigma, published.alpha
     # A dart in U that another dart claims as its partner (the fault of I-2) goes with that one.
     for d in range(size):
@@ -74,14 +92,14 @@ def _explored_part(judged, published, world, dart, walked):
         y, true = entry_of(sigma, x), world.sigma[judged.to[x]]
         for _ in range(2):
             if y < 0 or y >= size:
-                return False
+                return 0
             if judged.to[y] == NONE and not taken >> true & 1:
                 judged.to[y] = true
                 taken |= 1 << true
                 judged.queue[known] = y
                 known += 1
             elif judged.to[y] != true:
-                return False
+                return 0
             y = entry_of(alpha, x)
             if y == x:
                 y = judged.claim[x]
@@ -89,8 +107,8 @@ def _explored_part(judged, published, world, dart, walked):
                 break
             true = world.alpha[judged.to[x]]
     if known < size:
-        return False
+        return 0
     for d in range(size):
         if entry_of(alpha, d) != d and not walked >> judged.to[d] & 1:
-            return False
-    return True
+            return 0
+    return taken

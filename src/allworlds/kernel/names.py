@@ -5,7 +5,7 @@ FIFO, LIFO, NEAREST = range(3)
 POLICIES = {"fifo": FIFO, "lifo": LIFO, "nearest": NEAREST}
 
 # What an explorer does next; see allworlds.h.
-MOVE, DROP, PICK, CHECKPOINT, ANSWER_READY = range(1, 6)
+MOVE, DROP, PICK, CHECKPOINT, ANSWER_READY, AMBIGUOUS = range(1, 7)
 
 # The events of Algorithm 1, as an explorer counts them.
 CASE_1, CASE_2, CASE_3, AT_V0, EMPTY_H, LOOP, NON_LOOP = range(7)

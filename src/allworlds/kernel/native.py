@@ -1,9 +1,7 @@
-"""Native explorers in compiled code: played in worlds, played against records, and read again.
+"""Native explorers in compiled code: laid out, played in worlds, and played against records.
 
 What is played is laid out first, so that who plays needs no enumeration, and can take the runs in
-any order.  A run leaves a log of bytes: each motion, what it has published, and how it ended.  The
-log is judged elsewhere: a reader, itself an explorer, does what the log says in the true world, and
-notes what is sensed there for the second play.
+any order.  A run leaves a log (:mod:`allworlds.kernel.logs`), which is judged elsewhere.
 
 The twins are :mod:`allworlds.episode` and :mod:`allworlds.libraries.explorer`.
 """
@@ -11,37 +9,38 @@ The twins are :mod:`allworlds.episode` and :mod:`allworlds.libraries.explorer`.
 from __future__ import annotations
 
 from functools import cache
+from typing import Any, NamedTuple
 
 from numba import int32, types
+from numba.extending import overload
 from numpy import int64
 
 from allworlds.kernel.calls import (
+    LANES,
     address_of,
     ask_answer,
-    byte_of,
     call_choose,
     call_start,
     call_step,
     call_with,
     entry_of,
-    put_byte,
-    put_entry,
+    narrow,
 )
-from allworlds.kernel.compiling import RECORD, callback, entry, inlined, inner
+from allworlds.kernel.compiling import RECORD, callback, entry, inlined
 from allworlds.kernel.gluing import advance
-from allworlds.kernel.names import ANSWER_READY, CHECKPOINT, LIFO, MOVE, NEAREST
-from allworlds.kernel.records import ACTION, ANSWER, NONE, PERCEPT, POLICY, READER
+from allworlds.kernel.logs import (
+    ANSWERED,
+    ILLEGAL,
+    LONGEST_ENTRY,
+    MOST_PUBLISHED,
+    OVER_BUDGET,
+    SHOWN,
+    SHOWN_TOO_OFTEN,
+    STRANGE,
+)
+from allworlds.kernel.names import AMBIGUOUS, ANSWER_READY, CHECKPOINT, LIFO, MOVE, NEAREST
+from allworlds.kernel.records import NONE, POLICY
 from allworlds.kernel.worlds import settle
-
-# A log: motions below the first of these, and then how it goes on.
-LARGEST_MOTION = 199
-SHOWN, ANSWERED, OVER_BUDGET, SHOWN_TOO_OFTEN, ILLEGAL, STRANGE = range(200, 206)
-
-MOST_PUBLISHED = 64
-"""So many darts, more than a world has, can be read again; more are left to the general engine."""
-
-LONGEST_ENTRY = 4 + 2 * MOST_PUBLISHED
-"""The largest number of bytes that one step adds to a log."""
 
 MOST_PLACES = 64
 """More places than a lighthouse has in one map."""
@@ -93,6 +92,19 @@ def lay_out(job, prefix, viable, budgets, heads, worlds):
     return lit
 
 
+class Worlds(NamedTuple):
+    """Runs that are played in their worlds: at a dart."""
+
+    rows: Any
+
+
+class Records(NamedTuple):
+    """Runs that are played against what was sensed: at a percept of three bytes."""
+
+    percepts: Any
+    starts: Any
+
+
 @entry
 def play_worlds(
     explorer, percept, action, here, sigma, alpha, asked, heads, worlds, order, logs, begins, beat
@@ -104,52 +116,8 @@ def play_worlds(
     runs are played in the given ``order``.  ``logs`` are written, and in ``begins`` where that of
     each run begins.  ``beat`` tells the number of the current run, and the explorer's turns in it.
     """
-    at = int64(0)
-    for run in order:
-        head, world = heads[run], worlds[run]
-        begins[run] = at
-        dart = int64(0)
-        cost, shown, turn = 0, 0, 1
-        _sense(percept, world, dart)
-        _begin(explorer, action, asked, head, beat)
-        while True:
-            turn += 1
-            beat[1] = turn
-            if at + LONGEST_ENTRY > len(logs):
-                return -1
-            kind = action[0]
-            if asked.wrong:
-                logs[at] = STRANGE
-                break
-            if kind == MOVE:
-                if cost == head[RUN_BUDGET]:
-                    logs[at] = OVER_BUDGET
-                    break
-                degree = int64(world[WIDE * dart + DEGREE])
-                motion = int64(action[1])
-                if motion < 0 or motion >= degree:
-                    motion %= degree
-                spot = dart + motion
-                if spot >= int64(world[WIDE * dart + FIRST]) + degree:
-                    spot -= degree
-                dart = int64(world[WIDE * spot + PARTNER])
-                _sense(percept, world, dart)
-                logs[at] = motion
-                at += 1
-                cost += 1
-            elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
-                shown += 1
-                at = _publish(explorer, here, sigma, alpha, logs, at, SHOWN)
-                if logs[at] == STRANGE:
-                    break
-            else:
-                at = _end(explorer, kind, here, sigma, alpha, logs, at)
-                break
-            action[0] = action[1] = 0
-            call_step(explorer[STEP], explorer[STATE], explorer[SENSED], explorer[ACTED])
-        at += 1
-    beat[1] = 0
-    return at
+    handed = (percept, action, here, len(sigma))
+    return _play(explorer, handed, asked, heads, Worlds(worlds), order, logs, begins, beat)
 
 
 @entry
@@ -173,12 +141,22 @@ def play_records(
 
     ``percepts`` are three bytes each, and ``starts`` says where those of a run begin.
     """
-    at = 0
+    handed = (percept, action, here, len(sigma))
+    known = Records(percepts, starts)
+    return _play(explorer, handed, asked, heads, known, order, logs, begins, beat)
+
+
+@inlined
+def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
+    """All runs, by what is known of them."""
+    percept, action, _, _ = handed
+    at = int64(0)
     for run in order:
-        head, sensed = heads[run], int64(starts[run])
+        head = heads[run]
         begins[run] = at
         cost, shown, turn = 0, 0, 1
-        _hear(percept, percepts, sensed)
+        place = _enter(known, run)
+        _sense(known, run, place, percept)
         _begin(explorer, action, asked, head, beat)
         while True:
             turn += 1
@@ -193,27 +171,24 @@ def play_records(
                 if cost == head[RUN_BUDGET]:
                     logs[at] = OVER_BUDGET
                     break
-                degree = int64(percepts[sensed])
-                motion = int64(action[1])
+                degree, motion = int64(_degree_of(known, run, place)), int64(action[1])
                 if motion < 0 or motion >= degree:
                     motion %= degree
                 logs[at] = motion
-                if cost == head[RUN_MOTIONS]:
-                    # Here the first play had ended: this one is another.
-                    at += 1
+                at += 1
+                place = _go(known, head, run, place, motion, cost)
+                if place == NONE:
                     logs[at] = STRANGE
                     break
-                sensed += 3
-                _hear(percept, percepts, sensed)
-                at += 1
+                _sense(known, run, place, percept)
                 cost += 1
             elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
                 shown += 1
-                at = _publish(explorer, here, sigma, alpha, logs, at, SHOWN)
+                at = _publish(explorer, handed, logs, at, SHOWN)
                 if logs[at] == STRANGE:
                     break
             else:
-                at = _end(explorer, kind, here, sigma, alpha, logs, at)
+                at = _end(explorer, handed, kind, logs, at)
                 break
             action[0] = action[1] = 0
             call_step(explorer[STEP], explorer[STATE], explorer[SENSED], explorer[ACTED])
@@ -222,22 +197,87 @@ def play_records(
     return at
 
 
-@inlined
-def _sense(percept, world, dart):
-    """What is sensed on arriving by the dart."""
-    at = WIDE * dart
-    percept[0], percept[1] = world[at + DEGREE], world[at + MARKS]
-    percept[2] = int32(world[at + BEARING]) - 1
+# What is known of a run: in each pair first of a world, then of a record.
+
+
+def _enter(known: Any, run: int) -> int:
+    """Where the run begins."""
+    raise NotImplementedError
+
+
+def _degree_of(known: Any, run: int, place: int) -> int:
+    """The degree there."""
+    raise NotImplementedError
+
+
+def _sense(known: Any, run: int, place: int, percept: Any) -> None:
+    """What is sensed there."""
+    raise NotImplementedError
+
+
+def _go(known: Any, head: Any, run: int, place: int, motion: Any, cost: int) -> int:
+    """Where the motion leads, after so many others; NONE if the first play had ended here."""
+    raise NotImplementedError
+
+
+@overload(_enter, inline="always")
+def _entering(known, run):
+    def world(known, run):
+        return int64(0)
+
+    def record(known, run):
+        return int64(known.starts[run])
+
+    return _either(known, world, record)
+
+
+@overload(_degree_of, inline="always")
+def _degree(known, run, place):
+    def world(known, run, place):
+        return known.rows[run, WIDE * place + DEGREE]
+
+    def record(known, run, place):
+        return known.percepts[place]
+
+    return _either(known, world, record)
+
+
+@overload(_sense, inline="always")
+def _sensing(known, run, place, percept):
+    def world(known, run, place, percept):
+        row, at = known.rows[run], WIDE * place
+        percept[0], percept[1] = row[at + DEGREE], row[at + MARKS]
+        percept[2] = int32(row[at + BEARING]) - 1
+
+    def record(known, run, place, percept):
+        sensed = known.percepts
+        percept[0], percept[1] = sensed[place], sensed[place + 1]
+        percept[2] = int32(sensed[place + 2]) - 1
+
+    return _either(known, world, record)
+
+
+@overload(_go, inline="always")
+def _going(known, head, run, place, motion, cost):
+    def world(known, head, run, place, motion, cost):
+        row, spot = known.rows[run], place + motion
+        degree = int64(row[WIDE * place + DEGREE])
+        if spot >= int64(row[WIDE * place + FIRST]) + degree:
+            spot -= degree
+        return int64(row[WIDE * spot + PARTNER])
+
+    def record(known, head, run, place, motion, cost):
+        return int64(NONE) if cost == head[RUN_MOTIONS] else place + 3
+
+    return _either(known, world, record)
+
+
+def _either(known: types.NamedTuple, world: Any, record: Any) -> Any:
+    """What of the two is meant."""
+    return world if known.instance_class is Worlds else record
 
 
 @inlined
-def _hear(percept, percepts, at):
-    """What was sensed."""
-    percept[0], percept[1] = percepts[at], percepts[at + 1]
-    percept[2] = int32(percepts[at + 2]) - 1
-
-
-@inner
 def _begin(explorer, action, asked, head, beat):
     """The first step of an episode."""
     beat[0], beat[1] = head[RUN_NUMBER], 1
@@ -250,43 +290,51 @@ def _begin(explorer, action, asked, head, beat):
     )
 
 
-@inner
-def _end(explorer, kind, here, sigma, alpha, logs, at):
+@inlined
+def _end(explorer, handed, kind, logs, at):
     """Where the log ends: with an answer, or what is none."""
     if kind == ANSWER_READY:
-        at = _publish(explorer, here, sigma, alpha, logs, at, ANSWERED)
+        at = _publish(explorer, handed, logs, at, ANSWERED)
         if logs[at] != STRANGE:
             at -= 1
     elif kind == CHECKPOINT:
         logs[at] = SHOWN_TOO_OFTEN
+    elif kind == AMBIGUOUS:
+        # The other engine knows what a quotient is worth.
+        logs[at] = STRANGE
     else:
         logs[at] = ILLEGAL
     return at
 
 
-@inner
-def _publish(explorer, here, sigma, alpha, logs, at, what):
+@inlined
+def _publish(explorer, handed, logs, at, what):
     """Where the log goes on behind what was published; STRANGE stands there if that is no use."""
+    _, _, here, capacity = handed
     here[0] = NONE
-    darts = ask_answer(
-        explorer[ANSWER_OF],
-        explorer[STATE],
-        int32(len(sigma)),
-        explorer[SIGMA],
-        explorer[ALPHA],
-        explorer[HERE],
+    darts = int64(
+        ask_answer(
+            explorer[ANSWER_OF],
+            explorer[STATE],
+            int32(capacity),
+            explorer[SIGMA],
+            explorer[ALPHA],
+            explorer[HERE],
+        )
     )
     if darts < 1 or darts > MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
         logs[at] = STRANGE
         return at
-    logs[at], logs[at + 1], logs[at + 2] = what, darts, here[0]
-    odd = 0
-    for dart in range(darts):
-        logs[at + 3 + dart], logs[at + 3 + darts + dart] = sigma[dart], alpha[dart]
-        odd |= sigma[dart] | alpha[dart]
-    if odd < 0 or odd > 255:
+    # What is copied too much is written over by what comes next.
+    odd, sigma = int64(0), address_of(logs) + at + 3
+    for dart in range(0, darts, LANES):
+        odd |= narrow(sigma + dart, explorer[SIGMA] + 4 * dart, darts - dart)
+    for dart in range(0, darts, LANES):
+        odd |= narrow(sigma + darts + dart, explorer[ALPHA] + 4 * dart, darts - dart)
+    if odd:
         logs[at] = STRANGE
         return at
+    logs[at], logs[at + 1], logs[at + 2] = what, darts, here[0]
     at += 3 + 2 * darts
     logs[at] = 0
     return at
@@ -313,140 +361,3 @@ def pick(asked, of, options, cost):  # pragma: no cover  # compiled
 def pick_address() -> int:
     """Where the policies are."""
     return callback(pick, types.int32(RECORD(POLICY), types.int32, types.int32, types.int64))
-
-
-# ---------------------------------------------------------------- reading a log again
-
-
-def begin_reading(reader, percept, _told, action):  # pragma: no cover  # compiled
-    """The next log, from its beginning."""
-    reader.at = entry_of(reader.begins, reader.run)
-    if reader.at < 0:
-        reader.at = reader.size
-    put_entry(reader.ends, reader.run, reader.noted)
-    reader.run += 1
-    _note(reader, percept)
-    _read(reader, action)
-
-
-def go_on_reading(reader, percept, action):  # pragma: no cover  # compiled
-    """What the log says next."""
-    if reader.moved:
-        _note(reader, percept)
-    _read(reader, action)
-
-
-def published(reader, answer):  # pragma: no cover  # compiled
-    """What it says that was published."""
-    answer.sigma, answer.alpha = address_of(reader.sigma), address_of(reader.alpha)
-    answer.darts, answer.here = reader.darts, reader.here
-
-
-@inner
-def _note(reader, percept):
-    """A percept, for the second play."""
-    at = reader.noted
-    if at + 3 > reader.room:
-        reader.strange += 1
-        return
-    put_byte(reader.percepts, at, int64(percept.degree))
-    put_byte(reader.percepts, at + 1, int64(percept.marks))
-    put_byte(reader.percepts, at + 2, int64(percept.bearing + 1))
-    reader.noted = at + 3
-
-
-@inner
-def _read(reader, action):
-    """The next entry of the log; one that is none ends the run, and is counted."""
-    reader.moved = 0
-    code = STRANGE
-    if reader.at < reader.size:
-        code = byte_of(reader.logs, reader.at)
-    reader.at += 1
-    if code <= LARGEST_MOTION:
-        action.kind, action.motion = MOVE, code
-        reader.moved = 1
-    elif code == OVER_BUDGET:
-        # What would be one motion more than is legal; if it is legal, the log ends behind it.
-        action.kind, action.motion = MOVE, 0
-        reader.at = reader.size
-    elif code == SHOWN_TOO_OFTEN:
-        action.kind = CHECKPOINT
-        reader.darts = 0
-        reader.at = reader.size
-    elif (code == SHOWN or code == ANSWERED) and _read_map(reader):
-        action.kind = CHECKPOINT if code == SHOWN else ANSWER_READY
-    else:
-        action.kind = 0
-        if code != ILLEGAL:
-            reader.strange += 1
-
-
-@inner
-def _read_map(reader):
-    """Whether there is a published map in the log; it comes to stand in the reader."""
-    if reader.at + 2 > reader.size:
-        return False
-    darts, here = byte_of(reader.logs, reader.at), byte_of(reader.logs, reader.at + 1)
-    at = reader.at + 2
-    if darts < 1 or darts > MOST_PUBLISHED or at + 2 * darts > reader.size:
-        return False
-    for dart in range(darts):
-        reader.sigma[dart] = byte_of(reader.logs, at + dart)
-        reader.alpha[dart] = byte_of(reader.logs, at + darts + dart)
-    reader.darts, reader.here = darts, here
-    reader.at = at + 2 * darts
-    return True
-
-
-@cache
-def reader_addresses() -> tuple[int, int, int]:
-    """Where the reader is: start, step, answer."""
-    reader, percept, action = RECORD(READER), RECORD(PERCEPT), RECORD(ACTION)
-    return (
-        callback(begin_reading, types.void(reader, percept, types.int32, action)),
-        callback(go_on_reading, types.void(reader, percept, action)),
-        callback(published, types.void(reader, RECORD(ANSWER))),
-    )
-
-
-@entry
-def differing(first, begins, second, again, runs, different):
-    """How many of the runs have logs that differ; which is noted in ``different``.
-
-    ``first`` and ``second`` are the bytes of the logs, and ``begins`` and ``again`` say where that
-    of each run begins.
-    """
-    found = 0
-    for run in range(runs):
-        if not _same(first, int64(begins[run]), second, int64(again[run])):
-            different[found] = run
-            found += 1
-    return found
-
-
-@inner
-def _same(first, a, second, b):
-    """Whether two logs say the same."""
-    while True:
-        if a < 0 or b < 0 or a >= len(first) or b >= len(second) or first[a] != second[b]:
-            return False
-        code = first[a]
-        if code == SHOWN or code == ANSWERED:
-            if a + 1 >= len(first):
-                return False
-            length = 3 + 2 * int64(first[a + 1])
-            if a + length > len(first) or b + length > len(second):
-                return False
-            for i in range(1, length):
-                if first[a + i] != second[b + i]:
-                    return False
-            if code == ANSWERED:
-                return True
-            a += length
-            b += length
-        elif code <= LARGEST_MOTION:
-            a += 1
-            b += 1
-        else:
-            return True

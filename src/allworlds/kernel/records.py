@@ -21,6 +21,9 @@ LONG = 1 << 18
 """Room for what grows with a walk: the darts that an explorer may think there are, the darts
 of an unfolded log, and so the darts of a world times the traversals of its budget."""
 
+FOLDED = LONG // 16
+"""Room for the nodes of an unfolded log: more than the traversals of the largest budget."""
+
 WALKED = 80
 """More than the darts of a world, so that also a robot that errs stays within its buffers."""
 
@@ -121,12 +124,11 @@ and ``alpha`` are addresses of 32-bit integers."""
 
 EXPLORER = dtype(
     [
-        # Addresses: of its functions and of two states.
+        # Addresses: of its functions and of its state.
         ("start", int64),
         ("step", int64),
         ("answer", int64),
-        ("first", int64),
-        ("second", int64),
+        ("state", int64),
         # What is handed to and fro.
         ("percept", PERCEPT),
         ("action", ACTION),
@@ -211,13 +213,14 @@ LOG = dtype(
 FOLD = dtype(
     [
         ("nodes", int64),
-        ("darts", int64),
-        ("node", int64, LONG),
-        ("link", int64, LONG),
-        ("first", int64, LONG),
-        ("degree", int64, LONG),
-        ("parent", int64, LONG),
-        ("shift", int64, LONG),
+        # By nodes: the degree, the set of darts that lead somewhere, and the node that it has
+        # been merged with, by how much turned.
+        ("degree", int64, FOLDED),
+        ("linked", int64, FOLDED),
+        ("parent", int64, FOLDED),
+        ("shift", int64, FOLDED),
+        # By darts, ``DARTS`` for each node: where one of that set leads to.
+        ("link", int64, FOLDED * DARTS),
         ("todo", int64, 2 * LONG),
     ]
 )
@@ -230,6 +233,14 @@ JUDGED = dtype(
         ("broken", int64),
         ("shown", int64),
         ("t", int64),
+        # The S that was shown last, if it is known how it is embedded: its darts (0: it is not),
+        # how many of them lead somewhere, sigma and alpha, and the darts of the world, as a set.
+        # The embedding stands in ``to``.
+        ("known", int64),
+        ("explored", int64),
+        ("sigma", int64, DARTS),
+        ("alpha", int64, DARTS),
+        ("taken", int64),
         # Room for images, for what is still to be looked at, and for claims.
         ("to", int64, LONG),
         ("queue", int64, LONG),
@@ -269,10 +280,12 @@ READER = dtype(
         ("logs", int64),
         ("size", int64),
         ("begins", int64),
-        # Where the percepts of each run are to be noted: in bytes, and where they begin.
+        # Where the percepts of each run are to be noted: in bytes, and where they begin; and
+        # where it is to be noted how far the log of each run goes.
         ("percepts", int64),
         ("room", int64),
         ("noted", int64),
+        ("starts", int64),
         ("ends", int64),
         # The next run, and where its log is read; whether the last action was a motion.
         ("run", int64),
@@ -285,6 +298,9 @@ READER = dtype(
         ("alpha", int32, 256),
         ("darts", int32),
         ("here", int32),
+        # What is handed to and fro.
+        ("percept", PERCEPT),
+        ("action", ACTION),
     ],
     align=True,
 )

@@ -41,11 +41,14 @@ UNDEFINED = -(1 << 62)
 
 
 @entry
-def examine(job, prefix, viable, bounds, met, budgets, counts, least, row, listed, beat, halt):
+def examine(
+    job, explorer, prefix, viable, bounds, met, budgets, counts, least, row, listed, beat, halt
+):
     """Whether the unit is done; if not, it was given up, or ``job.until`` is reached.
 
     Args:
         job: a record that is new but for what is asked for.
+        explorer: who plays: behind its C interface, or a log that is read again.
         prefix: the decisions that the gluing of each map of the unit begins with.
         viable: by darts owed and darts open after a decision: a map can still be finished.
         bounds: the largest legal cost by vertices, degree of v0 and largest degree; the latter
@@ -76,7 +79,7 @@ def examine(job, prefix, viable, bounds, met, budgets, counts, least, row, liste
             bound = _bound(job, bounds, met)
             if bound == UNDEFINED:
                 return True
-            law = _run(job, budgets[n], bound, beat)
+            law = _run(job, explorer, budgets[n], bound, beat)
             _count_run(job, counts)
             if law:
                 _blame(world, law, least, row)
@@ -112,11 +115,11 @@ def _bound(job, bounds, met):
 
 
 @inner
-def _run(job, budget, bound, beat):
+def _run(job, explorer, budget, bound, beat):
     """The first law that the run breaks, or 0."""
     world, log, judged = job.world, job.log, job.judged
-    judged.broken = judged.shown = 0
-    law = play(world, job.explorer, job.explorer.first, budget, beat, log, judged)
+    judged.broken = judged.shown = judged.known = 0
+    law = play(world, explorer, budget, beat, log, judged)
     beat[1] = 0
     if law:
         return law

@@ -4,7 +4,7 @@
  *
  *     allworlds check --native ./my_explorer.so --edges 5
  *
- * and takes part in run, replay and fuzz in the same way.  One command builds it:
+ * and takes part in run, replay, fuzz and worst in the same way.  One command builds it:
  *
  *     cc -O2 -shared -fPIC -I FOLDER -o my_explorer.so my_explorer.c
  *
@@ -22,7 +22,8 @@
  * `start` and `step` set `action`: a motion, a marker, a checkpoint, or ALLWORLDS_ANSWER.  After a
  * motion `step` gets what is sensed at its end, after a marker what is sensed then, after a
  * checkpoint the same percept as before.  ALLWORLDS_ANSWER ends the episode: `answer` is called
- * once, and then a new episode begins with `start`, in the same state, in any world.  An episode
+ * once, and then a new episode begins with `start`, in the same state, in any world; the same holds
+ * of ALLWORLDS_AMBIGUOUS, and of `quotient`.  An episode
  * can also end without an answer (a budget has been spent, or `action` was none): then the next
  * call is `start`, too.  `start` is to forget everything: each world is explored twice, in
  * different processes and in different orders, and both explorations must be the same.
@@ -44,7 +45,8 @@
  *
  *  - a signal, abort() or exit(), or a thread that is left behind: `crash`
  *  - a call that takes longer than --answer-timeout seconds: `timeout`
- *  - an action that is none, or a marker where there are none: `illegal-action`
+ *  - an action that is none, or a marker where there are none, or ALLWORLDS_AMBIGUOUS without a
+ *    `quotient`: `illegal-action`
  *  - an answer that is no map, or `here` that is no dart of it, or more darts than there is room
  *    for: `no-estimate`
  *  - another walk or answer when the same percepts are met again: `nondeterministic`
@@ -98,7 +100,9 @@ enum {
     ALLWORLDS_DROP = 2,       /* lay down a marker, where the lighthouse gives markers */
     ALLWORLDS_PICK = 3,       /* pick one up */
     ALLWORLDS_CHECKPOINT = 4, /* show the judge what is known: `answer` is called, then `step` */
-    ALLWORLDS_ANSWER = 5      /* the map is known: `answer` is called, and the episode ends */
+    ALLWORLDS_ANSWER = 5,     /* the map is known: `answer` is called, and the episode ends */
+    ALLWORLDS_AMBIGUOUS = 6   /* several maps look like this one: `quotient` is called, and the
+                                 episode ends; where the lighthouse is `position` */
 };
 
 /* What a choice is about. */
@@ -158,6 +162,15 @@ ALLWORLDS_EXPORT int32_t allworlds_answer(void *state, int32_t capacity, int32_t
  * With it --policy decides, and --schedules all tries every sequence of answers.
  */
 ALLWORLDS_EXPORT void allworlds_choose(void *state, allworlds_pick pick, void *context);
+
+/* Optional: the rooted quotient, all that can be known where several worlds look alike.
+ *
+ * As `answer`, and for each dart of it what is sensed there.  alpha[d] == d is a semi-edge: a dart
+ * that no motion tells apart from the other one of its edge.
+ */
+ALLWORLDS_EXPORT int32_t allworlds_quotient(void *state, int32_t capacity, int32_t *sigma,
+                                            int32_t *alpha, int32_t *degree, int32_t *marks,
+                                            int32_t *here);
 
 #ifdef __cplusplus
 }

@@ -7,10 +7,11 @@ import os
 import time
 from collections.abc import Generator
 from contextlib import suppress
-from typing import Any, Literal
+from typing import Any, Literal, TypeAlias
 
 from allworlds.libraries.guarded import Guarded
 from allworlds.libraries.library import (
+    AMBIGUOUS,
     ANSWER,
     CHECKPOINT,
     DROP,
@@ -27,6 +28,8 @@ from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol import (
     KINDS,
     Action,
+    Ambiguous,
+    Answer,
     Checkpoint,
     Choices,
     Drop,
@@ -39,6 +42,10 @@ from allworlds.protocol import Pick as PickUp
 
 THREADS_END = 0.5
 """Seconds in which a thread that has been joined is gone for good."""
+
+
+_NoAnswer: TypeAlias = Literal["illegal-action", "no-estimate"]
+"""The law that is broken by what is no list of darts."""
 
 
 class NativeExplorer:
@@ -54,6 +61,7 @@ class NativeExplorer:
         self._action = Guarded(ctypes.sizeof(CAction)).as_a(CAction)
         self._here = Guarded(4).as_a(ctypes.c_int32 * 1)
         self._capacity = 0
+        self._lists: list[Guarded] = []
         self._state: int | None = None
         self._picks: Any = None
 
@@ -86,7 +94,7 @@ class NativeExplorer:
 
     def explore(
         self, first: Percept, *, told: int | None = None, choices: Choices | None = None
-    ) -> Generator[Action | Checkpoint, Percept, Estimate]:
+    ) -> Generator[Action | Checkpoint, Percept, Answer]:
         """One episode.
 
         Raises:
@@ -110,9 +118,13 @@ class NativeExplorer:
             elif kind == CHECKPOINT:
                 yield Checkpoint(*self._published(state, sensed, "illegal-action"))
             elif kind == ANSWER:
-                estimate = self._estimate(state, sensed)
+                answer: Answer = self._estimate(state, sensed)
                 _nothing_left(threads)
-                return estimate
+                return answer
+            elif kind == AMBIGUOUS:
+                answer = self._ambiguous(state, sensed)
+                _nothing_left(threads)
+                return answer
             elif kind in (DROP, PICK):
                 sensed += self._sense((yield Drop() if kind == DROP else PickUp()))
             else:
@@ -128,23 +140,30 @@ class NativeExplorer:
         return percept.degree
 
     def _published(
-        self, state: int, sensed: int, law: Literal["illegal-action", "no-estimate"]
+        self, state: int, sensed: int, law: _NoAnswer
     ) -> tuple[tuple[int, ...], tuple[int, ...], int]:
         """Sigma, alpha and ``here``, as the library has them now."""
+        sigma, alpha = self._said(self.library.answer, 2, state, sensed, law)
+        return sigma, alpha, self._here[0]
+
+    def _said(
+        self, function: Any, lists: int, state: int, sensed: int, law: _NoAnswer
+    ) -> list[tuple[int, ...]]:
+        """So many lists of integers, one for each dart, as the library fills them now."""
         capacity = max(ROOM, sensed)
         if capacity > self._capacity:
-            self._sigma, self._alpha = Guarded(4 * capacity), Guarded(4 * capacity)
-            self._capacity = capacity
+            self._lists, self._capacity = [], capacity
         # The guard stands behind the whole room: no less may be promised.
         capacity = self._capacity
+        while len(self._lists) < lists:
+            self._lists.append(Guarded(4 * capacity))
         self._here[0] = NOTHING
-        sigma, alpha = self._sigma.address, self._alpha.address
-        darts = self.library.answer(state, capacity, sigma, alpha, ctypes.addressof(self._here))
+        rooms = [guarded.address for guarded in self._lists[:lists]]
+        darts = function(state, capacity, *rooms, ctypes.addressof(self._here))
         if not 0 <= darts <= capacity:
             raise ExplorerFault(law, f"{darts} darts, where there is room for {capacity}")
         array = ctypes.c_int32 * darts
-        ours = array.from_address(sigma)[:], array.from_address(alpha)[:]
-        return tuple(ours[0]), tuple(ours[1]), self._here[0]
+        return [tuple(array.from_address(room)[:]) for room in rooms]
 
     def _estimate(self, state: int, sensed: int) -> Estimate:
         sigma, alpha, here = self._published(state, sensed, "no-estimate")
@@ -152,6 +171,15 @@ class NativeExplorer:
             return Estimate(CombinatorialMap(sigma, alpha), here)
         except InvalidMap as error:
             raise ExplorerFault("no-estimate", f"no map: {error}") from None
+
+    def _ambiguous(self, state: int, sensed: int) -> Ambiguous:
+        quotient = self.library.quotient
+        if quotient is None:
+            there_is_none = f"an action of kind {AMBIGUOUS}, but no function allworlds_quotient"
+            raise ExplorerFault("illegal-action", there_is_none)
+        lists = self._said(quotient, 4, state, sensed, "no-estimate")
+        sigma, alpha, degree, marks = lists
+        return Ambiguous(sigma, alpha, degree, marks, self._here[0])
 
 
 class _Asked:

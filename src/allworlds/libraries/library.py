@@ -15,13 +15,14 @@ VERSION = 1
 ROOM = 1 << 18
 """The least capacity of an answer, in darts."""
 
-MOVE, DROP, PICK, CHECKPOINT, ANSWER = range(1, 6)
+MOVE, DROP, PICK, CHECKPOINT, ANSWER, AMBIGUOUS = range(1, 7)
 KINDS_OF_ACTION = {
     "ALLWORLDS_MOVE": MOVE,
     "ALLWORLDS_DROP": DROP,
     "ALLWORLDS_PICK": PICK,
     "ALLWORLDS_CHECKPOINT": CHECKPOINT,
     "ALLWORLDS_ANSWER": ANSWER,
+    "ALLWORLDS_AMBIGUOUS": AMBIGUOUS,
 }
 """The kinds of actions by their names in the header."""
 
@@ -60,7 +61,11 @@ _FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
 }
 """What each function returns and takes."""
 
-_CHOOSE = (None, (_ADDRESS, _ADDRESS, _ADDRESS))
+_OPTIONAL: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "choose": (None, (_ADDRESS, _ADDRESS, _ADDRESS)),
+    "quotient": (_INTEGER, (_ADDRESS, _INTEGER, *(_ADDRESS,) * 5)),
+}
+"""The same of those that a library need not have."""
 
 
 def library_path(path: str) -> Path:
@@ -106,10 +111,8 @@ class Library:
         self.new, self.delete = functions["new"], functions["delete"]
         self.start, self.step = functions["start"], functions["step"]
         self.answer = functions["answer"]
-        self.choose = getattr(self._loaded, "allworlds_choose", None)
+        self.choose, self.quotient = (self._optional(name) for name in ("choose", "quotient"))
         self.chooses = self.choose is not None
-        if self.choose is not None:
-            self.choose.restype, self.choose.argtypes = _CHOOSE
         version = functions["version"]()
         if version != VERSION:
             raise InputError(
@@ -126,6 +129,12 @@ class Library:
                 f"--native {show(path)} has no function allworlds_{name}; needed are {needed}"
             ) from None
         function.restype, function.argtypes = _FUNCTIONS[name]
+        return function
+
+    def _optional(self, name: str) -> Any:
+        function = getattr(self._loaded, f"allworlds_{name}", None)
+        if function is not None:
+            function.restype, function.argtypes = _OPTIONAL[name]
         return function
 
     def addresses(self) -> dict[str, int]:

@@ -314,6 +314,8 @@ class WrongExplorer:
     kind: type[Algorithm1]
     equivalent: str = ""
 
+    lighthouse = "directional"
+
     @property
     def name(self) -> str:
         """The class's name in words: ``no-retracing``."""

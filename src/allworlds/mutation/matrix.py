@@ -7,23 +7,25 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from allworlds.checker import check, worlds
-from allworlds.episode import Answered, default_step_budget, play
+from allworlds.checker import check
+from allworlds.episode import Answered, Undecided, default_step_budget, play
 from allworlds.findings import canonical_world
 from allworlds.inputs import InputError, an_integer, show
-from allworlds.judge import LAWS, Case, judge, paper_bound
+from allworlds.judge import LAWS, Case, Checks, Setting, judge, paper_bound
 from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
+from allworlds.maps.enumeration import rooted_maps
 from allworlds.mutation.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
 from allworlds.mutation.judges import WEAK_JUDGES
+from allworlds.mutation.learners import WRONG_LEARNERS, WrongLearner
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
 from allworlds.protocol import Choices
 from allworlds.subjects import subject_here
-from allworlds.world import Directional, World
+from allworlds.world import Directional, World, lighthouse_named
 
 if TYPE_CHECKING:
     from allworlds import documents
@@ -123,9 +125,14 @@ def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> 
     if not 1 <= an_integer("edges", edges) <= LARGEST_LEVEL:
         raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
     heard = listener or Silent()
-    tables = (WRONG_EXPLORERS, EQUIVALENT_EXPLORERS, WEAK_JUDGES, BROKEN_ENUMERATORS)
+    tables = (_wrong(), EQUIVALENT_EXPLORERS, WEAK_JUDGES, BROKEN_ENUMERATORS)
     heard.stage("mutants", sum(map(len, tables)), "mutants")
     return KillMatrix(edges, *until_interrupted(_told(_kills(edges), heard)))
+
+
+def _wrong() -> tuple[WrongExplorer | WrongLearner, ...]:
+    """The explorers that must be killed."""
+    return (*WRONG_EXPLORERS, *WRONG_LEARNERS)
 
 
 def _told(kills: Iterable[Kill], listener: Listener) -> Iterator[Kill]:
@@ -136,18 +143,18 @@ def _told(kills: Iterable[Kill], listener: Listener) -> Iterator[Kill]:
 
 def _kills(edges: int) -> Iterator[Kill]:
     refuted = []
-    for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS):
+    for mutant in (*_wrong(), *EQUIVALENT_EXPLORERS):
         kill = _explorer(mutant, edges)
-        refuted += [kill.mutant] if kill.killed_by in LAWS else []
+        refuted += [kill.mutant] if kill.killed_by in (*LAWS, "ambiguity") else []
         yield kill
     yield from _judges(edges, refuted)
     for broken in BROKEN_ENUMERATORS:
         yield _enumerator(broken, edges)
 
 
-def _explorer(mutant: WrongExplorer, edges: int) -> Kill:
+def _explorer(mutant: WrongExplorer | WrongLearner, edges: int) -> Kill:
     """Killed by the law that an ordinary check finds broken first."""
-    report = check(mutant.explorer(), edges=edges).uninterrupted()
+    report = check(mutant.explorer(), edges=edges, lighthouse=mutant.lighthouse).uninterrupted()
     row = Kill(mutant.name, "explorer", mutant.breaks, equivalent=mutant.equivalent)
     if not report.findings:
         return row
@@ -165,9 +172,9 @@ def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:
     killed: dict[str, tuple[str, World]] = {}
     for level in range(1, edges + 1):
         smallest: dict[str, tuple[Any, str, World]] = {}
-        for case, world, name in _refused(level, explorers) if alive else ():
+        for case, laws, world, name in _refused(level, explorers) if alive else ():
             for weak in alive.values():
-                if judge(case, weak.laws().values()) is None:
+                if weak.accepts(case, laws):
                     canonical = canonical_world(world)
                     key = (world.map.vertex_count, *_code(canonical.map), name)
                     if weak.name not in smallest or key < smallest[weak.name][0]:
@@ -179,30 +186,32 @@ def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:
         yield Kill(weak.name, "judge", weak.breaks, *killed.get(weak.name, ("", None)))
 
 
-def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, World, str]]:
-    """Every run of those explorers, one a rooted map, whose answer breaks a law."""
+def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, Checks, World, str]]:
+    """Every run of those explorers, one a rooted map, whose answer breaks a law that applies."""
     players = [
-        (mutant.name, subject_here(mutant.explorer()).player())
-        for mutant in WRONG_EXPLORERS
+        (mutant.name, lighthouse_named(mutant.lighthouse), subject_here(mutant.explorer()).player())
+        for mutant in _wrong()
         if mutant.name in explorers
     ]
-    for world in worlds(edges=level):
-        if world.map.edge_count < level:
-            continue
-        bound = paper_bound(world.map.vertex_count, level)
-        for name, player in players:
+    for map_ in rooted_maps(level):
+        bound = paper_bound(map_.vertex_count, level)
+        for name, kind, player in players:
+            setting = Setting(kind.folds, bounded=kind.default_bound == "paper")
+            laws = {law: LAWS[law].check for law in LAWS if LAWS[law].applies(setting)}
+            world = World(map_, next(iter(kind.places(map_, 0))), 0)
             episode = play(world, player, Choices(), default_step_budget(bound))
-            if isinstance(episode.ending, Answered):
-                case = Case(
-                    world.map,
-                    world.start,
-                    episode.transcript,
-                    episode.checkpoints,
-                    episode.ending.estimate,
-                    bound,
-                )
-                if judge(case, [law.check for law in LAWS.values()]):
-                    yield case, world, name
+            match episode.ending:
+                case Answered(estimate=answer) | Undecided(quotient=answer):
+                    case = Case(
+                        world.map,
+                        world.start,
+                        episode.transcript,
+                        episode.checkpoints,
+                        answer,
+                        bound if setting.bounded else None,
+                    )
+                    if judge(case, laws.values()):
+                        yield case, laws, world, name
 
 
 def _enumerator(mutant: BrokenEnumerator, edges: int) -> Kill:

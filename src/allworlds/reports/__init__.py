@@ -61,10 +61,13 @@ FORMATS = {
 
 
 FILES = {
+    ("claims", "html"): "html:claims_page",
+    ("claims", "junit"): "claims_junit:claims_junit",
     ("compare", "csv"): "compare_text:compare_csv",
     ("compare", "html"): "html:comparison_page",
     ("grow", "csv"): "grow_text:grow_csv",
     ("grow", "plot"): "grow_plot:grow_plot",
+    ("play", "html"): "play:play_page",
 }
 """What else a verb's result can be written to, by the verb and the option."""
 
@@ -83,6 +86,12 @@ def brief(verb: str, result: Any, width: int) -> str:
     if not _BRIEFS[verb]:
         return text(verb, result, width)
     made: str = _load(_BRIEFS[verb])(result, width)
+    return made
+
+
+def finding_in_words(finding: Any, width: int) -> str:
+    """A finding with its picture, as the text of ``check`` has it."""
+    made: str = _load("run_text:finding_text")(finding, width)
     return made
 
 
@@ -120,6 +129,7 @@ __all__ = [
     "brief",
     "ensure_drawable",
     "file_of",
+    "finding_in_words",
     "text",
     "written",
 ]

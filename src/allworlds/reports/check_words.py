@@ -5,25 +5,43 @@ from __future__ import annotations
 from allworlds.checker import Report, UserCorpus
 from allworlds.findings import Finding
 from allworlds.outcome import Verdict
-from allworlds.runs import Sample
+from allworlds.runs import Row, Sample
 from allworlds.words import number, plural, size
 from allworlds.work import Shard
 
 
 def size_table(report: Report) -> tuple[list[str], list[list[str]]]:
-    """The header and the rows of what was counted for each number of edges and vertices."""
+    """The header and the rows of what was counted for each number of edges and vertices.
+
+    Of a sample, which has a few worlds of very many sizes, for each number of edges.
+    """
     every = report.scope.schedules == "all"
     header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
     if every:
         header.insert(4, "schedules")
     rows = []
-    for row in report.rows():
-        cells = [row["edges"], row["vertices"], row["worlds"], row["runs"]]
-        cells += [row["episodes"]] if every else []
-        cells += [row["traversals"], row["max_cost"]]
-        bound = "-" if row["bound"] is None else number(row["bound"])
-        rows.append([*map(number, cells), bound])
+    sampled = isinstance(report.scope.coverage, Sample)
+    for (edges, *vertices), row in _by_size(report, sampled).items():
+        fewest, most = vertices[0], vertices[-1]
+        cells = [row.worlds, row.runs, *([row.episodes] if every else [])]
+        cells += [row.traversals, row.max_cost]
+        bound = "-" if row.bound is None else number(row.bound)
+        between = number(most) if fewest == most else f"{fewest}-{most}"
+        rows.append([number(edges), between, *map(number, cells), bound])
     return header, rows
+
+
+def _by_size(report: Report, sampled: bool) -> dict[tuple[int, ...], Row]:
+    """The rows by their edges and vertices; of a sample added up, by edges and all vertices."""
+    rows = dict(sorted(report.tally.rows.items()))
+    if not sampled:
+        return {(edges, vertices): row for (edges, vertices), row in rows.items()}
+    added: dict[int, tuple[list[int], Row]] = {}
+    for (edges, vertices), row in rows.items():
+        met, total = added.setdefault(edges, ([], Row()))
+        met.append(vertices)
+        total.add(row)
+    return {(edges, *met): total for edges, (met, total) in added.items()}
 
 
 def verdict_words(report: Report) -> tuple[str, str]:
@@ -54,6 +72,8 @@ def scope_words(report: Report) -> list[tuple[str, str]]:
     scope, rules = report.scope, report.scope.rules
     bounds = scope.extent
     limits = [f"at most {plural(bounds.edges, 'edge')}"] if bounds.edges else []
+    if isinstance(scope.coverage, Sample) and scope.coverage.min_edges > 1:
+        limits = [f"{scope.coverage.min_edges} to {plural(scope.extent.levels[-1], 'edge')}"]
     if bounds.vertices:
         limits += [f"at most {plural(bounds.vertices, 'vertex', 'vertices')}"]
     shard = f", shard {scope.coverage}" if isinstance(scope.coverage, Shard) else ""

@@ -84,10 +84,10 @@ def _verdict(report: Comparison) -> str:
         return "a run has broken a law"
     if not all(cell.agrees for cell in report.gate):
         return "the enumeration and its count disagree"
-    if report.interrupted:
-        return f"interrupted; no law is broken in {plural(runs, 'run')} of finished levels"
-    if report.stopped:
-        return f"{report.stopped}; no law is broken in {plural(runs, 'run')} of finished levels"
+    if not report.complete:
+        return (
+            f"{report.ending.reason}; no law is broken in {plural(runs, 'run')} of finished levels"
+        )
     if not report.rows:
         return "there is no world in which every explorer has a place"
     return f"no law is broken in {plural(runs, 'run')}"

@@ -6,6 +6,7 @@ from textwrap import wrap
 
 from allworlds.drawing import draw
 from allworlds.explaining import Explanation
+from allworlds.reports.cost_curve import cost_lines
 from allworlds.reports.scenes import ANSWER, OTHER, walk_in_answer, walk_in_world
 
 
@@ -14,6 +15,8 @@ def explain_text(explanation: Explanation, width: int) -> str:
     lines = [f"{explanation.explorer} breaks the law '{explanation.law}'", ""]
     for sentence in explanation.sentences:
         lines += wrap(sentence, width, break_on_hyphens=False)
+    if explanation.spent:
+        lines += ["", *cost_lines(explanation.spent, width)]
     world, transcript = explanation.world, explanation.finding.transcript
     lines += ["", "the world", "", draw(walk_in_world(world, transcript), width)]
     if explanation.answer:

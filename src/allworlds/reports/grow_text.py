@@ -45,10 +45,8 @@ def _words(report: Growth) -> list[tuple[str, str]]:
     said = f"no law is broken in {plural(runs, 'run')}"
     if report.findings:
         said = "a run has broken a law"
-    elif report.interrupted:
-        said = f"interrupted; {said} of finished families"
-    elif report.stopped:
-        said = f"{report.stopped}; {said} of finished families"
+    elif not report.complete:
+        said = f"{report.ending.reason}; {said} of finished families"
     words = [(_VERDICTS[report.verdict], said)]
     if report.exponents:
         words += [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 from xml.etree import ElementTree as ET
@@ -21,7 +21,7 @@ _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 
 
 @dataclass(frozen=True, slots=True)
-class _Case:
+class Case:
     """One test case; ``kind`` tells which list of the sum it is in."""
 
     name: str
@@ -47,15 +47,22 @@ def junit(report: Report) -> str:
         else [*_past(report), *_levels(report), *_whole(report)]
     )
     verb = "fuzz" if sampled else "check"
+    return junit_text(verb, report.explorer, _told(report), cases)
+
+
+def junit_text(
+    verb: str, suite: str, properties: Mapping[str, object], cases: Sequence[Case]
+) -> str:
+    """A document with one suite."""
     totals = {"tests": str(len(cases))}
     for result, name in (("failure", "failures"), ("error", "errors"), ("skipped", "skipped")):
         totals[name] = str(sum(case.result == result for case in cases))
     root = ET.Element("testsuites", {"name": f"allworlds {verb}", **totals})
-    suite = ET.SubElement(root, "testsuite", {"name": _legal(report.explorer), **totals})
-    _properties(suite, report)
+    made = ET.SubElement(root, "testsuite", {"name": _legal(suite), **totals})
+    _add_properties(made, properties)
     for case in cases:
         element = ET.SubElement(
-            suite, "testcase", {"classname": f"allworlds.{verb}", "name": _legal(case.name)}
+            made, "testcase", {"classname": f"allworlds.{verb}", "name": _legal(case.name)}
         )
         if case.result == "passed":
             continue
@@ -66,26 +73,29 @@ def junit(report: Report) -> str:
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, "unicode") + "\n"
 
 
-def _properties(suite: ET.Element, report: Report) -> None:
+def _told(report: Report) -> Mapping[str, object]:
     """Verdict and scope, which no result is worth anything without."""
     document: Mapping[str, Any] = report.to_json()
     named = ("verdict", "exit_code", "engine", "worlds", "runs", "traversals")
     told = {name: document[name] for name in named}
-    told |= {f"scope.{name}": value for name, value in document["scope"].items()}
+    return told | {f"scope.{name}": value for name, value in document["scope"].items()}
+
+
+def _add_properties(suite: ET.Element, told: Mapping[str, object]) -> None:
     properties = ET.SubElement(suite, "properties")
     for name, value in told.items():
         text = value if isinstance(value, str) else json.dumps(value)
         ET.SubElement(properties, "property", {"name": name, "value": _legal(text)})
 
 
-def _past(report: Report) -> Iterator[_Case]:
+def _past(report: Report) -> Iterator[Case]:
     """One case for a user's corpus, if there is one."""
     if report.corpus:
         standing = [finding for finding in report.findings if report.corpus.holds(finding)]
-        yield _failure("past findings", standing) if standing else _Case("past findings")
+        yield _failure("past findings", standing) if standing else Case("past findings")
 
 
-def _levels(report: Report) -> Iterator[_Case]:
+def _levels(report: Report) -> Iterator[Case]:
     """One case a level."""
     past = report.corpus
     new = [finding for finding in report.findings if not (past and past.holds(finding))]
@@ -100,49 +110,50 @@ def _levels(report: Report) -> Iterator[_Case]:
                 for cell in wrong
             )
             told = "\n\n".join([text, *(finding_text(finding, WIDTH) for finding in found)])
-            yield _Case(name, "error", "count-gate", text.splitlines()[0], told)
+            yield Case(name, "error", "count-gate", text.splitlines()[0], told)
         elif found:
             yield _failure(name, found)
         elif edges in report.levels:
-            yield _Case(name)
+            yield Case(name)
         else:
-            yield _Case(
+            yield Case(
                 name, "skipped", message=report.ending.reason or "the level was not finished"
             )
 
 
-def _whole(report: Report) -> Iterator[_Case]:
+def _whole(report: Report) -> Iterator[Case]:
     """What is judged about the scope as a whole."""
     gate = all(cell.agrees for cell in report.gate)
     if isinstance(report.ending, Disagreed) and gate:
-        yield _Case(
+        yield Case(
             "engines", "error", "engines-disagree", "two engines disagree", report.ending.reason
         )
     if not report.complete or not report.scope.whole:
         return
     if not report.runs:
-        yield _Case("witnesses", "failure", "vacuous", "nothing was checked: there is no run")
+        yield Case("witnesses", "failure", "vacuous", "nothing was checked: there is no run")
     elif report.missing:
         missing = f"never seen: {', '.join(report.missing)}"
-        yield _Case("witnesses", "failure", "vacuous", missing)
+        yield Case("witnesses", "failure", "vacuous", missing)
     else:
-        yield _Case("witnesses")
+        yield Case("witnesses")
 
 
-def _sample(report: Report, sample: Sample) -> _Case:
+def _sample(report: Report, sample: Sample) -> Case:
     edges = plural(report.scope.extent.levels[-1], "edge")
-    name = f"{plural(sample.runs, 'random world')} with up to {edges}"
+    least = "up to" if sample.min_edges == 1 else f"{sample.min_edges} to"
+    name = f"{plural(sample.runs, 'random world')} with {least} {edges}"
     if report.findings:
         return _failure(name, report.findings)
     if report.verdict is Verdict.NOT_REFUTED:
-        return _Case(name)
-    return _Case(name, "skipped", message=report.ending.reason or "no world was tried")
+        return Case(name)
+    return Case(name, "skipped", message=report.ending.reason or "no world was tried")
 
 
-def _failure(name: str, findings: list[Finding]) -> _Case:
+def _failure(name: str, findings: list[Finding]) -> Case:
     first = findings[0]
     text = "\n\n".join(finding_text(finding, WIDTH) for finding in findings)
-    return _Case(name, "failure", first.law, f"law '{first.law}' is broken", text)
+    return Case(name, "failure", first.law, f"law '{first.law}' is broken", text)
 
 
 def _legal(text: str) -> str:

@@ -38,7 +38,7 @@ def _refutation(finding: Finding, width: int, remarks: list[str]) -> str:
     answer = Estimate.from_json(finding.seen) if isinstance(finding.seen, Mapping) else None
     lines = wrap(f"FINDING: {headline(finding)}", width, break_long_words=False)
     lines += ["", "the world", "", draw(walk_in_world(world, finding.transcript), width)]
-    lines += ["", *_walk(world, finding.transcript, answer)]
+    lines += ["", *walk_lines(world, finding.transcript, answer)]
     lines += ["", *_broken(finding, answer, width)]
     if finding.choices:
         lines += entry("choices", choices_words(finding), width)
@@ -59,10 +59,10 @@ def run_text(run: SingleRun, width: int) -> str:
     lines = ["the world", "", draw(walk_in_world(world, transcript), width), ""]
     match ending:
         case Answered(estimate):
-            lines += _walk(world, transcript, estimate)
+            lines += walk_lines(world, transcript, estimate)
             lines += ["", ANSWER, "", draw(walk_in_answer(world, estimate, transcript), width), ""]
         case Undecided(quotient):
-            lines += [*_walk(world, transcript, None), "", *_quotient(quotient), ""]
+            lines += [*walk_lines(world, transcript, None), "", *_quotient(quotient), ""]
         case Fault():
             raise AssertionError(ending)
     bound = "" if run.outcome.bound is None else f" of at most {run.outcome.bound}"
@@ -98,7 +98,7 @@ def replay_text(replay: Replay, width: int) -> str:
     return "\n".join([*entry("REPRODUCED", law, width), "", _refutation(again, width, [])])
 
 
-def _walk(world: World, transcript: Transcript, answer: Estimate | None) -> list[str]:
+def walk_lines(world: World, transcript: Transcript, answer: Estimate | None) -> list[str]:
     """The steps: where the robot came to, what it sensed, and what the answer makes expect."""
     trail = true_trail(world, transcript)
     sensed = transcript.percepts

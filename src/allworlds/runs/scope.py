@@ -21,7 +21,7 @@ MOST_RUNS = 10**12
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """So many random worlds, drawn from a seed.
+    """So many random worlds, drawn from a seed, each with so many edges at least.
 
     Raises:
         InputError: for numbers out of range.
@@ -29,15 +29,18 @@ class Sample:
 
     runs: int
     seed: int = 0
+    min_edges: int = 1
 
     def __post_init__(self) -> None:
-        for name in ("runs", "seed"):
+        for name in ("runs", "seed", "min_edges"):
             object.__setattr__(self, name, an_integer(name, getattr(self, name)))
         at_most("runs", self.runs, MOST_RUNS)
         if self.seed < 0:
             raise InputError(f"seed = {show(self.seed)}, but seeds are 0, 1, 2, ...")
         if self.runs < 1:
             raise InputError(f"runs = {self.runs} is not positive")
+        if self.min_edges < 1:
+            raise InputError(f"min-edges = {show(self.min_edges)} is not positive")
 
 
 Coverage: TypeAlias = Whole | Shard | Sample

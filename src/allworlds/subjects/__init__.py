@@ -17,7 +17,7 @@
 from allworlds.subjects.content import content_digest, not_alike, with_content
 from allworlds.subjects.loading import load, source_of
 from allworlds.subjects.naming import whole_name
-from allworlds.subjects.place import Place, place_of_explorer
+from allworlds.subjects.place import Place, files_of_explorer, place_of_explorer
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
     EXEC,
@@ -41,6 +41,7 @@ __all__ = [
     "Subject",
     "built_in",
     "content_digest",
+    "files_of_explorer",
     "load",
     "names_explorer",
     "not_alike",

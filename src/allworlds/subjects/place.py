@@ -36,6 +36,29 @@ class Place:
         return self.file.as_posix()
 
 
+def files_of_explorer(name: str) -> list[Path]:
+    """The files with which an explorer changes; none for one of ours, and where nobody can say.
+
+    Of a program they are those that its command names.
+    """
+    if name.startswith(EXEC):
+        try:
+            words = shlex.split(name.removeprefix(EXEC))
+        except ValueError:
+            return []
+        return [Path(word) for word in words if Path(word).is_file()]
+    if name.startswith(NATIVE):
+        library = Path(name.removeprefix(NATIVE))
+        return [library] if library.is_file() else []
+    if name in BUILT_IN:
+        return []
+    try:
+        file, _ = _file_and_attributes(name)
+    except InputError:
+        return []
+    return [file] if file.is_file() else []
+
+
 def place_of_explorer(name: str) -> Place | None:
     """Where the explorer of that name stands; None for one of ours, and where nobody can say.
 
@@ -47,7 +70,7 @@ def place_of_explorer(name: str) -> Place | None:
         return None
     try:
         if name.startswith(EXEC):
-            return _of_program(name.removeprefix(EXEC))
+            return _of_program(name)
         if name.startswith(NATIVE):
             return _of_library(Path(name.removeprefix(NATIVE)))
         return _of_python(name)
@@ -55,8 +78,8 @@ def place_of_explorer(name: str) -> Place | None:
         return None
 
 
-def _of_program(command: str) -> Place | None:
-    files = [Path(word) for word in shlex.split(command) if Path(word).is_file()]
+def _of_program(name: str) -> Place | None:
+    files = files_of_explorer(name)
     return Place(files[-1].resolve()) if files else None
 
 
@@ -68,14 +91,21 @@ def _of_library(library: Path) -> Place | None:
 
 
 def _of_python(name: str) -> Place | None:
-    points = entry_points()
-    whole = points[name].value if name in points else name
-    place, _, attribute = whole.rpartition(":")
-    file = Path(place) if place.endswith(".py") else module_file(place)
+    file, attributes = _file_and_attributes(name)
     if not file.is_file():
         return None
-    text = file.read_text(encoding="utf-8")
-    return Place(Path(os.path.realpath(file)), _line(ast.parse(text), attribute.split(".")))
+    return Place(file, _line(ast.parse(file.read_text(encoding="utf-8")), attributes))
+
+
+def _file_and_attributes(name: str) -> tuple[Path, list[str]]:
+    """The file of a Python explorer, which may be missing, and what leads to it there."""
+    points = entry_points()
+    whole = points[name].value if name in points else name
+    place, colon, attribute = whole.rpartition(":")
+    if not colon:  # of a file with one explorer its name will do
+        place, attribute = whole, ""
+    file = Path(place) if place.endswith(".py") else module_file(place)
+    return Path(os.path.realpath(file)), attribute.split(".") if attribute else []
 
 
 def _line(tree: ast.Module, names: list[str]) -> int:

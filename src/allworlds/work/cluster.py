@@ -241,10 +241,12 @@ def local_cluster(workers: int) -> Iterator[Any]:
     distributed = _installed()
     import dask
 
+    # Without an address of its own the scheduler would ask for port 8787, which others may have.
+    address = "127.0.0.1:0"
     with (
         dask.config.set(QUIET),
         distributed.LocalCluster(
-            n_workers=workers, threads_per_worker=1, dashboard_address=None, silence_logs=50
+            n_workers=workers, threads_per_worker=1, dashboard_address=address, silence_logs=50
         ) as cluster,
     ):
         yield cluster

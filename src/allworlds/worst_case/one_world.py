@@ -61,6 +61,20 @@ class Pass:
     robot: int
 
 
+@dataclass(frozen=True, slots=True)
+class PassCost:
+    """What a pass can cost at most.
+
+    Attributes:
+        vertices, explored: of S when it begins; the explored edges.
+        cost: traversals, with the way to its dart.
+    """
+
+    vertices: int
+    explored: int
+    cost: int
+
+
 class EverySchedule:
     """All schedules of Algorithm 1 from one vertex of a map.
 
@@ -109,6 +123,25 @@ class EverySchedule:
                 self._number(numbers, entry)
             explored, robot = chosen.explored, chosen.robot
         return picks
+
+    def dearest_passes(self) -> Iterator[PassCost]:
+        """The dearest pass with each dart, in each state that a schedule can come to.
+
+        Raises:
+            WrongTest: if a false hypothesis can be confirmed.
+        """
+        queue: list[tuple[Explored, int]] = [(Explored(), self._v0)]
+        met = set(queue)
+        for explored, robot in queue:
+            vertices = len({self._v0} | {self._owner[d] for d in explored})
+            for chosen in self._passes(explored):
+                transit = self._transits(explored, robot, self._owner[chosen.dart])[-1]
+                tests = sum(test.cost for test in chosen.worst)
+                yield PassCost(vertices, len(explored) // 2, len(transit) + 1 + tests)
+                following = (chosen.explored, chosen.robot)
+                if following not in met:
+                    met.add(following)
+                    queue.append(following)
 
     def _number(self, numbers: dict[Dart, int], first: Dart) -> None:
         """S numbers the darts of a vertex clockwise, from the one it was discovered by."""

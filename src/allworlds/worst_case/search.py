@@ -18,7 +18,7 @@ from allworlds.maps.counting import source_for
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
 from allworlds.store import ENDED, Identity, Records, Shelf, records_in
-from allworlds.subjects import load
+from allworlds.subjects import NATIVE, load
 from allworlds.work import (
     UNMERGEABLE,
     WHOLE,
@@ -46,6 +46,12 @@ if TYPE_CHECKING:
 
 DEFAULT_EDGES, OTHERS_EDGES = 5, 3
 MOST_EDGES = 12
+
+PLAYED = (
+    "compiled code tries every schedule of algorithm1 alone; this library is played by the python "
+    "engine, far slower"
+)
+"""The notice for explorers that ``check`` judges in compiled code."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,6 +216,8 @@ def worst(
             if value is not None:
                 raise InputError(f"{option} = {show(value)} is for algorithm1 as it is built in")
         extent = Extent(MapClass.named(map_class), _edges(edges, OTHERS_EDGES))
+        if isinstance(explore, str) and explore.startswith(NATIVE):
+            (listener or Silent()).notice(PLAYED)
         return worst_of_runs(explore, extent, lighthouse, workers, listener or Silent())
     transit = "simple" if transit is None else transit
     if transit not in get_args(Transit):

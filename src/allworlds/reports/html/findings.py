@@ -9,6 +9,7 @@ from allworlds.drawing import Scene, picture
 from allworlds.explaining import Belief, Explanation, Story, explain
 from allworlds.findings import Finding
 from allworlds.markup import Child, record, tag
+from allworlds.reports.cost_curve import cost_picture
 from allworlds.reports.finding_words import (
     choices_words,
     expected_words,
@@ -31,6 +32,7 @@ def finding_section(finding: Finding, number: int, origin: str = "") -> ET.Eleme
         tag("h2", f"Finding {number}: ", tag("bdi", headline(finding)), id=f"{name}-title"),
         tag("p", *_sentences(explanation.sentences), class_="story"),
         _viewer(story, belief, explanation, name),
+        *([cost_picture(explanation.spent, f"{name}-cost")] if explanation.spent else []),
         tag("dl", *_facts(finding, origin)),
         *_again(finding, name),
         record(finding.to_json(), class_="finding", id=f"{name}-json"),

@@ -6,10 +6,17 @@ from base64 import b64encode
 from collections.abc import Iterator, Mapping, Sequence
 from hashlib import sha256
 from importlib.resources import files
-from typing import Any
+from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
 from allworlds.markup import document, raw, record, tag
+
+
+class Own(NamedTuple):
+    """What a page has of its own: a style beside that of all, and a script in place of theirs."""
+
+    style: str
+    script: str
 
 
 def framed(
@@ -18,6 +25,7 @@ def framed(
     verdict: tuple[str, str, str],
     sections: Sequence[ET.Element],
     summary: Mapping[str, Any],
+    own: Own | None = None,
 ) -> str:
     """An HTML document that refers to nothing outside of it.
 
@@ -29,8 +37,10 @@ def framed(
         verdict: in a word, in a sentence, and as its name.
         sections: the page.
         summary: the document of the report, which the page holds too.
+        own: what the page has of its own; without it, keys step along its walks.
     """
-    style, script = _own("style.css"), _own("script.js")
+    style = _own("style.css") + (own.style if own else "")
+    script = own.script if own else _own("script.js")
     word, text, name = verdict
     policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}"
     head = tag(

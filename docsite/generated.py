@@ -1,0 +1,179 @@
+"""The pages that are made from the tables of the program, whenever the site is built.
+
+The command line from the parser that reads it, the names of the package from their docstrings,
+the header from the file that is shipped.  Nothing here is written by hand but headings.
+"""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import pkgutil
+import re
+from importlib.resources import files
+from typing import Any
+
+import typer
+from mkdocs.config.defaults import MkDocsConfig
+from mkdocs.structure.files import File, Files
+from mkdocs.structure.pages import Page
+
+import allworlds
+from allworlds.cli.app import app
+from allworlds.verbs import GROUPS, VERBS, Verb
+
+SCHEMAS = files("allworlds") / "schemas"
+
+
+def on_files(files_: Files, config: MkDocsConfig) -> Files:
+    """The pages of the folder, and those that are made."""
+    for name, text in pages().items():
+        files_.append(File.generated(config, name, content=text))
+    for schema in sorted(SCHEMAS.iterdir(), key=lambda file: file.name):
+        text = schema.read_text(encoding="utf-8")
+        files_.append(File.generated(config, f"schemas/{schema.name}", content=text))
+    return files_
+
+
+def pages() -> dict[str, str]:
+    """Every page that is made, by its place."""
+    return {
+        "reference/command-line.md": command_line(),
+        "reference/python.md": names(),
+        "reference/header.md": header(),
+        **{f"reference/parts/{name}.md": part(name) for name in parts()},
+    }
+
+
+# ---------------------------------------------------------------- the command line
+
+
+def command_line() -> str:
+    """The reference of the verbs: for each its help, its arguments and its options."""
+    text = "# Command line\n\n| verb | what it does |\n|---|---|\n"
+    for verb in VERBS:
+        text += f"| [`{verb.name}`](#{_anchor(verb)}) | {verb.summary} |\n"
+    text += (
+        "\nWith `--json` a verb prints one document: [its keys](../documents.md). "
+        "[Exit codes](../verdicts.md#verdicts-and-exit-codes) are the same for all verbs.\n"
+    )
+    root = typer.main.get_command(app)
+    return text + "".join(_verb_text(verb, _command(root, verb)) for verb in VERBS)
+
+
+def _command(root: Any, verb: Verb) -> Any:
+    command = root
+    for word in verb.name.split():
+        command = command.commands[word]
+    return command
+
+
+def _anchor(verb: Verb) -> str:
+    return verb.name.replace(" ", "-")
+
+
+def _verb_text(verb: Verb, command: Any) -> str:
+    example, _, rest = inspect.cleandoc(command.help).partition("\n\n")
+    prose = rest.replace("\f", "\n").replace("\b", "")
+    text = f"\n## {verb.name}\n\n```sh\n{example.removeprefix('Example: ')}\n```\n\n{prose}\n"
+    if verb.group:
+        text += f"\n*{GROUPS[verb.group].summary}*\n"
+    arguments = [p for p in command.params if p.param_type_name == "argument"]
+    if arguments:
+        text += "\n| argument | what it is |\n|---|---|\n"
+        text += "".join(
+            f"| `{_cell(p.metavar or p.name)}` | {_cell(p.help)} |\n" for p in arguments
+        )
+    panels: dict[str, list[Any]] = {}
+    for option in command.params:
+        if option.param_type_name == "option":
+            panels.setdefault(option.rich_help_panel or "Options", []).append(option)
+    for panel, options in panels.items():
+        text += f"\n| {panel.lower()} | |\n|---|---|\n"
+        text += "".join(_option_row(option) for option in options)
+    return text
+
+
+def _option_row(option: Any) -> str:
+    value = f" {option.metavar}" if option.metavar else ""
+    forms = ", ".join(f"`{_cell(form + value)}`" for form in option.opts)
+    default = ""
+    if option.required:
+        default = " Required."
+    elif option.show_default and option.default not in (None, False, ()):
+        default = f" Default: `{option.default}`."
+    return f"| {forms} | {_cell(option.help)}{default} |\n"
+
+
+def _cell(text: str) -> str:
+    return " ".join(text.replace("|", r"\|").split())
+
+
+# ---------------------------------------------------------------- Python
+
+
+def names() -> str:
+    """The names of ``import allworlds``, with what their docstrings say."""
+    return (
+        "# Names of the package\n\nWhat `import allworlds` gives. An explorer needs the classes, "
+        "and the functions are the verbs: they take the options of the "
+        "[command line](command-line.md) as keywords.\n\n"
+        + "".join(_reference(f"allworlds.{name}") for name in allworlds.__all__ if _is_told(name))
+    )
+
+
+def parts() -> list[str]:
+    """The modules and packages of the package that have names for others."""
+    found = []
+    for module in pkgutil.iter_modules(allworlds.__path__):
+        if module.name != "__main__" and _public(f"allworlds.{module.name}"):
+            found.append(module.name)
+    return found
+
+
+def part(name: str) -> str:
+    """The names at the door of a part, with what their docstrings say."""
+    module = importlib.import_module(f"allworlds.{name}")
+    text = f"# allworlds.{name}\n\n```text\n{inspect.cleandoc(module.__doc__ or '')}\n```\n\n"
+    return text + "".join(
+        _reference(f"allworlds.{name}.{public}") for public in _public(module.__name__)
+    )
+
+
+def _public(name: str) -> list[str]:
+    module = importlib.import_module(name)
+    told = getattr(module, "__all__", None) or [
+        public
+        for public, value in vars(module).items()
+        if public[0] != "_" and getattr(value, "__module__", None) == name
+    ]
+    return [public for public in told if public != "__version__"]
+
+
+def _is_told(name: str) -> bool:
+    return not name.startswith("__") and not inspect.ismodule(getattr(allworlds, name))
+
+
+def _reference(path: str) -> str:
+    return f"::: {path}\n\n"
+
+
+# ---------------------------------------------------------------- C
+
+
+def header() -> str:
+    """``allworlds.h`` as it is printed by ``allworlds native --header``."""
+    text = (files("allworlds.libraries") / "allworlds.h").read_text(encoding="utf-8")
+    return (
+        "# allworlds.h\n\nThe header of [explorers in shared libraries](../native.md), as "
+        f"`allworlds native --header` prints it.\n\n```c\n{text.rstrip()}\n```\n"
+    )
+
+
+ROLE = re.compile(r":(?:class|func|meth|mod|data|attr|exc):<code>~?(?:[\w.]+\.)?(\w+)</code>")
+"""A reference in a docstring, as Python's own tools write them."""
+
+
+def on_page_content(html: str, page: Page, config: MkDocsConfig, files: Files) -> str:
+    """The page with the references in docstrings as the names that they name."""
+    return ROLE.sub(r"<code>\1</code>", html)

@@ -1,0 +1,273 @@
+"""Figures and the gallery, drawn and run by the program itself when the site is built.
+
+A page asks for a figure of the table by ``<!-- figure NAME -->`` in a line of its own.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from html import escape
+from itertools import count
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as ET
+
+from mkdocs.config.defaults import MkDocsConfig
+from mkdocs.exceptions import PluginError
+from mkdocs.structure.files import File, Files
+from mkdocs.structure.pages import Page
+
+import allworlds
+from allworlds.corpora import own_corpus
+from allworlds.drawing import Scene, picture, scene_of
+from allworlds.maps import CombinatorialMap, Mismatch, isomorphism
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.world import Directional, World, world_named
+
+FIGURE = re.compile(r"^<!-- figure ([a-z0-9-]+) -->$", re.MULTILINE)
+_ids = count(1)
+
+
+def drawing(*scenes: Scene, caption: str) -> str:
+    """Scenes side by side as a part of a page, which has no empty line in it."""
+    drawn = []
+    for scene in scenes:
+        svg = picture(scene, f"figure-{next(_ids)}", caption)
+        drawn.append(ET.tostring(svg, encoding="unicode").replace("\n", ""))
+    below = f"<figcaption>{escape(caption)}</figcaption>"
+    return f'<figure class="worlds"><div>{"".join(drawn)}</div>{below}</figure>'
+
+
+# ---------------------------------------------------------------- figures
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """What a figure shows: scenes side by side, and the sentence below them."""
+
+    caption: str
+    scenes: Callable[[], list[Scene]]
+
+
+def _plain(*names: str) -> Callable[[], list[Scene]]:
+    return lambda: [scene_of(world_named(name, "none")) for name in names]
+
+
+def _lit(name: str, lighthouse: str) -> Callable[[], list[Scene]]:
+    return lambda: [scene_of(world_named(name, lighthouse))]
+
+
+def _mirrored() -> list[Scene]:
+    """The first map with its mirror image that is another one."""
+    for world in allworlds.worlds(edges=4, lighthouse="none"):
+        map_ = world.map
+        if isinstance(isomorphism(map_, map_.mirrored()), Mismatch):
+            return [Scene(map_), Scene(map_.mirrored())]
+    raise PluginError("every map with at most 4 edges is its own mirror image")
+
+
+def _crossed() -> Scene:
+    """v0 with one edge, to a vertex with two loops that cross."""
+    map_ = CombinatorialMap((0, 2, 3, 4, 5, 1), (1, 0, 4, 5, 2, 3))
+    return scene_of(World(map_, Directional(0)))
+
+
+def _walked() -> list[Scene]:
+    """A robot after its first motion."""
+    world = world_named("theta", "directional")
+    dart = world.map.alpha[world.start]
+    return [scene_of(world, robot=dart, walked={dart})]
+
+
+FIGURES = {
+    "map": Figure(
+        "A map with 3 edges and 2 vertices. A number stands at each dart; the darts 0, 1, 2 "
+        "follow each other clockwise round v0. The start is the dart in the box.",
+        _plain("theta"),
+    ),
+    "same-graph": Figure(
+        "One graph, two maps: on the left in the plane, on the right with another order round v1, "
+        "which fits a torus only. Where edges cross, they do not meet.",
+        _plain("theta", "theta-torus"),
+    ),
+    "loops": Figure(
+        "Two loops at one vertex, side by side (three faces, the plane) and crossing (one face, "
+        "the torus).",
+        _plain("two-loops-plane", "two-loops-torus"),
+    ),
+    "crossed": Figure(
+        "A world with 3 edges and 2 vertices. The marker at v0, the lighthouse, points along dart "
+        "0; the robot starts there.",
+        lambda: [_crossed()],
+    ),
+    "mirror": Figure(
+        "A map and its mirror image, which is another map: no bijection of the darts keeps the "
+        "clockwise order and the edges.",
+        _mirrored,
+    ),
+    "world": Figure(
+        "A world with a directional lighthouse: the marker at v0 points along a dart.",
+        _lit("k4", "directional"),
+    ),
+    "walked": Figure(
+        "After Move(0): the robot has left by dart 0, and stands at the other dart of that edge.",
+        _walked,
+    ),
+    "cluster": Figure(
+        "A cluster: one marker at v0, two at a neighbour. There is no direction to be sensed.",
+        _lit("k4", "cluster"),
+    ),
+    "compass": Figure(
+        "A compass: at every vertex one dart is its north; no vertex is marked.",
+        _lit("k4", "compass"),
+    ),
+    "twins": Figure(
+        "Twins: whatever a robot does that senses the marker's position but no direction, it "
+        "senses the same in both worlds.",
+        lambda: [
+            scene_of(world_named(name, "position"))
+            for name in ("two-loops-plane", "two-loops-torus")
+        ],
+    ),
+}
+
+
+def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Files) -> str:
+    """The page with its figures."""
+    return FIGURE.sub(lambda found: figure(found[1]), markdown)
+
+
+def figure(name: str) -> str:
+    """The figure of that name, as a part of a page.
+
+    Raises:
+        PluginError: if the table has none.
+    """
+    if name not in FIGURES:
+        raise PluginError(f"figure {name!r} is none of {', '.join(FIGURES)}")
+    return drawing(*FIGURES[name].scenes(), caption=FIGURES[name].caption)
+
+
+# ---------------------------------------------------------------- the gallery
+
+
+@dataclass(frozen=True, slots=True)
+class Live:
+    """A page that a command writes: its name, and the command up to ``--html``."""
+
+    name: str
+    command: str
+    told: str
+
+
+def _about(kind: str) -> str:
+    """What a mutant does wrong."""
+    (wrong,) = (wrong for wrong in WRONG_EXPLORERS if wrong.name == kind)
+    return wrong.breaks.partition("\n")[0]
+
+
+def lives() -> list[Live]:
+    """The live pages, in the order of the gallery."""
+    wrong = [
+        Live(
+            name,
+            f"check allworlds.mutation.explorers:{name.replace('-', '_')} --edges 4",
+            _about(name),
+        )
+        for name in (
+            "one-hypothesis-only",
+            "confirmed-too-early",
+            "mirror-image",
+            "orientation-not-restored",
+            "lucky-guess",
+            "marker-ignored",
+            "walks-too-much",
+            "crashes-at-leaves",
+        )
+    ]
+    return [
+        *wrong,
+        Live(
+            "position-alone",
+            "check algorithm1 --lighthouse position --edges 3",
+            "Algorithm 1 where the marker has no direction: worlds that no motion tells apart.",
+        ),
+        Live(
+            "one-marker",
+            "check dudek91 --edges 3",
+            "One movable marker, where loops and parallel edges are, for which it was not made.",
+        ),
+        Live("holds", "check --edges 4", "Algorithm 1: what a page says where nothing is wrong."),
+    ]
+
+
+def on_files(files: Files, config: MkDocsConfig) -> Files:
+    """The gallery, and the live pages in it."""
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
+        told = list(pool.map(lambda live: _made(live, Path(folder)), lives()))
+        for live, _ in told:
+            text = (Path(folder) / f"{live.name}.html").read_text(encoding="utf-8")
+            files.append(File.generated(config, f"gallery/live/{live.name}.html", content=text))
+    files.append(File.generated(config, "gallery/findings.md", content=_findings(told)))
+    files.append(File.generated(config, "gallery/worlds.md", content=_worlds()))
+    return files
+
+
+def _made(live: Live, folder: Path) -> tuple[Live, dict[str, Any]]:
+    """The page is written; what the command says of it."""
+    words = [*shlex.split(live.command), "--html", str(folder / f"{live.name}.html"), "--json"]
+    done = subprocess.run(
+        [sys.executable, "-m", "allworlds", *words], capture_output=True, text=True, check=False
+    )
+    if done.returncode not in (0, 1):
+        raise PluginError(f"allworlds {live.command} ends with {done.returncode}: {done.stderr}")
+    return live, json.loads(done.stdout)
+
+
+def _findings(told: list[tuple[Live, dict[str, Any]]]) -> str:
+    return (
+        "# Findings\n\nEach of these pages was written by the command above it, with `--html`, "
+        "when this site was built. Step along the walk with the arrow keys.\n\n"
+        + "".join("\n".join(_card(live, report)) + "\n\n" for live, report in told)
+    )
+
+
+def _card(live: Live, report: dict[str, Any]) -> Iterator[str]:
+    words = live.name.replace("-", " ").capitalize()
+    command = f"allworlds {live.command} --html {live.name}.html"
+    yield f"## {words}\n\n{live.told}\n\n```sh\n{command}\n```\n"
+    said = f"Verdict: **{report['verdict']}**."
+    for finding in report["findings"][:1]:
+        world = World.from_json(finding["world"])
+        size = f"{world.map.edge_count} edges, {world.map.vertex_count} vertices"
+        said = f"Verdict: **{report['verdict']}**, law `{finding['law']}`."
+        yield (
+            drawing(scene_of(world), caption=f"The smallest world that refutes it: {size}.") + "\n"
+        )
+    yield f"{said} [Open the page](live/{live.name}.html)"
+
+
+def _worlds() -> str:
+    corpus = own_corpus()
+    text = (
+        "# Worlds\n\nThe named worlds of the corpus, drawn by `allworlds.drawing`; `allworlds run "
+        "NAME` runs Algorithm 1 in one.\n"
+    )
+    for entry in corpus.of_kind("world"):
+        world = World.from_json(corpus.document(entry))
+        map_ = world.map
+        size = (
+            f"{map_.edge_count} edges, {map_.vertex_count} vertices, {len(map_.faces)} faces, "
+            f"genus {map_.genus}"
+        )
+        told = entry.provenance[0].upper() + entry.provenance[1:]
+        text += f"\n## {entry.name}\n\n{told}.\n\n{drawing(scene_of(world), caption=size)}\n"
+    return text

@@ -1,0 +1,90 @@
+"""The pytest plugin of allworlds: a mark, and the fixture that goes with it.
+
+It stands beside the package and not in it, and imports nothing of it before a test needs it: so
+it costs nothing where it is not used, and whoever measures the coverage of the package itself
+does not find it loaded before the measurement begins.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+MARK = "allworlds"
+FIXTURE = "explores"
+TOLD = (
+    "allworlds(edges=4, **options): one test for each number of edges, in which the fixture "
+    "'explores' checks an explorer; options are those of allworlds.check"
+)
+
+_current: list[pytest.Item] = []
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Let pytest know the mark."""
+    config.addinivalue_line("markers", TOLD)
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """One test for each number of edges."""
+    definition = metafunc.definition
+    if FIXTURE not in metafunc.fixturenames:
+        if any(mark.name == MARK for mark in definition.own_markers):
+            pytest.fail(
+                f"{definition.name} is marked '{MARK}', but does not take the fixture "
+                f"'{FIXTURE}': def {definition.name}({FIXTURE}): {FIXTURE}(my_explorer)",
+                pytrace=False,
+            )
+        return
+    mark = definition.get_closest_marker(MARK)
+    if mark and mark.args:
+        pytest.fail(
+            f"the mark of {definition.name} takes keywords alone, such as edges=4, not "
+            f"{', '.join(map(repr, mark.args))}",
+            pytrace=False,
+        )
+    from allworlds.testing import levels_of
+
+    levels = levels_of(mark.kwargs if mark else {})
+    metafunc.parametrize(FIXTURE, levels, ids=[f"edges-{edges}" for edges in levels], indirect=True)
+
+
+@pytest.fixture
+def explores(request: pytest.FixtureRequest) -> Callable[..., Any]:
+    """``explores(my_explorer)``: it is right in every world with so many edges.
+
+    The mark ``allworlds`` says with how many, and how it is judged.
+    """
+    from allworlds.testing import AtLevel
+
+    mark = request.node.get_closest_marker(MARK)
+    return AtLevel(request.param, mark.kwargs if mark else {})
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
+    """Know which test is running, for the sake of its past findings."""
+    _current.append(item)
+    try:
+        return (yield)
+    finally:
+        _current.pop()
+
+
+def corpus_of_test() -> Path | None:
+    """Where past findings of the running test are kept: in pytest's cache; None without one.
+
+    Each test has a directory of its own, so that tests can run side by side.
+    """
+    cache = getattr(_current[-1].config, "cache", None) if _current else None
+    if cache is None:
+        return None
+    name = _current[-1].nodeid
+    digest = hashlib.sha256(name.encode()).hexdigest()[:8]
+    readable = re.sub(r"[^\w.-]+", "-", name)[-60:].strip("-")
+    return Path(cache.mkdir(MARK)) / f"{readable}-{digest}"

@@ -1,0 +1,78 @@
+"""Doing a check again whenever the explorer is saved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from time import sleep
+
+from allworlds.cli.output import complain
+from allworlds.inputs import InputError, show
+from allworlds.outcome import Exit
+from allworlds.subjects import files_of_explorer
+
+PAUSE = 0.2
+"""Seconds between two looks at the files."""
+
+
+def watched(explorer: str, once: Callable[[], int]) -> int:
+    """The last exit code of ``once``, which is done now and after every change of the explorer.
+
+    It ends with an interrupt.  An explorer that is no explorer any more is told in a line, and
+    waited for.
+
+    Raises:
+        InputError: if no file belongs to the explorer, or it is none at the beginning.
+    """
+    files = files_of_explorer(explorer)
+    if not files:
+        raise InputError(
+            f"explorer {show(explorer)} cannot be watched; what can is path/to/file.py:attribute, "
+            "and a program or a library that lies in a file"
+        )
+    seen = _state(files)
+    code = once()
+    while code != Exit.INTERRUPTED:
+        complain(f"watching {', '.join(map(str, files))}: saved, it is checked again")
+        try:
+            seen = _changed(files, seen)
+        except KeyboardInterrupt:
+            break
+        try:
+            code = once()
+        except InputError as error:
+            complain(str(error))
+            code = Exit.USAGE
+    return code
+
+
+@contextmanager
+def kept_in(corpus: str | None) -> Iterator[str]:
+    """The directory of past findings; without a name one that is gone in the end."""
+    if corpus is not None:
+        yield corpus
+        return
+    with TemporaryDirectory(prefix="allworlds-") as directory:
+        yield directory
+
+
+def _changed(files: list[Path], seen: object) -> object:
+    """The state of the files once it is another one, and rests."""
+    before = seen
+    while True:
+        sleep(PAUSE)
+        now = _state(files)
+        if now not in (seen, None) and now == before:
+            return now
+        before = now
+
+
+def _state(files: list[Path]) -> object:
+    """Equal as long as no file is written; None while one is missing, as between two saves."""
+    try:
+        found = [file.stat() for file in files]
+    except OSError:
+        return None
+    return [(state.st_mtime_ns, state.st_size, state.st_ino) for state in found]

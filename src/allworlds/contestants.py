@@ -1,0 +1,67 @@
+"""Explorers that are run in the same worlds, each under its own rules."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from allworlds.checker import ManyRunsOptions, rules_for
+from allworlds.findings import Finding, Rules
+from allworlds.inputs import InputError, show
+from allworlds.isolation import confirmed, subject_of
+from allworlds.maps.classes import Extent
+from allworlds.progress import Listener
+from allworlds.runs import Costing, CostTally, Scope, Worlds
+from allworlds.subjects import Subject
+from allworlds.work import Limits, Transport, gather
+
+
+@dataclass(frozen=True, slots=True)
+class Contestant:
+    """An explorer with the rules that its runs are judged by."""
+
+    subject: Subject
+    rules: Rules
+
+    @property
+    def name(self) -> str:
+        """The explorer's."""
+        return self.subject.name
+
+    def scope(self, extent: Extent) -> Scope:
+        """The runs that it has in the worlds of an extent."""
+        return Scope(extent, self.rules)
+
+    def costs(
+        self,
+        extent: Extent,
+        units: Iterable[Worlds],
+        transport: Transport[Any],
+        listener: Listener,
+    ) -> CostTally:
+        """What every run in these worlds has cost, and the smallest finding, not yet confirmed."""
+        tally = CostTally(keep=1)
+        gather(transport, Costing(self.scope(extent), tally.keep), units, tally, listener)
+        return tally
+
+    def confirmed(self, tally: CostTally, limits: Limits) -> list[Finding]:
+        """The findings of a tally, each played again in a fresh process."""
+        return [confirmed(found, self.subject, limits, "one") for found in tally.findings]
+
+
+def contestants_of(
+    explorers: Sequence[str | Callable[..., Any]], limits: Limits, options: ManyRunsOptions
+) -> tuple[Contestant, ...]:
+    """The explorers, each under its own lighthouse unless the options name one.
+
+    Raises:
+        InputError: for one that is none or is there twice, or for an option.
+    """
+    contestants: list[Contestant] = []
+    for explore in explorers:
+        subject = subject_of(explore, limits)
+        if any(subject.name == other.name for other in contestants):
+            raise InputError(f"explorer {show(subject.name)} is named twice")
+        contestants.append(Contestant(subject, rules_for(subject, options)[1]))
+    return tuple(contestants)

@@ -1,0 +1,46 @@
+"""What the traversals of a walk were spent on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from allworlds.explaining.story import Walked
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol import Move
+
+
+@dataclass(frozen=True, slots=True)
+class Spending:
+    """The traversals of a walk, beside what they found.
+
+    Attributes:
+        found: for each edge that was walked the traversal that first went along it, ascending.
+        back: the traversals that take back the last one not yet taken back.
+        cost: all of them.
+        bound: how many the law allows.
+    """
+
+    found: tuple[int, ...]
+    back: int
+    cost: int
+    bound: int
+
+
+def spending(walked: Walked, bound: int) -> Spending:
+    """What the traversals were spent on; linear in the steps."""
+    map_, back, cost = walked.map, 0, 0
+    path: list[Dart] = []
+    known: dict[Dart, int] = {}
+    for (action, _), before, arrived in zip(
+        walked.transcript.steps, walked.walked, walked.walked[1:], strict=False
+    ):
+        if type(action) is not Move:
+            continue
+        cost += 1
+        if path and map_.turn(before, action.k) == path[-1]:
+            path.pop()
+            back += 1
+        else:
+            path.append(arrived)
+        known.setdefault(min(arrived, map_.alpha[arrived]), cost)
+    return Spending(tuple(sorted(known.values())), back, cost, bound)

@@ -1,0 +1,78 @@
+"""Maps that somebody has chosen, from the explorer's first run in them to the smallest finding."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any, Unpack
+
+from allworlds.checker import ManyRunsOptions, refuse_others, rules_for
+from allworlds.findings import Finding
+from allworlds.fuzzer.drive import shrink_found
+from allworlds.fuzzer.shrink import CHUNK
+from allworlds.isolation import confirmed, subject_of, workers_for
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.progress import Silent
+from allworlds.runs import Examination, GivenWorlds, Scope, Tally
+from allworlds.work import Limits, gather
+from allworlds.world import Lighthouse, World
+
+
+def refuted_in(
+    explore: str | Callable[..., Any],
+    maps: Iterable[CombinatorialMap],
+    **options: Unpack[ManyRunsOptions],
+) -> Finding | None:
+    """The smallest finding that the shrinker reaches from these maps; None where no law is broken.
+
+    The explorer starts at every dart of each map, with every place of the lighthouse.  Maps
+    that are not of the class are left out.
+
+    Args:
+        explore: a name or a generator function.
+        maps: of any size.
+        options: as for :func:`allworlds.check`.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+        TimeIsUp: at the time limit.
+        Unsettled: if what happened to the explorer cannot be told.
+
+    Cost: O(m) runs for each map with m edges.
+    """
+    refuse_others("refuted_in", options, ManyRunsOptions)
+    limits = Limits.of(options)
+    subject = subject_of(explore, limits)
+    map_class, rules = rules_for(subject, options)
+    given = [*_rooted(maps, map_class, rules.kind)]
+    if not given:
+        return None
+    largest = max(world.map.edge_count for world, _ in given)
+    scope = Scope(Extent(map_class, largest), rules)
+    units = [
+        GivenWorlds(tuple(given[start : start + CHUNK])) for start in range(0, len(given), CHUNK)
+    ]
+    tally = Tally(keep=1)
+    with workers_for(subject, limits, limits.deadline()) as workers:
+        gather(workers, Examination(scope, tally.keep), units, tally, Silent())
+        shrink_found(workers, scope, tally)
+    for found in tally.findings:
+        return confirmed(found, subject, limits, scope.schedules)
+    return None
+
+
+def _rooted(
+    maps: Iterable[CombinatorialMap], map_class: MapClass, kind: type[Lighthouse]
+) -> Iterator[tuple[World, int]]:
+    """Each rooted map once, smallest first, with every place."""
+    codes = {
+        (map_.edge_count, map_.vertex_count, rooted_code(map_.sigma, map_.alpha, start))
+        for map_ in maps
+        if map_class.includes(map_)
+        for start in map_.darts
+    }
+    for *_, code in sorted(codes):
+        map_ = CombinatorialMap.trusted(*code)
+        for place, lighthouse in enumerate(kind.places(map_, 0)):
+            yield World(map_, lighthouse), place

@@ -1,0 +1,75 @@
+"""The ledger on a page: a table of the claims, and each of them with its worlds drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from xml.etree import ElementTree as ET
+
+from allworlds.drawing import scene_of
+from allworlds.ledger import ClaimsReport, Entry, Found
+from allworlds.markup import tag
+from allworlds.reports.claims_text import claims_line, details, heading
+from allworlds.reports.html.findings import figure
+from allworlds.reports.html.frame import counts, framed
+
+VERDICTS = {0: "holds", 1: "refuted", 3: "inconclusive", 4: "vacuous", 130: "inconclusive"}
+
+
+def claims_page(report: ClaimsReport) -> str:
+    """The ledger as an HTML document that refers to nothing outside of it."""
+    word, _, text = claims_line(report).partition(": ")
+    header = ["section", "claim", "sentence", "expected", "found", ""]
+    rows = [
+        [
+            heading(one.claim.section),
+            one.claim.name,
+            one.claim.says,
+            one.claim.expected,
+            one.verdict,
+            one.standing.replace("-", " "),
+        ]
+        for one in report.entries
+    ]
+    table = tag(
+        "section",
+        tag("h2", "The ledger", id="ledger"),
+        *counts(header, rows, "Every claim"),
+        aria_labelledby="ledger",
+        class_="scope",
+    )
+    return framed(
+        "allworlds claims",
+        f"budget {report.budget}",
+        (word, text, VERDICTS[int(report.exit_code)]),
+        [table, *(_section(one) for one in report.entries)],
+        report.to_json(),
+    )
+
+
+def _section(one: Entry) -> ET.Element:
+    name = one.claim.name
+    told = [("verdict", f"{one.verdict}, {one.standing.replace('-', ' ')}"), *details(one)]
+    if one.differences:
+        told.append(("differs", "; ".join(one.differences)))
+    terms = (part for key, text in told for part in (tag("dt", key), tag("dd", tag("bdi", text))))
+    return tag(
+        "section",
+        tag("h2", f"{heading(one.claim.section)}: ", tag("bdi", name), id=f"{name}-title"),
+        tag("p", tag("bdi", one.claim.says), class_="story"),
+        *_pictures(one),
+        tag("dl", *terms),
+        class_="finding",
+        id=name,
+        aria_labelledby=f"{name}-title",
+    )
+
+
+def _pictures(one: Entry) -> Iterator[ET.Element]:
+    if isinstance(one.found, Found) and one.found.pictures:
+        drawn = [
+            figure(
+                picture.caption.capitalize(), scene_of(picture.world), f"{one.claim.name}-{i}", ""
+            )
+            for i, picture in enumerate(one.found.pictures, 1)
+        ]
+        yield tag("div", *drawn, class_="pictures")

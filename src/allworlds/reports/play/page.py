@@ -1,0 +1,108 @@
+"""The page of ``play``."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from typing import Any
+from xml.etree import ElementTree as ET
+
+from allworlds.drawing import scene_of
+from allworlds.judge import bound_named
+from allworlds.markup import record, tag
+from allworlds.playing import Play
+from allworlds.protocol import Pick
+from allworlds.reports.html import Own, figure, framed
+from allworlds.world import World
+
+HOW = (
+    "Click a number, or press its key, to leave by that edge: 0 is the way back, the others "
+    "follow clockwise. At the start 0 is the edge that you face. All that you are told is what "
+    "you sense where you arrive."
+)
+CONCLUDE = (
+    "Every arrival is drawn as a place of its own, as it might be one. Do you know better? "
+    "Click two darts to say that they are one and the same."
+)
+
+
+def play_page(play: Play) -> str:
+    """An HTML document that refers to nothing outside of it; it does not show the world at once."""
+    world = play.world
+    lighthouse = f"{world.lighthouse.kind} lighthouse"
+    told = "" if world.told is None else f" You are told: {world.told}."
+    return framed(
+        "allworlds play",
+        "you are the robot",
+        ("EXPLORE", f"Which world is this, and where in it are you? A {lighthouse}.{told}", "open"),
+        [
+            tag("noscript", tag("p", "This page needs JavaScript: it is played.")),
+            _game(world),
+        ],
+        play.to_json(),
+        Own(_read("play.css"), _read("robot.js") + _read("view.js")),
+    )
+
+
+def world_data(world: World) -> dict[str, Any]:
+    """What the script knows of the world, whatever its lighthouse; see ``robot.js``."""
+    map_ = world.map
+    return {
+        "sigma": list(map_.sigma),
+        "alpha": list(map_.alpha),
+        "vertex": list(map_.vertex_of),
+        "percepts": [percept.to_json() for percept in world.percepts],
+        "start": world.start,
+        "hand": world.lighthouse.in_hand,
+        "pick": not world.lighthouse.refusal(Pick(), 1, 0),
+        "bound": bound_named(world.lighthouse.default_bound).of(map_, world.start),
+    }
+
+
+def _game(world: World) -> ET.Element:
+    return tag(
+        "div",
+        tag("div", _senses(), _notes(), class_="game"),
+        tag("p", "", id="outcome", class_="outcome", role="status"),
+        tag("section", tag("h2", "The walk"), tag("ol", id="log", start="0"), class_="log"),
+        tag(
+            "section",
+            tag("h2", "The world"),
+            _buttons(("uncover", "Uncover the world"), ("restart", "Begin again")),
+            tag("div", figure("The world", scene_of(world), "played", "robot"), id="world"),
+        ),
+        record(world_data(world), id="play-json"),
+        id="game",
+        hidden="hidden",
+    )
+
+
+def _senses() -> ET.Element:
+    return tag(
+        "figure",
+        tag("figcaption", tag("b", "What you sense")),
+        tag("div", id="sensed", class_="frame"),
+        tag("p", "", id="sensed-words", role="status"),
+        tag("p", tag("span", "", id="cost"), " ", tag("span", "", id="hand")),
+        _buttons(("drop", "Drop a marker"), ("pick", "Take a marker up")),
+        tag("p", HOW, class_="legend"),
+    )
+
+
+def _notes() -> ET.Element:
+    return tag(
+        "figure",
+        tag("figcaption", tag("b", "Your notes")),
+        tag("div", id="notes", class_="frame"),
+        tag("p", "", id="notes-words", role="status"),
+        _buttons(("undo", "Take back a conclusion"), ("claim", "This is the world")),
+        tag("p", CONCLUDE, class_="legend"),
+    )
+
+
+def _buttons(*buttons: tuple[str, str]) -> ET.Element:
+    made = (tag("button", label, type="button", id=name) for name, label in buttons)
+    return tag("p", *made, class_="rows")
+
+
+def _read(name: str) -> str:
+    return (files("allworlds.reports.play") / name).read_text(encoding="utf-8")

@@ -1,0 +1,69 @@
+"""The help: complete at any width, and no type where there is no value."""
+
+import re
+
+import pytest
+import typer
+
+from allworlds.cli import helping
+from allworlds.cli.app import app
+from allworlds.cli.helping import made_helpful
+from allworlds.verbs import VERBS
+
+NAMES = [verb.name for verb in VERBS]
+
+
+def help_of(words, columns, monkeypatch, capsys):
+    """The command, and the help that it prints."""
+    monkeypatch.setenv("COLUMNS", str(columns))
+    monkeypatch.setenv("TERMINAL_WIDTH", str(columns))
+    command = made_helpful(typer.main.get_command(app))
+    context = command.make_context("allworlds", [], resilient_parsing=True)
+    for word in words:
+        command = command.commands[word]
+        context = command.make_context(word, [], parent=context, resilient_parsing=True)
+    typer.echo(command.get_help(context))
+    return command, capsys.readouterr().out
+
+
+@pytest.mark.parametrize("columns", [50, 79, 80, 120])
+@pytest.mark.parametrize("name", ["", "ambiguity", *NAMES])
+def test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch, capsys):
+    command, told = help_of(name.split(), columns, monkeypatch, capsys)
+    assert "\N{HORIZONTAL ELLIPSIS}" not in told
+    assert "<bool>" not in told.lower()
+    assert "BOOLEAN" not in told
+    for param in command.params:
+        for option in param.opts if param.param_type_name == "option" else ():
+            assert re.search(rf"{re.escape(option)}\b", told), option
+
+
+@pytest.mark.parametrize(
+    ("name", "usage"),
+    [
+        ("check", "check [OPTIONS] [EXPLORER]"),
+        ("run", "run [OPTIONS] [EXPLORER] WORLD"),
+        ("replay", "replay [OPTIONS] FILE"),
+        ("twins", "twins [OPTIONS] A B"),
+    ],
+)
+def test_a_usage_line_shows_the_arguments_as_they_are_told_of(name, usage, monkeypatch, capsys):
+    _, told = help_of([name], 100, monkeypatch, capsys)
+    line = next(line for line in told.splitlines() if "Usage" in line)
+    assert line.split("allworlds ")[1].strip() == usage
+
+
+def test_a_narrow_help_is_plain_text(monkeypatch, capsys):
+    for columns, plain in ((helping.NARROW - 1, True), (helping.NARROW, False)):
+        _, told = help_of(["check"], columns, monkeypatch, capsys)
+        assert ("\N{BOX DRAWINGS LIGHT HORIZONTAL}" in told) != plain
+
+
+def test_a_default_is_told_wherever_leaving_out_an_option_means_a_value(monkeypatch, capsys):
+    for name, words in [
+        ("check", "unless --vertices is given: 5"),
+        ("check", "8 x the bound paper + 100"),
+        ("worst", "5 of algorithm1, 3 of others"),
+    ]:
+        _, told = help_of([name], 79, monkeypatch, capsys)
+        assert words in " ".join(told.split())

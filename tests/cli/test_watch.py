@@ -1,0 +1,96 @@
+"""check --watch: what is done when is told by the tests, and not by the clock."""
+
+import os
+
+import pytest
+
+from allworlds.cli.watch import watched
+
+pytestmark = pytest.mark.usefixtures("without_workers")
+
+STAYS = "def explore(first):\n    return None\n    yield\n"
+RAISES = "def explore(first):\n    raise ValueError\n    yield\n"
+RIGHT = "from allworlds.explorers import BUILT_IN\nexplore = BUILT_IN['algorithm1'].explore\n"
+ENDS = "an interrupt"
+
+
+@pytest.fixture
+def file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path / "watched_explorer.py"
+
+
+@pytest.fixture
+def meanwhile(monkeypatch, file):
+    """What happens between two looks at the file: a text is saved, it is removed, or an end."""
+
+    def happens(*events):
+        left = iter(events)
+
+        def sleep(_seconds):
+            event = next(left)
+            if event is ENDS:
+                raise KeyboardInterrupt
+            if event == "removed":
+                file.unlink()
+            elif event:
+                before = file.stat().st_mtime_ns if file.exists() else 0
+                file.write_text(event)
+                os.utime(file, ns=(before + 10**9, before + 10**9))
+
+        monkeypatch.setattr("allworlds.cli.watch.sleep", sleep)
+        return left
+
+    return happens
+
+
+WATCH = ["check", "watched_explorer.py:explore", "--edges", "2", "-q", "--watch"]
+
+
+def test_what_is_saved_is_checked_again(cli, file, meanwhile):
+    file.write_text(STAYS)
+    left = meanwhile("", RAISES, "", "", RIGHT, "", ENDS)
+    code, out, err = cli(*WATCH)
+    assert [line.split(";")[0] for line in out.splitlines()] == [
+        "REFUTED: law no-estimate is broken",
+        "REFUTED: law crash is broken",
+        "HOLDS: 12 worlds, 30 runs, 67 traversals: no law is broken",
+    ]
+    assert code == 0
+    assert err.count("watched_explorer.py: saved, it is checked again") == 3
+    assert next(left, None) is None
+
+
+def test_what_was_found_is_tried_first(cli, file, meanwhile, tmp_path):
+    file.write_text(STAYS)
+    meanwhile(STAYS + "# saved\n", "", ENDS)
+    corpus = tmp_path / "past"
+    code, out, _ = cli(*WATCH, "--corpus", corpus)
+    first, second = out.splitlines()
+    assert code == 1
+    assert "2 worlds, 3 runs" in first
+    assert "0 worlds, 0 runs" in second, "the past finding was enough"
+    assert len([*corpus.iterdir()]) == 1
+
+
+def test_a_file_that_is_half_saved_or_gone_is_waited_for(cli, file, meanwhile):
+    file.write_text(STAYS)
+    meanwhile("removed", "", "def explore(", "", RIGHT, "", ENDS)
+    code, out, err = cli(*WATCH)
+    assert code == 0
+    assert out.splitlines()[-1].startswith("HOLDS")
+    assert len(out.splitlines()) == 2
+    assert "does not import: SyntaxError" in err
+
+
+def test_what_is_no_explorer_at_the_beginning_is_refused(file, refused):
+    assert "cannot be watched" in refused("check", "--watch", "--edges", "1")
+    assert "cannot be watched" in refused(*WATCH)
+    file.write_text("def explore(")
+    assert "does not import" in refused(*WATCH)
+    assert "watch cannot be given with run" in refused(*WATCH, "--run", "kept")
+
+
+def test_a_check_that_is_interrupted_ends_the_watch(file):
+    file.write_text(STAYS)
+    assert watched("watched_explorer.py", lambda: 130) == 130

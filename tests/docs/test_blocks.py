@@ -1,0 +1,156 @@
+"""Every block of every page does what the page says."""
+
+import doctest
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import allworlds
+from page_blocks import blocks, commands, shows, write
+
+ROOT = Path(__file__).parents[2]
+PAGES = ["README.md", *sorted(p.relative_to(ROOT).as_posix() for p in ROOT.glob("docs/**/*.md"))]
+
+RUN = ("sh", "console", "python", "pycon")
+"""Languages of blocks that are run; what is in another one is to be read."""
+
+PROGRAMS = {"README.md": "mine.py", "docs/programs.md": "loops.py"}
+"""The file that a page's program is, where its blocks have no title."""
+
+SLOW = {
+    "docs/ambiguity.md",
+    "docs/how-to/bound.md",
+    "docs/how-to/languages.md",
+    "docs/how-to/pytest.md",
+    "docs/native.md",
+    "docs/search.md",
+    "docs/theory.md",
+    "docs/trust.md",
+    "docs/tutorial.md",
+}
+"""Pages whose commands take more than some seconds, or a compiler."""
+
+ELSEWHERE = {
+    "README.md": ("sh", "tests/test_readme.py compares these lines with what CI runs"),
+    "docs/strategies.md": ("python", "tests/test_strategies.py runs them as tests"),
+}
+"""Languages of a page whose blocks others look after."""
+
+EXPLORER = '''"""Algorithm 1, as an explorer of one's own."""
+
+from allworlds.explorers import algorithm1
+
+
+def explore(first, *, choices):
+    return (yield from algorithm1(first, choices=choices))
+'''
+
+
+def own_blocks(page):
+    """The blocks of a page that are to be run here."""
+    language, _ = ELSEWHERE.get(page, ("", ""))
+    found = blocks((ROOT / page).read_text(encoding="utf-8"), *RUN)
+    return [block for block in found if not block.reason and block.language != language]
+
+
+@pytest.fixture
+def shell(tmp_path):
+    """A shell in a folder like a clone, where `allworlds` and `python3` are those under test."""
+    programs = tmp_path / "bin"
+    programs.mkdir()
+    for name, start in (("python3", ""), ("python", ""), ("allworlds", "-m allworlds")):
+        program = programs / name
+        program.write_text(f'#!/bin/sh\nexec "{sys.executable}" {start} "$@"\n')
+        program.chmod(0o755)
+    clone = tmp_path / "clone"
+    clone.mkdir()
+    for folder in ("benchmarks", "examples", "proofs"):
+        (clone / folder).symlink_to(ROOT / folder)
+    (clone / "my_explorer.py").write_text(EXPLORER)
+    shutil.copy(ROOT / "corpus/findings/mirror-image.json", clone / "finding.json")
+    environment = {
+        **os.environ,
+        "PATH": f"{programs}{os.pathsep}{os.environ['PATH']}",
+        "PYTHONPATH": str(Path(allworlds.__file__).parents[1]),
+    }
+    environment.pop("COLUMNS", None)
+
+    def run(command):
+        return subprocess.run(
+            ["bash", "-c", command],
+            cwd=clone,
+            env=environment,
+            capture_output=True,
+            encoding="utf-8",
+            timeout=120,
+            check=False,
+        )
+
+    return run
+
+
+def with_weight(page):
+    return pytest.param(page, marks=[pytest.mark.slow] if page in SLOW else [])
+
+
+@pytest.mark.parametrize(
+    "page", [with_weight(page) for page in PAGES if own_blocks(page)], ids=lambda page: page
+)
+def test_every_block_of_the_page_does_what_the_page_says(page, shell, tmp_path):
+    if page == "docs/native.md" and not shutil.which("cc"):
+        pytest.skip("no C compiler")
+    clone = tmp_path / "clone"
+    for block in own_blocks(page):
+        file = block.title or (PROGRAMS.get(page, "") if block.language == "python" else "")
+        if file:
+            write(clone / file, block.body)
+        elif block.language == "pycon":
+            examples = doctest.DocTestParser().get_doctest(block.body, {}, page, None, 0)
+            told = []
+            assert doctest.DocTestRunner().run(examples, out=told.append).failed == 0, told
+        elif block.language == "console":
+            for command, expected in commands(block.body):
+                done = shell(command)
+                where = f"$ {command}\n{done.stdout}{done.stderr}"
+                assert shows(expected, done.stdout.splitlines()), where
+        else:
+            assert block.language == "sh", f"{page} does not say which file this is: {block.body}"
+            done = shell(f"set -e\n{block.body}")
+            assert done.returncode == 0, f"{block.body}{done.stdout}{done.stderr}"
+
+
+def test_what_is_not_run_says_why():
+    pages = {page: (ROOT / page).read_text(encoding="utf-8") for page in PAGES}
+    reasons = {block.reason for text in pages.values() for block in blocks(text) if block.reason}
+    assert reasons <= {"needs a cluster", "takes hours", "needs Coq", "installs a package"}
+    for page, text in pages.items():
+        known = text.count("<!-- not run: ")
+        assert known == sum(1 for block in blocks(text) if block.reason), page
+    assert set(ELSEWHERE) | SLOW | set(PROGRAMS) <= set(PAGES)
+
+
+def test_the_comparison_of_outputs_sees_a_difference():
+    assert shows(["a", "...", "c"], ["a", "b", "b", "c"])
+    assert not shows(["a", "...", "c"], ["a", "b", "d"])
+    assert not shows(["a"], ["a", "b"])
+    assert shows(["a: ..."], ["a: b"])
+    assert not shows(["a: ..."], ["a, b"])
+
+
+def test_a_block_has_its_language_its_file_and_its_reason():
+    text = '<!-- not run: needs Coq -->\n```sh\nmake\n```\n\n```python title="a.py"\nx\n```\n'
+    first, second = blocks(text)
+    assert (first.reason, first.language, first.body) == ("needs Coq", "sh", "make\n")
+    assert (second.reason, second.title, second.language) == ("", "a.py", "python")
+    assert blocks(text, "python") == [second]
+
+
+def test_a_block_that_begins_and_ends_with_lines_of_the_file_replaces_what_is_between(tmp_path):
+    file = tmp_path / "a.py"
+    write(file, "a\nb\nc")
+    write(file, "b\nx\nc")
+    assert file.read_text() == "a\nb\nx\nc\n"

@@ -1,0 +1,61 @@
+"""The figure of the words: what it draws is true of its world, and the file is what is drawn."""
+
+import importlib.util
+import re
+from cmath import phase
+from math import isclose, tau
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from allworlds.drawing.layout import layout
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def darts():
+    spec = importlib.util.spec_from_file_location("darts", ROOT / "docs" / "figures" / "darts.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_its_arcs_go_clockwise_round_v0_from_the_robots_dart(darts):
+    world, drawn = darts.WORLD, layout(darts.WORLD.map, darts.WORLD.start)
+    centre = drawn.ways[0][0]
+    arcs = {
+        path.get("class").split()[1]: path
+        for path in darts.figure().iter("path")
+        if path.get("data-turn")
+    }
+    assert arcs["sigma"].get("data-turn") == f"0 {world.map.sigma[0]}"
+    assert arcs["bearing"].get("data-turn") == f"0 {world.map.turn(0, world.first.bearing)}"
+    for arc in arcs.values():
+        x, y, _, _, _, large, sweep, u, v = map(float, re.findall(r"-?[\d.]+", arc.get("d")))
+        begin, end = (phase(complex(*point) - centre) for point in ((x, y), (u, v)))
+        start, goal = map(int, arc.get("data-turn").split())
+        wanted = (darts.direction(drawn, goal) - darts.direction(drawn, start)) % tau
+        assert sweep == 1  # with y downwards that is clockwise
+        assert isclose((end - begin) % tau, wanted - 0.34, abs_tol=0.01)
+        assert large == (wanted - 0.34 > tau / 2)
+
+
+def test_its_sentences_are_true_of_its_world(darts):
+    world, told = darts.WORLD, dict(darts.TOLD)
+    assert f"here 0 to {world.map.darts[-1]}" in told["dart"]
+    assert f"stands at dart {world.start}" in told["dart"]
+    assert f"sigma(0) = {world.map.sigma[0]}" in told["sigma"]
+    assert f"alpha(0) = {world.map.alpha[0]}" in told["alpha"]
+    assert f"to v{world.map.vertex_of[world.map.alpha[0]]}" in told["alpha"]
+    assert f"bearing {world.first.bearing}" in told["bearing"]
+
+
+def test_the_file_says_what_the_command_draws(darts):
+    drawn, file = darts.figure(), ET.parse(darts.FILE).getroot()
+    assert ["".join(text.itertext()) for text in drawn.iter("text")] == [
+        "".join(text.itertext()) for text in file.iter("{http://www.w3.org/2000/svg}text")
+    ]
+    for page in ("README.md", "docs/protocol.md"):
+        assert "assets/darts.svg" in (ROOT / page).read_text(encoding="utf-8")

@@ -1,0 +1,117 @@
+"""What the site of the documents is made of; it is built by ``nox -s docs``, and in CI."""
+
+import importlib.util
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+import allworlds
+from allworlds.verbs import VERBS
+
+ROOT = Path(__file__).parents[2]
+NAV = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:\n")[2]
+
+
+def load(name):
+    """A module of the folder that makes the site."""
+    spec = importlib.util.spec_from_file_location(f"docsite_{name}", ROOT / f"docsite/{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # dataclasses look there
+    spec.loader.exec_module(module)
+    return module
+
+
+check = load("check")
+
+
+def test_every_page_has_its_place_in_the_navigation():
+    """A new page of ``docs`` stands in ``mkdocs.yml``, below ``nav``."""
+    pages = {p.relative_to(ROOT / "docs").as_posix() for p in (ROOT / "docs").rglob("*.md")}
+    named = set(re.findall(r"([\w/-]+\.md|[\w/-]+/)$", NAV, re.MULTILINE))
+    folders = {name for name in named if name.endswith("/")}
+    assert {page for page in pages if f"{Path(page).parent}/" not in folders} <= named
+    made = {name for name in named if name.startswith(("reference/", "gallery/", "repository/"))}
+    assert named - made - folders <= pages
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '<script src="https://a.example/x.js"></script>',
+        '<link rel="stylesheet" href="//a.example/x.css">',
+        '<link rel="preconnect" href="https://a.example">',
+        '<img src="http://a.example/x.png">',
+        '<img srcset="x.png 1x, https://a.example/x.png 2x">',
+        "<style>@import 'https://a.example/x.css';</style>",
+        '<p style="background: url(https://a.example/x.png)">',
+        '<iframe src="HTTPS://a.example"></iframe>',
+        '<svg><image href="https://a.example/x.png"/></svg>',
+    ],
+)
+def test_what_a_page_loads_from_another_host_is_seen(text, tmp_path):
+    (tmp_path / "index.html").write_text(text)
+    assert [line for line in check.faults(tmp_path) if "a.example" in line.lower()]
+
+
+def test_a_page_that_loads_its_own_and_links_elsewhere_is_right_if_the_link_is_listed(tmp_path):
+    page = '<script src="x.js"></script><link rel="canonical" href="https://b.example">'
+    (tmp_path / "index.html").write_text(f'{page}<a href="https://a.example">a</a>')
+    assert list(check.faults(tmp_path)) == [
+        "index.html links to https://a.example, which reference/links.html does not list"
+    ]
+    (tmp_path / "reference").mkdir()
+    (tmp_path / check.LISTED).write_text('<a href="https://a.example">a</a>')
+    assert list(check.faults(tmp_path)) == []
+    (tmp_path / "a.css").write_text("p { background: url('https://c.example/x.png') }")
+    assert list(check.faults(tmp_path)) == ["a.css loads https://c.example/x.png"]
+
+
+def test_a_folder_without_pages_is_no_site(tmp_path):
+    assert list(check.faults(tmp_path)) == [f"{tmp_path} holds no page"]
+
+
+mkdocs = pytest.importorskip("mkdocs", reason="the extra docs is not installed")
+
+
+def test_the_reference_of_the_command_line_has_every_verb_and_every_option():
+    text = load("generated").command_line()
+    for verb in VERBS:
+        assert f"\n## {verb.name}\n" in text
+    assert text.count("`--json`") >= len(VERBS)
+    assert "`--edges M`" in text
+
+
+def test_the_reference_of_the_package_has_every_name():
+    text = load("generated").names()
+    told = set(re.findall(r"^::: allworlds\.(\w+)$", text, re.MULTILINE))
+    assert told | {"ambiguity", "__version__"} >= set(allworlds.__all__)
+
+
+def test_every_figure_that_a_page_asks_for_is_drawn_and_every_one_is_asked_for():
+    pictures = load("pictures")
+    pages = "".join(p.read_text(encoding="utf-8") for p in (ROOT / "docs").rglob("*.md"))
+    assert set(pictures.FIGURE.findall(pages)) == set(pictures.FIGURES)
+    for name in pictures.FIGURES:
+        assert "<svg" in pictures.figure(name)
+    with pytest.raises(Exception, match="figure 'x' is none of map"):
+        pictures.figure("x")
+
+
+def test_a_link_out_of_the_folder_leads_to_a_page_of_the_site_or_is_a_name():
+    links = load("links")
+
+    def rewritten(text, page):
+        return links.LINK.sub(lambda found: links._link(found, page), text)
+
+    assert (
+        rewritten("[p](../proofs/README.md#a)", "trust.md") == "[p](repository/proofs/README.md#a)"
+    )
+    assert (
+        rewritten("[d](../docs/trust.md)", "repository/proofs/README.md") == "[d](../../trust.md)"
+    )
+    assert rewritten("[`t`](../tests/laws)", "trust.md") == "`t`"
+    assert rewritten("[t](../tests/laws)", "trust.md") == "t (`tests/laws` in the repository)"
+    assert rewritten("[x](../nowhere.md)", "trust.md") == "[x](../nowhere.md)"
+    assert rewritten("[x](https://a.example)", "trust.md") == "[x](https://a.example)"

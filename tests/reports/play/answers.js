@@ -1,0 +1,32 @@
+"use strict";
+// Answers, line by line, what robot.js says; the tests ask.
+const { begin, sensed, refusal, step, notes, openDarts, estimate, isWorld } = require(process.argv[2]);
+const readline = require("readline");
+
+function after(world, state, action) {
+  const why = refusal(world, state, action);
+  if (why) return null;
+  const next = step(world, state, action);
+  return [next, sensed(world, next)];
+}
+
+const ANSWERS = {
+  begin: ({ world }) => [begin(world), sensed(world, begin(world))],
+  steps: ({ world, asked }) => asked.map(([state, action]) => after(world, state, action)),
+  notes: ({ first, steps, conclusions, movable, world, dart }) => {
+    const known = notes(first, steps, conclusions, movable);
+    const found = estimate(known);
+    return {
+      open: openDarts(known).length,
+      places: known.places.length,
+      wrong: known.wrong,
+      estimate: found,
+      right: found && world ? isWorld(found, world, dart) : null,
+    };
+  },
+};
+
+readline.createInterface({ input: process.stdin }).on("line", (line) => {
+  const { what, ...given } = JSON.parse(line);
+  console.log(JSON.stringify(ANSWERS[what](given)));
+});

@@ -1,0 +1,231 @@
+"""The page's robot senses and does what the worlds say, and its notes are those of the log."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import allworlds
+from allworlds import CombinatorialMap, Estimate, Move
+from allworlds.judge import fold
+from allworlds.maps.canonical import rooted_isomorphism
+from allworlds.maps.enumeration import rooted_maps
+from allworlds.protocol import Drop, Pick
+from allworlds.reports.play.page import world_data
+from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, Movable, State, World
+from small import EDGE, LOOP, PLANE, TORUS, all_maps
+
+ROBOT = Path(allworlds.__file__).parent / "reports" / "play" / "robot.js"
+ANSWERS = Path(__file__).with_name("answers.js")
+
+
+@pytest.fixture(scope="module")
+def ask():
+    """A function from a question to what the script of the page answers."""
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("node is not installed")
+    with subprocess.Popen(
+        [node, str(ANSWERS), str(ROBOT)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as process:
+
+        def answer(**question):
+            process.stdin.write(json.dumps(question) + "\n")
+            process.stdin.flush()
+            return json.loads(process.stdout.readline())
+
+        yield answer
+        process.stdin.close()
+        assert process.wait(timeout=60) == 0
+
+
+def state_json(state):
+    return {"dart": state.dart, "lying": list(state.lying), "hand": state.hand}
+
+
+def action_json(action):
+    match action:
+        case Move(k):
+            return {"move": k}
+        case Drop():
+            return {"drop": True}
+        case Pick():
+            return {"pick": True}
+
+
+def true_answer(world, state, action):
+    try:
+        after, percept = world.step(state, action)
+    except IllegalAction:
+        return None
+    return [state_json(after), percept.to_json()]
+
+
+def reachable(world):
+    """Every state of the world, by search."""
+    found = {world.initial: None}
+    queue = [world.initial]
+    for state in queue:
+        for action in (*map(Move, range(world.sensed(state).degree)), Drop(), Pick()):
+            try:
+                after, _ = world.step(state, action)
+            except IllegalAction:
+                continue
+            if after not in found:
+                found[after] = None
+                queue.append(after)
+    return queue
+
+
+def worlds_of(kind, most):
+    for edges in range(1, most + 1):
+        for map_ in rooted_maps(edges):
+            for place in kind.places(map_, 0):
+                yield World(map_, place, 0)
+
+
+@pytest.mark.parametrize("kind", LIGHTHOUSES.values(), ids=LIGHTHOUSES)
+def test_every_step_in_every_world_of_up_to_three_edges_is_that_of_the_world(kind, ask):
+    worlds = 0
+    for world in worlds_of(kind, 3):
+        worlds += 1
+        data = world_data(world)
+        assert ask(what="begin", world=data) == [state_json(world.initial), world.first.to_json()]
+        asked = [
+            (state, action)
+            for state in reachable(world)
+            for action in (*map(Move, range(-1, world.sensed(state).degree + 1)), Drop(), Pick())
+        ]
+        given = [[state_json(state), action_json(action)] for state, action in asked]
+        assert ask(what="steps", world=data, asked=given) == [
+            true_answer(world, state, action) for state, action in asked
+        ]
+    assert worlds > 0
+
+
+@pytest.mark.parametrize("lighthouse", [Movable(2), Movable(2, pick=False)])
+def test_markers_are_dropped_and_taken_up_as_in_the_world(lighthouse, ask):
+    for map_ in (EDGE, LOOP, PLANE, TORUS):
+        world = World(map_, lighthouse, 0)
+        asked = [(s, a) for s in reachable(world) for a in (Move(0), Move(1), Drop(), Pick())]
+        given = [[state_json(state), action_json(action)] for state, action in asked]
+        told = ask(what="steps", world=world_data(world), asked=given)
+        assert told == [true_answer(world, state, action) for state, action in asked]
+        assert None in told
+
+
+def steps_of(transcript):
+    return [
+        {"action": action_json(action), "percept": percept.to_json()}
+        for action, percept in transcript.steps
+    ]
+
+
+def home_again(transcript):
+    """The conclusion of every arrival at the marker: the pointed dart is the one of the start."""
+    known = [0, transcript.first.bearing]
+    return [
+        [known, [step, percept.bearing]]
+        for step, percept in enumerate(transcript.percepts)
+        if step and percept.bearing is not None
+    ]
+
+
+def test_notes_with_every_return_concluded_are_the_folded_log(ask):
+    for map_ in all_maps(3):
+        for place in Directional.places(map_, 0):
+            run = allworlds.run("algorithm1", World(map_, place, 0))
+            log = run.outcome.episode.transcript
+            for length in range(len(log.steps) + 1):
+                part = type(log)(log.first, log.steps[:length])
+                told = ask(
+                    what="notes",
+                    first=log.first.to_json(),
+                    steps=steps_of(part),
+                    conclusions=home_again(part),
+                    movable=False,
+                    world=world_data(run.world),
+                    dart=0,
+                )
+                assert not told["wrong"]
+                folded = fold(part)
+                assert told["open"] == sum(x == y for x, y in enumerate(folded.alpha))
+                assert (told["estimate"] is not None) == (told["open"] == 0)
+
+
+def test_complete_notes_are_the_world_with_the_robot_in_its_place(ask):
+    for map_ in all_maps(3):
+        for place in Directional.places(map_, 0):
+            run = allworlds.run("algorithm1", World(map_, place, 0))
+            log = run.outcome.episode.transcript
+            state = run.world.initial
+            for action in log.actions:
+                state, _ = run.world.step(state, action)
+            for dart in run.world.map.darts:
+                told = ask(
+                    what="notes",
+                    first=log.first.to_json(),
+                    steps=steps_of(log),
+                    conclusions=home_again(log),
+                    movable=False,
+                    world=world_data(run.world),
+                    dart=dart,
+                )
+                answer = told["estimate"]
+                found = Estimate(CombinatorialMap(answer["sigma"], answer["alpha"]), answer["here"])
+                same = bool(rooted_isomorphism(found.map, found.here, map_, dart))
+                assert told["right"] == same
+                assert told["right"] or dart != state.dart
+
+
+def note(ask, moves, conclusions, percepts):
+    return ask(
+        what="notes",
+        first=percepts[0],
+        steps=[
+            {"action": {"move": k}, "percept": percept}
+            for k, percept in zip(moves, percepts[1:], strict=True)
+        ],
+        conclusions=conclusions,
+        movable=False,
+    )
+
+
+def percept(degree, marks=0, bearing=None):
+    return {"degree": degree, "marks": marks, "bearing": bearing}
+
+
+@pytest.mark.parametrize(
+    ("moves", "conclusions", "percepts", "why"),
+    [
+        ([0], [[[0, 0], [1, 0]]], [percept(1, 1, 0), percept(2)], "degrees 1 and 2"),
+        ([0], [[[0, 0], [1, 1]]], [percept(2, 1, 0), percept(2)], "is marked otherwise"),
+        (
+            [0],
+            [[[0, 0], [1, 1]]],
+            [percept(2, 1, 0), percept(2, 1, 0)],
+            "would point along two darts",
+        ),
+        ([0], [[[0, 0], [1, 0]]], [percept(2), percept(2)], "lead to itself"),
+        ([0], [[[0, 0], [0, 1]]], [percept(2), percept(2)], "two darts of place 0"),
+    ],
+)
+def test_a_conclusion_against_what_was_sensed_is_told(moves, conclusions, percepts, why, ask):
+    assert why in note(ask, moves, conclusions, percepts)["wrong"]
+
+
+def test_a_wrong_conclusion_that_fits_is_left_to_the_robot(ask):
+    told = note(ask, [0], [[[0, 0], [1, 1]]], [percept(2), percept(2)])
+    assert told == {
+        "open": 0,
+        "places": 1,
+        "wrong": "",
+        "estimate": {"sigma": [1, 0], "alpha": [1, 0], "here": 1},
+        "right": None,
+    }
+
+
+def test_states_are_those_of_python():
+    assert state_json(State(3, (0, 1), 2)) == {"dart": 3, "lying": [0, 1], "hand": 2}

@@ -1,0 +1,155 @@
+"""The pytest plugin, in test runs of its own."""
+
+import subprocess
+import sys
+
+import pytest
+
+import allworlds.testing  # what a run of pytester loads it forgets; the package stays the same one
+
+pytest_plugins = ["pytester"]
+pytestmark = pytest.mark.usefixtures("without_workers")
+
+MARKED = """
+import pytest
+
+@pytest.mark.allworlds(edges=3)
+def test_mine(explores):
+    explores("algorithm1")
+"""
+
+REFUTED = """
+import pytest
+
+@pytest.mark.allworlds(edges=2)
+def test_mine(explores):
+    def stays(first):
+        return None
+        yield
+    explores(stays)
+"""
+
+
+@pytest.fixture
+def tests(pytester):
+    """A run of pytest over one file."""
+    assert allworlds.testing
+
+    def run(text, *arguments):
+        pytester.makepyfile(text)
+        return pytester.runpytest_inprocess("-p", "no:cov", "-p", "no:randomly", *arguments)
+
+    return run
+
+
+def test_a_mark_makes_one_test_for_each_number_of_edges(tests):
+    result = tests(MARKED, "-v")
+    result.assert_outcomes(passed=3)
+    result.stdout.fnmatch_lines([f"*::test_mine?edges-{level}? PASSED*" for level in (1, 2, 3)])
+
+
+def test_ids_can_be_selected(tests):
+    tests(MARKED, "-k", "edges-2").assert_outcomes(passed=1, deselected=2)
+
+
+def test_a_refuted_explorer_fails_with_the_picture_and_no_traceback_of_ours(tests):
+    result = tests(REFUTED)
+    result.assert_outcomes(failed=2)
+    text = result.stdout.str()
+    assert "breaks the law 'no-estimate' in a world with 1 edge, 1 vertex" in text
+    assert " ╭─╮\nE       (0 1)" in text
+    assert "refuted already in a world with 1 edge, by the law 'no-estimate'" in text
+    assert "testing.py" not in text
+
+
+def test_findings_are_kept_in_the_cache_each_test_its_own(tests, pytester):
+    tests(REFUTED)
+    kept = sorted(pytester.path.glob(".pytest_cache/d/allworlds/*/*.json"))
+    assert len(kept) == 2
+    assert len({file.parent for file in kept}) == 2
+    assert all("test_mine-edges-" in file.parent.name for file in kept)
+    result = tests(REFUTED)
+    assert "0 worlds, 0 runs" in result.stdout.str()
+
+
+def test_without_a_cache_nothing_is_kept(tests, pytester):
+    tests(REFUTED, "-p", "no:cacheprovider").assert_outcomes(failed=2)
+    assert not [*pytester.path.glob(".pytest_cache/d/allworlds/*")]
+
+
+def test_an_assertion_needs_no_mark(tests, pytester):
+    text = """
+    from allworlds.testing import assert_explores
+
+    def test_mine():
+        def stays(first):
+            return None
+            yield
+        assert_explores(stays, edges=1)
+    """
+    result = tests(text)
+    result.assert_outcomes(failed=1)
+    assert "breaks the law 'no-estimate'" in result.stdout.str()
+    assert len([*pytester.path.glob(".pytest_cache/d/allworlds/*/*.json")]) == 1
+
+
+def test_the_fixture_alone_tries_the_default(tests):
+    result = tests("def test_mine(explores): explores('algorithm1')", "--collect-only", "-q")
+    assert [line for line in result.outlines if "::" in line] == [
+        f"{result.outlines[0].partition('[')[0]}[edges-{level}]" for level in (1, 2, 3, 4)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            "@pytest.mark.allworlds(edges=2)\ndef test_mine(): pass",
+            "test_mine is marked 'allworlds', but does not take the fixture 'explores'",
+        ),
+        (
+            "@pytest.mark.allworlds(4)\ndef test_mine(explores): pass",
+            "takes keywords alone, such as edges=4, not 4",
+        ),
+        (
+            "@pytest.mark.allworlds(edges=0)\ndef test_mine(explores): pass",
+            "edges = 0",
+        ),
+    ],
+)
+def test_a_mark_that_means_nothing_is_an_error(tests, text, said):
+    result = tests(f"import pytest\n{text}\n")
+    result.assert_outcomes(errors=1)
+    assert said in result.stdout.str()
+
+
+def test_a_mark_of_a_module_leaves_other_tests_alone(tests):
+    text = """
+    import pytest
+    pytestmark = pytest.mark.allworlds(edges=1)
+
+    def test_other(): pass
+
+    def test_mine(explores): explores("algorithm1")
+    """
+    tests(text).assert_outcomes(passed=2)
+
+
+def test_the_mark_is_known_and_told(tests):
+    result = tests(MARKED, "--strict-markers", "--markers")
+    result.stdout.fnmatch_lines(["@pytest.mark.allworlds(edges=4, ?*options): one test for each*"])
+
+
+def test_the_plugin_loads_nothing_of_the_package():
+    code = (
+        "import sys, _allworlds_pytest;"
+        "sys.exit(any(name.partition('.')[0] == 'allworlds' for name in sys.modules))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.mark.slow
+def test_workers_of_xdist_collect_the_same_tests(pytester):
+    pytester.makepyfile(MARKED)
+    result = pytester.runpytest_subprocess("-n", "2", "-p", "no:cov")
+    result.assert_outcomes(passed=3)
