@@ -46,6 +46,23 @@ def docs(session: nox.Session) -> None:
 
 
 @nox.session
+def package(session: nox.Session) -> None:
+    """Build wheel and source distribution into dist, and look into them."""
+    session.install("build>=1.2", "twine>=5")
+    session.run("python", "-c", "import shutil; shutil.rmtree('dist', ignore_errors=True)")
+    session.run("python", "-m", "build")
+    session.run("twine", "check", "--strict", "dist/*")
+    session.run("python", "tests/package_contents.py", "dist")
+
+
+@nox.session(python=["3.11", "3.12", "3.13"])
+def pythons(session: nox.Session) -> None:
+    """Test the package with every version of Python that is there."""
+    session.install(".[test]")
+    session.run("pytest", "-n", "auto", *session.posargs)
+
+
+@nox.session
 def exhaustive(session: nox.Session) -> None:
     """Do the main job, further than the tests go."""
     session.install(".")

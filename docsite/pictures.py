@@ -33,6 +33,7 @@ from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.world import Directional, World, world_named
 
 FIGURE = re.compile(r"^<!-- figure ([a-z0-9-]+) -->$", re.MULTILINE)
+NOT_RUN = re.compile(r"^<!-- not run: ([^\n]*) -->\n(```.*?^```$)", re.MULTILINE | re.DOTALL)
 _ids = count(1)
 
 
@@ -141,8 +142,9 @@ FIGURES = {
 
 
 def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Files) -> str:
-    """The page with its figures."""
-    return FIGURE.sub(lambda found: figure(found[1]), markdown)
+    """The page with its figures; below a block that no test runs stands why."""
+    said = '\\2\n\n<p class="unrun">The tests do not run this: it \\1.</p>'
+    return FIGURE.sub(lambda found: figure(found[1]), NOT_RUN.sub(said, markdown))
 
 
 def figure(name: str) -> str:

@@ -17,7 +17,7 @@ DEFAULTS = {
         "engine": "auto",
         "max_findings": 1,
     },
-    allworlds.fuzz: {"explore": "algorithm1", "seed": 0},
+    allworlds.fuzz: {"explore": "algorithm1", "min_edges": 1, "seed": 0},
     allworlds.run: {"choices": ()},
     allworlds.compare: {},
     allworlds.grow: {"to": 400, "worlds": 3, "seed": 1},

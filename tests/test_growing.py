@@ -137,7 +137,7 @@ def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
 
 
 def test_a_plot_without_what_draws_is_refused_before_anything_is_walked(refused, monkeypatch):
-    monkeypatch.setattr("allworlds.reports.find_spec", lambda _: None)
+    monkeypatch.setattr("allworlds.inputs.find_spec", lambda _: None)
     said = refused("grow", "greedy", "--family", "strip", "--to", 20, "--plot", "x.svg")
     assert "allworlds[figures]" in said
 

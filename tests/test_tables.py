@@ -21,6 +21,7 @@ from allworlds.cli import options as opt
 from allworlds.cli.app import app
 from allworlds.explaining.tellers import TELLERS
 from allworlds.explorers import BUILT_IN
+from allworlds.figures import FIGURES
 from allworlds.findings import Rules, RulesOptions, make_rules
 from allworlds.fuzzer.sample import GENERATORS, batches
 from allworlds.growing import GROWING
@@ -183,6 +184,8 @@ ONLY_PYTHON = {
     "explain": {"finding"},
     "bench": {"peers"},
     "play": {"player"},
+    # It runs no explorers but ours.
+    "figure": {"answer_timeout"},
     # It takes no class of maps.
     "grow": {"map_class"},
 }
@@ -282,6 +285,13 @@ def test_an_option_with_few_values_shows_them_all(verb, name, table):
 def test_the_help_of_an_option_lists_every_name_of_its_table(verb, name, table):
     words = re.findall(r"[\w:-]+", option(verb, name).help)
     assert {*map(str, table)} <= {*words}
+
+
+def test_every_figure_is_told_and_asked_for():
+    told = rows(page("docs/figures.md"))
+    assert told[: len(FIGURES)] == [*FIGURES]
+    arguments = {param.name: param for param in command_of(BY_NAME["figure"]).params}
+    assert arguments["name"].metavar == "|".join(FIGURES)
 
 
 def test_the_help_of_the_families_lists_every_one():

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from allworlds.comparing import compare
     from allworlds.counter import count
     from allworlds.explaining import explain
+    from allworlds.figures import figure
     from allworlds.fuzzer import fuzz
     from allworlds.growing import grow
     from allworlds.joining import merge, status
@@ -71,6 +72,7 @@ __all__ = [
     "compare",
     "count",
     "explain",
+    "figure",
     "fuzz",
     "grow",
     "init",

@@ -19,15 +19,22 @@ from allworlds.work import Limits, Transport, gather
 
 @dataclass(frozen=True, slots=True)
 class Contestant:
-    """An explorer with the rules that its runs are judged by."""
+    """An explorer with the rules that its runs are judged by.
+
+    Attributes:
+        subject: the explorer.
+        rules: how it is played and judged.
+        label: what it is called where it is there twice under different rules; else empty.
+    """
 
     subject: Subject
     rules: Rules
+    label: str = ""
 
     @property
     def name(self) -> str:
-        """The explorer's."""
-        return self.subject.name
+        """The explorer's, or the label."""
+        return self.label or self.subject.name
 
     def scope(self, extent: Extent) -> Scope:
         """The runs that it has in the worlds of an extent."""

@@ -8,6 +8,7 @@ import os
 import signal
 import sys
 from collections.abc import Iterable
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -109,6 +110,16 @@ def a_path(name: str, value: object) -> Path:
     if not nameable:
         raise InputError(f"{name} = {show(value)} is no path: no file can be named so")
     return Path(value)
+
+
+def ensure_installed(package: str, extra: str, what: str) -> None:
+    """Nothing, if the package can be imported.
+
+    Raises:
+        InputError: saying what needs it, and which extra brings it.
+    """
+    if find_spec(package) is None:
+        raise InputError(f"{what} needs {package}: pip install 'allworlds[{extra}]'")
 
 
 def parse_json(text: str, kind: type[InputError] = InputError) -> Any:

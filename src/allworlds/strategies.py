@@ -37,7 +37,6 @@ __all__ = [
     "motions",
     "planar_maps",
     "planar_simple_maps",
-    "sampled_maps",
     "simple_maps",
     "worlds",
 ]

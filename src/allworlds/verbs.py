@@ -111,6 +111,13 @@ VERBS = (
         "How an explorer's cost grows with the world.",
     ),
     Verb(
+        "figure",
+        "figures:figure",
+        "figure_text:figure_text",
+        "figure",
+        "The paper's figures, drawn anew from runs.",
+    ),
+    Verb(
         "merge",
         "joining:merge",
         "merge_text:merge_text",

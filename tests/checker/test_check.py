@@ -132,13 +132,16 @@ def test_a_finished_shard_may_hold_no_world(explorers):
 
 @cache
 def brute_force(name, edges):
-    """Every finding by judging every run of the other enumerator, in the order of findings."""
+    """The smallest finding of each law and map, level by level.
+
+    It judges every run of the other enumerator; maps are the same if they have a rooting in common.
+    """
     import wrong
 
     explore = getattr(wrong, name)
     found = []
     for m in range(1, edges + 1):
-        level = []
+        level, kinds = [], {}
         for map_ in every_rooted_map(m):
             code = rooted_code(map_.sigma, map_.alpha, 0)
             for bearing in range(map_.degree_at[0]):
@@ -147,7 +150,11 @@ def brute_force(name, edges):
                 if told.finding:
                     assert told.finding.place == bearing
                     level.append((m, map_.vertex_count, code, bearing, told.finding.law))
-        found.append(sorted(level))
+                    kinds[code] = frozenset(
+                        rooted_code(map_.sigma, map_.alpha, d) for d in map_.darts
+                    )
+        firsts = {(kinds[one[2]], one[4]): one for one in sorted(level, reverse=True)}
+        found.append(sorted(firsts.values()))
     return found
 
 
@@ -253,8 +260,7 @@ def test_a_shell_script_can_be_an_explorer():
     script = Path(__file__).parents[1] / "explorers_for_tests" / "edge.sh"
     report = check(f"exec:{script}", edges=1, max_findings=5)
     assert [(finding.law, finding.world.map.loop_count) for finding in report.findings] == [
-        ("map", 1),
-        ("map", 1),
+        ("map", 1)
     ]
     assert report.runs == 3
 
@@ -301,8 +307,10 @@ def test_one_wrong_schedule_of_many_is_found(wrong):
     assert check(wrong("one_schedule"), edges=2).verdict is Verdict.HOLDS
     # Both loops with one edge, and with two edges every run in which it begins at degree 2
     # and the answer 'one edge' is wrong, which is all of them.
-    begins = [world for world in worlds(edges=2, places="all") if world.first.degree == 2]
-    assert len(report.findings) == len(begins)
+    # Of each map the smallest is reported.
+    begins = [world.map for world in worlds(edges=2) if world.first.degree == 2]
+    codes = {min(rooted_code(m.sigma, m.alpha, dart) for dart in m.darts) for m in begins}
+    assert len(report.findings) == len(codes)
 
 
 @pytest.mark.slow

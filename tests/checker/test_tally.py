@@ -4,8 +4,9 @@ from allworlds.runs import Row, Tally
 
 
 class Found:
-    def __init__(self, *key):
+    def __init__(self, *key, kind=None):
         self.key = key
+        self.kind = kind or key
 
 
 def tallies():
@@ -50,3 +51,17 @@ def test_the_largest_of_negative_bounds_is_negative():
     row.bound_of(None)
     row.bound_of(-3)
     assert row.bound == -3
+
+
+def test_of_each_kind_the_smallest_is_kept_whatever_comes_first():
+    found = [Found(i, kind=kind) for i, kind in enumerate("aababcbdca")]
+    for order in permutations(found[:6]):
+        tally = Tally(2)
+        for one in order:
+            tally.find(one)
+        assert [(kept.key, kept.kind) for kept in tally.findings] == [((0,), "a"), ((2,), "b")]
+    parts = [Tally(3), Tally(3)]
+    for i, one in enumerate(reversed(found)):
+        parts[i % 2].find(one)
+    parts[0].add(parts[1])
+    assert [kept.key for kept in parts[0].findings] == [(0,), (2,), (5,)]

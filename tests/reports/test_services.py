@@ -33,7 +33,9 @@ def test_a_finding_is_an_error_at_the_line_of_the_explorer(refuted, line):
     for told, finding in zip(lines, refuted.findings, strict=True):
         kind, properties, message = read(told)
         assert (kind, properties["file"], properties["line"]) == ("error", "mine.py", str(line))
-        assert properties["title"].startswith("mine.py:explore breaks the law 'map' in a world")
+        assert properties["title"].startswith(
+            f"mine.py:explore breaks the law '{finding.law}' in a world"
+        )
         assert message == finding_text(finding, 80)
 
 

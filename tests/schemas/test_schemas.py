@@ -17,6 +17,7 @@ from allworlds.comparing import compare
 from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
+from allworlds.figures import figure
 from allworlds.fuzzer import fuzz
 from allworlds.growing import grow
 from allworlds.joining import merge, status
@@ -85,6 +86,11 @@ def kept(verb):
         return verb(directory).to_json()
 
 
+def drawn():
+    with tempfile.TemporaryDirectory() as folder:
+        return figure("2", out=f"{folder}/figure.svg").to_json()
+
+
 def skeleton():
     with tempfile.TemporaryDirectory() as directory:
         return init(directory).to_json()
@@ -121,6 +127,7 @@ DOCUMENTS = {
         lambda: check(WRONG["mirror-image"].explorer(), edges=3, max_findings=3).to_json(),
     ),
     "compare": (whole("compare"), lambda: compare("algorithm1", "greedy", edges=2).to_json()),
+    "figure": (whole("figure"), drawn),
     "grow": (whole("grow"), lambda: grow("greedy", families=["strip"], to=30).to_json()),
     "compare in a family": (
         whole("compare"),

@@ -112,6 +112,13 @@ def test_what_is_said_to_be_written_is_all_that_is_written(lang, tmp_path, cli):
     )
 
 
+def test_what_a_language_needs_and_what_comes_next_is_told(tmp_path, cli):
+    out = cli("init", tmp_path / "c", "--lang", "c")[1]
+    assert "needs      cc, make\n" in out
+    assert f"next\n  cd {tmp_path}/c && make && allworlds check --native ./explorer.so" in out
+    assert "\nneeds " not in cli("init", tmp_path / "python")[1]
+
+
 def test_no_file_is_overwritten_and_then_none_is_written(tmp_path, refused):
     (tmp_path / "explorer.c").write_text("mine")
     (tmp_path / "README.md").symlink_to("nowhere")

@@ -70,7 +70,8 @@ def check(
         vertices: the largest number of vertices.
         schedules: ``one`` or ``all``.
         shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0.
-        max_findings: with so many findings in finished levels the check ends.
+        max_findings: with so many findings in finished levels the check ends; they are the
+            smallest of each law and map.
         engine: ``auto``, ``python`` or ``kernel``.
         corpus: a directory of past findings, which are tried first; new ones are written
             to it.

@@ -9,12 +9,11 @@ general engine must say too, or nothing is believed.
 
 from __future__ import annotations
 
-from bisect import insort
 from collections.abc import Iterator, MutableSequence, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import islice
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from allworlds import kernel
 from allworlds.checker.compiled import tally_of
@@ -117,12 +116,13 @@ class PlayedByStretches:
     _general: PlayedTwice = field(init=False)
     _referee: Referee = field(init=False)
     _most: int = AT_FIRST
-    _worst: list[tuple[Any, ...]] = field(default_factory=list)
+    _worst: Tally = field(init=False)
     _kept: list[_Earlier] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self._general = PlayedTwice(self.examination, self.explorer, self.cast, self.earlier)
         self._referee = Referee(self.explorer, self.examination.scope.rules)
+        self._worst = Tally(self.examination.keep)
 
     def parts(self, unit: Worlds, start: int = 0) -> Iterator[tuple[int, Tally]]:
         """After each stretch the number of the next run and the tally since."""
@@ -219,10 +219,11 @@ class PlayedByStretches:
     def _find(self, unit: Unit, broken: kernel.Broken, tally: Tally) -> None:
         """A broken run, if it may be among the smallest, as the general engine finds it."""
         assert broken.place is not None
-        key = (unit.edges, broken.vertices, broken.sigma, broken.alpha, broken.place)
+        key = (unit.edges, broken.vertices, (broken.sigma, broken.alpha), broken.place)
         # In small levels each unit must find what the general engine finds in it.
         small = unit.edges <= AGREEMENT_EDGES
-        if not small and len(self._worst) >= self.examination.keep and key >= self._worst[-1]:
+        worst = self._worst.findings
+        if not small and len(worst) >= self.examination.keep and key >= worst[-1].key:
             return
         map_ = CombinatorialMap(broken.sigma, broken.alpha)
         rules = self.examination.scope.rules
@@ -241,9 +242,9 @@ class PlayedByStretches:
                     f"{law or 'none'} is, in the world sigma={list(map_.sigma)} "
                     f"alpha={list(map_.alpha)} place={broken.place}"
                 )
-            tally.find(self._referee.finding(one.world, one.place, outcome))
-        insort(self._worst, key)
-        del self._worst[self.examination.keep :]
+            finding = self._referee.finding(one.world, one.place, outcome)
+            tally.find(finding)
+            self._worst.find(finding)
 
     def _find_differing(self, unit: Unit, differing: Sequence[int], tally: Tally) -> None:
         """Runs whose plays differ, whatever they do when they are played once more."""

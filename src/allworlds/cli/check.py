@@ -34,7 +34,12 @@ def check(
     rules: opt.Rules,
     engine: Annotated[str, opt.option(opt.EFFORT, "auto|python|kernel", "Which engine.")] = "auto",
     max_findings: Annotated[
-        int, opt.number(opt.EFFORT, "K", "Stop after K findings of whole levels.")
+        int,
+        opt.number(
+            opt.EFFORT,
+            "K",
+            "Stop after whole levels with K findings, the smallest of each law and map.",
+        ),
     ] = 1,
     effort: opt.Effort,
     corpus: Annotated[

@@ -30,7 +30,7 @@ MergeReport: TypeAlias = CheckReport | WorstReport | AmbiguityCensusReport
 """What 'merge' writes: the report of the verb whose shards were joined."""
 
 
-WatchedReport: TypeAlias = (
+Watched: TypeAlias = (
     CheckReport
     | WorstReport
     | AmbiguityCensusReport
@@ -142,7 +142,7 @@ class VerdictEvent(TypedDict):
 
     schema: Version
     event: Literal["verdict"]
-    report: Annotated[WatchedReport, "the whole report, as `--json` prints it, without `made_by`"]
+    report: Annotated[Watched, "the whole report, as `--json` prints it, without `made_by`"]
 
 
 Event: TypeAlias = (

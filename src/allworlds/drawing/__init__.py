@@ -12,8 +12,9 @@
     gives every dart room, and the drawing in pixels.
 """
 
+from allworlds.drawing.layout import Layout, layout
 from allworlds.drawing.scene import Scene, scene_of
 from allworlds.drawing.svg import in_words, picture
 from allworlds.drawing.text import draw, rotation_table
 
-__all__ = ["Scene", "draw", "in_words", "picture", "rotation_table", "scene_of"]
+__all__ = ["Layout", "Scene", "draw", "in_words", "layout", "picture", "rotation_table", "scene_of"]

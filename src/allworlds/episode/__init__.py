@@ -1,19 +1,21 @@
 """The episode: the one place where a world and an explorer meet."""
 
-from allworlds.episode.episode import (
-    ADAPTERS_LAWS,
+from allworlds.episode.endings import (
     Answered,
     Ending,
-    Episode,
     Fault,
-    Log,
     LostRun,
-    Player,
     Said,
     SaidAmbiguous,
-    Stage,
     Undecided,
     answered,
+)
+from allworlds.episode.episode import (
+    ADAPTERS_LAWS,
+    Episode,
+    Log,
+    Player,
+    Stage,
     default_step_budget,
     own_copy,
     perform,

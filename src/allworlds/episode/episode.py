@@ -7,16 +7,13 @@ from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequ
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
-from allworlds.inputs import SHOWN, are_plain, integer, let_users_interrupt, show
-from allworlds.maps.canonical import numbering
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.episode.endings import Ending, Fault, Said, answered, ending_of, integers
+from allworlds.inputs import SHOWN, integer, let_users_interrupt, show
 from allworlds.protocol import (
     Action,
-    Ambiguous,
     Checkpoint,
     Choices,
     Drop,
-    Estimate,
     ExplorerFault,
     Move,
     Percept,
@@ -54,77 +51,6 @@ class Player(Protocol):
         self, first: Percept, choices: Choices, told: int | None
     ) -> Generator[Any, Any, Any]:
         """The generator of one run."""
-
-
-@dataclass(frozen=True, slots=True)
-class Answered:
-    """The explorer has returned a well-formed estimate."""
-
-    estimate: Estimate
-
-
-@dataclass(frozen=True, slots=True)
-class Fault:
-    """The run ended without an answer.
-
-    Attributes:
-        law: ``crash``, ``timeout``, ``illegal-action``, ``no-estimate`` or ``budget``.
-        expected, seen: a sentence each.
-        detail: a traceback, or the tail of a program's stderr; may be empty.
-        machine: it may be the machine's doing and not the explorer's: a signal, a time-out, no
-            memory.
-    """
-
-    law: str
-    expected: str
-    seen: str
-    detail: str = ""
-    machine: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class LostRun(Fault):
-    """The run cost its process its life, so its walk is not known."""
-
-
-@dataclass(frozen=True, slots=True)
-class Undecided:
-    """The explorer has returned a well-formed rooted quotient, and no map.
-
-    Attributes:
-        quotient: its permutations are, and ``here`` is one of its darts.
-    """
-
-    quotient: Ambiguous
-
-
-Ending: TypeAlias = Answered | Undecided | Fault
-
-
-@dataclass(frozen=True, slots=True)
-class Said:
-    """An answer as it was given: integers that nobody has looked at yet.
-
-    Attributes:
-        sigma, alpha: of the map that is claimed.
-        here: the dart that is claimed.
-    """
-
-    sigma: tuple[int, ...]
-    alpha: tuple[int, ...]
-    here: int
-
-
-@dataclass(frozen=True, slots=True)
-class SaidAmbiguous(Said):
-    """The same of an answer that names no map.
-
-    Attributes:
-        degree, marks: of each dart.
-    """
-
-    degree: tuple[int, ...]
-    marks: tuple[int, ...]
 
 
 Shown: TypeAlias = tuple[int, Sequence[int], Sequence[int], int]
@@ -285,7 +211,7 @@ class _Run:
                 if fault:
                     return fault
         except StopIteration as stop:
-            return _said(stop.value)
+            return ending_of(stop.value)
         except BaseException as error:  # noqa: BLE001  # an explorer may raise anything
             return _raised(error)
         finally:
@@ -300,7 +226,7 @@ class _Run:
                 f"checkpoint {len(self.checkpoints) + 1}",
             )
         try:
-            sigma, alpha = _integers(message.sigma), _integers(message.alpha)
+            sigma, alpha = integers(message.sigma), integers(message.alpha)
             here = integer(message.here)
         except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
             let_users_interrupt(error)
@@ -354,89 +280,6 @@ def _action(message: object, degree: int) -> Action | Fault:
     if type(message) is Drop or type(message) is Pick:
         return message
     return Fault("illegal-action", "a Move, Drop, Pick or Checkpoint", show(message))
-
-
-_ESTIMATE = "Estimate(map, here) with a dart of the map"
-_AMBIGUOUS = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
-
-
-def _said(answer: object) -> Said | Fault:
-    """The integers of an answer: what is handed over may be a subclass, or tampered with."""
-    if type(answer) is Ambiguous:
-        return _said_ambiguous(answer)
-    if type(answer) is not Estimate:
-        return Fault("no-estimate", _ESTIMATE, show(answer))
-    try:
-        claimed: object = answer.map
-        if not isinstance(claimed, CombinatorialMap):
-            return Fault("no-estimate", _ESTIMATE, f"a map that is {show(claimed)}")
-        return Said(_integers(claimed.sigma), _integers(claimed.alpha), integer(answer.here))
-    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
-        let_users_interrupt(error)
-        return Fault("no-estimate", _ESTIMATE, show(answer))
-
-
-def _said_ambiguous(answer: Ambiguous) -> Said | Fault:
-    try:
-        return SaidAmbiguous(
-            _integers(answer.sigma),
-            _integers(answer.alpha),
-            integer(answer.here),
-            _integers(answer.degree),
-            _integers(answer.marks),
-        )
-    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
-        let_users_interrupt(error)
-        return Fault("no-estimate", _AMBIGUOUS, show(answer))
-
-
-def _integers(values: Iterable[object]) -> tuple[int, ...]:
-    kept = tuple(values)
-    if are_plain(kept):
-        return kept  # type: ignore[return-value]
-    return tuple([integer(value) for value in kept])
-
-
-def answered(ending: Said | Fault) -> Ending:
-    """The answer, if it is a map with a dart of it, or a quotient with one."""
-    if isinstance(ending, Fault):
-        return ending
-    if isinstance(ending, SaidAmbiguous):
-        return _undecided(ending)
-    try:
-        map_ = CombinatorialMap(ending.sigma, ending.alpha)
-    except InvalidMap as error:
-        return Fault("no-estimate", _ESTIMATE, f"no map: {error}")
-    here = ending.here
-    if here not in map_.darts:
-        last = len(map_.sigma) - 1
-        return Fault("no-estimate", _ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}")
-    return Answered(Estimate(map_, here))
-
-
-def _undecided(ending: SaidAmbiguous) -> Undecided | Fault:
-    if flaw := _flaw(ending):
-        return Fault("no-estimate", _AMBIGUOUS, flaw)
-    return Undecided(
-        Ambiguous(ending.sigma, ending.alpha, ending.degree, ending.marks, ending.here)
-    )
-
-
-def _flaw(said: SaidAmbiguous) -> str:
-    """What makes it no rooted quotient; empty if it is one."""
-    size = len(said.sigma)
-    for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):
-        if len(values) != size:
-            return f"{name} has {len(values)} entries, and sigma {size}"
-    if said.here not in range(size):
-        return f"here = {show(said.here)}, but the darts are 0..{size - 1}"
-    for name, values in (("sigma", said.sigma), ("alpha", said.alpha)):
-        if sorted(values) != list(range(size)):
-            return f"{name} = {show(list(values))} is no permutation of 0..{size - 1}"
-    if any(said.alpha[other] != dart for dart, other in enumerate(said.alpha)):
-        return f"alpha = {show(list(said.alpha))} is no involution"
-    reached = len(numbering(said.sigma, said.alpha, said.here))
-    return "" if reached == size else f"only {reached} of {size} darts are reached from here"
 
 
 def _raised(error: BaseException) -> Fault:

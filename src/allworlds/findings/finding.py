@@ -67,6 +67,12 @@ class Finding:
         code = rooted_code(map_.sigma, map_.alpha, self.world.start)
         return (map_.edge_count, map_.vertex_count, code, self.place, self.choices)
 
+    @cached_property
+    def kind(self) -> tuple[str, Code]:
+        """What findings of one kind share: the law, and the map, whatever its start."""
+        map_ = self.world.map
+        return self.law, min(rooted_code(map_.sigma, map_.alpha, dart) for dart in map_.darts)
+
     @property
     def reproduce(self) -> str:
         """A shell command that runs the explorer in this world again."""

@@ -6,7 +6,7 @@ inside of a world nor any explorer.  Each law is a function from a :class:`Case`
 """
 
 from allworlds.judge.ambiguity import ambiguity_law
-from allworlds.judge.bounds import Bound, bound_named, paper_bound
+from allworlds.judge.bounds import Bound, bound_named, paper_bound, printed_bound
 from allworlds.judge.case import Case, Violation
 from allworlds.judge.folding import Folded, fold
 from allworlds.judge.laws import (
@@ -40,5 +40,6 @@ __all__ = [
     "judge",
     "map_law",
     "paper_bound",
+    "printed_bound",
     "same_map",
 ]

@@ -5,13 +5,13 @@ lock only to start and to end, so that threads share the work.
 
 ``engine``, ``rows``
     the door: plain numbers in, plain rows out;
-``runs``, ``episode``, ``answers``, ``invariants``, ``folding``
+``runs``, ``episode``, ``explorers``, ``answers``, ``invariants``, ``embedding``, ``folding``
     the judge: every run of every map of a class, played, judged and tallied;
 ``gluing``, ``classes``, ``worlds``, ``lighthouses``
     what is judged: maps, finished one after the other, as worlds with every lighthouse;
 ``algorithm1``, ``two_vertices``
     explorers, each behind the C interface of all explorers;
-``native``, ``batches``
+``native``, ``logs``, ``batches``
     explorers in shared libraries, played in processes of their own, many runs at a time;
 ``walk``, ``ways``, ``tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
@@ -19,7 +19,7 @@ lock only to start and to end, so that threads share the work.
     the worst and the best cost of a world over all schedules, and its door;
 ``counting``
     how many maps there are, by vertices and faces;
-``records``, ``tables``, ``names``, ``laws``
+``records``, ``walk_records``, ``tables``, ``names``, ``laws``
     what is kept in memory, what is looked up, and the names of small numbers;
 ``compiling``, ``calls``, ``bits``, ``code``
     how it is compiled, C functions called by their addresses, sets as bit masks, codes.

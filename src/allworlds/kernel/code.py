@@ -39,6 +39,55 @@ def encode(world, root, row, start):
 
 
 @inner
+def encode_unrooted(world, row, start):
+    """The least of the canonical codes from all roots, in ``row[start:]``."""
+    encode(world, 0, row, start)
+    darts = world.darts
+    for root in range(1, darts):
+        number(world, root)
+        smaller = False
+        for i in range(2 * darts):
+            end = world.sigma[world.order[i]] if i < darts else world.alpha[world.order[i - darts]]
+            value = world.number[end]
+            if not smaller and value > row[start + i]:
+                break
+            smaller = smaller or value < row[start + i]
+            if smaller:
+                row[start + i] = value
+
+
+@inner
+def is_greater(least, row):
+    """Whether there are as many smaller rows as are kept."""
+    return not _before(row, least, least.shape[0] - 1)
+
+
+@inner
+def keep_least_of_kind(least, row, kind):
+    """As :func:`keep_least`; of the rows that agree from ``row[kind]`` on the smallest only."""
+    for place in range(least.shape[0]):
+        if least[place, 0] and _alike(row, least, place, kind):
+            if not _before(row, least, place):
+                return
+            for after in range(place, least.shape[0] - 1):
+                for i in range(len(row)):
+                    least[after, i] = least[after + 1, i]
+            for i in range(len(row)):
+                least[least.shape[0] - 1, i] = 0
+            break
+    keep_least(least, row)
+
+
+@inlined
+def _alike(row, least, place, kind):
+    """Whether the row agrees with that of this place, from ``kind`` on."""
+    alike = True
+    for i in range(kind, len(row)):
+        alike = alike and row[i] == least[place, i]
+    return alike
+
+
+@inner
 def keep_least(least, row):
     """Sort a row into the ascending rows of ``least``; the greatest falls out.
 

@@ -9,9 +9,10 @@ from typing import Any
 from numpy import array, int64, zeros
 
 from allworlds.kernel.classes import rule_address
-from allworlds.kernel.records import SCHEDULES, new
+from allworlds.kernel.records import new
 from allworlds.kernel.schedules import COLUMNS, SHORTEST, SIMPLE, search
 from allworlds.kernel.tables import gluing_rule
+from allworlds.kernel.walk_records import SCHEDULES
 
 _TRANSITS = {"shortest": SHORTEST, "simple": SIMPLE}
 

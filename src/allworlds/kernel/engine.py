@@ -25,10 +25,11 @@ from allworlds.kernel.counting import count
 from allworlds.kernel.laws import LAWS
 from allworlds.kernel.lighthouses import KINDS, lighthouse_address
 from allworlds.kernel.names import EVENTS, POLICIES
-from allworlds.kernel.records import COUNTING, JOB, LONG, ROBOT, WALK, new
+from allworlds.kernel.records import COUNTING, JOB, LONG, ROBOT, new
 from allworlds.kernel.rows import Broken, Counts, Level, Listed, Rows
 from allworlds.kernel.tables import MOST_EDGES, gluing_rule, packed
 from allworlds.kernel.two_vertices import two_vertices_addresses
+from allworlds.kernel.walk_records import WALK
 
 EVERY = 1 << 62
 """More than the number of any run."""
@@ -66,7 +67,7 @@ def judge(
     Args:
         level: what is asked.
         prefix: the first decisions, at least one (:func:`allworlds.maps.enumeration.prefixes`).
-        keep: how many broken runs are kept.
+        keep: how many broken runs are kept, each the least of its law and map.
         halt: an array; once its entry 0 is not 0 the work is given up, and means nothing.
         listed: how many runs are listed.
 
@@ -104,7 +105,7 @@ class Asked:
         keep: int = 1,
         listed: int = 0,
     ) -> None:
-        width = 3 + 4 * level.edges
+        width = 3 + 8 * level.edges  # n, the rooted code, place and law, the unrooted code
         self.counts = zeros((level.edges + 2, runs.COLUMNS), int64)
         self.met = zeros(bounds.shape, int8)
         self.least = zeros((keep, width), int64)
@@ -206,7 +207,7 @@ def _bound_table(level: Level) -> Any:
 
 def _broken(row: list[int], darts: int) -> Broken:
     n, *code = row
-    place, law = code[2 * darts :]
+    place, law = code[2 * darts : 2 * darts + 2]
     return Broken(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), place, LAWS[law])
 
 
@@ -219,13 +220,13 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
     Args:
         level: as for :func:`judge`, and so are the others.
         prefix: the first decisions.
-        keep: how many broken worlds are kept.
+        keep: how many broken worlds are kept, each the least of its map.
         halt: tells to give up.
 
     Cost: less than 100 ns a world; constant memory.
     """
     edges, darts = level.edges, 2 * level.edges
-    least = zeros((keep, 1 + 2 * darts), int64)
+    least = zeros((keep, 1 + 4 * darts), int64)
     w = _walked(level, prefix, least, zeros((0, 1), int64), flag() if halt is None else halt)
     rows = w.counts[: edges + 2].tolist()
     places = -prefix[0]
@@ -234,7 +235,9 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
         _walked_events(rows, edges, places),
         tuple((n, 0, 0) for n, row in enumerate(rows) if row[0]),
         tuple(
-            Broken(row[0], tuple(row[1 : 1 + darts]), tuple(row[1 + darts :]), None, "")
+            Broken(
+                row[0], tuple(row[1 : 1 + darts]), tuple(row[1 + darts : 1 + 2 * darts]), None, ""
+            )
             for row in least.tolist()
             if row[0]
         ),
@@ -251,7 +254,7 @@ def costs(
     """
     edges = level.edges
     listed = zeros((worlds, 4 + 3 * edges), int64)
-    w = _walked(level, prefix, zeros((1, 1 + 4 * edges), int64), listed, flag())
+    w = _walked(level, prefix, zeros((1, 1 + 8 * edges), int64), listed, flag())
     result = []
     for cost, n, *rest in listed[: w.worlds].tolist():
         if n:

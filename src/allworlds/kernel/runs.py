@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from allworlds.kernel.answers import answer_law
 from allworlds.kernel.calls import call_with
-from allworlds.kernel.code import encode, keep_least
+from allworlds.kernel.code import encode, encode_unrooted, is_greater, keep_least_of_kind
 from allworlds.kernel.compiling import entry, inlined, inner
 from allworlds.kernel.episode import play
 from allworlds.kernel.folding import folds
@@ -157,7 +157,9 @@ def _blame(world, law, least, row):
     encode(world, 0, row, 1)
     row[1 + 2 * world.darts] = world.place
     row[2 + 2 * world.darts] = law
-    keep_least(least, row)
+    if not is_greater(least, row):
+        encode_unrooted(world, row, 3 + 2 * world.darts)
+        keep_least_of_kind(least, row, 2 + 2 * world.darts)
 
 
 @inner

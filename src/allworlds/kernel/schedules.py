@@ -38,7 +38,7 @@ def search(job, prefix, viable, worst, best, reached, halt, counts, rows, row, o
     """Every map whose gluing begins with ``prefix``.
 
     Args:
-        job: a record of :data:`~allworlds.kernel.records.SCHEDULES`; its gluing is new but for
+        job: a record of :data:`~allworlds.kernel.walk_records.SCHEDULES`; its gluing is new but for
             what is asked for.
         prefix: the first decisions.
         viable: the gluing rule.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.kernel.code import encode, keep_least
+from allworlds.kernel.code import encode, encode_unrooted, is_greater, keep_least_of_kind
 from allworlds.kernel.compiling import inlined, inner
 
 # One number holds the cost and the counters of a walk, so that a decision saves one number.
@@ -71,7 +71,9 @@ def _blame(w, s, least, row):
         world.alpha[dart] = w.partner[dart]
     row[0] = s.vertices
     encode(world, 0, row, 1)
-    keep_least(least, row)
+    if not is_greater(least, row):
+        encode_unrooted(world, row, 1 + 2 * s.darts)
+        keep_least_of_kind(least, row, 1 + 2 * s.darts)
 
 
 @inner

@@ -13,10 +13,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib import import_module
-from importlib.util import find_spec
 from typing import Any
 
-from allworlds.inputs import InputError
+from allworlds.inputs import ensure_installed
 from allworlds.verbs import VERBS
 
 
@@ -113,8 +112,7 @@ def ensure_drawable() -> None:
     Raises:
         InputError: if what draws them is not installed.
     """
-    if find_spec("matplotlib") is None:
-        raise InputError("plot needs matplotlib: pip install 'allworlds[figures]'")
+    ensure_installed("matplotlib", "figures", "plot")
 
 
 def _load(home: str) -> Any:

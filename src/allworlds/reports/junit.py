@@ -14,6 +14,7 @@ from allworlds.findings import Finding
 from allworlds.outcome import Verdict
 from allworlds.reports.run_text import finding_text
 from allworlds.runs import Sample
+from allworlds.version import __version__
 from allworlds.words import plural, size
 
 WIDTH = 100
@@ -77,7 +78,7 @@ def _told(report: Report) -> Mapping[str, object]:
     """Verdict and scope, which no result is worth anything without."""
     document: Mapping[str, Any] = report.to_json()
     named = ("verdict", "exit_code", "engine", "worlds", "runs", "traversals")
-    told = {name: document[name] for name in named}
+    told = {"version": __version__, **{name: document[name] for name in named}}
     return told | {f"scope.{name}": value for name, value in document["scope"].items()}
 
 

@@ -54,7 +54,7 @@ class Tally:
     """Everything that a part of a check has seen.
 
     Attributes:
-        keep: how many findings are kept.
+        keep: how many findings are kept, each the smallest of its law and map.
         rows: by (edges, vertices).
         witnesses: how often each event occurred.
         left_out: worlds without a place for the lighthouse.
@@ -82,7 +82,15 @@ class Tally:
         return (edges, vertices) <= self.findings[-1].key[:2]
 
     def find(self, finding: Finding) -> None:
-        """Keep the finding if it is among the smallest."""
+        """Keep the finding if it is the smallest of its kind, and that is among the smallest."""
+        if len(self.findings) >= self.keep and finding.key >= self.findings[-1].key:
+            return
+        for place, kept in enumerate(self.findings):
+            if kept.kind == finding.kind:
+                if kept.key <= finding.key:
+                    return
+                del self.findings[place]
+                break
         insort(self.findings, finding, key=lambda kept: kept.key)
         del self.findings[self.keep :]
 

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
 from allworlds.markup import document, raw, record, tag
+from allworlds.version import __version__
 
 
 class Own(NamedTuple):
@@ -58,7 +59,7 @@ def framed(
         "body",
         tag("header", tag("h1", title, ": ", tag("bdi", subject)), said),
         tag("main", *sections),
-        tag("footer", tag("p", "This page needs no network, and holds its findings as JSON.")),
+        tag("footer", tag("p", f"{_MADE} This page needs no network, and holds its data as JSON.")),
         record(summary, class_="report", id="report-json"),
         raw("script", script),
     )
@@ -78,6 +79,7 @@ def counts(header: list[str], rows: list[list[str]], caption: str) -> Iterator[E
         )
 
 
+_MADE = f"Made by allworlds {__version__}."
 _REFUSED = "base-uri 'none'; form-action 'none'"
 
 

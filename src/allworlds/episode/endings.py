@@ -1,0 +1,167 @@
+"""How a run ends: what an explorer returns, as plain integers, and what these are worth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from allworlds.inputs import are_plain, integer, let_users_interrupt, show
+from allworlds.maps.canonical import numbering
+from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.protocol import Ambiguous, Estimate
+
+
+@dataclass(frozen=True, slots=True)
+class Answered:
+    """The explorer has returned a well-formed estimate."""
+
+    estimate: Estimate
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """The run ended without an answer.
+
+    Attributes:
+        law: ``crash``, ``timeout``, ``illegal-action``, ``no-estimate`` or ``budget``.
+        expected, seen: a sentence each.
+        detail: a traceback, or the tail of a program's stderr; may be empty.
+        machine: it may be the machine's doing and not the explorer's: a signal, a time-out, no
+            memory.
+    """
+
+    law: str
+    expected: str
+    seen: str
+    detail: str = ""
+    machine: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class LostRun(Fault):
+    """The run cost its process its life, so its walk is not known."""
+
+
+@dataclass(frozen=True, slots=True)
+class Undecided:
+    """The explorer has returned a well-formed rooted quotient, and no map.
+
+    Attributes:
+        quotient: its permutations are, and ``here`` is one of its darts.
+    """
+
+    quotient: Ambiguous
+
+
+Ending: TypeAlias = Answered | Undecided | Fault
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """An answer as it was given: integers that nobody has looked at yet.
+
+    Attributes:
+        sigma, alpha: of the map that is claimed.
+        here: the dart that is claimed.
+    """
+
+    sigma: tuple[int, ...]
+    alpha: tuple[int, ...]
+    here: int
+
+
+@dataclass(frozen=True, slots=True)
+class SaidAmbiguous(Said):
+    """The same of an answer that names no map.
+
+    Attributes:
+        degree, marks: of each dart.
+    """
+
+    degree: tuple[int, ...]
+    marks: tuple[int, ...]
+
+
+_ESTIMATE = "Estimate(map, here) with a dart of the map"
+_AMBIGUOUS = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
+
+
+def ending_of(answer: object) -> Said | Fault:
+    """The integers of an answer: what is handed over may be a subclass, or tampered with."""
+    if type(answer) is Ambiguous:
+        return _said_ambiguous(answer)
+    if type(answer) is not Estimate:
+        return Fault("no-estimate", _ESTIMATE, show(answer))
+    try:
+        claimed: object = answer.map
+        if not isinstance(claimed, CombinatorialMap):
+            return Fault("no-estimate", _ESTIMATE, f"a map that is {show(claimed)}")
+        return Said(integers(claimed.sigma), integers(claimed.alpha), integer(answer.here))
+    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+        let_users_interrupt(error)
+        return Fault("no-estimate", _ESTIMATE, show(answer))
+
+
+def _said_ambiguous(answer: Ambiguous) -> Said | Fault:
+    try:
+        return SaidAmbiguous(
+            integers(answer.sigma),
+            integers(answer.alpha),
+            integer(answer.here),
+            integers(answer.degree),
+            integers(answer.marks),
+        )
+    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+        let_users_interrupt(error)
+        return Fault("no-estimate", _AMBIGUOUS, show(answer))
+
+
+def integers(values: Iterable[object]) -> tuple[int, ...]:
+    """The values as integers; raises TypeError if one is none."""
+    kept = tuple(values)
+    if are_plain(kept):
+        return kept  # type: ignore[return-value]
+    return tuple([integer(value) for value in kept])
+
+
+def answered(ending: Said | Fault) -> Ending:
+    """The answer, if it is a map with a dart of it, or a quotient with one."""
+    if isinstance(ending, Fault):
+        return ending
+    if isinstance(ending, SaidAmbiguous):
+        return _undecided(ending)
+    try:
+        map_ = CombinatorialMap(ending.sigma, ending.alpha)
+    except InvalidMap as error:
+        return Fault("no-estimate", _ESTIMATE, f"no map: {error}")
+    here = ending.here
+    if here not in map_.darts:
+        last = len(map_.sigma) - 1
+        return Fault("no-estimate", _ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}")
+    return Answered(Estimate(map_, here))
+
+
+def _undecided(ending: SaidAmbiguous) -> Undecided | Fault:
+    if flaw := _flaw(ending):
+        return Fault("no-estimate", _AMBIGUOUS, flaw)
+    return Undecided(
+        Ambiguous(ending.sigma, ending.alpha, ending.degree, ending.marks, ending.here)
+    )
+
+
+def _flaw(said: SaidAmbiguous) -> str:
+    """What makes it no rooted quotient; empty if it is one."""
+    size = len(said.sigma)
+    for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):
+        if len(values) != size:
+            return f"{name} has {len(values)} entries, and sigma {size}"
+    if said.here not in range(size):
+        return f"here = {show(said.here)}, but the darts are 0..{size - 1}"
+    for name, values in (("sigma", said.sigma), ("alpha", said.alpha)):
+        if sorted(values) != list(range(size)):
+            return f"{name} = {show(list(values))} is no permutation of 0..{size - 1}"
+    if any(said.alpha[other] != dart for dart, other in enumerate(said.alpha)):
+        return f"alpha = {show(list(said.alpha))} is no involution"
+    reached = len(numbering(said.sigma, said.alpha, said.here))
+    return "" if reached == size else f"only {reached} of {size} darts are reached from here"

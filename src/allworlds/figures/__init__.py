@@ -1,0 +1,19 @@
+"""The paper's figures, drawn anew from runs of this program: the verb ``figure``.
+
+Every figure is computed before it is drawn, and its data stand beside it as CSV; what is drawn was
+checked (a proof that two worlds are twins, or runs that were judged).  matplotlib, from the extra
+``figures``, is imported when something is drawn.
+
+``making``
+    **the** table of the figures;
+``twins``, ``augmentation``, ``holes``
+    Fig. 1, Fig. 2 and Fig. 3 of the paper;
+``bounds``
+    the exact worst cases beside the bound, the optimum and what is known from below;
+``canvas``
+    maps as matplotlib draws them, darts in their cyclic order.
+"""
+
+from allworlds.figures.making import FIGURES, Figure, figure, files_of
+
+__all__ = ["FIGURES", "Figure", "figure", "files_of"]

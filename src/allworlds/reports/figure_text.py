@@ -1,0 +1,16 @@
+"""The text of ``figure``: what is seen, and where it was written."""
+
+from __future__ import annotations
+
+from allworlds.figures import Figure
+from allworlds.reports.layout import entry
+
+
+def figure_text(report: Figure, width: int) -> str:
+    """The verdict, the files and the caption."""
+    lines = entry(report.verdict.name.replace("_", " "), f"figure {report.name}", width)
+    lines += entry("picture", str(report.path), width)
+    lines += entry("data", str(report.data), width)
+    for i, sentences in enumerate(report.drawn.caption()):
+        lines += entry("" if i else "caption", sentences, width)
+    return "\n".join(lines)
