@@ -15,8 +15,8 @@ from allworlds.inputs import InputError
 from allworlds.isolation import Unsettled
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Estimate
+from allworlds.reports import page_of
 from allworlds.reports.compare_text import compare_csv, compare_text
-from allworlds.reports.html import comparison_page
 from allworlds.work import TimeIsUp
 from allworlds.world import Directional, World
 from kept_jobs import EXPLORERS
@@ -163,7 +163,7 @@ def test_the_csv_has_a_line_for_each_size_and_explorer(report):
 
 
 def test_the_page_holds_both_walks_and_the_document(report):
-    page = comparison_page(report)
+    page = page_of("compare", report)
     assert page.count('class="viewer"') == 3
     assert page.count("In the world that differs most") == 3
     record = page.split('id="report-json"')[1].split(">", 1)[1].split("</script>")[0]

@@ -35,6 +35,7 @@ from allworlds.mutation.judges import WEAK_JUDGES
 from allworlds.outcome import Exit, Verdict
 from allworlds.protocol import POLICIES, SEEDED, Percept
 from allworlds.reports import FILES, FORMATS, text
+from allworlds.reports.html import PAGES
 from allworlds.runs import Sample, Schedule, Scope
 from allworlds.skeletons import LANGUAGES
 from allworlds.smt import SEARCHED
@@ -310,8 +311,8 @@ def test_a_format_is_an_option_of_every_check_and_told_of(name):
 
 def test_no_report_is_left_out_of_its_table():
     told = [*(verb.text for verb in VERBS), *(form.home for form in FORMATS.values())]
-    told += FILES.values()
-    homes = {home.partition(":")[0] for home in told}
+    told += [*FILES.values(), *PAGES.values()]
+    homes = {home.partition(":")[0].partition(".")[0] for home in told}
     sources = "".join(path.read_text(encoding="utf-8") for path in PACKAGE.rglob("*.py"))
     for module in iter_modules(reports.__path__):
         assert module.name in homes or f"allworlds.reports.{module.name} import" in sources

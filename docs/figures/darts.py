@@ -28,14 +28,17 @@ text { fill: #1c2126; text-anchor: middle; dominant-baseline: central; }
 .edge { fill: none; stroke: #8a949d; stroke-width: 1.5; }
 .stub, .robot { display: none; }
 .here .robot { display: inline; fill: #b3261e; }
+.here text { fill: #fdfdfb; }
+.clockwise { display: none; }
 .pole { fill: none; stroke: #c26a00; stroke-width: 3; }
 .flag { fill: #c26a00; }
-.vertex circle { fill: #e4eaf0; stroke: #1c2126; stroke-width: 1.5; }
-.vertex.marked circle { fill: #ffe3b0; stroke: #c26a00; stroke-width: 3; }
-.vertex text { font-size: 11px; }
-.number text { paint-order: stroke; stroke: #fdfdfb; stroke-width: 4px; }
-.number rect { fill: #fdfdfb; stroke: #1c2126; }
-.number.start text { stroke: none; }
+.disc { fill: #e4eaf0; stroke: #1c2126; stroke-width: 1.5; }
+.marked .disc { fill: #ffe3b0; stroke: #c26a00; stroke-width: 3; }
+.name { font-size: 11px; }
+.dart text { paint-order: stroke; stroke: #fdfdfb; stroke-width: 4px; }
+.box { fill: none; }
+.start .box { fill: #fdfdfb; stroke: #1c2126; }
+.start text { stroke: none; }
 .turn { fill: none; stroke-width: 2.5; }
 .sigma { stroke: #1d5fa8; fill: #1d5fa8; }
 .alpha { stroke: #1a6b35; fill: #1a6b35; }
@@ -80,8 +83,8 @@ def head(at: complex, angle: float, name: str) -> ET.Element:
 
 
 def across(drawn: Layout, dart: int) -> list[ET.Element]:
-    """An arrow beside a dart's edge, from the number of one half to that of the other."""
-    a, b = drawn.label(dart), drawn.label(WORLD.map.alpha[dart])
+    """An arrow beside a dart's edge, from the beginning of one half to that of the other."""
+    a, b = drawn.stub(dart), drawn.stub(WORLD.map.alpha[dart])
     beside = (b - a) / abs(b - a) * -1j * 28
     begin, end = a + beside, b + beside
     line = f"M{begin.real:.1f} {begin.imag:.1f} L{end.real:.1f} {end.imag:.1f}"
@@ -98,8 +101,8 @@ def figure() -> ET.Element:
     left, top, width, height = drawn.box(40)
     world = picture(scene, "darts-world", "A world of three vertices")
     parts = [*world]
-    parts += turn(drawn, 0, WORLD.map.sigma[0], 34.0, "sigma")
-    parts += turn(drawn, 0, WORLD.lighthouse.dart, 52.0, "bearing")
+    parts += turn(drawn, 0, WORLD.map.sigma[0], 44.0, "sigma")
+    parts += turn(drawn, 0, WORLD.lighthouse.dart, 60.0, "bearing")
     parts += across(drawn, 0)
     scale = min((HIGH - 110) / height, WIDE / width)
     shift = f"translate({WIDE / 2 - scale * (left + width / 2):.1f} {-scale * top:.1f})"

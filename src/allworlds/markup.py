@@ -15,7 +15,9 @@ _FORBIDDEN = re.compile(
     "[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufdcf\ufdf0-\ufffd\U00010000-\U0010ffff]"
     f"|[{''.join(chr(plane << 16 | low) for plane in range(1, 17) for low in (0xFFFE, 0xFFFF))}]"
 )
-_INLINE = frozenset({"a", "b", "bdi", "code", "button", "span", "title", "td", "th", "dt", "text"})
+_INLINE = frozenset(
+    {"a", "b", "bdi", "code", "button", "span", "title", "td", "th", "dt", "text", "tspan"}
+)
 
 
 def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.Element:

@@ -116,6 +116,7 @@ VERBS = (
         "figure_text:figure_text",
         "figure",
         "The paper's figures, drawn anew from runs.",
+        brief="figure_text:figure_line",
     ),
     Verb(
         "merge",

@@ -9,7 +9,7 @@ import pytest
 from allworlds.checker import check
 from allworlds.cli.files import Files
 from allworlds.fuzzer import fuzz
-from allworlds.reports.html import page
+from allworlds.reports.html import check_page as page
 from allworlds.reports.junit import junit
 
 WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"

@@ -2,6 +2,7 @@
 
 import re
 from cmath import exp, phase
+from importlib import import_module
 from itertools import combinations, pairwise
 from math import inf, tau
 from xml.etree import ElementTree as ET
@@ -9,8 +10,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from allworlds import worlds
-from allworlds.drawing import Scene, in_words, picture
-from allworlds.drawing import layout as layouts
+from allworlds.drawing import Names, Scene, in_words, picture
 from allworlds.drawing.mesh import mesh, place
 from allworlds.drawing.planar import planar
 from allworlds.maps import CombinatorialMap
@@ -19,6 +19,7 @@ from allworlds.maps.combinatorial import cycles
 from allworlds.maps.families import family
 from small import slow
 
+layouts = import_module("allworlds.drawing.layout")
 NS = "{http://www.w3.org/2000/svg}"
 SMALL = [world.map for world in worlds(edges=3)]
 FEW = [*SMALL[:12], *SMALL[12::5]]  # all with one or two edges, and some with three
@@ -42,11 +43,10 @@ def points(path):
 def stubs(svg):
     """For each dart the ends of its straight beginning."""
     found = {}
-    for group in svg.iter(f"{NS}g"):
-        if "data-dart" in group.attrib:
-            dart = int(group.get("data-dart"))
+    for stub in svg.iter(f"{NS}path"):
+        if stub.get("class") == "stub":
+            dart = int(stub.get("data-stub"))
             assert dart not in found
-            (stub,) = [path for path in group if path.get("class") == "stub"]
             found[dart] = points(stub.get("d"))
     return found
 
@@ -241,15 +241,108 @@ def test_a_picture_has_a_name_and_words_for_those_who_do_not_see_it():
         assert f"{dart} to dart {other} of v{map_.vertex_of[other]}" in words
 
 
+def moved(group):
+    """Where the group's origin is put."""
+    return points(group.get("transform"))[0]
+
+
+def vertices(svg):
+    """Each vertex's group, with what in it keeps its size, by its number."""
+    for group in svg.iter(f"{NS}g"):
+        if "data-vertex" in group.attrib:
+            (fixed,) = group
+            assert fixed.get("class") == "fixed"
+            yield int(group.get("data-vertex")), group, fixed
+
+
 def test_the_marker_points_along_its_dart():
     svg = drawn(named_map("k4"), pointed=[2], marks={0: 1, 1: 2})
-    flags = [g.get("data-dart") for g in svg.iter(f"{NS}g") for p in g if p.get("class") == "flag"]
-    assert flags == ["2"]
-    (start, stub), (flag,) = (
-        stubs(svg)[2],
-        [points(path.get("d")) for path in svg.iter() if path.get("class") == "flag"],
-    )
-    assert abs(phase((flag[0] - start) / (stub - start))) < 0.02
-    marked = [g for g in svg.iter(f"{NS}g") if "marked" in g.get("class")]
-    assert [g.get("data-vertex") for g in marked] == ["0", "1"]
-    assert marked[1][-1].text == "\N{MULTIPLICATION SIGN}2"
+    flags = [
+        (vertex, path)
+        for vertex, _, fixed in vertices(svg)
+        for path in fixed.iter(f"{NS}path")
+        if path.get("class") == "flag"
+    ]
+    ((vertex, flag),) = flags
+    start, stub = stubs(svg)[2]
+    assert vertex == 0
+    assert abs(phase(points(flag.get("d"))[0] / (stub - start))) < 0.02
+    marked = [(v, fixed) for v, group, fixed in vertices(svg) if "marked" in group.get("class")]
+    assert [v for v, _ in marked] == [0, 1]
+    assert [t.text for t in marked[1][1] if t.get("class") == "marks"] == [
+        "\N{MULTIPLICATION SIGN}2"
+    ]
+
+
+@pytest.mark.parametrize("map_", EACH, ids=str)
+def test_a_darts_number_stands_beside_its_vertex_in_the_darts_direction(map_):
+    svg = drawn(map_)
+    beginnings, seen = stubs(svg), []
+    for vertex, group, fixed in vertices(svg):
+        for number in fixed.iter(f"{NS}g"):
+            if "data-dart" in number.attrib:
+                dart, at = int(number.get("data-dart")), moved(number)
+                start, stub = beginnings[dart]
+                assert map_.vertex_of[dart] == vertex
+                assert abs(moved(group) - start) < 0.2
+                assert 18 < abs(at) < 50
+                assert abs(phase(at / (stub - start))) < 0.06
+                seen.append(dart)
+    assert sorted(seen) == list(map_.darts)
+
+
+def test_numbers_round_a_vertex_do_not_touch():
+    few = [map_ for map_ in MAPS if max(map(len, map_.vertices)) <= 8]
+    assert len(few) > 20
+    for map_ in few:
+        for _, _, fixed in vertices(drawn(map_)):
+            places = [moved(g) for g in fixed.iter(f"{NS}g") if "data-dart" in g.attrib]
+            for a, b in combinations(places, 2):
+                assert abs(a - b) >= 13
+
+
+@pytest.mark.parametrize("map_", [*NAMED, GENUS_2, named_map("edge")], ids=str)
+def test_an_arrow_at_every_vertex_turns_clockwise_between_two_darts(map_):
+    svg = drawn(map_)
+    for vertex, _, fixed in vertices(svg):
+        (arrow,) = [g for g in fixed if g.get("class") == "clockwise"]
+        arc, head = arrow
+        numbers = [float(x) for x in re.findall(r"-?[0-9.]+", arc.get("d"))]
+        start, end = complex(*numbers[:2]), complex(*numbers[-2:])
+        # Clockwise: by a growing angle, for y grows downwards; and no dart lies between.
+        turn = phase(end / start)
+        assert 0 < turn < 2
+        assert " 0 0 1 " in arc.get("d")
+        for dart in map_.vertices[vertex]:
+            a, b = stubs(svg)[dart]
+            assert not 0 < phase((b - a) / start) < turn
+        assert (points(head.get("d"))[0] / end).imag > 0
+
+
+def test_the_lower_edge_leaves_a_gap_where_it_is_crossed():
+    for map_ in [*NAMED, GENUS_2]:
+        svg = drawn(map_)
+        bridges = [path for path in svg.iter(f"{NS}path") if path.get("class") == "bridge"]
+        # Each of two edges that cross has a gap made for it; that below is hidden by the other.
+        assert len(bridges) == 2 * planar(map_).crossings
+        curves = [flat(way) for _, way in edges(svg)]
+        for bridge in bridges:
+            at = points(bridge.get("d"))[1]
+            near = sorted(min(abs(at - p) for p in curve) for curve in curves)
+            assert near[0] < 12
+
+
+def test_letters_names_and_a_ring_are_drawn_and_told():
+    map_ = named_map("edge")
+    names = Names(("x", "y"), ("here", "there"))
+    scene = Scene(map_, 0, 0, labels=("a", "b"), ringed=1, names=names)
+    svg = ET.fromstring(ET.tostring(picture(scene, "p", "a map")))
+    texts = ["".join(text.itertext()) for text in svg.iter(f"{NS}text")]
+    assert sorted(texts) == ["here", "there", "xa", "yb"]
+    rings = [g for g in svg.iter(f"{NS}g") for c in g if c.get("class") == "ring"]
+    assert [g.get("data-dart") for g in rings] == ["1"]
+    colours = {g.get("data-dart"): g.get("class") for g in svg.iter(f"{NS}g") if g.get("data-dart")}
+    assert colours == {"0": "dart start class-0 here", "1": "dart class-1"}
+    assert "Clockwise round there its darts lead: y to dart x of here." in in_words(scene)
+    assert "Ringed is dart y." in in_words(scene)
+    assert "x a, y b" in in_words(scene)

@@ -224,6 +224,8 @@ def test_the_command_tells_the_caption(cli, tmp_path):
     assert code == 0
     assert out.startswith("HOLDS")
     assert "cube" in out
+    _, line, _ = cli("figure", "2", "--out", tmp_path / "f.pdf", "-q")
+    assert line == f"HOLDS: figure 2 in {tmp_path}/f.pdf, its data in {tmp_path}/f.csv\n"
     assert (tmp_path / "f.pdf").read_bytes().startswith(b"%PDF")
 
 

@@ -21,10 +21,13 @@
 ``report``
     the verdict with its scope;
 ``single``, ``replaying``
-    one world at a time.
+    one world at a time;
+``dearest``
+    the dearest run of every size, played again.
 """
 
 from allworlds.checker.corpus import UserCorpus
+from allworlds.checker.dearest import dearest_runs
 from allworlds.checker.ending import (
     Completed,
     Disagreed,
@@ -61,6 +64,7 @@ __all__ = [
     "UserCorpus",
     "check",
     "count_gate",
+    "dearest_runs",
     "ending_of",
     "estimate",
     "merged_check",

@@ -21,7 +21,7 @@ from allworlds.checker.agreement import AGREEMENT_EDGES, compare_engines
 from allworlds.checker.job import Job
 from allworlds.checker.questions import WALKED_FROM, level_of, walks
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.runs import EnginesDisagree, Examiner, Row, Scope, Tally, Unit
+from allworlds.runs import EnginesDisagree, Examiner, InUnit, Row, Scope, Tally, Unit
 from allworlds.subjects import Subject
 from allworlds.world import World
 
@@ -121,6 +121,7 @@ def tally_of(rows: kernel.Rows, unit: Unit, scope: Scope, keep: int) -> Tally:
                 counts.traversals,
                 counts.traversals_rooted,
                 counts.largest,
+                dearest=InUnit(unit.prefix),
             )
         )
         tally.checkpoints += counts.checkpoints

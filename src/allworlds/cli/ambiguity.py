@@ -6,6 +6,7 @@ from typing import Annotated
 
 from allworlds.cli import options as opt
 from allworlds.cli.events import listening
+from allworlds.cli.files import PageFile
 from allworlds.cli.output import Progress, emit
 from allworlds.cli.values import shard_numbers
 
@@ -53,6 +54,7 @@ def class_(
         ),
     ] = None,
     map_class: opt.MapClassName = "maps",
+    page: PageFile,
     output: opt.Output,
 ) -> int:
     """Example: allworlds ambiguity class k4 --class simple
@@ -62,6 +64,8 @@ def class_(
     import allworlds
     from allworlds.world import world_named
 
+    page.ensure_writable()
+
     result = allworlds.ambiguity.class_of(
         world_named(world, lighthouse),
         limit=allworlds.ambiguity.DEFAULT_LIMIT if limit is None else limit,
@@ -70,4 +74,5 @@ def class_(
     with Progress(quiet=output.quiet) as progress:
         if result.notice:
             progress.notice(result.notice)
+    page.write("ambiguity class", result)
     return emit(result, "ambiguity class", output)

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
 from allworlds.cli import options as opt
 from allworlds.cli.events import listening
-from allworlds.cli.files import ensure_all_writable, write_files
+from allworlds.cli.files import PageFile, ensure_all_writable, write_files
 from allworlds.cli.output import emit
 
 
@@ -20,15 +18,7 @@ def compare(
     rules: opt.Rules,
     effort: opt.Effort,
     csv: opt.CsvFile = None,
-    html: Annotated[
-        str | None,
-        opt.option(
-            opt.OUTPUT,
-            "FILE",
-            "Write a web page too, with the walks in the world that differs most.",
-            show_default=False,
-        ),
-    ] = None,
+    page: PageFile,
     output: opt.LongOutput,
 ) -> int:
     """Example: allworlds compare algorithm1 greedy --edges 4
@@ -39,8 +29,9 @@ def compare(
     """
     import allworlds
 
-    files = {"csv": csv, "html": html}
+    files = {"csv": csv}
     ensure_all_writable(files)
+    page.ensure_writable()
     with listening(output) as listener:
         report = allworlds.compare(
             *programs.after(explorers),
@@ -54,4 +45,5 @@ def compare(
         )
         listener.verdict(report)
     write_files("compare", report, files)
+    page.write("compare", report)
     return emit(report, "compare", output, workers=effort.count)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from allworlds.cli import options as opt
+from allworlds.cli.files import PageFile
 from allworlds.cli.output import emit
 from allworlds.inputs import read_text
 
 
-def explain(file: opt.FindingFile, *, output: opt.Output) -> int:
+def explain(file: opt.FindingFile, *, page: PageFile, output: opt.Output) -> int:
     """Example: allworlds explain finding.json
 
     Tell in words what the robot believed, what was true, and the first step where they part.
@@ -15,4 +16,7 @@ def explain(file: opt.FindingFile, *, output: opt.Output) -> int:
     import allworlds
     from allworlds.findings import Finding
 
-    return emit(allworlds.explain(Finding.from_json(read_text(file))), "explain", output)
+    page.ensure_writable()
+    explained = allworlds.explain(Finding.from_json(read_text(file)))
+    page.write("explain", explained)
+    return emit(explained, "explain", output)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import make_dataclass
+from dataclasses import dataclass, make_dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,7 +14,7 @@ from allworlds.cli.output import complain
 from allworlds.cli.service import tell_service
 from allworlds.inputs import InputError, a_path, show
 from allworlds.outcome import Result
-from allworlds.reports import FORMATS, file_of, written
+from allworlds.reports import FORMATS, PAGE, file_of, page_of, written
 
 
 class _Files:
@@ -51,6 +51,26 @@ else:
     Files = make_dataclass(
         "Files", [(form, _option(form), None) for form in FORMATS], bases=(_Files,), frozen=True
     )
+
+
+@dataclass(frozen=True, slots=True)
+class PageFile:
+    """The option that writes a verb's result as a web page."""
+
+    html: Annotated[str | None, opt.option(opt.OUTPUT, "FILE", PAGE, show_default=False)] = None
+
+    def ensure_writable(self) -> None:
+        """Nothing, if the file can be written; it is left as it is, and not made.
+
+        Raises:
+            InputError: naming the file and the reason.
+        """
+        ensure_all_writable({"html": self.html})
+
+    def write(self, verb: str, result: Result) -> None:
+        """A verb's result in the file, if one was named."""
+        if self.html is not None:
+            _write_text(self.html, page_of(verb, result))
 
 
 def ensure_all_writable(files: Mapping[str, str | None]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.files import PageFile
 from allworlds.cli.output import complain, emit
 from allworlds.inputs import read_text
 from allworlds.protocol import ANSWER_TIMEOUT
@@ -36,6 +37,7 @@ def replay(
         ),
     ] = None,
     answer_timeout: opt.AnswerTimeout = ANSWER_TIMEOUT,
+    page: PageFile,
     output: opt.Output,
 ) -> int:
     """Example: allworlds replay finding.json --explorer mended.py:explore
@@ -46,6 +48,8 @@ def replay(
     import allworlds
     from allworlds.findings import Finding
 
+    page.ensure_writable()
+
     another = None
     if any(given is not None for given in (explorer, command, native)):
         another = opt.explorer_name(explorer, command, native)
@@ -53,4 +57,5 @@ def replay(
     replayed = allworlds.replay(finding, another, answer_timeout=answer_timeout)
     if replayed.notice:
         complain(replayed.notice)
+    page.write("replay", replayed)
     return emit(replayed, "replay", output)

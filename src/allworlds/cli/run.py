@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
+from allworlds.cli.files import PageFile
 from allworlds.cli.output import emit
 from allworlds.cli.values import index_list
 from allworlds.inputs import InputError, show
@@ -36,6 +37,7 @@ def run(
         ),
     ] = None,
     rules: opt.Rules,
+    page: PageFile,
     output: opt.Output,
 ) -> int:
     """Example: allworlds run algorithm1 theta
@@ -45,6 +47,8 @@ def run(
     import allworlds
     from allworlds.subjects import own_lighthouse
     from allworlds.world import World, world_of_family
+
+    page.ensure_writable()
 
     explorer, place = explorer_and_world(
         list(arguments or []),
@@ -58,6 +62,7 @@ def run(
     elif drawn.holes is not None:
         raise InputError(f"holes {drawn.holes} has no effect without --family")
     told = allworlds.run(name, world, choices=index_list(choices), **rules.options())
+    page.write("run", told)
     return emit(told, "run", output)
 
 

@@ -6,6 +6,7 @@ from typing import Annotated
 
 from allworlds.cli import options as opt
 from allworlds.cli.events import listening
+from allworlds.cli.files import PageFile
 from allworlds.cli.output import emit
 from allworlds.cli.values import motion_list
 
@@ -58,6 +59,7 @@ def search(
             show_default=False,
         ),
     ] = None,
+    page: PageFile,
     output: opt.LongOutput,
 ) -> int:
     """Example: allworlds search --lighthouse position --class simple --vertices 4 --edges 6
@@ -66,6 +68,8 @@ def search(
     code 0: answered, 3: the time was over, 4: no world exists within the bounds.
     """
     import allworlds
+
+    page.ensure_writable()
 
     with listening(output) as listener:
         result = allworlds.search(
@@ -86,4 +90,5 @@ def search(
             listener.notice(notice)
         listener.verdict(result)
     seconds = [searched.seconds for searched in result.searched]
+    page.write("search", result)
     return emit(result, "search", output, level_seconds=seconds)

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
+from allworlds.cli.files import PageFile
 from allworlds.cli.output import emit
 
 
@@ -15,6 +16,7 @@ def twins(
     b: Annotated[str, typer.Argument(metavar="B", help="Another one.")],
     *,
     lighthouse: opt.LighthouseOfWorld = "position",
+    page: PageFile,
     output: opt.Output,
 ) -> int:
     """Example: allworlds twins fig1-left fig1-right
@@ -25,5 +27,8 @@ def twins(
     import allworlds
     from allworlds.world import world_named
 
+    page.ensure_writable()
+
     result = allworlds.twins(world_named(a, lighthouse), world_named(b, lighthouse))
+    page.write("twins", result)
     return emit(result, "twins", output)

@@ -6,6 +6,7 @@ from typing import Annotated
 
 from allworlds.cli import options as opt
 from allworlds.cli.events import listening
+from allworlds.cli.files import PageFile
 from allworlds.cli.output import emit
 from allworlds.cli.values import shard_numbers, worker_count
 
@@ -40,6 +41,7 @@ def worst(
     workers: opt.Workers = "auto",
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
+    page: PageFile,
     output: opt.LongOutput,
 ) -> int:
     """Example: allworlds worst --edges 5
@@ -49,6 +51,8 @@ def worst(
     1: a schedule breaks a law, 70: the replay of a row disagrees.
     """
     import allworlds
+
+    page.ensure_writable()
 
     threads = worker_count(workers)
     with listening(output) as listener:
@@ -65,4 +69,5 @@ def worst(
             listener=listener,
         )
         listener.verdict(report)
+    page.write("worst", report)
     return emit(report, "worst", output, workers=threads)

@@ -58,8 +58,8 @@ def compare(
     limits = Limits.of(options)
     contestants = contestants_of(explorers, limits, options)
     if len(contestants) < 2:
-        names = ", ".join(contestant.name for contestant in contestants)
-        raise InputError(f"compare takes two explorers at least, not {show(names)}")
+        only = show(contestants[0].name) if contestants else "none"
+        raise InputError(f"compare takes two explorers at least, not {only}")
     map_class, _ = rules_for(contestants[0].subject, options)
     heard = listener or Silent()
     family = options.get("family")

@@ -5,7 +5,7 @@ from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 from allworlds.documents.checks import CheckReport, MutantsReport
 from allworlds.documents.claims import ClaimsReport
 from allworlds.documents.common import MadeBy, Report
-from allworlds.documents.comparisons import CompareReport, GrowReport
+from allworlds.documents.comparisons import CompareReport, FigureReport, GrowReport
 from allworlds.documents.findings import Finding
 from allworlds.documents.questions import (
     AmbiguityCensusReport,
@@ -36,6 +36,7 @@ Watched: TypeAlias = (
     | AmbiguityCensusReport
     | CompareReport
     | GrowReport
+    | FigureReport
     | MutantsReport
     | CountReport
     | SearchReport

@@ -6,7 +6,6 @@ from cmath import exp
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import combinations
 from math import tau
 
 from allworlds.drawing.mesh import mesh, place
@@ -16,9 +15,12 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
 MOST_DARTS = 200
 """Larger drawings, ends at crossings counted, are made in the plain way."""
 
-STUB, NUMBER, GAP, NARROWEST, WIDEST = 23.0, 46.0, 15.0, 130.0, 900.0
-"""In pixels: the straight beginning of an edge, the way from a vertex to a dart's number and that
-from number to number, at least; the whole drawing, at least and at most."""
+STUB, NARROWEST, WIDEST = 30.0, 130.0, 900.0
+"""In pixels: the straight beginning of an edge, at least; the drawing, at least and at most."""
+
+DISC, CHIP, HIGH, GAP, FAR = 12.0, 10.0, 14.0, 16.0, 46.0
+"""Likewise: the radii of a vertex and of the robot, and the height of a number; the way from a
+number to the next one, at least; how far a number is moved from its vertex for that, at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,9 +43,27 @@ class Layout:
         return (start + towards) / 2
 
     def label(self, dart: Dart) -> complex:
-        """The point of the edge at which the dart's number stands."""
+        """A point of the edge for the dart's number where that scales with the drawing."""
         a, b, c, *_ = self.ways[dart]
         return (a + 6 * b + c) / 8
+
+    def along(self, dart: Dart) -> complex:
+        """The direction in which the dart leaves its vertex, of length 1."""
+        start, towards, *_ = self.ways[dart]
+        return (towards - start) / abs(towards - start)
+
+    def rim(self, dart: Dart, wide: float) -> float:
+        """How far from its vertex the middle of the dart's number stands, in pixels.
+
+        A number so wide touches neither the vertex nor, if there is room, a number beside it.
+        """
+        here = self.along(dart)
+        aside, high = abs(here.real), abs(here.imag)
+        half = min(wide / 2 / max(aside, 0.01), HIGH / 2 / max(high, 0.01))
+        free = DISC + max(half, CHIP) + 2
+        around = [d for d, way in enumerate(self.ways) if way[0] == self.ways[dart][0]]
+        nearest = min((abs(here - self.along(d)) for d in around if d != dart), default=2)
+        return max(free, min(GAP / max(nearest, 0.01), FAR))
 
     def box(self, margin: float) -> tuple[float, float, float, float]:
         """Left, top, width and height of a box that holds the drawing."""
@@ -101,18 +121,13 @@ def _finished(map_: CombinatorialMap, root: Dart, ways: Sequence[Sequence[comple
     """The drawing turned, and as large as the numbers of the darts need."""
     rough = Layout(tuple(ways[v[0]][0] for v in map_.vertices), tuple(map(tuple, ways)))
     origin = ways[root][0]
-    others = rough.vertices if map_.vertex_count > 1 else [rough.label(d) for d in map_.darts]
+    stubs = [rough.stub(d) for d in map_.darts]
+    others = rough.vertices if map_.vertex_count > 1 else stubs
     # Rounded, for among equals the first is to be taken whatever the last bits are.
     far = max(others, key=lambda point: round(abs(point - origin), 6)) - origin
-    stub = min(abs(rough.stub(d) - ways[d][0]) for d in map_.darts)
-    number = min(abs(rough.label(d) - ways[d][0]) for d in map_.darts)
-    gap = min(
-        abs(rough.label(d) - rough.label(e))
-        for vertex in map_.vertices
-        for d, e in [*combinations(vertex, 2), *((d, map_.alpha[d]) for d in vertex)]
-    )
+    stub = min(abs(stubs[d] - ways[d][0]) for d in map_.darts)
     size = max(max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in _drawn(way)]))
-    scale = min(max(STUB / stub, NUMBER / number, GAP / gap, NARROWEST / size), WIDEST / size)
+    scale = min(max(STUB / stub, NARROWEST / size), WIDEST / size)
     turn = far.conjugate() / abs(far) * scale
     return Layout(
         tuple((point - origin) * turn for point in rough.vertices),

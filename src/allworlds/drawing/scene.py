@@ -12,6 +12,14 @@ from allworlds.world import World
 
 
 @dataclass(frozen=True, slots=True)
+class Names:
+    """What darts and vertices are called in a picture, in their order."""
+
+    darts: tuple[str, ...]
+    vertices: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Scene:
     """What a picture shows; each form of picture draws of it what it can.
 
@@ -24,6 +32,8 @@ class Scene:
         pointed: the darts to which a bearing is counted, at any number of vertices.
         labels: a short text for each dart, such as its class; None where there are none.
         walked: the darts by which the robot has arrived anywhere.
+        ringed: the dart to look at; None where there is none.
+        names: the names of darts and vertices, where they are not their numbers.
 
     Raises:
         ValueError: for a dart or vertex that the map does not have, a negative number of
@@ -37,6 +47,20 @@ class Scene:
     pointed: Collection[Dart] = ()
     labels: Sequence[str] | None = None
     walked: Collection[Dart] = ()
+    ringed: Dart | None = None
+    names: Names | None = None
+
+    @property
+    def dart_names(self) -> Sequence[str]:
+        """The name of each dart."""
+        return self.names.darts if self.names else [*map(str, self.map.darts)]
+
+    @property
+    def vertex_names(self) -> Sequence[str]:
+        """The name of each vertex."""
+        if self.names:
+            return self.names.vertices
+        return [f"v{vertex}" for vertex in range(self.map.vertex_count)]
 
     def __post_init__(self) -> None:
         map_, robot = self.map, () if self.robot is None else (self.robot,)

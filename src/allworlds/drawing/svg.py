@@ -1,38 +1,52 @@
 """A scene as a drawing in a page: the darts leave each vertex in their cyclic order, clockwise.
 
-The labels of a scene are not drawn.
+Edges scale with the drawing; what is written does not.  Vertices, numbers, the marker's arrow and
+the robot stand in groups of the class ``fixed``, about the centre of their vertex, which a style
+sheet scales by ``--k``, one over the scale of the drawing.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from cmath import phase
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from math import cos, pi, sin, tau
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing.layout import Layout, layout
+from allworlds.drawing.layout import CHIP, DISC, HIGH, Layout, layout
 from allworlds.drawing.scene import Scene
 from allworlds.maps.combinatorial import Dart
 from allworlds.markup import Child, tag
 
-DISC, ROBOT, MARGIN = 12.0, 6.0, 26.0
-"""In pixels: the radii of a vertex and of a robot, and the free room round the drawing."""
+MARGIN = 30.0
+"""The free room round the drawing, in pixels."""
 
 FLAG = 12.0
 """The length of the head of the arrow that stands for a marker's direction, in pixels."""
 
+TURN = 16.5
+"""The radius of the arrow that shows which way is clockwise."""
 
-def picture(scene: Scene, name: str, title: str) -> ET.Element:
-    """The scene as an SVG element; ``name`` is its id, ``title`` what a screen reader says."""
-    map_, drawn = scene.map, layout(scene.map, scene.start)
+COLOURS = 12
+"""So many classes of darts have colours of their own, one after the other."""
+
+
+def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) -> ET.Element:
+    """The scene as an SVG element; ``name`` is its id, ``title`` what a screen reader says.
+
+    It is drawn as ``drawn`` says, by default as :func:`layout` does.
+    """
+    map_ = scene.map
+    drawn = drawn or layout(map_, scene.start)
     left, top, width, height = (round(x) for x in drawn.box(MARGIN))
     return tag(
         "svg",
         tag("title", title, id=f"{name}-title"),
         tag("desc", in_words(scene), id=f"{name}-desc"),
-        *(_edge(scene, drawn, dart) for dart, _ in map_.edges),
-        *(_dart(scene, drawn, dart) for dart in map_.darts),
+        *(part for dart, _ in map_.edges for part in _edge(scene, drawn, dart)),
+        *(_stub(drawn, dart) for dart in map_.darts),
         *(_vertex(scene, drawn, vertex) for vertex in range(map_.vertex_count)),
-        *(_number(scene, drawn, dart) for dart in map_.darts),
+        tag("g", class_="arrows"),
         id=name,
         class_="map",
         role="img",
@@ -46,32 +60,54 @@ def picture(scene: Scene, name: str, title: str) -> ET.Element:
 
 def in_words(scene: Scene) -> str:
     """The scene for those who do not see it."""
-    map_ = scene.map
+    map_, dart_names, vertex_names = scene.map, scene.dart_names, scene.vertex_names
     sentences = []
     for vertex, darts in enumerate(map_.vertices):
         ways = [
-            f"{dart} to dart {map_.alpha[dart]} of v{map_.vertex_of[map_.alpha[dart]]}"
+            f"{dart_names[dart]} to dart {dart_names[map_.alpha[dart]]} of "
+            f"{vertex_names[map_.vertex_of[map_.alpha[dart]]]}"
             for dart in darts
         ]
-        sentences.append(f"Clockwise round v{vertex} its darts lead: {', '.join(ways)}.")
+        sentences.append(
+            f"Clockwise round {vertex_names[vertex]} its darts lead: {', '.join(ways)}."
+        )
     for vertex, marks in sorted(scene.marks.items()):
-        sentences.append(f"Markers at v{vertex}: {marks}.")
+        sentences.append(f"Markers at {vertex_names[vertex]}: {marks}.")
     if scene.pointed:
-        sentences.append(f"Pointed darts: {', '.join(map(str, sorted(scene.pointed)))}.")
-    end = "" if scene.robot is None else f", the robot is in the end at {scene.robot}"
-    sentences.append(f"The start is dart {scene.start}{end}.")
+        pointed = ", ".join(dart_names[dart] for dart in sorted(scene.pointed))
+        sentences.append(f"Pointed darts: {pointed}.")
+    if scene.labels is not None:
+        labels = ", ".join(f"{dart_names[d]} {scene.labels[d]}" for d in map_.darts)
+        sentences.append(f"Darts with their letters: {labels}.")
+    if scene.ringed is not None:
+        sentences.append(f"Ringed is dart {dart_names[scene.ringed]}.")
+    end = "" if scene.robot is None else f", the robot is in the end at {dart_names[scene.robot]}"
+    sentences.append(f"The start is dart {dart_names[scene.start]}{end}.")
     return " ".join(sentences)
 
 
-def _edge(scene: Scene, drawn: Layout, dart: Dart) -> ET.Element:
-    other = scene.map.alpha[dart]
+def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
+    """The edge, and before it the gaps that it leaves in the edges below."""
+    other, way = scene.map.alpha[dart], drawn.ways[dart]
+    for bridge in _bridges(way):
+        yield tag("path", class_="bridge", d=bridge)
     walked = dart in scene.walked or other in scene.walked
-    return tag(
+    yield tag(
         "path",
         class_="edge walked" if walked else "edge",
         data_darts=f"{dart} {other}",
-        d=_curve(drawn.ways[dart]),
+        d=_curve(way),
     )
+
+
+def _bridges(way: Sequence[complex]) -> Iterator[str]:
+    """The pieces of the curve about each of its crossings: every third point is one."""
+    for k in range(3, len(way) - 3, 3):
+        before, at, after = way[k - 1 : k + 2]
+        start, end = (before + 3 * at) / 4, (at * 3 + after) / 4
+        # The middle half of the parabola from half way before to half way after the crossing.
+        middle = (before + 6 * at + after) / 8
+        yield f"M{_at((start + middle) / 2)} Q{_at(middle)} {_at((end + middle) / 2)}"
 
 
 def _curve(way: Sequence[complex]) -> str:
@@ -82,57 +118,97 @@ def _curve(way: Sequence[complex]) -> str:
     return f"{path} L{_at(way[-1])}"
 
 
-def _dart(scene: Scene, drawn: Layout, dart: Dart) -> ET.Element:
-    """The beginning of the dart, the marker's arrow if it points along it, and the robot's seat."""
-    centre, stub = drawn.ways[dart][0], drawn.stub(dart)
-    along = (stub - centre) / abs(stub - centre)
-    parts = [tag("path", class_="stub", d=f"M{_at(centre)} L{_at(stub)}")]
-    if dart in scene.pointed:
-        base, wing = centre + (DISC + FLAG) * along, along * 1j * FLAG * 0.55
-        head = f"M{_at(base + FLAG * along)} L{_at(base + wing)} L{_at(base - wing)} Z"
-        parts.append(tag("path", class_="pole", d=f"M{_at(centre)} L{_at(base)}"))
-        parts.append(tag("path", class_="flag", d=head))
-    seat = centre + (DISC + ROBOT) * along
-    parts.append(tag("circle", class_="robot", cx=_x(seat), cy=_y(seat), r=ROBOT))
-    here = " here" if dart == scene.robot else ""
-    return tag("g", *parts, class_=f"dart{here}", data_dart=dart)
+def _stub(drawn: Layout, dart: Dart) -> ET.Element:
+    """The straight beginning of the dart."""
+    d = f"M{_at(drawn.ways[dart][0])} L{_at(drawn.stub(dart))}"
+    return tag("path", class_="stub", data_stub=dart, d=d)
 
 
 def _vertex(scene: Scene, drawn: Layout, vertex: int) -> ET.Element:
-    centre, marks = drawn.vertices[vertex], scene.marks.get(vertex, 0)
-    parts: list[Child] = [
-        tag("circle", cx=_x(centre), cy=_y(centre), r=DISC),
-        tag("text", f"v{vertex}", x=_x(centre), y=_y(centre)),
-    ]
+    """The vertex with its darts' numbers round it, and all that is to be seen there."""
+    darts, marks = scene.map.vertices[vertex], scene.marks.get(vertex, 0)
+    along = {dart: drawn.along(dart) for dart in darts}
+    parts: list[ET.Element] = [_clockwise([*along.values()])]
+    rim = {dart: drawn.rim(dart, _width(scene, dart)) for dart in darts}
+    parts += [_flag(along[dart], rim[dart]) for dart in darts if dart in scene.pointed]
+    parts.append(tag("circle", class_="disc", r=DISC))
+    parts.append(tag("text", scene.vertex_names[vertex], class_="name"))
     if marks > 1:
-        badge = centre + DISC * (0.8 - 0.8j)
-        parts.append(
-            tag("text", f"\N{MULTIPLICATION SIGN}{marks}", class_="marks", x=_x(badge), y=_y(badge))
-        )
-    return tag("g", *parts, class_="vertex marked" if marks else "vertex", data_vertex=vertex)
+        text = f"\N{MULTIPLICATION SIGN}{marks}"
+        parts.append(tag("text", text, class_="marks", x=_rounded(DISC), y=_rounded(-DISC)))
+    parts += [_number(scene, dart, rim[dart] * along[dart]) for dart in darts]
+    return tag(
+        "g",
+        tag("g", *parts, class_="fixed"),
+        class_="vertex marked" if marks else "vertex",
+        data_vertex=vertex,
+        transform=f"translate({_at(drawn.vertices[vertex])})",
+    )
 
 
-def _number(scene: Scene, drawn: Layout, dart: Dart) -> ET.Element:
-    """The dart's number, in a box where the robot started."""
-    at = drawn.label(dart)
-    text = tag("text", str(dart), x=_x(at), y=_y(at))
-    if dart != scene.start:
-        return tag("g", text, class_="number")
-    wide, high = 10.0 + 6.0 * len(str(dart)), 16.0
-    box = tag("rect", x=_x(at - wide / 2), y=_y(at - 1j * high / 2), width=wide, height=high, rx=3)
-    return tag("g", box, text, class_="number start")
+def _clockwise(along: Sequence[complex]) -> ET.Element:
+    """An arrow that turns clockwise, in the middle of the widest gap between two darts."""
+    angles = sorted(phase(direction) for direction in along)
+    gaps = [(b - a, a) for a, b in pairwise([*angles, angles[0] + tau])]
+    wide, first = max(gaps, key=lambda gap: round(gap[0], 6))
+    half = min(wide / 2 - 0.25, 0.6)
+    start, end = (first + wide / 2 + turn for turn in (-half, half))
+    tip = TURN * complex(cos(end), sin(end))
+    ahead = complex(cos(end + pi / 2), sin(end + pi / 2))
+    head = [tip + 5 * ahead, tip - 3j * ahead, tip + 3j * ahead]
+    arc = f"M{_at(TURN * complex(cos(start), sin(start)))} A{TURN} {TURN} 0 0 1 {_at(tip)}"
+    return tag(
+        "g",
+        tag("path", class_="arc", d=arc),
+        tag("path", class_="head", d=f"M{' L'.join(map(_at, head))} Z"),
+        class_="clockwise",
+    )
+
+
+def _flag(along: complex, rim: float) -> ET.Element:
+    """The marker's arrow, behind the number of the dart that it points along."""
+    base, wing = (rim + CHIP) * along, along * 1j * FLAG * 0.55
+    head = f"M{_at(base + FLAG * along)} L{_at(base + wing)} L{_at(base - wing)} Z"
+    return tag(
+        "g",
+        tag("path", class_="pole", d=f"M{_at(0j)} L{_at(base)}"),
+        tag("path", class_="flag", d=head),
+    )
+
+
+def _number(scene: Scene, dart: Dart, at: complex) -> ET.Element:
+    """The dart's number: in a box where the robot started, on a disc where it is."""
+    text: list[Child] = [scene.dart_names[dart]]
+    colour = ""
+    if scene.labels is not None:
+        text.append(tag("tspan", scene.labels[dart], class_="letter"))
+        colour = f" class-{sorted(set(scene.labels)).index(scene.labels[dart]) % COLOURS}"
+    wide, high = _width(scene, dart) + 4, HIGH + 2
+    left, top = _rounded(-wide / 2), _rounded(-high / 2)
+    box = tag("rect", class_="box", x=left, y=top, width=wide, height=high, rx=3)
+    parts = [tag("circle", class_="ring", r=CHIP + 4)] if dart == scene.ringed else []
+    here = " here" if dart == scene.robot else ""
+    start = " start" if dart == scene.start else ""
+    return tag(
+        "g",
+        *parts,
+        box,
+        tag("circle", class_="robot", r=CHIP),
+        tag("text", *text),
+        class_=f"dart{start}{colour}{here}",
+        data_dart=dart,
+        transform=f"translate({_at(at)})",
+    )
+
+
+def _width(scene: Scene, dart: Dart) -> float:
+    """Of the dart's number with its letter, in pixels."""
+    letters = "" if scene.labels is None else scene.labels[dart]
+    return 4.0 + 7.0 * len(scene.dart_names[dart] + letters)
 
 
 def _at(point: complex) -> str:
-    return f"{_x(point)} {_y(point)}"
-
-
-def _x(point: complex) -> str:
-    return _rounded(point.real)
-
-
-def _y(point: complex) -> str:
-    return _rounded(point.imag)
+    return f"{_rounded(point.real)} {_rounded(point.imag)}"
 
 
 def _rounded(value: float) -> str:

@@ -120,6 +120,11 @@ class Belief:
         return self._walk.parting
 
     @property
+    def agreement(self) -> int:
+        """The number of steps, the start included, in which both go along with each other."""
+        return self._walk.agreement
+
+    @property
     def step(self) -> int | None:
         """The first step at which belief and truth part."""
         return self.parting.step if self.parting else None

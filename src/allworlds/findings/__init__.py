@@ -16,7 +16,7 @@
 
 from allworlds.findings.belief import BelievedWalk, believed_walk
 from allworlds.findings.finding import Finding, canonical_world, place_of
-from allworlds.findings.parting import Parting
+from allworlds.findings.parting import Parting, find_parting
 from allworlds.findings.rules import Rules, RulesOptions, make_rules
 from allworlds.findings.store import KeptFinding, file_name, kept_findings, write_finding
 from allworlds.findings.walks import recorded_trail, true_trail, true_walk
@@ -31,6 +31,7 @@ __all__ = [
     "believed_walk",
     "canonical_world",
     "file_name",
+    "find_parting",
     "kept_findings",
     "make_rules",
     "place_of",

@@ -8,7 +8,7 @@ from itertools import product
 
 from allworlds.checker import check
 from allworlds.growing import grow
-from allworlds.judge import paper_bound
+from allworlds.judge import paper_bound, printed_bound
 from allworlds.ledger.algorithm import worst_rows
 from allworlds.ledger.found import (
     Checks,
@@ -158,14 +158,7 @@ def bound_of_every_run(means: Means, *, edges: int) -> Found:
 
 def polynomial(n: int, m: int) -> Fraction:
     """(1)+(2) as ``2m^2 n - 2mn^2 + (2/3)n^3 - 2m^2 + 5mn - (5/2)n^2 - 2m + (11/6)n``."""
-    return printed(n, m) + 5 * m * n - 2 * m + Fraction(11, 6) * n
-
-
-def printed(n: int, m: int) -> Fraction:
-    """Expression (3) as far as it is printed."""
-    return (
-        2 * m * m * n - 2 * m * n * n + Fraction(2, 3) * n**3 - 2 * m * m - Fraction(5, 2) * n * n
-    )
+    return printed_bound(n, m) + 5 * m * n - 2 * m + Fraction(11, 6) * n
 
 
 def sums_are_the_polynomial(_: Means, *, edges: int) -> Found:
@@ -178,13 +171,13 @@ def sums_are_the_polynomial(_: Means, *, edges: int) -> Found:
 def printed_3_bounds(_: Means, *, edges: int) -> Found:
     """Expression (3) without its unstated terms, beside what Algorithm 1 needs."""
     points = [(m, n) for m in range(1, edges + 1) for n in range(1, m + 2)]
-    below = [(m, n) for m, n in points if printed(n, m) < paper_bound(n, m)]
-    beaten = [(m, n) for m, n in points if printed(n, m) < m]
+    below = [(m, n) for m, n in points if printed_bound(n, m) < paper_bound(n, m)]
+    beaten = [(m, n) for m, n in points if printed_bound(n, m) < m]
     first = list(beaten[0]) if beaten else []
     seen = {"pairs of n and m": len(points), "below (1)+(2)": len(below), "below m": len(beaten)}
     figures: dict[str, Figure] = {
         "first edges and vertices": first,
-        "its value at n = 2, m = 1": str(printed(2, 1)),
+        "its value at n = 2, m = 1": str(printed_bound(2, 1)),
     }
     return Found(truth(not beaten), seen, figures)
 
@@ -211,7 +204,9 @@ def terms_left_out(_: Means, *, edges: int) -> Found | NotChecked:
         for (a, b), coefficient in sorted(left.terms(), reverse=True)
     }
     points = [(x, y) for y in range(1, edges + 1) for x in range(1, y + 2)]
-    agree = all(left.eval({n: x, m: y}) == paper_bound(x, y) - printed(x, y) for x, y in points)
+    agree = all(
+        left.eval({n: x, m: y}) == paper_bound(x, y) - printed_bound(x, y) for x, y in points
+    )
     # A term that is left out is of lower order if each kept one outgrows it; mn does not.
     return Found(truth(agree), {"terms": len(told), "pairs of n and m": len(points)}, told)
 

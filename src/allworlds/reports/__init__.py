@@ -37,11 +37,13 @@ class Format:
     told_to: str = ""
 
 
+PAGE = "Write a web page too: one file, which needs no network."
+"""What the option for a page says, with whatever verb."""
+
+
 FORMATS = {
     "junit": Format("junit:junit", "Write the report as JUnit XML too."),
-    "html": Format(
-        "html:page", "Write the report as a web page too: one file, which needs no network."
-    ),
+    "html": Format("html:check_page", PAGE),
     "sarif": Format(
         "sarif:sarif", "Write the report as SARIF 2.1.0 too, for code scanning and editors."
     ),
@@ -60,15 +62,13 @@ FORMATS = {
 
 
 FILES = {
-    ("claims", "html"): "html:claims_page",
     ("claims", "junit"): "claims_junit:claims_junit",
     ("compare", "csv"): "compare_text:compare_csv",
-    ("compare", "html"): "html:comparison_page",
     ("grow", "csv"): "grow_text:grow_csv",
     ("grow", "plot"): "grow_plot:grow_plot",
-    ("play", "html"): "play:play_page",
 }
-"""What else a verb's result can be written to, by the verb and the option."""
+"""What else a verb's result can be written to, by the verb and the option; pages have a table of
+their own, :data:`allworlds.reports.html.PAGES`."""
 
 _TEXTS = {verb.name: verb.text for verb in VERBS}
 _BRIEFS = {verb.name: verb.brief for verb in VERBS}
@@ -101,9 +101,18 @@ def written(form: str, report: Any) -> str:
 
 
 def file_of(verb: str, option: str, result: Any) -> str:
-    """The content of the file of a verb's option, one of :data:`FILES`."""
+    """The content of the file of a verb's option: a page, or one of :data:`FILES`."""
+    if option == "html":
+        return page_of(verb, result)
     made: str = _load(FILES[verb, option])(result)
     return made
+
+
+def page_of(verb: str, result: Any) -> str:
+    """A verb's result as a web page."""
+    from allworlds.reports.html import page
+
+    return page(verb, result)
 
 
 def ensure_drawable() -> None:
@@ -123,11 +132,13 @@ def _load(home: str) -> Any:
 __all__ = [
     "FILES",
     "FORMATS",
+    "PAGE",
     "Format",
     "brief",
     "ensure_drawable",
     "file_of",
     "finding_in_words",
+    "page_of",
     "text",
     "written",
 ]

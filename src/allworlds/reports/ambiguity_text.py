@@ -28,33 +28,30 @@ def twins_text(comparison: Comparison, width: int) -> str:
     if isinstance(comparison.proof, Separation):
         return "\n".join(_told_apart(comparison, comparison.proof, width))
     projections = [projection_of(world) for world in comparison.worlds]
-    quotients = [projection.quotient for projection in projections]
-    head = {
-        "same": ("SAME", "the two are one world, start included; "),
-        "same-map": (
-            "ALIKE",
-            "one world, entered at two darts that look alike; ",
-        ),
-        "different": ("TWINS", "two different worlds; "),
-    }
-    title, what = head[comparison.relation]
-    lines = [*entry(title, what + _why_alike(quotients), width)]
+    lines = entry(*twins_words(comparison), width)
     for name, world, (_, classes) in zip("AB", comparison.worlds, projections, strict=True):
         lines += ["", f"world {name}; under each dart its class", ""]
         lines += [_drawing(world, classes, width)]
-    return "\n".join([*lines, "", *_quotient(quotients[0])])
+    return "\n".join([*lines, "", *_quotient(projections[0].quotient)])
+
+
+def twins_words(comparison: Comparison) -> tuple[str, str]:
+    """The verdict, and why."""
+    if isinstance(comparison.proof, Separation):
+        motions = ", ".join(map(str, comparison.proof.motions)) or "none: the first percepts differ"
+        count = plural(len(comparison.proof.motions), "motion")
+        return "TOLD APART", f"by {count}, and by no fewer: {motions}"
+    word, what = {
+        "same": ("SAME", "the two are one world, start included; "),
+        "same-map": ("ALIKE", "one world, entered at two darts that look alike; "),
+        "different": ("TWINS", "two different worlds; "),
+    }[comparison.relation]
+    return word, what + _why_alike([projection_of(world).quotient for world in comparison.worlds])
 
 
 def class_text(found: AmbiguityClass, width: int) -> str:
     """The size of the class, some of its worlds, and the quotient they share."""
-    quotient = found.quotient
-    universe = f"in the class {found.universe}"
-    if found.size == 1:
-        text = f"no other world {universe} has its quotient: a robot can map it"
-        lines = entry("ALONE", text, width)
-    else:
-        text = f"{plural(found.size, 'world')} {universe}; " + _why_alike([quotient])
-        lines = entry("AMBIGUOUS", text, width)
+    lines = entry(*class_words(found), width)
     lines += entry(
         "poses", f"{number(found.poses)} (a world, and a dart where the robot is)", width
     )
@@ -67,7 +64,16 @@ def class_text(found: AmbiguityClass, width: int) -> str:
         lines += ["", f"and {number(len(found.worlds) - DRAWN)} more: see --json"]
     if found.notice:
         lines += ["", *entry("notice", found.notice, width)]
-    return "\n".join([*lines, "", *_quotient(quotient)])
+    return "\n".join([*lines, "", *_quotient(found.quotient)])
+
+
+def class_words(found: AmbiguityClass) -> tuple[str, str]:
+    """The verdict, and why."""
+    universe = f"in the class {found.universe}"
+    if found.size == 1:
+        return "ALONE", f"no other world {universe} has its quotient: a robot can map it"
+    text = f"{plural(found.size, 'world')} {universe}; " + _why_alike([found.quotient])
+    return "AMBIGUOUS", text
 
 
 def census_text(census: AmbiguityCensus, width: int) -> str:
@@ -116,9 +122,7 @@ def _of_classes(sizes: Counter[int]) -> list[str]:
 
 
 def _told_apart(comparison: Comparison, proof: Separation, width: int) -> list[str]:
-    motions = ", ".join(map(str, proof.motions)) or "none: the first percepts differ"
-    count = plural(len(proof.motions), "motion")
-    lines = entry("TOLD APART", f"by {count}, and by no fewer: {motions}", width)
+    lines = entry(*twins_words(comparison), width)
     for name, world in zip("AB", comparison.worlds, strict=True):
         lines += ["", f"world {name}", "", draw(scene_of(world), width)]
     rows = [
@@ -153,13 +157,17 @@ def _drawing(world: World, classes: Sequence[int], width: int) -> str:
 
 
 def _quotient(quotient: Quotient) -> list[str]:
-    """A line a vertex: its classes clockwise with where alpha leads, and what lies over it."""
+    header, rows = quotient_table(quotient)
+    lines = ["the quotient (a→b: alpha takes class a to b; a↺: to itself, a semi-edge)", ""]
+    return lines + table(header, rows, "llr")
+
+
+def quotient_table(quotient: Quotient) -> tuple[list[str], list[list[str]]]:
+    """A row a vertex: its classes clockwise with where alpha leads, and what lies over it."""
     rows = []
     for vertex, cone in zip(quotient.vertices, quotient.cone_indices, strict=True):
         around = " ".join(
             f"{q}→{quotient.alpha[q]}" if quotient.alpha[q] != q else f"{q}↺" for q in vertex
         )
         rows.append([around, str(quotient.labels[vertex[0]]), str(cone)])
-    header = ["classes clockwise", "sensed there", "times round"]
-    lines = ["the quotient (a→b: alpha takes class a to b; a↺: to itself, a semi-edge)", ""]
-    return lines + table(header, rows, "llr")
+    return ["classes clockwise", "sensed there", "times round"], rows

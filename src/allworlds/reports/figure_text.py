@@ -6,11 +6,20 @@ from allworlds.figures import Figure
 from allworlds.reports.layout import entry
 
 
+def figure_line(report: Figure) -> str:
+    """The verdict and the files in one line."""
+    return f"{_verdict(report)}: figure {report.name} in {report.path}, its data in {report.data}"
+
+
 def figure_text(report: Figure, width: int) -> str:
     """The verdict, the files and the caption."""
-    lines = entry(report.verdict.name.replace("_", " "), f"figure {report.name}", width)
+    lines = entry(_verdict(report), f"figure {report.name}", width)
     lines += entry("picture", str(report.path), width)
     lines += entry("data", str(report.data), width)
     for i, sentences in enumerate(report.drawn.caption()):
         lines += entry("" if i else "caption", sentences, width)
     return "\n".join(lines)
+
+
+def _verdict(report: Figure) -> str:
+    return report.verdict.name.replace("_", "-")

@@ -10,7 +10,19 @@ from allworlds.words import plural
 
 def search_text(result: SearchResult, width: int) -> str:
     """The answer, the sizes it rests on, and where the certificate is."""
-    lines = {"sat": _found, "unsat": _none, "unknown": _undecided}[result.status](result, width)
+    first, *others = search_words(result)
+    lines = entry(*first, width) + _drawn(result, width)
+    for name, text in others:
+        lines += entry(name, text, width)
+    header, rows = search_table(result)
+    if rows:
+        lines += ["", *table(header, rows, "llr"), ""]
+    lines += entry("files", str(result.directory), width)
+    return "\n".join(lines)
+
+
+def search_table(result: SearchResult) -> tuple[list[str], list[list[str]]]:
+    """The header and the rows of what was decided."""
     rows = [
         [
             searched.sizes.name,
@@ -21,16 +33,44 @@ def search_text(result: SearchResult, width: int) -> str:
         ]
         for searched in result.searched
     ]
-    if rows:
-        lines += ["", *table(["sizes", "status", "seconds", "formula", "proof"], rows, "llr"), ""]
-    lines += entry("files", str(result.directory), width)
-    return "\n".join(lines)
+    return ["sizes", "status", "seconds", "formula", "proof"], rows
 
 
-def _found(result: SearchResult, width: int) -> list[str]:
+def search_words(result: SearchResult) -> list[tuple[str, str]]:
+    """The answer, and what it rests on, as names and texts."""
+    asked = result.question.describes
+    if result.status == "unknown":
+        return [("UNKNOWN", f"{asked}: undecided.")]
+    if result.vacuous:
+        return [("VACUOUS", f"{asked}: there is no world at all.")]
+    if result.status == "sat":
+        pair = [] if result.certificate is None else [("pair", str(result.certificate))]
+        return [("FOUND", f"{asked}."), ("why", _why(result)), *pair]
+    proof = "no certificate for all sizes; the notices say why"
+    if result.certificate is not None:
+        proof = (
+            f"{result.certificate}: a formula and an LRAT proof for all sizes, each proof checked "
+            "by a program that is no solver"
+        )
+    return [("NONE", f"{asked}: there are none."), ("proof", proof)]
+
+
+def _why(result: SearchResult) -> str:
     assert result.pair is not None
     assert result.classes is not None
-    lines = entry("FOUND", f"{result.question.describes}.", width)
+    home = result.classes[0][result.pair[0].start]
+    return (
+        f"the two starts are in class c{home}, sigma and alpha take every class to one class, and "
+        "the darts of a class sense the same: so whatever the motions, both robots stand at darts "
+        "of one class. No start makes the two worlds the same."
+    )
+
+
+def _drawn(result: SearchResult, width: int) -> list[str]:
+    """The two worlds, if there are."""
+    lines: list[str] = []
+    if result.pair is None or result.classes is None:
+        return lines
     for name, world, classes in zip("AB", result.pair, result.classes, strict=True):
         size = (
             f"{plural(world.map.edge_count, 'edge')}, "
@@ -39,30 +79,4 @@ def _found(result: SearchResult, width: int) -> list[str]:
         lines += ["", f"world {name} ({size}); under each dart its class", ""]
         scene = scene_of(world, labels=[f"c{k}" for k in classes])
         lines.append(draw(scene, width))
-    home = result.classes[0][result.pair[0].start]
-    why = (
-        f"the two starts are in class c{home}, sigma and alpha take every class to one class, and "
-        "the darts of a class sense the same: so whatever the motions, both robots stand at darts "
-        "of one class. No start makes the two worlds the same."
-    )
-    lines += ["", *entry("why", why, width)]
-    if result.certificate is not None:
-        lines += entry("pair", str(result.certificate), width)
-    return lines
-
-
-def _none(result: SearchResult, width: int) -> list[str]:
-    if result.vacuous:
-        return entry("VACUOUS", f"{result.question.describes}: there is no world at all.", width)
-    lines = entry("NONE", f"{result.question.describes}: there are none.", width)
-    if result.certificate is None:
-        return lines + entry("proof", "no certificate for all sizes; the notices say why", width)
-    text = (
-        f"{result.certificate}: a formula and an LRAT proof for all sizes, each proof checked "
-        "by a program that is no solver"
-    )
-    return lines + entry("proof", text, width)
-
-
-def _undecided(result: SearchResult, width: int) -> list[str]:
-    return entry("UNKNOWN", f"{result.question.describes}: undecided.", width)
+    return [*lines, ""]

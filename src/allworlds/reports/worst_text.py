@@ -11,83 +11,93 @@ from allworlds.worst_case import RunsReport, WorstReport
 
 def worst_text(report: WorstReport | RunsReport, width: int) -> str:
     """A line for each size, and what the numbers are about."""
-    return _of_runs(report, width) if isinstance(report, RunsReport) else _paper(report, width)
+    header, rows = worst_table(report)
+    lines = [*table(header, rows, "r" * len(header)), ""]
+    lines += interruption(complete=report.complete, width=width)
+    for name, text in worst_words(report):
+        lines += entry(name, text, width)
+    return "\n".join(lines)
 
 
-def _of_runs(report: RunsReport, width: int) -> str:
-    """The same of an explorer whose runs were played."""
-    header = ["edges", "vertices", "worlds", "best", "worst", "bound"]
-    rows = []
+def worst_table(report: WorstReport | RunsReport) -> tuple[list[str], list[list[str]]]:
+    """The header and the rows, one for each size."""
+    header, rows = ["edges", "vertices", "worlds", "best", "worst", "bound"], []
     for row in report.rows:
         cells = [row.edges, row.vertices, row.worlds, row.best, row.worst]
         rows.append([*map(number, cells), "-" if row.bound is None else number(row.bound)])
-    lines = [*table(header, rows, "r" * len(header)), ""]
-    lines += interruption(complete=report.complete, width=width)
+    if isinstance(report, WorstReport):
+        header.append("worst/bound")
+        for row, texts in zip(report.rows, rows, strict=True):
+            texts.append(f"{row.worst / row.bound:.3f}")
+    return header, rows
+
+
+def worst_words(report: WorstReport | RunsReport) -> list[tuple[str, str]]:
+    """What the numbers are about, and what they were compared with, as names and texts."""
+    return _of_runs(report) if isinstance(report, RunsReport) else _paper(report)
+
+
+def _of_runs(report: RunsReport) -> list[tuple[str, str]]:
+    """The same of an explorer whose runs were played."""
     schedules = "every schedule" if report.schedules == "all" else "the one schedule"
-    lines += entry(
-        "scope",
-        f"{schedules} of {report.explorer} in every map of the class "
-        f"{report.extent.map_class.value} with at most {plural(report.extent.edges or 0, 'edge')}, "
-        f"at every place of the lighthouse {report.lighthouse}",
-        width,
+    scope = (
+        f"{schedules} of {report.explorer} in {_maps(report)}, "
+        f"at every place of the lighthouse {report.lighthouse}"
     )
-    lines += entry(
-        "worst, best", "of all episodes; the largest cost of the cheapest schedule of a run", width
-    )
-    for finding in report.findings:
-        lines += entry("REFUTED", headline(finding), width)
+    words = [
+        ("scope", scope),
+        ("worst, best", "of all episodes; the largest cost of the cheapest schedule of a run"),
+    ]
+    words += [("REFUTED", headline(finding)) for finding in report.findings]
     if report.agrees and not report.findings:
-        lines += entry("gate", f"the numbers of worlds are those of: {report.source}", width)
-        lines += entry("replay", "every worst cost was attained again", width)
+        words.append(("gate", f"the numbers of worlds are those of: {report.source}"))
+        words.append(("replay", "every worst cost was attained again"))
     elif not report.agrees:
         row = next(row for row in report.rows if not row.agrees)
-        lines += entry(
-            "MISMATCH",
+        text = (
             f"with {size(row.edges, row.vertices)}: {row.worlds} worlds, counted {row.counted}; "
-            f"worst {row.worst}, once more {row.replayed}",
-            width,
+            f"worst {row.worst}, once more {row.replayed}"
         )
-    return "\n".join(lines)
+        words.append(("MISMATCH", text))
+    return words
 
 
-def _paper(report: WorstReport, width: int) -> str:
+def _maps(report: WorstReport | RunsReport) -> str:
+    extent = report.extent
+    return (
+        f"every map of the class {extent.map_class.value} "
+        f"with at most {plural(extent.edges or 0, 'edge')}"
+    )
+
+
+def _paper(report: WorstReport) -> list[tuple[str, str]]:
     """The same of Algorithm 1, by the compiled search."""
-    header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
-    rows = []
-    for row in report.rows:
-        cells = [row.edges, row.vertices, row.worlds, row.best, row.worst, row.bound]
-        rows.append([*map(number, cells), f"{row.worst / row.bound:.3f}"])
-    lines = table(header, rows, "r" * len(header))
     tests = sum(row.tests for row in report.rows)
     wrong = sum(row.wrong for row in report.rows)
-    lines += [""]
-    lines += interruption(complete=report.complete, width=width)
-    lines += entry(
-        "scope",
-        f"every schedule of algorithm1 in every map of the class {report.extent.map_class.value} "
-        f"with at most {plural(report.extent.edges or 0, 'edge')}, from every vertex; "
-        f"transit on {_WAYS[report.transit]}",
-        width,
-    )
-    lines += entry(
-        "worst, best",
-        "the dearest schedule of the dearest world; the largest cost of the cheapest schedule "
-        "of a world",
-        width,
-    )
     verdict = "all rejected" if not wrong else f"{number(wrong)} CONFIRMED"
-    lines += entry(
-        "tests", f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}", width
+    scope = (
+        f"every schedule of algorithm1 in {_maps(report)}, from every vertex; "
+        f"transit on {_WAYS[report.transit]}"
     )
-    if report.agrees:
-        text = f"the numbers of worlds are those of: {report.source}"
-        if isinstance(report.portion, Shard):
-            text = f"of the shard {report.portion} alone; the merge of all shards compares counts"
-        lines += entry("gate", text, width)
-        lines += entry("replay", "every worst cost was attained by the python engine", width)
-    else:
-        lines += entry("MISMATCH", _mismatch(report), width)
-    return "\n".join(lines)
+    costs = (
+        "the dearest schedule of the dearest world; the largest cost of the cheapest schedule "
+        "of a world"
+    )
+    words = [
+        ("scope", scope),
+        ("worst, best", costs),
+        ("tests", f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}"),
+    ]
+    if not report.agrees:
+        return [*words, ("MISMATCH", _mismatch(report))]
+    text = f"the numbers of worlds are those of: {report.source}"
+    if isinstance(report.portion, Shard):
+        text = f"of the shard {report.portion} alone; the merge of all shards compares counts"
+    return [
+        *words,
+        ("gate", text),
+        ("replay", "every worst cost was attained by the python engine"),
+    ]
 
 
 _WAYS = {"shortest": "a shortest path", "simple": "any simple path"}

@@ -42,13 +42,14 @@ from allworlds.runs.scope import (
     Scope,
     a_schedule,
 )
-from allworlds.runs.tally import Row, Tally, finding_kept, kept_finding
+from allworlds.runs.tally import AtRun, InUnit, Row, Tally, finding_kept, kept_finding
 from allworlds.runs.twice import Earlier, OneRun, PlayedTwice, Players
 from allworlds.runs.units import GivenWorlds, NumberedRun, Placed, Unit, Worlds, numbered_runs
 
 __all__ = [
     "DEFAULT_EDGES",
     "LOST",
+    "AtRun",
     "CostTally",
     "Costing",
     "Coverage",
@@ -59,6 +60,7 @@ __all__ = [
     "Examines",
     "GivenWorlds",
     "InParts",
+    "InUnit",
     "MapKey",
     "NumberedRun",
     "OneRun",

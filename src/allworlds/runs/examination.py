@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 from allworlds.runs.examiner import Examiner, Outcome, Referee, name_run
 from allworlds.runs.scope import Scope
-from allworlds.runs.tally import Tally
+from allworlds.runs.tally import AtRun, Tally
 from allworlds.runs.units import NumberedRun, Worlds, numbered_runs
 from allworlds.subjects import Subject
 from allworlds.world import World
@@ -96,7 +96,9 @@ class Examination:
         row.traversals += cost
         if place == 0:
             row.traversals_rooted += cost
-        row.max_cost = max(row.max_cost, cost)
+        if cost >= row.max_cost:
+            map_ = world.map
+            row.cost_of(cost, AtRun(map_.sigma, map_.alpha, place, outcome.choices))
         row.bound_of(outcome.bound)
         tally.checkpoints += len(outcome.episode.checkpoints)
         if outcome.violation and tally.wants(edges, vertices):

@@ -6,9 +6,24 @@ from bisect import insort
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import astuple, dataclass, field, replace
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 from allworlds.findings import Finding, Rules
+
+
+class AtRun(NamedTuple):
+    """A run, and the choices of one of its episodes."""
+
+    sigma: tuple[int, ...]
+    alpha: tuple[int, ...]
+    place: int
+    choices: tuple[int, ...]
+
+
+class InUnit(NamedTuple):
+    """Somewhere among the maps whose history begins with ``prefix``."""
+
+    prefix: tuple[int, ...]
 
 
 @dataclass(slots=True)
@@ -23,6 +38,8 @@ class Row:
         traversals_rooted: the same at the first place of each rooted map only.
         max_cost: the largest cost of an episode.
         bound: the largest bound of a run; None without a bound.
+        dearest: the least run that attains the largest cost, or the first unit that has one;
+            None where no unit is known.  Rows that count the same are equal whatever it is.
     """
 
     worlds: int = 0
@@ -32,6 +49,7 @@ class Row:
     traversals_rooted: int = 0
     max_cost: int = 0
     bound: int | None = None
+    dearest: AtRun | InUnit | None = field(default=None, compare=False)
 
     def add(self, other: Row) -> None:
         """Take in what was seen elsewhere."""
@@ -40,8 +58,17 @@ class Row:
         self.episodes += other.episodes
         self.traversals += other.traversals
         self.traversals_rooted += other.traversals_rooted
+        if other.dearest is not None:
+            self.cost_of(other.max_cost, other.dearest)
         self.max_cost = max(self.max_cost, other.max_cost)
         self.bound_of(other.bound)
+
+    def cost_of(self, cost: int, where: AtRun | InUnit) -> None:
+        """Take in the largest cost that there is at that place."""
+        if cost > self.max_cost or self.dearest is None:
+            self.max_cost, self.dearest = cost, where
+        elif cost == self.max_cost:
+            self.dearest = min(self.dearest, where)
 
     def bound_of(self, run: int | None) -> None:
         """Take in the bound of a run, which may be negative; None where it has none."""
@@ -125,7 +152,7 @@ class Tally:
         """The tally of :meth:`to_json`'s document, made under these rules."""
         return cls(
             keep,
-            {(edges, vertices): Row(*row) for edges, vertices, *row in document["rows"]},
+            {(edges, vertices): _row(row) for edges, vertices, *row in document["rows"]},
             Counter(document["witnesses"]),
             document["left_out"],
             document["checkpoints"],
@@ -147,6 +174,18 @@ class Tally:
     def traversals(self) -> int:
         """Summed over all episodes."""
         return sum(row.traversals for row in self.rows.values())
+
+
+def _row(numbers: list[Any]) -> Row:
+    """The row of a document's numbers, of which the last say where the dearest run is."""
+    *counts, dearest = numbers
+    row = Row(*counts)
+    match dearest:
+        case [prefix]:
+            row.dearest = InUnit(tuple(prefix))
+        case [sigma, alpha, place, choices]:
+            row.dearest = AtRun(tuple(sigma), tuple(alpha), place, tuple(choices))
+    return row
 
 
 def kept_finding(finding: Finding) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from allworlds.checker import rules_for, single_run
+from allworlds.checker import SingleRun, rules_for, single_run
 from allworlds.findings import Finding, Rules
 from allworlds.isolation import confirmed, subject_of, workers_for
 from allworlds.maps.classes import Extent
@@ -85,6 +85,7 @@ class RunsReport:
         rows: ascending by (edges, vertices).
         findings: the smallest, if a run broke a law; its level is the last.
         complete: False if the user has interrupted, and levels are missing.
+        subject, rules: who was run, and how.
     """
 
     explorer: str
@@ -95,6 +96,13 @@ class RunsReport:
     rows: tuple[RunsRow, ...]
     findings: tuple[Finding, ...]
     complete: bool
+    subject: Subject = field(compare=False)
+    rules: Rules = field(compare=False)
+
+    def walks(self) -> Iterator[SingleRun]:
+        """The runs that attain each row's worst cost, played again."""
+        for row in self.rows:
+            yield single_run(self.subject, row.world, self.rules, row.choices, Limits())
 
     @property
     def agrees(self) -> bool:
@@ -159,6 +167,8 @@ def worst_of_runs(
         tuple(row for level in finished for row in level),
         tuple(search.findings),
         complete,
+        subject,
+        rules,
     )
 
 

@@ -9,7 +9,6 @@ import sys
 from base64 import b64encode
 from collections import Counter
 from dataclasses import replace
-from html.parser import HTMLParser
 
 import pytest
 
@@ -22,64 +21,12 @@ from allworlds.fuzzer import fuzz
 from allworlds.maps.build import named_map
 from allworlds.markup import legal
 from allworlds.mutation.explorers import WRONG_EXPLORERS
-from allworlds.reports.html import page
+from allworlds.reports.html import check_page as page
+from html_tree import read
 
-VOID = {"meta", "br", "link", "img", "input", "hr"}
 HOSTILE = (
     "</script><script>alert(1)</script><!-- <b title='x\"'> &amp; \0 \x1b \ud800 \ufffe \u202e"
 )
-
-
-class Node:
-    def __init__(self, name, attributes):
-        self.name, self.attributes, self.children = name, dict(attributes), []
-
-    def all(self, name=None, **wanted):
-        for child in self.children:
-            if isinstance(child, Node):
-                has = child.attributes
-                fits = all(has.get(k.replace("_", "-").rstrip("-")) == v for k, v in wanted.items())
-                if fits and name in (None, child.name):
-                    yield child
-                yield from child.all(name, **wanted)
-
-    def one(self, name=None, **wanted):
-        (found,) = self.all(name, **wanted)
-        return found
-
-    @property
-    def text(self):
-        return "".join(child.text if isinstance(child, Node) else child for child in self.children)
-
-
-class Reader(HTMLParser):
-    """A tree of a page in which every element is closed where it should be."""
-
-    def __init__(self, text):
-        super().__init__(convert_charrefs=True)
-        self.root = Node("", ())
-        self.open = [self.root]
-        self.feed(text)
-        self.close()
-        assert self.open == [self.root]
-
-    def handle_starttag(self, tag, attrs):
-        assert len(dict(attrs)) == len(attrs)
-        node = Node(tag, attrs)
-        self.open[-1].children.append(node)
-        if tag not in VOID:
-            self.open.append(node)
-
-    def handle_endtag(self, tag):
-        assert self.open.pop().name == tag
-
-    def handle_data(self, data):
-        self.open[-1].children.append(data)
-
-
-def read(text):
-    assert text.startswith('<!DOCTYPE html>\n<html lang="en">')
-    return Reader(text).root
 
 
 def mutant(name):
@@ -273,7 +220,8 @@ SAME = """
 import sys
 from allworlds.checker import check
 from allworlds.mutation.explorers import WRONG_EXPLORERS
-from allworlds.reports.html import page
+from allworlds.reports.html import check_page as page
+from html_tree import read
 wrong = next(m for m in WRONG_EXPLORERS if m.name == "wrong-entry-label")
 sys.stdout.buffer.write(page(check(wrong.explorer(), edges=3)).encode())
 """

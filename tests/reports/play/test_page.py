@@ -8,8 +8,7 @@ from base64 import b64encode
 import pytest
 
 from allworlds.playing import play
-from allworlds.reports import text
-from allworlds.reports.play import play_page
+from allworlds.reports import page_of, text
 from allworlds.reports.play.page import world_data
 from allworlds.world import LIGHTHOUSES
 from small import LOLLIPOP
@@ -18,7 +17,7 @@ from small import LOLLIPOP
 @pytest.mark.parametrize("kind", LIGHTHOUSES)
 def test_the_page_holds_the_world_under_every_lighthouse(kind):
     made = play(json.dumps(LOLLIPOP.to_json()), lighthouse=kind)
-    page = play_page(made)
+    page = page_of("play", made)
     (held,) = re.findall(
         r'<script type="application/json" id="play-json">(.*?)</script>', page, re.DOTALL
     )
@@ -28,7 +27,7 @@ def test_the_page_holds_the_world_under_every_lighthouse(kind):
 
 
 def test_the_page_allows_its_own_script_and_style_alone():
-    page = play_page(play("theta"))
+    page = page_of("play", play("theta"))
     (policy,) = re.findall(r'http-equiv="Content-Security-Policy" content="([^"]*)"', page)
     scripts = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
     styles = re.findall(r"<style>(.*?)</style>", page, re.DOTALL)
@@ -41,7 +40,7 @@ def test_the_page_allows_its_own_script_and_style_alone():
 
 
 def test_whatever_the_script_asks_for_is_in_the_page():
-    page = play_page(play("theta"))
+    page = page_of("play", play("theta"))
     (script,) = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
     asked = {*re.findall(r'\bat\("([a-z-]+)"\)', script)}
     asked |= {
@@ -53,7 +52,7 @@ def test_whatever_the_script_asks_for_is_in_the_page():
 
 def test_nothing_is_seen_of_the_world_before_it_is_uncovered():
     made = play("theta-torus")
-    page = play_page(made)
+    page = page_of("play", made)
     (game,) = re.findall(r'<div id="game"([^>]*)>', page)
     assert "hidden" in game
     title = re.findall(r"<title>(.*?)</title>|<h1>(.*?)</h1>", page)

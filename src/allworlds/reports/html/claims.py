@@ -9,14 +9,14 @@ from allworlds.drawing import scene_of
 from allworlds.ledger import ClaimsReport, Entry, Found
 from allworlds.markup import tag
 from allworlds.reports.claims_text import claims_line, details, heading
-from allworlds.reports.html.findings import figure
-from allworlds.reports.html.frame import counts, framed
+from allworlds.reports.html.frame import Page, counts
+from allworlds.reports.html.viewer import figure
 
 VERDICTS = {0: "holds", 1: "refuted", 3: "inconclusive", 4: "vacuous", 130: "inconclusive"}
 
 
-def claims_page(report: ClaimsReport) -> str:
-    """The ledger as an HTML document that refers to nothing outside of it."""
+def claims_page(report: ClaimsReport) -> Page:
+    """The table of the claims, and each of them."""
     word, _, text = claims_line(report).partition(": ")
     header = ["section", "claim", "sentence", "expected", "found", ""]
     rows = [
@@ -37,7 +37,7 @@ def claims_page(report: ClaimsReport) -> str:
         aria_labelledby="ledger",
         class_="scope",
     )
-    return framed(
+    return Page(
         "allworlds claims",
         f"budget {report.budget}",
         (word, text, VERDICTS[int(report.exit_code)]),

@@ -5,20 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.etree import ElementTree as ET
 
-from allworlds.checker import SingleRun
 from allworlds.comparing import Comparison
-from allworlds.explaining import Walked
 from allworlds.markup import tag
 from allworlds.reports.compare_text import compare_table, compare_words
-from allworlds.reports.html.findings import figure, finding_section, viewer
-from allworlds.reports.html.frame import counts, framed
-from allworlds.reports.html.walk import walk
-from allworlds.reports.scenes import walk_in_world
+from allworlds.reports.html.findings import finding_section
+from allworlds.reports.html.frame import Page, counts
+from allworlds.reports.html.runs import run_section
 from allworlds.words import plural
 
 
-def comparison_page(report: Comparison) -> str:
-    """The comparison as an HTML document that refers to nothing outside of it."""
+def comparison_page(report: Comparison) -> Page:
+    """The rows of a comparison, its findings, and a walk of each explorer."""
     (word, text), *words = compare_words(report)
     summary = {key: told for key, told in report.to_json().items() if key != "findings"}
     entries = [
@@ -33,7 +30,7 @@ def comparison_page(report: Comparison) -> str:
         class_="scope",
     )
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
-    return framed(
+    return Page(
         "allworlds compare",
         ", ".join(report.names),
         (word, text, report.verdict.value),
@@ -44,26 +41,6 @@ def comparison_page(report: Comparison) -> str:
 
 def _walks(report: Comparison) -> Iterator[ET.Element]:
     for number, told in enumerate(report.walks(), 1):
-        yield _walk(told, f"walk-{number}")
-
-
-def _walk(told: SingleRun, name: str) -> ET.Element:
-    """One explorer's walk in the world that differs most."""
-    transcript = told.outcome.episode.transcript
-    scene = walk_in_world(told.world, transcript)
-    picture = figure("The world", scene, f"{name}-world", "robot")
-    walked = Walked(told.world, transcript)
-    return tag(
-        "section",
-        tag(
-            "h2",
-            "In the world that differs most: ",
-            tag("bdi", told.explorer),
-            f", {plural(told.outcome.cost, 'traversal')}",
-            id=f"{name}-title",
-        ),
-        viewer([picture], walk(walked, None, None, name), f"The walk of {told.explorer}."),
-        class_="finding",
-        id=name,
-        aria_labelledby=f"{name}-title",
-    )
+        cost = plural(told.outcome.cost, "traversal")
+        title = f"In the world that differs most: {told.explorer}, {cost}"
+        yield run_section(told, f"walk-{number}", title)

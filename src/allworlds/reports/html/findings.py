@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing import Scene, picture
 from allworlds.explaining import Belief, Explanation, Story, explain
-from allworlds.findings import Finding
+from allworlds.findings import Finding, find_parting, true_trail
+from allworlds.maps.combinatorial import Dart
 from allworlds.markup import Child, record, tag
 from allworlds.reports.cost_curve import cost_picture
 from allworlds.reports.finding_words import (
@@ -18,8 +18,11 @@ from allworlds.reports.finding_words import (
     seen_words,
     wrong,
 )
+from allworlds.reports.html.beside import figures_beside
+from allworlds.reports.html.viewer import figure, viewer
 from allworlds.reports.html.walk import walk
 from allworlds.reports.scenes import OTHER, walk_in_answer, walk_in_world
+from allworlds.world import World
 
 
 def finding_section(finding: Finding, number: int, origin: str = "") -> ET.Element:
@@ -51,62 +54,29 @@ def _sentences(sentences: tuple[str, ...]) -> Iterator[Child]:
 def _viewer(story: Story, belief: Belief | None, told: Explanation, name: str) -> ET.Element:
     """The pictures of a finding, and its walk."""
     world, transcript = story.world, story.transcript
-    figures = [figure("The world", walk_in_world(world, transcript), f"{name}-world", "robot")]
+    scene = walk_in_world(world, transcript)
+    others: dict[str, Sequence[Dart]] = {}
     if belief:
-        scene = walk_in_answer(world, belief.answer, transcript)
-        figures.append(figure("The answer", scene, f"{name}-answer", "believed"))
-    if told.other:
-        scene = walk_in_world(told.other, transcript)
-        figures.append(figure(OTHER.capitalize(), scene, f"{name}-other", "believed"))
+        answer = walk_in_answer(world, belief.answer, transcript)
+        trails, agreement = (story.walked, belief.believed), belief.agreement
+        figures = figures_beside(scene, answer, trails, agreement, name)
+    elif told.other:
+        others["believed"] = true_trail(told.other, transcript)
+        figures = _agreeing(story, told.other, others["believed"], name)
+    else:
+        figures = [figure("The world", scene, f"{name}-world", "robot")]
     title = f"The walk of finding {name.rpartition('-')[2]}."
-    return viewer(figures, walk(story, belief, told, name), title)
+    return viewer(figures, walk(story, name, belief, told.step, others), title)
 
 
-def viewer(figures: Sequence[ET.Element], steps: ET.Element, title: str) -> ET.Element:
-    """Pictures and a walk along which keys step in all of them."""
-    keys = "Left and right arrow, Home and End step along the walk."
-    return tag(
-        "div",
-        tag("div", *figures, class_="pictures"),
-        tag(
-            "div",
-            *(
-                tag("button", where.capitalize(), type="button", data_go=where)
-                for where in ("first", "back", "next", "last")
-            ),
-            tag("p", "", class_="now", role="status"),
-            class_="controls",
-            hidden="hidden",
-        ),
-        tag("p", keys, class_="keys", hidden="hidden"),
-        steps,
-        class_="viewer",
-        role="group",
-        tabindex="0",
-        aria_label=f"{title} {keys}",
-    )
-
-
-def figure(title: str, scene: Scene, name: str, follows: str) -> ET.Element:
-    """A picture with its caption and its legend; the robot in it is that of ``follows``."""
-    legend = [
-        tag("span", "robot", class_="key robot-key"),
-        tag("span", "walked", class_="key walked-key"),
-        tag("span", "walked just now", class_="key last-key", hidden="hidden"),
-    ]
-    if scene.marks:
-        legend.append(tag("span", "marked", class_="key marked-key"))
-    if scene.pointed:
-        legend.append(tag("span", "pointed along", class_="key pointed-key"))
-    legend.append(tag("span", "dart faced at the start", class_="key start-key"))
-    genus = scene.map.genus
-    about = f"genus {genus}" + ("; edges that cross do not meet" if genus else "")
-    return tag(
-        "figure",
-        tag("figcaption", tag("b", title), f", {about}"),
-        tag("div", picture(scene, name, title), class_="frame", data_follows=follows),
-        tag("p", *legend, class_="legend"),
-    )
+def _agreeing(story: Story, other: World, trail: Sequence[Dart], name: str) -> list[ET.Element]:
+    """The world, and beside it the other one in which the robot would have sensed the same."""
+    fits = [True] * len(trail)
+    parting = find_parting(story.map, story.walked, other.map, trail, fits)
+    world = walk_in_world(story.world, story.transcript)
+    scene, trails = walk_in_world(other, story.transcript), (story.walked, trail)
+    agreement = parting.step if parting else len(trail)
+    return figures_beside(world, scene, trails, agreement, name, OTHER.capitalize())
 
 
 def _facts(finding: Finding, origin: str) -> Iterator[ET.Element]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from base64 import b64encode
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from hashlib import sha256
 from importlib.resources import files
 from typing import Any, NamedTuple
@@ -20,29 +21,44 @@ class Own(NamedTuple):
     script: str
 
 
-def framed(
-    title: str,
-    subject: str,
-    verdict: tuple[str, str, str],
-    sections: Sequence[ET.Element],
-    summary: Mapping[str, Any],
-    own: Own | None = None,
-) -> str:
-    """An HTML document that refers to nothing outside of it.
+@dataclass(frozen=True, slots=True)
+class Page:
+    """What a page says; its frame is the same for all.
 
-    Its own style and script are allowed by their hashes, and nothing else is.
-
-    Args:
+    Attributes:
         title: what was done.
         subject: to whom.
-        verdict: in a word, in a sentence, and as its name.
+        verdict: in a word, in a sentence, and as its name, by which it has its colour.
         sections: the page.
         summary: the document of the report, which the page holds too.
         own: what the page has of its own; without it, keys step along its walks.
     """
-    style = _own("style.css") + (own.style if own else "")
-    script = own.script if own else _own("script.js")
-    word, text, name = verdict
+
+    title: str
+    subject: str
+    verdict: tuple[str, str, str]
+    sections: Sequence[ET.Element]
+    summary: Mapping[str, Any]
+    own: Own | None = None
+
+
+LARGEST = 1_000_000
+"""Bytes of a page.  A document with which it would be larger is left out, and the page says so."""
+
+
+def framed(page: Page) -> str:
+    """The page as an HTML document that refers to nothing outside of it.
+
+    Its own style and script are allowed by their hashes, and nothing else is.
+    """
+    whole = _framed(page, page.summary)
+    return whole if len(whole.encode()) <= LARGEST else _framed(page, None)
+
+
+def _framed(page: Page, summary: Mapping[str, Any] | None) -> str:
+    style = _own("style.css") + (page.own.style if page.own else "")
+    script = page.own.script if page.own else _own("script.js")
+    word, text, name = page.verdict
     policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}"
     head = tag(
         "head",
@@ -51,16 +67,20 @@ def framed(
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
         tag("meta", name="color-scheme", content="light dark"),
         tag("meta", name="referrer", content="no-referrer"),
-        tag("title", f"{title}: {word}, {subject}"),
+        tag("title", f"{page.title}: {word}, {page.subject}"),
         raw("style", style),
     )
     said = tag("p", tag("b", word), " ", tag("span", text), class_=f"verdict {name}")
+    records, held = [], "is too large to hold its report: --json prints it"
+    if summary is not None:
+        records = [record(summary, class_="report", id="report-json")]
+        held = "holds its data as JSON"
     body = tag(
         "body",
-        tag("header", tag("h1", title, ": ", tag("bdi", subject)), said),
-        tag("main", *sections),
-        tag("footer", tag("p", f"{_MADE} This page needs no network, and holds its data as JSON.")),
-        record(summary, class_="report", id="report-json"),
+        tag("header", tag("h1", page.title, ": ", tag("bdi", page.subject)), said),
+        tag("main", *page.sections),
+        tag("footer", tag("p", f"{_MADE} This page needs no network, and {held}.")),
+        *records,
         raw("script", script),
     )
     return document(tag("html", head, body, lang="en"))

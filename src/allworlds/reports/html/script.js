@@ -1,43 +1,112 @@
 "use strict";
 // Keys and buttons step along a walk; without this script the list of its steps is all there.
 
-const KEYS = { ArrowLeft: "back", ArrowRight: "next", Home: "first", End: "last" };
+const KEYS = {
+  ArrowLeft: "back", ArrowRight: "next", Home: "first", End: "last", " ": "play",
+  "+": "in", "=": "in", "-": "out",
+};
+const TRAIL = 3; // So many steps before the last are shown, too.
+const SMALLEST = 0.6; // A picture is made so small at most, so that its numbers have room.
+
+function element(svg, name, attributes, text = "") {
+  const made = document.createElementNS(svg.namespaceURI, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.textContent = text;
+  return made;
+}
+
+// A picture: it follows the robot in one of the worlds, and is as large as there is room for.
+function makePicture(frame) {
+  const svg = frame.querySelector("svg");
+  const { width, height } = svg.viewBox.baseVal;
+  const arrows = svg.querySelector(".arrows");
+  const { follows } = frame.dataset;
+  const edges = new Map();
+  for (const edge of svg.querySelectorAll("[data-darts]")) {
+    for (const dart of edge.dataset.darts.split(" ")) edges.set(dart, edge);
+  }
+  const grown = [...svg.querySelectorAll("[data-since]")];
+
+  function fit(zoom) {
+    if (!frame.clientWidth) return;
+    const room = Math.min(1.25, Math.max(SMALLEST, frame.clientWidth / width));
+    const scale = Math.min(room * zoom, 6);
+    svg.style.width = `${width * scale}px`;
+    svg.style.height = `${height * scale}px`;
+    svg.style.setProperty("--k", 1 / scale);
+  }
+
+  function arrow(dart, step) {
+    const edge = edges.get(dart);
+    const length = edge.getTotalLength();
+    // The dart is the one by which it arrives: the edge is drawn from its first dart to its second.
+    const back = edge.dataset.darts.split(" ")[0] === dart;
+    const at = edge.getPointAtLength(length / 2);
+    const ahead = edge.getPointAtLength(length / 2 + (back ? -1 : 1));
+    const angle = Math.atan2(ahead.y - at.y, ahead.x - at.x);
+    const outer = element(svg, "g", { transform: `translate(${at.x} ${at.y})`, class: "arrow" });
+    const inner = element(svg, "g", { class: "fixed" });
+    const turn = `rotate(${(angle * 180) / Math.PI})`;
+    inner.append(element(svg, "path", { d: "M10 0 L-7 -7 L-7 7 Z", transform: turn }));
+    const away = { x: -18 * Math.sin(angle), y: 18 * Math.cos(angle) };
+    inner.append(element(svg, "text", away, step));
+    outer.append(inner);
+    arrows.append(outer);
+  }
+
+  function draw(items, current) {
+    for (const one of svg.querySelectorAll(".walked, .trail, .last, .here")) {
+      one.classList.remove("walked", "trail", "last", "here");
+    }
+    arrows.replaceChildren();
+    for (const [step, item] of items.slice(0, current + 1).entries()) {
+      if (!("moved" in item.dataset)) continue;
+      const { classList } = edges.get(item.dataset[follows]);
+      classList.add("walked");
+      if (step > current - TRAIL && step < current) classList.add("trail");
+    }
+    const { [follows]: dart, moved } = items[current].dataset;
+    if (moved !== undefined) {
+      edges.get(dart).classList.add("last");
+      arrow(dart, current);
+    }
+    svg.querySelector(`[data-dart="${dart}"]`).classList.add("here");
+    for (const part of grown) {
+      part.classList.toggle("later", Number(part.dataset.since) > current);
+      if ("until" in part.dataset) {
+        part.classList.toggle("gone", Number(part.dataset.until) <= current);
+      }
+    }
+  }
+
+  return { frame, fit, draw };
+}
 
 function makeViewer(viewer) {
   const items = [...viewer.querySelectorAll(".walk > li")];
   const list = viewer.querySelector(".walk");
   const now = viewer.querySelector(".now");
+  const slider = viewer.querySelector(".slider");
+  const playing = viewer.querySelector(".play");
+  const speed = viewer.querySelector(".speed");
   const last = items.length - 1;
-  const frames = [...viewer.querySelectorAll("[data-follows]")].map((frame) => {
-    const edges = new Map();
-    for (const edge of frame.querySelectorAll("[data-darts]")) {
-      for (const dart of edge.dataset.darts.split(" ")) edges.set(dart, edge);
-    }
-    return { frame, edges, follows: frame.dataset.follows };
-  });
+  const pictures = [...viewer.querySelectorAll("[data-follows]")].map(makePicture);
+  const camel = (name) => name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
+  for (const { frame } of pictures) frame.dataset.follows = camel(frame.dataset.follows);
   let current = 0;
-
-  function draw({ frame, edges, follows }) {
-    for (const one of frame.querySelectorAll(".walked, .last, .here")) {
-      one.classList.remove("walked", "last", "here");
-    }
-    for (const item of items.slice(0, current + 1)) {
-      if ("moved" in item.dataset) edges.get(item.dataset[follows]).classList.add("walked");
-    }
-    const { moved } = items[current].dataset;
-    const dart = items[current].dataset[follows];
-    if (moved !== undefined) edges.get(dart).classList.add("last");
-    frame.querySelector(`[data-dart="${dart}"]`).classList.add("here");
-  }
+  let timer = 0;
+  let zoom = 1;
 
   function show(step) {
     items[current].removeAttribute("aria-current");
     current = Math.max(0, Math.min(last, step));
     const item = items[current];
     item.setAttribute("aria-current", "step");
-    frames.forEach(draw);
+    for (const picture of pictures) picture.draw(items, current);
     const words = [...item.children].slice(1).map((part) => part.textContent);
     now.textContent = `Step ${current} of ${last}: ${words.join("; ")}`;
+    slider.value = current;
+    slider.setAttribute("aria-valuetext", now.textContent);
     // Only the list is scrolled, never the page.
     const top = item.offsetTop - list.offsetTop;
     if (top < list.scrollTop) list.scrollTop = top;
@@ -45,8 +114,65 @@ function makeViewer(viewer) {
     if (below > list.scrollTop) list.scrollTop = below;
   }
 
+  function stop() {
+    clearTimeout(timer);
+    timer = 0;
+    playing.textContent = "Play";
+  }
+
+  function tick() {
+    show(current + 1);
+    if (current === last) stop();
+    else timer = setTimeout(tick, Number(speed.value));
+  }
+
+  function play() {
+    if (timer) {
+      stop();
+      return;
+    }
+    if (current === last) show(0);
+    playing.textContent = "Pause";
+    timer = setTimeout(tick, Number(speed.value));
+  }
+
+  function fit() {
+    for (const picture of pictures) picture.fit(zoom);
+  }
+
   function go(where) {
-    show({ first: 0, back: current - 1, next: current + 1, last }[where]);
+    if (where === "play") play();
+    else if (where === "in" || where === "out") {
+      zoom = Math.max(0.5, Math.min(4, zoom * (where === "in" ? 1.25 : 0.8)));
+      fit();
+    } else {
+      stop();
+      show({ first: 0, back: current - 1, next: current + 1, last }[where]);
+    }
+  }
+
+  function makeTabs() {
+    const figures = [...viewer.querySelectorAll("figure")];
+    const tabs = viewer.querySelector(".tabs");
+    if (figures.length < 2) {
+      for (const figure of figures) figure.classList.add("shown");
+      return;
+    }
+    tabs.hidden = false;
+    const buttons = figures.map((figure, chosen) => {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = figure.dataset.title;
+      button.addEventListener("click", () => choose(chosen));
+      tabs.append(button);
+      return button;
+    });
+    function choose(chosen) {
+      figures.forEach((figure, i) => figure.classList.toggle("shown", i === chosen));
+      buttons.forEach((button, i) => button.setAttribute("aria-pressed", i === chosen));
+      fit();
+    }
+    choose(0);
   }
 
   viewer.classList.add("stepping");
@@ -54,12 +180,25 @@ function makeViewer(viewer) {
   for (const button of viewer.querySelectorAll("[data-go]")) {
     button.addEventListener("click", () => go(button.dataset.go));
   }
+  for (const button of viewer.querySelectorAll("[data-zoom]")) {
+    button.addEventListener("click", () => go(button.dataset.zoom));
+  }
+  playing.addEventListener("click", play);
+  slider.max = last;
+  slider.addEventListener("input", () => {
+    stop();
+    show(Number(slider.value));
+  });
   items.forEach((item, step) => {
     item.querySelector(".step").addEventListener("click", (event) => {
       event.preventDefault();
+      stop();
       show(step);
     });
   });
+  makeTabs();
+  new ResizeObserver(fit).observe(viewer);
+  fit();
   const parting = items.findIndex((item) => item.classList.contains("parting"));
   const target = items.findIndex((item) => `#${item.id}` === location.hash);
   show(target >= 0 ? target : parting >= 0 ? parting : last);
@@ -71,10 +210,15 @@ let latest = viewers[0];
 
 document.addEventListener("keydown", (event) => {
   const where = KEYS[event.key];
-  if (!where || event.altKey || event.ctrlKey || event.metaKey || event.shiftKey) return;
-  const inside = viewers.find(({ viewer }) => viewer.contains(event.target));
-  // Elsewhere on the page Home and End scroll, as ever.
-  const anywhere = event.target === document.body && event.key.startsWith("Arrow");
+  if (!where || event.altKey || event.ctrlKey || event.metaKey) return;
+  const { target } = event;
+  // What has keys of its own keeps them: buttons the space bar, the slider and the list of speeds all.
+  if (target.matches("input, select") || (where === "play" && target.matches("button, a, summary"))) {
+    return;
+  }
+  const inside = viewers.find(({ viewer }) => viewer.contains(target));
+  // Elsewhere on the page Home, End and the space bar scroll, as ever.
+  const anywhere = target === document.body && event.key.startsWith("Arrow");
   latest = inside || latest;
   if (!latest || !(inside || anywhere)) return;
   event.preventDefault();

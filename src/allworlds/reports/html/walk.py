@@ -2,27 +2,50 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from xml.etree import ElementTree as ET
 
-from allworlds.explaining import Belief, Explanation, Walked
-from allworlds.findings import true_trail
+from allworlds.explaining import Belief, Walked
+from allworlds.maps.combinatorial import Dart
 from allworlds.markup import tag
-from allworlds.protocol import Move
+from allworlds.protocol import Move, Percept
+
+LONGEST = 1500
+"""Of a longer walk so many steps are told."""
 
 
-def walk(story: Walked, belief: Belief | None, told: Explanation | None, name: str) -> ET.Element:
-    """The list, with the step at which belief and truth part, if they do."""
-    parting = told.step if told else None
+def walk(
+    story: Walked,
+    name: str,
+    belief: Belief | None = None,
+    parting: int | None = None,
+    others: Mapping[str, Sequence[Dart]] = MappingProxyType({}),
+    instead: Sequence[Percept] | None = None,
+) -> ET.Element:
+    """The list of the first :data:`LONGEST` steps, and of how many there are.
+
+    Args:
+        story: the walk.
+        name: of the walk, with which the names of its steps begin.
+        belief: what the answer makes of it, where there is a wrong one.
+        parting: the step at which belief and truth part, if they do.
+        others: the robot's darts in other pictures, by what these follow.
+        instead: what is sensed in another world, where that is to be compared.
+    """
     items = [
-        _step(story, belief, i, f"{name}-step-{i}", i == parting) for i in range(len(story.walked))
+        _step(story, belief, i, f"{name}-step-{i}", i == parting)
+        for i in range(len(story.walked[:LONGEST]))
     ]
-    if told and told.other:
-        for item, dart in zip(items, true_trail(told.other, story.transcript), strict=True):
-            item.set("data-believed", str(dart))
+    for follows, trail in others.items():
+        for item, dart in zip(items, trail, strict=False):
+            item.set(f"data-{follows}", str(dart))
+    for item, here, there in zip(items, story.sensed, instead or (), strict=False):
+        item.append(_beside(here, "in B", there))
     return tag(
         "ol",
         *items,
-        class_="walk compared" if belief else "walk",
+        class_="walk compared" if belief or instead else "walk",
         start="0",
         role="list",
         aria_label="The walk, step by step",
@@ -45,11 +68,13 @@ def _step(story: Walked, belief: Belief | None, i: int, name: str, parts: bool) 
     )
     if belief:
         item.set("data-believed", str(belief.believed[i]))
-        expected = belief.expected[i]
-        as_sensed = expected == story.sensed[i]
-        sign = "=" if as_sensed else "≠"
-        words = f"{sign} the answer makes expect: {expected}"
-        item.append(tag("span", words, class_="fits" if as_sensed else "misfits"))
+        item.append(_beside(story.sensed[i], "the answer makes expect", belief.expected[i]))
     if parts:
         item.append(tag("b", "here belief and truth part", class_="note"))
     return item
+
+
+def _beside(sensed: Percept, where: str, other: Percept) -> ET.Element:
+    """What is sensed, or to be expected, elsewhere; and whether it is the same."""
+    sign, kind = ("=", "fits") if other == sensed else ("≠", "misfits")
+    return tag("span", f"{sign} {where}: {other}", class_=kind)

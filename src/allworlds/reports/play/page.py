@@ -11,7 +11,7 @@ from allworlds.judge import bound_named
 from allworlds.markup import record, tag
 from allworlds.playing import Play
 from allworlds.protocol import Pick
-from allworlds.reports.html import Own, figure, framed
+from allworlds.reports.html import Own, Page, figure
 from allworlds.world import World
 
 HOW = (
@@ -25,12 +25,12 @@ CONCLUDE = (
 )
 
 
-def play_page(play: Play) -> str:
-    """An HTML document that refers to nothing outside of it; it does not show the world at once."""
+def play_page(play: Play) -> Page:
+    """The game; it does not show the world at once."""
     world = play.world
     lighthouse = f"{world.lighthouse.kind} lighthouse"
     told = "" if world.told is None else f" You are told: {world.told}."
-    return framed(
+    return Page(
         "allworlds play",
         "you are the robot",
         ("EXPLORE", f"Which world is this, and where in it are you? A {lighthouse}.{told}", "open"),

@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.etree import ElementTree as ET
 
-from allworlds.checker import Report
+from allworlds.checker import Report, dearest_runs
 from allworlds.markup import tag
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
+from allworlds.reports.html.dearest import cells_of, dearest_sections
 from allworlds.reports.html.findings import finding_section
-from allworlds.reports.html.frame import counts, framed
+from allworlds.reports.html.frame import Page, counts
 from allworlds.runs import Sample
 
 
-def page(report: Report) -> str:
-    """The report as an HTML document that refers to nothing outside of it.
+def check_page(report: Report) -> Page:
+    """The verdict, the findings, and of a check that holds the dearest runs.
 
     Every finding is in it as JSON too, and the report without the findings.
     """
@@ -25,11 +26,12 @@ def page(report: Report) -> str:
         for number, finding in enumerate(report.findings, 1)
     ]
     seen = tag("section", *_seen(report), aria_labelledby="seen", class_="scope")
-    return framed(
+    dearest = dearest_sections(cells_of(report), dearest_runs(report))
+    return Page(
         f"allworlds {verb}",
         report.explorer,
         (word, text, report.verdict.value),
-        [*findings, seen],
+        [*findings, seen, *(() if findings else dearest)],
         {key: told for key, told in report.to_json().items() if key != "findings"},
     )
 

@@ -1,0 +1,225 @@
+"""Pages as a reader has them: in Chromium, with keys, slider and play, on a desk and on a phone."""
+
+import re
+import shutil
+from contextlib import contextmanager
+
+import pytest
+
+from allworlds import run, twins
+from allworlds.checker import check
+from allworlds.maps import CombinatorialMap
+from allworlds.maps.families import family
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.reports import page_of
+from allworlds.world import Directional, World, world_named
+
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser"))), None)
+sync_api = pytest.importorskip("playwright.sync_api", reason="needs the extra 'browser'")
+axe = pytest.importorskip("axe_core_python.sync_playwright", reason="needs the extra 'browser'")
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.no_cover,
+    pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium"),
+]
+
+OPTIONS = [
+    *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"),
+    *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
+]
+DESK, PHONE = {"width": 1280, "height": 900}, {"width": 390, "height": 844}
+GENUS_2 = CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3))
+
+
+def told(map_):
+    return page_of("run", run("algorithm1", World(map_, Directional(0), 0)))
+
+
+def refuted(name):
+    mutant = next(m for m in WRONG_EXPLORERS if m.name == name)
+    return page_of("check", check(mutant.explorer(), edges=3))
+
+
+PAGES = {
+    "genus 0": lambda: told(world_named("k4", "directional").map),
+    "genus 1": lambda: told(world_named("k4-torus", "directional").map),
+    "genus 2": lambda: told(GENUS_2),
+    "14 edges": lambda: told(family("random:14", holes=0, seed=1)),
+    "a finding": lambda: refuted("wrong-entry-label"),
+    "a check": lambda: page_of("check", check(edges=3)),
+    "twins": lambda: page_of(
+        "twins", twins(*(world_named(f"fig1-{side}", "position") for side in ("left", "right")))
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    where = tmp_path_factory.mktemp("pages")
+    made = {}
+    for name, make in PAGES.items():
+        made[name] = where / f"{name.replace(' ', '-')}.html"
+        made[name].write_text(make(), encoding="utf-8")
+    return made
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with sync_api.sync_playwright() as driver:
+        opened = driver.chromium.launch(executable_path=CHROMIUM, args=OPTIONS)
+        yield opened
+        opened.close()
+
+
+@pytest.fixture
+def shows(browser, files):
+    """Opens a page; what the console complains of is an error, and so is a request."""
+
+    @contextmanager
+    def shown(name, size=DESK, **options):
+        context = browser.new_context(viewport=size, **options)
+        page, complaints = context.new_page(), []
+        page.on("console", lambda message: complaints.append(message.text))
+        page.on("pageerror", lambda error: complaints.append(str(error)))
+        page.on(
+            "request", lambda r: None if r.url.startswith("file:") else complaints.append(r.url)
+        )
+        page.goto(files[name].as_uri())
+        yield page
+        context.close()
+        assert complaints == []
+
+    return shown
+
+
+def step(page):
+    """The number of the step that is shown."""
+    return int(re.match(r"Step (\d+) of", page.locator(".now").first.text_content())[1])
+
+
+def robots(page):
+    return page.eval_on_selector_all(
+        ".viewer:first-of-type .here", "all => all.map((one) => one.dataset.dart)"
+    )
+
+
+def test_keys_step_along_the_walk_in_every_picture(shows):
+    with shows("twins") as page:
+        items = page.locator(".walk li")
+        last = items.count() - 1
+        assert step(page) == last
+        page.locator(".viewer").focus()
+        page.keyboard.press("Home")
+        assert step(page) == 0
+        for i in range(1, 5):
+            page.keyboard.press("ArrowRight")
+            item = items.nth(i)
+            assert step(page) == i
+            assert item.get_attribute("aria-current") == "step"
+            assert robots(page) == [item.get_attribute(f"data-{w}") for w in ("robot", "in-1")]
+            assert page.locator(".edge.last").count() == 2
+        page.keyboard.press("ArrowLeft")
+        assert step(page) == 3
+        page.keyboard.press("End")
+        assert step(page) == last
+
+
+def test_buttons_the_slider_and_the_list_lead_to_a_step(shows):
+    with shows("genus 1") as page:
+        page.locator(".slider").fill("3")
+        assert step(page) == 3
+        page.get_by_role("button", name="Next").click()
+        assert step(page) == 4
+        page.get_by_role("button", name="First").click()
+        assert step(page) == 0
+        page.locator(".walk li .step").nth(2).click()
+        assert step(page) == 2
+
+
+def test_play_goes_on_by_itself_to_the_end_and_can_be_paused(shows):
+    with shows("genus 0") as page:
+        page.locator(".slider").fill("0")
+        page.locator(".speed").select_option("fast")
+        play = page.locator(".play")
+        play.click()
+        assert play.text_content() == "Pause"
+        now = page.locator(".now").first
+        sync_api.expect(now).to_have_text(re.compile(r"^Step ([2-9]|\d\d) of"), timeout=60_000)
+        play.click()
+        assert play.text_content() == "Play"
+        page.locator(".slider").fill(str(page.locator(".walk li").count() - 3))
+        play.click()
+        sync_api.expect(play).to_have_text("Play", timeout=60_000)
+        assert step(page) == page.locator(".walk li").count() - 1
+
+
+def test_what_the_explorer_knows_grows(shows):
+    with shows("genus 1") as page:
+        seen = []
+        for at in (0, 10, 10_000):
+            page.locator(".slider").fill(str(min(at, page.locator(".walk li").count() - 1)))
+            seen.append(page.locator("#walk-1-known .edge:not(.later)").count())
+        assert seen[0] == 0 < seen[1] < seen[2] == 6
+
+
+def heights(page):
+    """Of every number and name in a picture that is shown, in pixels of the screen."""
+    return page.eval_on_selector_all(
+        ".map text",
+        """all => all.filter((one) => one.getClientRects().length)
+           .map((one) => parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a)""",
+    )
+
+
+@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("name", ["genus 0", "genus 1", "genus 2", "14 edges"])
+def test_what_is_written_in_pictures_is_large_enough_at_every_zoom(name, size, shows):
+    with shows(name, size) as page:
+        at_first = heights(page)
+        assert len(at_first) > 8
+        assert min(at_first) >= 11 - 0.01
+        wide = page.locator(".map").first.bounding_box()["width"]
+        for _ in range(3):
+            page.get_by_role("button", name="Zoom in").click()
+        assert page.locator(".map").first.bounding_box()["width"] > wide
+        assert min(heights(page)) >= 11 - 0.01
+        assert max(heights(page)) <= 12 + 0.01
+
+
+def test_on_a_phone_there_is_one_picture_at_a_time_and_nothing_is_wider(shows):
+    with shows("a finding", PHONE) as page:
+        shown = page.locator(".viewer:first-of-type figure:visible")
+        assert shown.count() == 1
+        assert "The world" in shown.text_content()
+        page.get_by_role("button", name="The answer").click()
+        assert shown.count() == 1
+        assert "The answer" in shown.text_content()
+        assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
+    with shows("a finding") as page:
+        assert page.locator(".viewer:first-of-type figure:visible").count() == 2
+
+
+@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("colours", ["light", "dark"])
+def test_contrast_and_roles_are_as_the_guidelines_ask(name, colours, shows):
+    with shows(name, color_scheme=colours, bypass_csp=True) as page:
+        found = axe.Axe().run(page)["violations"]
+        told = [(rule["id"], rule["nodes"][0]["html"][:200]) for rule in found]
+        assert told == []
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_without_a_script_everything_is_there_to_be_read(name, shows):
+    with shows(name, java_script_enabled=False) as page:
+        for figure in page.locator("details[open] figure, section.finding > .viewer figure").all():
+            assert figure.is_visible()
+        assert page.locator(".walk li").first.text_content()
+        assert not page.locator(".controls:visible").count()
+
+
+def test_on_paper_every_picture_is_there_and_no_button(shows):
+    with shows("a finding") as page:
+        page.emulate_media(media="print")
+        assert page.locator(".viewer:first-of-type figure:visible").count() == 2
+        assert not page.locator("button:visible").count()

@@ -1,0 +1,249 @@
+"""Every kind of page: what it shows is the result's, and it keeps within its bounds."""
+
+import json
+import re
+
+import pytest
+
+from allworlds import Estimate, Move, explain, replay, run, search, twins, worst
+from allworlds.ambiguity import class_of, projection_of
+from allworlds.checker import check, dearest_runs
+from allworlds.comparing import compare
+from allworlds.maps.build import named_map
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.reports import FORMATS, page_of
+from allworlds.reports.html import PAGES, frame
+from allworlds.reports.html.alike import letters
+from allworlds.reports.html.plot import Cell, plot
+from allworlds.reports.html.walk import LONGEST
+from allworlds.verbs import VERBS
+from allworlds.world import Directional, World, world_named
+from html_tree import read
+
+OTHERS = {"claims", "play"}
+"""They have tests of their own."""
+
+
+def mutant(name):
+    return next(m for m in WRONG_EXPLORERS if m.name == name).explorer()
+
+
+@pytest.fixture(scope="module")
+def finding():
+    (found,) = check(mutant("wrong-entry-label"), edges=2).findings
+    return found
+
+
+@pytest.fixture(scope="module")
+def results(finding, tmp_path_factory):
+    """A result of each kind of page."""
+    figure_1 = [world_named(name, "position") for name in ("fig1-left", "fig1-right")]
+    report = check(edges=2)
+    return {
+        "check": report,
+        "fuzz": report,
+        "run": run("algorithm1", "theta-torus"),
+        "replay": replay(finding, mutant("wrong-entry-label")),
+        "explain": explain(finding),
+        "twins": twins(*figure_1),
+        "ambiguity class": class_of(world_named("k4", "position")),
+        "search": search(
+            lighthouse="position",
+            map_class="simple",
+            vertices=4,
+            edges=6,
+            out=str(tmp_path_factory.mktemp("search")),
+        ),
+        "worst": worst("dfs", edges=2),
+        "compare": compare("algorithm1", "greedy", edges=2),
+    }
+
+
+@pytest.fixture(scope="module")
+def pages(results):
+    return {verb: page_of(verb, result) for verb, result in results.items()}
+
+
+def test_there_is_a_result_for_every_kind_of_page(results):
+    assert results.keys() == PAGES.keys() - OTHERS
+    assert PAGES.keys() <= {verb.name for verb in VERBS}
+    assert "html" in FORMATS
+
+
+@pytest.mark.parametrize("verb", [verb for verb in PAGES if verb not in OTHERS])
+def test_a_page_is_one_small_file_with_a_walk_to_step_along(verb, pages):
+    page = pages[verb]
+    assert len(page.encode()) < 1_000_000
+    root = read(page)
+    assert root.one("h1").text.startswith(f"allworlds {'check' if verb == 'fuzz' else verb}: ")
+    assert [*root.all(class_="viewer")]
+    ids = [node.attributes["id"] for node in root.all() if "id" in node.attributes]
+    assert len(ids) == len(set(ids))
+    for node in root.all():
+        for name, value in node.attributes.items():
+            assert name == "xmlns" or "//" not in value
+
+
+@pytest.mark.parametrize("verb", [verb for verb in PAGES if verb not in OTHERS])
+def test_every_step_of_every_walk_is_at_a_dart_of_each_picture(verb, pages):
+    for viewer in read(pages[verb]).all(class_="viewer"):
+        frames = [n for n in viewer.all("div") if "data-follows" in n.attributes]
+        assert frames
+        for drawn in frames:
+            darts = {
+                g.attributes["data-dart"] for g in drawn.all("g") if "data-dart" in g.attributes
+            }
+            for item in viewer.all("li"):
+                assert item.attributes[f"data-{drawn.attributes['data-follows']}"] in darts
+
+
+def test_the_pages_document_is_the_results(results, pages):
+    for verb in ("twins", "search", "worst", "explain"):
+        held = json.loads(read(pages[verb]).one(id="report-json").text)
+        assert held == results[verb].to_json()
+
+
+def test_twins_are_walked_in_step_along_every_edge_of_both(results, pages):
+    root = read(pages["twins"])
+    worlds = results["twins"].worlds
+    items = [*root.one("ol").all("li")]
+    for world, follows in zip(worlds, ("data-robot", "data-in-1"), strict=True):
+        trail = [int(item.attributes[follows]) for item in items]
+        met = {*trail[1:], *(world.map.alpha[dart] for dart in trail[1:])}
+        assert met == {*world.map.darts}
+        shown = [str(world.percepts[dart]) for dart in trail]
+        assert [item.one(class_="sensed").text for item in items] == [f"sensed: {s}" for s in shown]
+
+
+def test_darts_have_the_same_letter_if_and_only_if_they_are_of_one_class(results, pages):
+    root, worlds = read(pages["twins"]), results["twins"].worlds
+    letter_of = {}
+    for i in range(len(worlds)):
+        for group in root.one(id=f"world-{i}").all("g"):
+            if "data-dart" in group.attributes:
+                dart = int(group.attributes["data-dart"])
+                colour = re.search(r"class-\d+", group.attributes["class"])[0]
+                letter_of[i, dart] = group.one("tspan").text, colour
+    for (i, dart), found in letter_of.items():
+        for (j, other), shown in letter_of.items():
+            classes = [projection_of(worlds[k]).classes[d] for k, d in ((i, dart), (j, other))]
+            assert (classes[0] == classes[1]) == (found == shown)
+
+
+def test_worlds_that_are_told_apart_are_walked_to_where_they_differ():
+    pair = [world_named(name, "position") for name in ("k4", "k4-torus")]
+    result = twins(*pair)
+    root = read(page_of("twins", result))
+    assert "TOLD APART" in root.one("header").text
+    items = [*root.one("ol").all("li")]
+    assert len(items) == len(result.proof.motions) + 1
+    signs = [[*item.all(class_="misfits")] for item in items]
+    assert [bool(sign) for sign in signs] == [False] * (len(items) - 1) + [True]
+
+
+def test_a_search_without_twins_has_a_page_that_says_so(tmp_path):
+    found = search(lighthouse="directional", vertices=2, edges=1, out=str(tmp_path))
+    root = read(page_of("search", found))
+    assert root.one(class_="verdict holds").text.startswith("NONE")
+    assert not [*root.all(class_="viewer")]
+
+
+def test_of_a_large_class_some_worlds_are_drawn():
+    found = class_of(world_named("k4", "position"), map_class="maps")
+    root = read(page_of("ambiguity class", found))
+    assert len([*root.all("figure")]) == min(6, found.size)
+    assert (found.size > 6) == ("more worlds" in root.text)
+
+
+def test_a_finding_that_is_mended_is_replayed_beside_what_was_recorded(finding):
+    root = read(page_of("replay", replay(finding, "algorithm1")))
+    assert root.one(class_="verdict holds").text.startswith("FIXED")
+    assert len([*root.all(class_="viewer")]) == 2
+
+
+def test_of_a_check_that_holds_the_dearest_run_of_each_size_is_shown():
+    for engine in ("python", "kernel"):
+        report = check(edges=3, engine=engine)
+        root = read(page_of("check", report))
+        rows = {(row["edges"], row["vertices"]): row for row in report.rows()}
+        shown = [*root.all("details", class_="run")]
+        assert len(shown) == len(rows) == 9
+        for (edges, vertices), details in zip(sorted(rows), shown, strict=True):
+            row = rows[edges, vertices]
+            moves = [i for i in details.all("li") if "data-moved" in i.attributes]
+            assert len(moves) == row["max_cost"]
+        assert "open" in shown[-1].attributes
+
+
+def test_the_dearest_run_is_played_again_at_its_cost_whatever_counted():
+    def dearest(engine):
+        report = check(edges=3, engine=engine)
+        return [
+            (r.world.map.edge_count, r.world.map.vertex_count, r.outcome.cost)
+            for r in dearest_runs(report)
+        ]
+
+    by_python = dearest("python")
+    assert by_python == dearest("kernel")
+    assert by_python == [
+        (row["edges"], row["vertices"], row["max_cost"]) for row in check(edges=3).rows()
+    ]
+
+
+def test_an_explorer_that_no_name_leads_to_has_a_page_without_dearest_runs():
+    def explore(first):
+        answer = yield from mutant("walks-too-much")(first)
+        return answer
+
+    root = read(page_of("check", check(explore, edges=1, bound="none")))
+    assert root.one(class_="plot")
+    assert not [*root.all("details", class_="run")]
+
+
+def test_walks_for_which_there_is_no_room_are_left_out(monkeypatch):
+    report = check(edges=3)
+    monkeypatch.setattr("allworlds.reports.html.dearest.ROOM", 40_000)
+    root = read(page_of("check", report))
+    shown = [*root.all("details", class_="run")]
+    assert 0 < len(shown) < 9
+    assert f"{9 - len(shown)} smaller size" in root.text
+    assert "3 edges and 4 vertices" in shown[-1].text
+
+
+def test_a_page_that_would_be_too_large_leaves_its_document_out(monkeypatch):
+    told = run("algorithm1", "theta")
+    monkeypatch.setattr(frame, "LARGEST", 1000)
+    root = read(page_of("run", told))
+    assert not [*root.all(id="report-json")]
+    assert "--json prints it" in root.one("footer").text
+
+
+def test_of_a_long_walk_the_first_steps_are_told():
+    def explore(first):
+        for _ in range(LONGEST + 10):
+            yield Move(0)
+        return Estimate(named_map("edge"), 0)
+
+    told = run(explore, World(named_map("edge"), Directional(0), 0), step_budget=5000, bound="none")
+    root = read(page_of("run", told))
+    assert len([*root.one("ol").all("li")]) == LONGEST
+    assert f"of {LONGEST + 10:,} steps" in root.text
+
+
+def test_bars_are_as_high_as_costs_and_lines_as_bounds():
+    cells = [Cell(1, 1, 2, 4), Cell(1, 2, 8, 16), Cell(2, 1, 16, None)]
+    svg = plot(cells, "p")
+    heights = []
+    for path in svg.iter("path"):
+        numbers = [float(x) for x in re.findall(r"-?[0-9.]+", path.get("d"))]
+        if path.get("class") == "cost":
+            heights.append(numbers[1] - numbers[2])
+    assert heights == pytest.approx([heights[2] / 8, heights[2] / 2, heights[2]])
+    bounds = [p for p in svg.iter("path") if p.get("class") == "bound"]
+    assert len(bounds) == 2
+    (desc,) = [e.text for e in svg.iter("desc")]
+    assert "1 edge and 2 vertices: 8 traversals of at most 16." in desc
+
+
+def test_letters_go_on_after_z():
+    assert [letters(n) for n in (0, 25, 26, 27, 26 + 26 * 26)] == ["a", "z", "aa", "ab", "aaa"]
