@@ -11,6 +11,7 @@ import inspect
 import pkgutil
 import re
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 import typer
@@ -147,7 +148,17 @@ def _public(name: str) -> list[str]:
         for public, value in vars(module).items()
         if public[0] != "_" and getattr(value, "__module__", None) == name
     ]
-    return [public for public in told if public != "__version__"]
+    return [public for public in told if public != "__version__" and _is_plain(module, public)]
+
+
+def _is_plain(module: Any, name: str) -> bool:
+    """Whether a name can be found by reading: a class, a function, or assigned by itself."""
+    value = getattr(module, name)
+    if inspect.isclass(value) or inspect.isroutine(value):
+        return True
+    files_ = list(Path(module.__file__).parent.rglob("*.py")) if hasattr(module, "__path__") else []
+    sources = (file.read_text(encoding="utf-8") for file in files_ or [Path(module.__file__)])
+    return any(re.search(rf"^{name}(:.*)? = ", source, re.MULTILINE) for source in sources)
 
 
 def _is_told(name: str) -> bool:

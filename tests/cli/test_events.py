@@ -171,6 +171,6 @@ def test_a_terminal_sees_a_bar_with_its_rate(capsys, monkeypatch):
         progress.unit("3:-1", 20)
         progress.finding({})
     said = capsys.readouterr().err
-    assert "m = 3" in said
+    assert "edges 3" in said
     assert "worlds" in said
     assert "turns" in said

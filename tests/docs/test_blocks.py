@@ -86,7 +86,7 @@ def shell(tmp_path):
             env=environment,
             capture_output=True,
             encoding="utf-8",
-            timeout=120,
+            timeout=600,
             check=False,
         )
 

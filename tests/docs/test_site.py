@@ -115,3 +115,14 @@ def test_a_link_out_of_the_folder_leads_to_a_page_of_the_site_or_is_a_name():
     assert rewritten("[t](../tests/laws)", "trust.md") == "t (`tests/laws` in the repository)"
     assert rewritten("[x](../nowhere.md)", "trust.md") == "[x](../nowhere.md)"
     assert rewritten("[x](https://a.example)", "trust.md") == "[x](https://a.example)"
+
+
+def test_every_name_of_the_reference_is_found_by_reading():
+    griffe = pytest.importorskip("griffe", reason="the extra docs is not installed")
+    package = griffe.load("allworlds", search_paths=[str(ROOT / "src")])
+    text = "".join(load("generated").pages().values())
+    named = re.findall(r"^::: allworlds\.(.+)$", text, re.MULTILINE)
+    assert len(named) > len(allworlds.__all__)
+    for name in named:
+        found = package[name]
+        assert found.final_target if found.is_alias else found

@@ -151,7 +151,7 @@ class Progress:
 
     def level(self, edges: int, worlds: int) -> None:
         """A level begins."""
-        self.stage(f"m = {edges}", worlds, "worlds")
+        self.stage(f"edges {edges}", worlds, "worlds")
 
     def stage(self, name: str, total: int, of: str) -> None:
         """A line of its own, with its own bar."""
@@ -204,5 +204,6 @@ def _bar() -> Any:
         TextColumn("{task.fields[of]}"),
         Rate(),
         TimeRemainingColumn(),
+        TextColumn("left"),
         console=Console(stderr=True),
     )
