@@ -47,7 +47,10 @@ MOST_PLACES = 64
 
 # The columns of what is said of a run besides: its budget, what is told, its number in its unit,
 # and against records how many motions were made.
-RUN_BUDGET, RUN_TOLD, RUN_NUMBER, RUN_MOTIONS = range(4)
+RUN_BUDGET = 0
+RUN_TOLD = 1
+RUN_NUMBER = 2
+RUN_MOTIONS = 3
 HEAD = 4
 
 # The columns of a laid-out world, for each dart: the first dart of its vertex, its partner, and

@@ -15,12 +15,19 @@ from allworlds.maps.counting import source_for
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener
 from allworlds.runs import Costing, CostTally, MapKey, RunCost, Schedule, Scope, Tally
-from allworlds.subjects import Subject
+from allworlds.subjects import NATIVE, Subject
 from allworlds.work import Limits, Transport, cells_of_level, gather
 from allworlds.world import World
 
 if TYPE_CHECKING:
     from allworlds import documents
+
+
+PLAYED = (
+    "compiled code tries every schedule of algorithm1 alone; this library is played by the python "
+    "engine, far slower"
+)
+"""The notice for explorers that ``check`` judges in compiled code."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,6 +163,8 @@ def worst_of_runs(
     subject = subject_of(explore, limits)
     _, rules = rules_for(subject, {"map_class": extent.map_class.value, "lighthouse": lighthouse})
     scope = Scope(extent, rules, "all" if subject.takes_choices else "one")
+    if subject.name.startswith(NATIVE):
+        listener.notice(PLAYED)
     search = _Search(subject, rules, scope, limits, listener)
     finished, complete = until_interrupted(search.levels())
     return RunsReport(

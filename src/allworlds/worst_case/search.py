@@ -18,7 +18,7 @@ from allworlds.maps.counting import source_for
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
 from allworlds.store import ENDED, Identity, Records, Shelf, records_in
-from allworlds.subjects import NATIVE, load
+from allworlds.subjects import load
 from allworlds.work import (
     UNMERGEABLE,
     WHOLE,
@@ -46,12 +46,6 @@ if TYPE_CHECKING:
 
 DEFAULT_EDGES, OTHERS_EDGES = 5, 3
 MOST_EDGES = 12
-
-PLAYED = (
-    "compiled code tries every schedule of algorithm1 alone; this library is played by the python "
-    "engine, far slower"
-)
-"""The notice for explorers that ``check`` judges in compiled code."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,8 +210,6 @@ def worst(
             if value is not None:
                 raise InputError(f"{option} = {show(value)} is for algorithm1 as it is built in")
         extent = Extent(MapClass.named(map_class), _edges(edges, OTHERS_EDGES))
-        if isinstance(explore, str) and explore.startswith(NATIVE):
-            (listener or Silent()).notice(PLAYED)
         return worst_of_runs(explore, extent, lighthouse, workers, listener or Silent())
     transit = "simple" if transit is None else transit
     if transit not in get_args(Transit):
@@ -230,13 +222,13 @@ def worst(
     way: Transit = "shortest" if transit == "shortest" else "simple"
     search = _Search(Extent(MapClass.named(map_class), edges), way, a_shard(shard))
     heard = listener or Silent()
-    if run is None and isinstance(search.portion, Shard):
-        heard.notice(UNMERGEABLE)
     engine = search.engine()
-    if not engine.is_compiled():
-        heard.notice(COMPILING)
     transport = Threads(workers) if dask is None else Dask(dask, workers)
     with records_in(run, search.identity, heard.notice) as records, transport as there:
+        if run is None and isinstance(search.portion, Shard):
+            heard.notice(UNMERGEABLE)
+        if not engine.is_compiled():
+            heard.notice(COMPILING)
         return search.report(there, engine, records, heard)
 
 
