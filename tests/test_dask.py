@@ -6,6 +6,7 @@ import subprocess
 import sys
 from contextlib import ExitStack, contextmanager
 from types import SimpleNamespace
+from typing import ClassVar
 
 import pytest
 
@@ -15,7 +16,8 @@ from allworlds.inputs import InputError
 from allworlds.progress import Silent
 from allworlds.subjects import content_digest, not_alike, with_content
 from allworlds.subjects.subject import Subject
-from allworlds.work import Dask, Lost, cluster
+from allworlds.version import __version__
+from allworlds.work import Dask, Here, Lost, cluster, lanes
 from clusters import cluster_here
 from kept_jobs import EXPLORERS
 
@@ -84,16 +86,13 @@ def lacks(*_):
 
 
 def test_a_worker_of_another_version_is_named(here, monkeypatch):
-    monkeypatch.setattr(cluster, "done", done_by_another_version)
+    monkeypatch.setattr(cluster, "done", done_for_another_version)
     with pytest.raises(InputError, match=r"the Dask worker .* has allworlds .*, not 0\.0"):
         check(edges=1, engine="python", dask=here)
 
 
-def done_by_another_version(job, _, *more):
-    return DONE(job, "0.0", *more)
-
-
-DONE = cluster.done
+def done_for_another_version(job, _, *more):
+    return lanes.done(job, "0.0", *more)
 
 
 def test_an_explorer_of_this_process_is_not_sent(here):
@@ -183,38 +182,103 @@ def test_what_is_lost_is_said_by_the_verbs(cli, monkeypatch, here):
     )
 
 
-def test_lanes_that_nobody_uses_are_closed(monkeypatch):
-    closed = []
+class Lane:
+    """A lane that is noted when it is closed."""
 
-    class Lane:
-        def __enter__(self):
-            return self
+    closed: ClassVar = []
 
-        def __exit__(self, *_):
-            closed.append(self)
+    def __enter__(self):
+        return self
 
-        def map(self, engine, units):
-            yield from cluster.Here().map(engine, units)
+    def __exit__(self, *_):
+        self.closed.append(self)
 
-    class Twice:
-        def parts(self, unit):
-            yield Tally([unit])
-            yield Tally([unit])
+    def map(self, engine, units):
+        yield from Here().map(engine, units)
 
-    monkeypatch.setattr(cluster, "IDLE", 0.0)
-    told = cluster.done("a", cluster.__version__, Lane, cluster.all_well, Twice(), [Unit(7)])
-    assert told == [[7, 7]]
+
+class Twice:
+    def parts(self, unit):
+        yield Tally([unit])
+        yield Tally([unit])
+
+
+@pytest.fixture
+def task(monkeypatch):
+    """A task as it comes to a worker; the list of the lanes that were closed."""
+    monkeypatch.setattr(Lane, "closed", [])
+    packed = lanes.Errand(Lane, cluster.all_well, Twice()).packed()
+
+    def do(job):
+        told = lanes.done(job, __version__, packed, [Unit(7)])
+        assert told.results == [[7, 7]]
+        return told
+
+    return do, Lane.closed
+
+
+def test_lanes_that_nobody_uses_are_closed(monkeypatch, task):
+    do, closed = task
+    monkeypatch.setattr(lanes, "IDLE", 0.0)
+    do("a")
     assert processes.wait(lambda: closed)
-    monkeypatch.setattr(cluster, "IDLE", 1000.0)
-    cluster.done("b", cluster.__version__, Lane, cluster.all_well, Twice(), [Unit(7)])
+    assert processes.wait(lambda: not lanes._JOBS["a"].errands)
+    do("a")
+    assert processes.wait(lambda: len(closed) == 2)
+
+
+def test_lanes_that_somebody_uses_are_looked_at_again(monkeypatch, task):
+    do, closed = task
+    looks = []
+    monkeypatch.setattr(lanes, "_look_in", lambda *look: looks.append(look))
+    do("b")
+    do("b")
+    assert looks == [("b", lanes.IDLE)]
+    lanes._close_unused("b")
+    assert (len(looks), closed) == (2, [])
+    lanes.end_job("b")
     assert len(closed) == 1
-    cluster._close_unused("b")
-    assert len(closed) == 1
-    cluster.end_job("b")
-    assert len(closed) == 2
     with pytest.raises(Lost, match="has ended"):
-        cluster.done("b", cluster.__version__, Lane, cluster.all_well, Twice(), [Unit(7)])
-    assert len(closed) == 3
+        do("b")
+    lanes._close_unused("b")
+    assert len(looks) == 2
+
+
+def test_what_is_done_when_its_job_ends_is_given_up(task, monkeypatch):
+    do, closed = task
+    monkeypatch.setattr(Twice, "parts", lambda self, _: iter([lanes.end_job("c"), Tally([1])]))
+    monkeypatch.setattr(Tally, "worlds", 1)
+    with pytest.raises(Lost, match="has ended"):
+        do("c")
+    assert len(closed) == 1
+
+
+def test_what_is_the_same_in_all_tasks_is_unpacked_once(task, monkeypatch):
+    do, _ = task
+    do("d")
+    assert do("d").seconds >= 0
+    monkeypatch.setattr("distributed.protocol.pickle.loads", None)
+    do("d")
+
+
+def test_a_task_holds_as_many_units_as_are_worth_sending():
+    pace = cluster.Pace()
+    pace.took(1, None)
+    pace.begin_level()
+    assert pace.units(100, 2) == 1
+    pace.took(1, 0.01)
+    assert pace.units(1000, 2) == 100
+    assert pace.units(80, 2) == 20
+    assert pace.units(3, 2) == 10
+    assert pace.units(10**6, 1000) == 500
+    assert pace.units(10**6, 10_000) == 50
+    pace.begin_level()
+    assert pace.units(1000, 2) == 6
+    pace.took(50, 500.0)
+    assert pace.units(1000, 2) == 1
+    pace.took(10, 0.0)
+    assert pace.units(1000, 2) == 1
+    assert cluster.Pace(1e-6).units(1000, 2) == 100_000
 
 
 # ---------------------------------------------------------------- real processes

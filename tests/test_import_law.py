@@ -49,7 +49,8 @@ AT_ONCE = {"inputs", "maps", "protocol", "verbs", "version"}
 
 # The only homes of each library that does not come with Python.
 HOMES = {
-    "distributed": ["work.cluster"],
+    "dask": ["work.cluster"],
+    "distributed": ["work.cluster", "work.lanes"],
     "hypothesis": ["strategies"],
     "llvmlite": ["kernel"],
     "matplotlib": ["reports.grow_plot", "figures"],
@@ -63,7 +64,7 @@ HOMES = {
     "z3": ["smt"],
 }
 # Loaded only inside the functions that need them, or for types.
-LAZY = {"distributed", "matplotlib", "networkx", "rich", "sympy"}
+LAZY = {"dask", "distributed", "matplotlib", "networkx", "rich", "sympy"}
 
 # Two ways to one answer share nothing but what is named here, however many modules between.
 COMPARED = [

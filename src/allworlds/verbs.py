@@ -21,6 +21,7 @@ class Verb:
         document: the schema of its document, one of :data:`allworlds.documents.PAGES`.
         summary: one line of the help.
         brief: what tells it in one line, likewise, for ``--quiet``; empty where nothing does.
+            Of a merge it is that of the verb whose shards were joined.
     """
 
     name: str
@@ -123,6 +124,7 @@ VERBS = (
         "merge_text:merge_text",
         "merge",
         "One report of all shards of a job.",
+        brief="merge_text:merge_line",
     ),
     Verb(
         "status",

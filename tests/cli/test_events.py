@@ -1,7 +1,9 @@
 """Whoever watches a long job is told how it gets on."""
 
+import inspect
 import json
 import sys
+from importlib import import_module
 
 import pytest
 
@@ -9,8 +11,11 @@ from allworlds import ambiguity, bench, count, mutants, search
 from allworlds.cli import events, output
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.progress import Silent
+from allworlds.verbs import VERBS
 from allworlds.work import level_size
 from kept_jobs import EXPLORERS
+from recorded.record import least
+from schemas.validating import complaints
 
 
 class Adds(Silent):
@@ -30,7 +35,7 @@ class Adds(Silent):
         self.done[-1] += count
 
 
-VERBS = {
+HEARD = {
     "count": lambda listener: count(edges=4, listener=listener),
     "count compiled": lambda listener: count(edges=7, listener=listener),
     "count simple": lambda listener: count(vertices=4, map_class="simple", listener=listener),
@@ -40,10 +45,10 @@ VERBS = {
 }
 
 
-@pytest.mark.parametrize("name", VERBS)
+@pytest.mark.parametrize("name", HEARD)
 def test_what_is_promised_is_done(name):
     heard = Adds()
-    VERBS[name](heard)
+    HEARD[name](heard)
     assert heard.done == [total for _, total, _ in heard.stages]
     assert all(total > 0 for _, total, of in heard.stages if of == "worlds")
 
@@ -70,6 +75,41 @@ def test_events_are_lines_of_json(cli, tmp_path):
     units = [line for line in lines if line["event"] == "unit"]
     assert sum(unit["worlds"] for unit in units) == report["worlds"]
     assert [line["edges"] for line in lines if line["event"] == "level"] == [1]
+
+
+def is_watched(verb):
+    module, _, name = verb.function.partition(":")
+    function = getattr(import_module(f"allworlds.{module}"), name)
+    return "listener" in inspect.signature(function).parameters
+
+
+WATCHED = {verb.name: verb.name.split() for verb in VERBS if is_watched(verb)}
+TIMED = {"searched", "solver_seconds"}
+"""What of a report holds times."""
+
+AT_ONCE = {"merge", "figure"}
+"""Their least commands have nothing to do but to read and to draw."""
+
+
+@pytest.mark.parametrize("name", [name for name in WATCHED if name != "bench"])
+def test_every_verb_that_is_watched_writes_events(name, cli, tmp_path, monkeypatch):
+    monkeypatch.setattr(events, "EVERY", 0.0)
+    file = tmp_path / "events.ndjson"
+    words = least(name, str(tmp_path))
+    _, out, _ = cli(*words, "--json", "--events", file)
+    lines = [json.loads(line) for line in file.read_text().splitlines()]
+    assert [complaints("event.schema.json", line) for line in lines] == [[]] * len(lines)
+    printed = json.loads(out)
+    del printed["made_by"]
+    told = lines[-1]["report"]
+    assert set(told) == set(printed)
+    assert all(told[key] == value for key, value in printed.items() if key not in TIMED)
+    assert name in AT_ONCE or {line["event"] for line in lines} > {"progress", "verdict"}
+
+
+def test_every_verb_that_is_watched_has_the_option(cli):
+    for words in WATCHED.values():
+        assert "--events" in cli(*words, "--help")[1]
 
 
 def test_a_notice_is_an_event(cli, tmp_path):

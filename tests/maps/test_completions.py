@@ -5,7 +5,7 @@ import pytest
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.completions import completions
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
-from allworlds.work import Shard, level_size, units_of_level
+from allworlds.work import LevelUnit, Shard, level_size, units_of_level
 
 
 @pytest.mark.parametrize("depth", [1, 2, 3, 9])
@@ -32,6 +32,36 @@ def test_eight_shards_of_eight_edges_are_balanced(map_class):
     weights = [sum(unit.weight(extent) for unit in shard) for shard in shards]
     assert sum(weights) == level_size(extent, 8)
     assert max(weights) <= 1.1 * min(weights)
+
+
+@pytest.mark.parametrize("map_class", [MapClass.SIMPLE, MapClass.PLANAR_SIMPLE])
+def test_eight_shards_of_a_simple_class_are_balanced(map_class):
+    """Each within a tenth of the mean, though the weights are upper bounds: maps are counted."""
+    extent = Extent(map_class, 7)
+    worlds = worlds_of_shards(extent, 7, 8)
+    assert sum(worlds) == level_size(extent, 7)
+    assert max(worlds) <= 1.1 * sum(worlds) / 8
+    assert min(worlds) >= 0.9 * sum(worlds) / 8
+
+
+@pytest.mark.parametrize("wrong", [lambda *_: 1, lambda unit, _: len(unit.key)])
+def test_shards_by_wrong_weights_are_worse(wrong, monkeypatch):
+    extent = Extent(MapClass.MAPS, 5)
+    right = worlds_of_shards(extent, 5, 4)
+    monkeypatch.setattr(LevelUnit, "weight", wrong)
+    assert spread(worlds_of_shards(extent, 5, 4)) > 5 * spread(right)
+
+
+def worlds_of_shards(extent, edges, count):
+    """How many maps each shard holds, by meeting all."""
+    return [
+        sum(1 for unit in units_of_level(extent, edges, Shard(k, count)) for _ in unit.maps(extent))
+        for k in range(count)
+    ]
+
+
+def spread(worlds):
+    return (max(worlds) - min(worlds)) * len(worlds) / sum(worlds)
 
 
 def test_no_unit_falls_to_two_shards():

@@ -198,7 +198,7 @@ def headings(name: str, tp: Any) -> dict[str, str]:
 
 
 TITLES = {
-    "event": "Event.\n\nOne line of what `check --events FILE` writes.",
+    "event": "Event.\n\nOne line of what `--events FILE` writes.",
     "merge": "Report of 'merge'.\n\nThat of the verb whose shards were joined.",
     "transcript": "Transcript.",
     "read": "Transcript, as it is read.",

@@ -5,11 +5,9 @@ import functools
 import json
 import tempfile
 from dataclasses import replace
-from importlib.resources import files
 
 import pytest
 from jsonschema import Draft202012Validator
-from referencing import Registry, Resource
 
 from allworlds import Move
 from allworlds.ambiguity import census, class_of, twins
@@ -37,29 +35,12 @@ from allworlds.world import LIGHTHOUSES, Directional, Position, World
 from allworlds.worst_case import worst
 from recorded.record import least
 from schemas.rules import RULES, broken
+from schemas.validating import SCHEMAS, complaints
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
-SCHEMAS = {
-    file.name.removesuffix(".schema.json"): json.loads(file.read_text(encoding="utf-8"))
-    for file in (files("allworlds") / "schemas").iterdir()
-}
-REGISTRY = Registry().with_resources(
-    (schema["$id"], Resource.from_contents(schema)) for schema in SCHEMAS.values()
-)
 WRONG = {mutant.name: mutant for mutant in WRONG_EXPLORERS if mutant.name != "confirmed-too-early"}
 THETA = named_map("theta")
-
-
-@functools.cache
-def validator(reference):
-    return Draft202012Validator({"$ref": reference}, registry=REGISTRY)
-
-
-def complaints(reference, document):
-    plain = json.loads(json.dumps(document))
-    errors = validator(reference).iter_errors(plain)
-    return [f"{error.json_path}: {error.message}" for error in errors]
 
 
 def whole(name):

@@ -101,12 +101,8 @@ class Compiled:
         engine = CompiledExamination.ready(job)
         if job.dask is not None:
             workers = job.limits.workers
-            return Way(Dask(job.dask, workers, job.deadline, DASK_BATCH), engine)
+            return Way(Dask(job.dask, workers, job.deadline), engine)
         return Way(Threads(job.limits.workers, job.deadline, BATCH), engine)
-
-
-DASK_BATCH = 8
-"""The same for a task: to send one costs more."""
 
 
 def _cluster(job: Job, scheduler: str) -> Dask:

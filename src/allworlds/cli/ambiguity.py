@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import listening
 from allworlds.cli.files import PageFile
 from allworlds.cli.output import Progress, emit
 from allworlds.cli.values import shard_numbers
@@ -16,7 +17,7 @@ def census(
     shard: opt.ShardText = "0/1",
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds ambiguity census --edges 5
 
@@ -25,7 +26,7 @@ def census(
     """
     import allworlds
 
-    with Progress(quiet=output.quiet) as progress:
+    with listening(output) as listener:
         result = allworlds.ambiguity.census(
             edges=bounds.edges,
             vertices=bounds.vertices,
@@ -33,8 +34,9 @@ def census(
             shard=shard_numbers(shard),
             run=run,
             dask=dask,
-            listener=progress,
+            listener=listener,
         )
+        listener.verdict(result)
     return emit(result, "ambiguity census", output)
 
 

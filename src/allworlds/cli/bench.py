@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.events import listening
+from allworlds.cli.output import emit
 
 
 def bench(
@@ -26,7 +27,7 @@ def bench(
             show_default=False,
         ),
     ] = None,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds bench --edges 7 --peer 'lazy=./lazy 1 7'
 
@@ -35,6 +36,7 @@ def bench(
     """
     import allworlds
 
-    with Progress(quiet=output.quiet) as progress:
-        report = allworlds.bench(edges=edges, rounds=rounds, peers=peer or (), listener=progress)
+    with listening(output) as listener:
+        report = allworlds.bench(edges=edges, rounds=rounds, peers=peer or (), listener=listener)
+        listener.verdict(report)
     return emit(report, "bench", output)

@@ -7,9 +7,9 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
-from allworlds.cli.events import told_to
+from allworlds.cli.events import listening
 from allworlds.cli.files import Files, ensure_directory
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 from allworlds.cli.values import shard_numbers
 from allworlds.cli.watch import kept_in, watched
 from allworlds.inputs import InputError, show
@@ -65,17 +65,8 @@ def check(
             rich_help_panel=opt.EFFORT,
         ),
     ] = False,
-    events: Annotated[
-        str | None,
-        opt.option(
-            opt.OUTPUT,
-            "FILE",
-            "Write what happens, as it happens: a line of JSON each.",
-            show_default=False,
-        ),
-    ] = None,
     files: Files,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds check my_explorer.py:explore --edges 4
 
@@ -103,7 +94,7 @@ def check(
     ensure_directory(corpus)
 
     def once(corpus: str | None) -> int:
-        with Progress(quiet=output.quiet) as progress, told_to(events, progress) as listener:
+        with listening(output) as listener:
             report = allworlds.check(
                 explore,
                 edges=bounds.edges,

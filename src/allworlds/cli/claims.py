@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import listening
 from allworlds.cli.files import ensure_all_writable, write_files
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 from allworlds.cli.values import worker_count
 from allworlds.reports import FORMATS
 
@@ -55,7 +56,7 @@ def claims(
             show_default=False,
         ),
     ] = None,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds claims --only fig1 --html fig1.html
 
@@ -69,15 +70,16 @@ def claims(
     files = {"html": html, "junit": junit}
     ensure_all_writable(files)
     threads = worker_count(workers)
-    with Progress(quiet=output.quiet) as progress:
+    with listening(output) as listener:
         report = allworlds.claims(
             only=only or (),
             require=require or (),
             proofs=proofs,
             budget=budget,
             workers=threads,
-            listener=progress,
+            listener=listener,
         )
+        listener.verdict(report)
     write_files("claims", report, files)
     seconds = [entry.seconds for entry in report.entries]
     return emit(report, "claims", output, workers=threads, claim_seconds=seconds)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import listening
 from allworlds.cli.files import PageFile, ensure_all_writable, write_files
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 
 
 def compare(
@@ -18,7 +19,7 @@ def compare(
     effort: opt.Effort,
     csv: opt.CsvFile = None,
     page: PageFile,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds compare algorithm1 greedy --edges 4
 
@@ -31,10 +32,10 @@ def compare(
     files = {"csv": csv}
     ensure_all_writable(files)
     page.ensure_writable()
-    with Progress(quiet=output.quiet) as progress:
+    with listening(output) as listener:
         report = allworlds.compare(
             *programs.after(explorers),
-            listener=progress,
+            listener=listener,
             edges=bounds.edges,
             vertices=bounds.vertices,
             family=drawn.family,
@@ -42,6 +43,7 @@ def compare(
             seed=drawn.seed,
             **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
         )
+        listener.verdict(report)
     write_files("compare", report, files)
     page.write("compare", report)
     return emit(report, "compare", output, workers=effort.count)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from allworlds.cli import options as opt
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.events import listening
+from allworlds.cli.output import emit
 
 
-def count(*, bounds: opt.Bounds, output: opt.Output) -> int:
+def count(*, bounds: opt.Bounds, output: opt.LongOutput) -> int:
     """Example: allworlds count --edges 6
 
     Enumerate every rooted map of a class, count, and compare the counts with an independent
@@ -14,11 +15,12 @@ def count(*, bounds: opt.Bounds, output: opt.Output) -> int:
     """
     import allworlds
 
-    with Progress(quiet=output.quiet) as progress:
+    with listening(output) as listener:
         census = allworlds.count(
             edges=bounds.edges,
             vertices=bounds.vertices,
             map_class=bounds.map_class,
-            listener=progress,
+            listener=listener,
         )
+        listener.verdict(census)
     return emit(census, "count", output)

@@ -1,18 +1,24 @@
-"""A file of events: what happens in a check, a line of JSON each, as it happens."""
+"""A file of events: what happens in a long job, a line of JSON each, as it happens."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+from time import monotonic
 from typing import TYPE_CHECKING, Any, TextIO
 
+from allworlds.cli.options import LongOutput
 from allworlds.cli.output import Progress, complain
 from allworlds.inputs import InputError, a_path, show
 from allworlds.outcome import SCHEMA, Result
 
 if TYPE_CHECKING:
     from allworlds import documents
+
+
+EVERY = 1.0
+"""Seconds between two lines that say how much is done."""
 
 
 class Events:
@@ -23,19 +29,27 @@ class Events:
 
     def __init__(self, progress: Progress, file: TextIO | None) -> None:
         self._progress, self._file = progress, file
+        self._done, self._told = 0, monotonic()
 
     def level(self, edges: int, worlds: int) -> None:
         """A level begins."""
         self._progress.level(edges, worlds)
+        self._done = 0
         self._write({"schema": SCHEMA, "event": "level", "edges": edges, "worlds": worlds})
 
     def stage(self, name: str, total: int, of: str) -> None:
-        """Of other verbs."""
+        """A part of another kind begins."""
         self._progress.stage(name, total, of)
+        self._done = 0
+        self._write({"schema": SCHEMA, "event": "stage", "name": name, "all": total, "of": of})
 
     def progress(self, count: int) -> None:
-        """Too often to be written."""
+        """So many more are done; written now and then."""
         self._progress.progress(count)
+        self._done += count
+        if monotonic() >= self._told + EVERY:
+            self._told = monotonic()
+            self._write({"schema": SCHEMA, "event": "progress", "done": self._done})
 
     def unit(self, key: str, worlds: int) -> None:
         """A unit is finished."""
@@ -67,18 +81,19 @@ class Events:
 
 
 @contextmanager
-def told_to(path: str | None, progress: Progress) -> Iterator[Events]:
-    """The listener that writes events into a file, where one is named.
+def listening(output: LongOutput) -> Iterator[Events]:
+    """The listener of a long job: progress on a terminal, and events in a file, where one is named.
 
     Raises:
         InputError: if it cannot be written.
     """
-    if path is None:
-        yield Events(progress, None)
-        return
+    with ExitStack() as stack:
+        file = stack.enter_context(_opened(output.events)) if output.events is not None else None
+        yield Events(stack.enter_context(Progress(quiet=output.quiet)), file)
+
+
+def _opened(path: str) -> TextIO:
     try:
-        file = a_path("events", path).open("w", encoding="utf-8")
+        return a_path("events", path).open("w", encoding="utf-8")
     except OSError as error:
         raise InputError(f"file {show(path)} cannot be written: {error.strerror}") from None
-    with file:
-        yield Events(progress, file)

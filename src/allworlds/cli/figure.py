@@ -7,8 +7,9 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import listening
 from allworlds.cli.files import ensure_all_writable
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 
 
 def figure(
@@ -46,7 +47,7 @@ def figure(
         opt.number(opt.SCOPE, "M", "At most M edges, for bounds [default: 6].", show_default=False),
     ] = None,
     effort: opt.Effort,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds figure 2 --out pass.svg
 
@@ -57,7 +58,7 @@ def figure(
     from allworlds.figures import files_of
 
     ensure_all_writable({str(i): str(path) for i, path in enumerate(files_of(name, out))})
-    with Progress(quiet=output.quiet) as progress:
+    with listening(output) as listener:
         report = allworlds.figure(
             name,
             out=out,
@@ -67,6 +68,7 @@ def figure(
             workers=effort.count,
             time_limit=effort.time_limit,
             memory=effort.memory,
-            listener=progress,
+            listener=listener,
         )
+        listener.verdict(report)
     return emit(report, "figure", output, workers=effort.count)

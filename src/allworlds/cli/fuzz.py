@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import listening
 from allworlds.cli.files import Files
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 
 
 def fuzz(
@@ -25,7 +26,7 @@ def fuzz(
     rules: opt.Rules,
     effort: opt.Effort,
     files: Files,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds fuzz my_explorer.py:explore --edges 20 --min-edges 6 --runs 1000
 
@@ -35,15 +36,16 @@ def fuzz(
     import allworlds
 
     files.ensure_writable()
-    with Progress(quiet=output.quiet) as progress:
+    with listening(output) as listener:
         report = allworlds.fuzz(
             opt.explorer_name(explorer, command, native),
             edges=edges,
             min_edges=min_edges,
             runs=runs,
             seed=seed,
-            listener=progress,
+            listener=listener,
             **opt.many_runs(map_class, lighthouse, rules, effort),
         )
+        listener.verdict(report)
     files.write(report)
     return emit(report, "fuzz", output, workers=effort.count)

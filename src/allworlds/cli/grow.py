@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import listening
 from allworlds.cli.files import ensure_all_writable, write_files
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 
 
 def grow(
@@ -41,7 +42,7 @@ def grow(
             show_default=False,
         ),
     ] = None,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds grow algorithm1 greedy --family lattice,torus --to 100
 
@@ -56,15 +57,16 @@ def grow(
         ensure_drawable()
     ensure_all_writable(files)
     many = opt.many_runs("maps", lighthouse, rules, effort)
-    with Progress(quiet=output.quiet) as progress:
+    with listening(output) as listener:
         report = allworlds.grow(
             *programs.after(explorers),
             families=families.split(","),
             to=to,
             worlds=worlds,
             seed=seed,
-            listener=progress,
+            listener=listener,
             **many,
         )
+        listener.verdict(report)
     write_files("grow", report, files)
     return emit(report, "grow", output, workers=effort.count)

@@ -7,13 +7,14 @@ from typing import Annotated
 import typer
 
 from allworlds.cli import options as opt
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.events import listening
+from allworlds.cli.output import emit
 
 
 def merge(
     runs: Annotated[list[str], typer.Argument(metavar="DIR...", help="One a shard.")],
     *,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds merge shard-0 shard-1
 
@@ -23,6 +24,7 @@ def merge(
     """
     import allworlds
 
-    with Progress(quiet=output.quiet) as progress:
-        report = allworlds.merge(*runs, listener=progress)
+    with listening(output) as listener:
+        report = allworlds.merge(*runs, listener=listener)
+        listener.verdict(report)
     return emit(report, "merge", output)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.events import listening
+from allworlds.cli.output import emit
 
 
 def mutants(
@@ -13,7 +14,7 @@ def mutants(
     edges: Annotated[
         int, opt.number(opt.SCOPE, "M", "Try worlds with at most M edges (1 to 4).")
     ] = 4,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds mutants
 
@@ -22,6 +23,7 @@ def mutants(
     """
     import allworlds
 
-    with Progress(quiet=output.quiet) as progress:
-        matrix = allworlds.mutants(edges=edges, listener=progress)
+    with listening(output) as listener:
+        matrix = allworlds.mutants(edges=edges, listener=listener)
+        listener.verdict(matrix)
     return emit(matrix, "mutants", output)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.events import listening
+from allworlds.cli.output import emit
 
 
 def optimum(
@@ -17,7 +18,7 @@ def optimum(
         float | None,
         opt.option(opt.EFFORT, "S", "Seconds for the search of each row.", parser=opt.seconds),
     ] = None,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds optimum --edges 4
 
@@ -28,6 +29,7 @@ def optimum(
     """
     import allworlds
 
-    with Progress(quiet=output.quiet) as progress:
-        report = allworlds.optimum(edges=edges, time_limit=time_limit, listener=progress)
+    with listening(output) as listener:
+        report = allworlds.optimum(edges=edges, time_limit=time_limit, listener=listener)
+        listener.verdict(report)
     return emit(report, "optimum", output)

@@ -300,6 +300,21 @@ class Output:
     ] = False
 
 
+@dataclass(frozen=True, slots=True)
+class LongOutput(Output):
+    """What is printed of a verb that may take long, and what is told of it meanwhile."""
+
+    events: Annotated[
+        str | None,
+        option(
+            OUTPUT,
+            "FILE",
+            "Write what happens, as it happens: a line of JSON each.",
+            show_default=False,
+        ),
+    ] = None
+
+
 def explorer_name(
     explorer: str | None, command: str | None = None, native: str | None = None
 ) -> str:

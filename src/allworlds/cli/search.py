@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import listening
 from allworlds.cli.files import PageFile
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 from allworlds.cli.values import motion_list
 
 
@@ -59,7 +60,7 @@ def search(
         ),
     ] = None,
     page: PageFile,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds search --lighthouse position --class simple --vertices 4 --edges 6
 
@@ -70,7 +71,7 @@ def search(
 
     page.ensure_writable()
 
-    with Progress(quiet=output.quiet) as progress:
+    with listening(output) as listener:
         result = allworlds.search(
             lighthouse=lighthouse,
             map_class=map_class,
@@ -83,10 +84,11 @@ def search(
             solver=solver,
             out=out,
             time_limit=time_limit,
-            listener=progress,
+            listener=listener,
         )
         for notice in result.notices:
-            progress.notice(notice)
+            listener.notice(notice)
+        listener.verdict(result)
     seconds = [searched.seconds for searched in result.searched]
     page.write("search", result)
     return emit(result, "search", output, level_seconds=seconds)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Annotated
 
 from allworlds.cli import options as opt
+from allworlds.cli.events import listening
 from allworlds.cli.files import PageFile
-from allworlds.cli.output import Progress, emit
+from allworlds.cli.output import emit
 from allworlds.cli.values import shard_numbers, worker_count
 
 
@@ -41,7 +42,7 @@ def worst(
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
     page: PageFile,
-    output: opt.Output,
+    output: opt.LongOutput,
 ) -> int:
     """Example: allworlds worst --edges 5
 
@@ -54,7 +55,7 @@ def worst(
     page.ensure_writable()
 
     threads = worker_count(workers)
-    with Progress(quiet=output.quiet) as progress:
+    with listening(output) as listener:
         report = allworlds.worst(
             opt.explorer_name(explorer, command, native),
             edges=edges,
@@ -65,7 +66,8 @@ def worst(
             run=run,
             dask=dask,
             workers=threads,
-            listener=progress,
+            listener=listener,
         )
+        listener.verdict(report)
     page.write("worst", report)
     return emit(report, "worst", output, workers=threads)

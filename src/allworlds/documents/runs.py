@@ -2,10 +2,19 @@
 
 from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
-from allworlds.documents.checks import CheckReport
+from allworlds.documents.checks import CheckReport, MutantsReport
+from allworlds.documents.claims import ClaimsReport
 from allworlds.documents.common import MadeBy, Report
+from allworlds.documents.comparisons import CompareReport, FigureReport, GrowReport
 from allworlds.documents.findings import Finding
-from allworlds.documents.questions import AmbiguityCensusReport, WorstReport
+from allworlds.documents.questions import (
+    AmbiguityCensusReport,
+    BenchReport,
+    CountReport,
+    OptimumReport,
+    SearchReport,
+    WorstReport,
+)
 from allworlds.documents.words import (
     EngineName,
     Figure,
@@ -19,6 +28,23 @@ from allworlds.documents.words import (
 
 MergeReport: TypeAlias = CheckReport | WorstReport | AmbiguityCensusReport
 """What 'merge' writes: the report of the verb whose shards were joined."""
+
+
+Watched: TypeAlias = (
+    CheckReport
+    | WorstReport
+    | AmbiguityCensusReport
+    | CompareReport
+    | GrowReport
+    | FigureReport
+    | MutantsReport
+    | CountReport
+    | SearchReport
+    | BenchReport
+    | OptimumReport
+    | ClaimsReport
+)
+"""What a verb with `--events` may report."""
 
 
 class DoneOf(TypedDict):
@@ -69,6 +95,24 @@ class LevelEvent(TypedDict):
     worlds: Annotated[Natural, "rooted maps; of a shard about so many"]
 
 
+class StageEvent(TypedDict):
+    """A part of another kind begins."""
+
+    schema: Version
+    event: Literal["stage"]
+    name: Annotated[Text, "of the part"]
+    all: Annotated[Natural, "how many are to be done"]
+    of: Annotated[Text, "what is counted"]
+
+
+class ProgressEvent(TypedDict):
+    """Once a second: what is done of the level or stage that began last."""
+
+    schema: Version
+    event: Literal["progress"]
+    done: Annotated[Natural, "worlds, or what the stage counts"]
+
+
 class UnitEvent(TypedDict):
     """A unit is finished."""
 
@@ -99,11 +143,13 @@ class VerdictEvent(TypedDict):
 
     schema: Version
     event: Literal["verdict"]
-    report: Annotated[CheckReport, "the whole report"]
+    report: Annotated[Watched, "the whole report, as `--json` prints it, without `made_by`"]
 
 
-Event: TypeAlias = LevelEvent | UnitEvent | FindingEvent | NoticeEvent | VerdictEvent
-"""One line of what `check --events FILE` writes."""
+Event: TypeAlias = (
+    LevelEvent | StageEvent | ProgressEvent | UnitEvent | FindingEvent | NoticeEvent | VerdictEvent
+)
+"""One line of what `--events FILE` writes."""
 
 
 class EstimateResult(TypedDict):

@@ -84,7 +84,7 @@ def brief(verb: str, result: Any, width: int) -> str:
     """What ``--quiet`` leaves of it: one line where the verb has one, else all."""
     if not _BRIEFS[verb]:
         return text(verb, result, width)
-    made: str = _load(_BRIEFS[verb])(result)
+    made: str = _load(_BRIEFS[verb])(result, width)
     return made
 
 

@@ -27,8 +27,8 @@ def check_text(report: Report | Estimate, width: int) -> str:
     return "\n\n".join("\n".join(block) for block in blocks if block)
 
 
-def verdict_line(report: Report | Estimate) -> str:
-    """The verdict in one line, or the estimate."""
+def verdict_line(report: Report | Estimate, _width: int) -> str:
+    """The verdict, or the estimate, in one line however wide it is."""
     if isinstance(report, Estimate):
         return _guess(report, sys.maxsize)[0]
     word, text = verdict_words(report)

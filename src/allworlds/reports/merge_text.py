@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-
 from allworlds.joining import MergedReport, Standing
+from allworlds.reports import brief, text
 from allworlds.reports.layout import entry
-from allworlds.verbs import VERBS
 from allworlds.words import duration, number, plural, size
 
 
 def merge_text(merged: MergedReport, width: int) -> str:
     """What the verb itself would say."""
-    (home,) = (verb.text for verb in VERBS if verb.name == merged.verb)
-    module, _, function = home.partition(":")
-    text: str = getattr(import_module(f"allworlds.reports.{module}"), function)(
-        merged.report, width
-    )
-    return text
+    return text(merged.verb, merged.report, width)
+
+
+def merge_line(merged: MergedReport, width: int) -> str:
+    """What it would say with ``--quiet``."""
+    return brief(merged.verb, merged.report, width)
 
 
 def status_text(standing: Standing, width: int) -> str:

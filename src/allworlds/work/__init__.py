@@ -6,7 +6,7 @@
 ``here``, ``threads``
     two transports: this thread, and several;
 ``cluster``
-    another one, to the machines of a Dask cluster;
+    another one, to the machines of a Dask cluster, which have ``lanes`` for what is sent there;
 ``levels``
     the units into which all maps with one number of edges are cut;
 ``shards``
@@ -17,7 +17,7 @@
     **the** loop: the units of a level through an engine by a transport, added up.
 """
 
-from allworlds.work.cluster import LOCAL, Dask, Lost
+from allworlds.work.cluster import LOCAL, Dask, local_cluster
 from allworlds.work.effort import (
     LEAST_TIMEOUT,
     POLL,
@@ -28,6 +28,7 @@ from allworlds.work.effort import (
 )
 from allworlds.work.gather import gather
 from allworlds.work.here import Here, with_last
+from allworlds.work.lanes import Lost
 from allworlds.work.levels import (
     LevelUnit,
     cells_of_level,
@@ -70,6 +71,7 @@ __all__ = [
     "drawn_units",
     "gather",
     "level_size",
+    "local_cluster",
     "shards_of",
     "tell_of_size",
     "units_of_level",

@@ -1,16 +1,16 @@
 """Units on the machines of a Dask cluster.
 
 A task is some units with an engine and a way to have it done; what comes back are whole results,
-and so a unit whose worker is lost is simply done again, by another one.  On a worker a *lane* is a
-transport that outlives the tasks of its job: as many as the worker has threads.
+and so a unit whose worker is lost is simply done again, by another one.  What a worker has of a
+job is in :mod:`allworlds.work.lanes`.
 """
 
 from __future__ import annotations
 
-import threading
-from collections import defaultdict
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
 from itertools import islice
 from time import monotonic
 from typing import Any, Self
@@ -20,7 +20,8 @@ from allworlds.inputs import InputError, show
 from allworlds.version import __version__
 from allworlds.work.effort import POLL, check_deadline
 from allworlds.work.here import Here
-from allworlds.work.work import Part, Sum, Transport
+from allworlds.work.lanes import Done, Errand, Lost, done, end_job
+from allworlds.work.work import Part, Transport
 
 LOCAL = "local"
 """In place of an address: a cluster of this machine alone, which is started and ended."""
@@ -28,23 +29,69 @@ LOCAL = "local"
 PATIENCE = 10.0
 """Seconds in which a scheduler must answer."""
 
-IDLE = 120.0
-"""Seconds after which a worker closes lanes that nobody uses; their owner may have been killed."""
-
 TRIES = 3
 """So often it is tried to speak with a scheduler."""
 
 AHEAD = 3
 """For each thread of the cluster so many tasks are on their way."""
 
+LEAST, TASK = 0.1, 1.0
+"""Seconds that a task takes at least and at most, as far as whole units allow: to send one costs
+some thousandths of a second."""
 
-class Lost(Exception):
-    """Workers were lost again and again, or the scheduler was."""
+TASKS_A_SECOND = 100
+"""More of them a scheduler, and whoever adds up, had better not be given; so the tasks of a large
+cluster take longer."""
+
+GROWTH = 16
+"""A unit of the next level is thought to cost so many times as much, until one has been done."""
+
+IN_SIGHT = 512
+"""For each thread of the cluster so many units are looked for beforehand; the fewer are left, the
+fewer make a task, so that all threads end at about the same time."""
+
+QUIET = {
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "500ms",
+    "distributed.admin.system-monitor.interval": "2s",
+}
+"""What a local cluster is started with: by itself Dask looks a hundred times a second at what each
+worker does, for a page that nobody sees here."""
 
 
 def all_well() -> str:
     """What speaks against a worker: nothing."""
     return ""
+
+
+@dataclass(slots=True)
+class Pace:
+    """How many units make a task, by what others have cost so far.
+
+    Attributes:
+        cost: seconds a unit, the last tasks counting most; None before the first.
+    """
+
+    cost: float | None = None
+
+    def units(self, left: int, threads: int) -> int:
+        """The next task's, where so many are in sight, for a cluster with so many threads."""
+        if self.cost is None:
+            return 1
+        most = max(TASK, threads / TASKS_A_SECOND) / self.cost
+        return max(1, int(min(most, max(LEAST / self.cost, left / (2 * threads)))))
+
+    def begin_level(self) -> None:
+        """Other units follow, which cost more."""
+        if self.cost is not None:
+            self.cost *= GROWTH
+
+    def took(self, units: int, seconds: float | None) -> None:
+        """A task of so many units took so long; None says nothing."""
+        if seconds is None:
+            return
+        cost = max(seconds / units, 1e-6)
+        self.cost = cost if self.cost is None else (self.cost + cost) / 2
 
 
 class Dask:
@@ -56,7 +103,6 @@ class Dask:
         inside: on a worker, how units get to the engine there; picklable.
         probe: what speaks against a worker, asked there once; picklable.
         order: of the units.
-        batch: units of a task.
         deadline: on the monotonic clock, or None.
 
     Raises:
@@ -68,7 +114,6 @@ class Dask:
         scheduler: str,
         workers: int = 1,
         deadline: float | None = None,
-        batch: int = 1,
         inside: Callable[[], Transport[Any]] = Here,
         probe: Callable[[], str] = all_well,
         order: Callable[[Iterable[Any]], Iterable[Any]] = iter,
@@ -76,17 +121,18 @@ class Dask:
         self._distributed = _installed()
         self._scheduler, self._workers = scheduler, workers
         self._inside, self._probe, self._order = inside, probe, order
-        self._batch, self._deadline = batch, deadline
+        self._deadline = deadline
         self._job = uuid4().hex
         self._stack = ExitStack()
         self._client: Any = None
         self._threads, self._looked = 0, 0.0
+        self._pace = Pace()
 
     def __enter__(self) -> Self:
         with self._stack as stack:
             address: Any = self._scheduler
             if address == LOCAL:
-                address = stack.enter_context(_local_cluster(self._distributed, self._workers))
+                address = stack.enter_context(local_cluster(self._workers))
             self._client = stack.enter_context(self._connected(address))
             self._stack = stack.pop_all()
         return self
@@ -104,18 +150,26 @@ class Dask:
             Lost: if workers are lost again and again.
             InputError: if a worker cannot do it.
         """
-        waiting = iter(self._order(units))
+        waiting, sight = iter(self._order(units)), deque[Any]()
+        packed = Errand(self._inside, self._probe, engine).packed()
         at_work: dict[Any, list[Any]] = {}
+        pace = self._pace
+        pace.begin_level()
         try:
             while True:
-                while len(at_work) < self._window() and (batch := [*islice(waiting, self._batch)]):
-                    task = (self._job, __version__, self._inside, self._probe, engine, batch)
+                while len(at_work) < AHEAD * self._counted():
+                    sight.extend(islice(waiting, IN_SIGHT * self._threads - len(sight)))
+                    number = min(len(sight), pace.units(len(sight), self._threads))
+                    if not (batch := [sight.popleft() for _ in range(number)]):
+                        break
+                    task = (self._job, __version__, packed, batch)
                     at_work[self._client.submit(done, *task, pure=False)] = batch
                 if not at_work:
                     return
                 for future in self._finished(at_work):
-                    results = self._result(future)
-                    for unit, result in zip(at_work.pop(future), results, strict=True):
+                    came = self._result(future)
+                    pace.took(len(came.results), came.seconds)
+                    for unit, result in zip(at_work.pop(future), came.results, strict=True):
                         yield Part(unit, result, last=True)
                 check_deadline(self._deadline)
         finally:
@@ -140,12 +194,12 @@ class Dask:
                 return self._distributed.Client(address, timeout=PATIENCE)
         return self._distributed.Client(address, timeout=PATIENCE)
 
-    def _window(self) -> int:
-        """How many tasks may be on their way; workers come and go."""
+    def _counted(self) -> int:
+        """The threads of the cluster, counted once a second; workers come and go."""
         if monotonic() > self._looked + 1:
-            self._threads = sum(self._client.nthreads().values())
+            self._threads = max(2, sum(self._client.nthreads().values()))
             self._looked = monotonic()
-        return AHEAD * max(self._threads, 2)
+        return self._threads
 
     def _finished(self, at_work: Iterable[Any]) -> list[Any]:
         """Those that have come back; after a moment none."""
@@ -155,16 +209,16 @@ class Dask:
             return []
         return list(told.done)
 
-    def _result(self, future: Any) -> list[Any]:
+    def _result(self, future: Any) -> Done:
         from distributed.scheduler import KilledWorker
 
         try:
-            results: list[Any] = future.result()
+            came: Done = future.result()
         except KilledWorker as error:
             raise Lost(f"Dask workers were lost over the same units: {error}") from None
         except self._distributed.CancelledError:
             raise Lost(f"the Dask scheduler {self._scheduler} is gone") from None
-        return results
+        return came
 
 
 def _installed() -> Any:
@@ -177,120 +231,22 @@ def _installed() -> Any:
     return distributed
 
 
-def _local_cluster(distributed: Any, workers: int) -> Any:
+@contextmanager
+def local_cluster(workers: int) -> Iterator[Any]:
+    """A cluster of so many processes on this machine, each with one thread; it ends with it.
+
+    Raises:
+        InputError: if Dask is not installed.
+    """
+    distributed = _installed()
+    import dask
+
     # Without an address of its own the scheduler would ask for port 8787, which others may have.
     address = "127.0.0.1:0"
-    return distributed.LocalCluster(
-        n_workers=workers, threads_per_worker=1, dashboard_address=address, silence_logs=50
-    )
-
-
-# ---------------------------------------------------------------- on a worker
-
-
-class _Lanes:
-    """What a worker has of one job."""
-
-    def __init__(self) -> None:
-        self.idle: list[Transport[Any]] = []
-        self.at_work: list[Any] = []
-        self.ended = False
-        self.well = False
-        self.used = monotonic()
-
-
-_JOBS: defaultdict[str, _Lanes] = defaultdict(_Lanes)
-_TURN = threading.Lock()
-
-
-def done(
-    job: str,
-    version: str,
-    inside: Callable[[], Transport[Any]],
-    probe: Callable[[], str],
-    engine: Any,
-    batch: list[Any],
-) -> list[Any]:
-    """The results of some units, each whole, in their order."""
-    lane = _lane(job, version, inside, probe)
-    lanes = _JOBS[job]
-    lanes.at_work.append(engine)
-    results: dict[str, Sum] = {}
-    try:
-        for part in lane.map(engine, batch):
-            _go_on(lanes)
-            key = part.unit.key
-            if key in results:
-                results[key].add(part.result)
-            else:
-                results[key] = part.result
-    except BaseException:
-        lane.__exit__(None, None, None)
-        raise
-    else:
-        _give_back(job, lane)
-    finally:
-        lanes.at_work.remove(engine)
-    return [results[unit.key] for unit in batch]
-
-
-def _go_on(lanes: _Lanes) -> None:
-    if lanes.ended:
-        raise Lost("the job has ended")
-
-
-def end_job(job: str) -> None:
-    """Give up whatever is being done for a job on this worker."""
-    lanes = _JOBS[job]
-    lanes.ended = True
-    for engine in list(lanes.at_work):
-        if halt := getattr(engine, "halt", None):
-            halt()
-    _close_idle(job)
-
-
-def _lane(
-    job: str, version: str, inside: Callable[[], Transport[Any]], probe: Callable[[], str]
-) -> Transport[Any]:
-    with _TURN:
-        lanes = _JOBS[job]
-        if not lanes.well:
-            said = f"has allworlds {__version__}, not {version}" if version != __version__ else ""
-            if said := said or probe():
-                raise InputError(f"the Dask worker {_address()}: {said}")
-            lanes.well = True
-        if lanes.idle:
-            return lanes.idle.pop()
-    return inside().__enter__()
-
-
-def _give_back(job: str, lane: Transport[Any]) -> None:
-    with _TURN:
-        lanes = _JOBS[job]
-        lanes.used = monotonic()
-        lanes.idle.append(lane)
-    if lanes.ended:
-        _close_idle(job)
-    else:
-        timer = threading.Timer(IDLE, _close_unused, (job,))
-        timer.daemon = True
-        timer.start()
-
-
-def _close_unused(job: str) -> None:
-    if monotonic() - _JOBS[job].used >= IDLE:
-        _close_idle(job)
-
-
-def _close_idle(job: str) -> None:
-    with _TURN:
-        idle, _JOBS[job].idle = _JOBS[job].idle, []
-    for lane in idle:
-        lane.__exit__(None, None, None)
-
-
-def _address() -> str:
-    from distributed import get_worker
-
-    address: str = get_worker().address
-    return address
+    with (
+        dask.config.set(QUIET),
+        distributed.LocalCluster(
+            n_workers=workers, threads_per_worker=1, dashboard_address=address, silence_logs=50
+        ) as cluster,
+    ):
+        yield cluster

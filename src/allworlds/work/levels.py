@@ -52,16 +52,26 @@ of the compiled engine, so that to keep its result costs little."""
 DEPTH = 3
 """The same for all larger ones."""
 
+SIMPLE_DEPTHS, SIMPLE_DEPTH = ((4, 1), (7, 2)), 5
+"""The same in the simple classes: weights are upper bounds there, which are wrong by less the
+smaller the units are, and the errors of many make up for each other."""
+
+
+def depth_of(extent: Extent, edges: int) -> int:
+    """How many decisions make a unit of a level."""
+    simple = extent.map_class.simple
+    depths, last = (SIMPLE_DEPTHS, SIMPLE_DEPTH) if simple else (DEPTHS, DEPTH)
+    return next((depth for below, depth in depths if edges < below), last)
+
 
 def units_of_level(extent: Extent, edges: int, portion: Portion = WHOLE) -> Iterator[LevelUnit]:
     """The pieces of a level, or those of a shard; the same for any number of workers.
 
     A shard gets about as many worlds as any other: the weights are counted beforehand.
     """
-    depth = next((depth for below, depth in DEPTHS if edges < below), DEPTH)
     units = (
         LevelUnit(edges, prefix)
-        for prefix in prefixes(edges, extent.map_class, extent.vertices, depth)
+        for prefix in prefixes(edges, extent.map_class, extent.vertices, depth_of(extent, edges))
     )
     if isinstance(portion, Shard):
         every = list(units)

@@ -46,7 +46,6 @@ if TYPE_CHECKING:
 
 DEFAULT_EDGES, OTHERS_EDGES = 5, 3
 MOST_EDGES = 12
-DASK_BATCH = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,7 +223,7 @@ def worst(
     search = _Search(Extent(MapClass.named(map_class), edges), way, a_shard(shard))
     heard = listener or Silent()
     engine = search.engine()
-    transport = Threads(workers) if dask is None else Dask(dask, workers, batch=DASK_BATCH)
+    transport = Threads(workers) if dask is None else Dask(dask, workers)
     with records_in(run, search.identity, heard.notice) as records, transport as there:
         if run is None and isinstance(search.portion, Shard):
             heard.notice(UNMERGEABLE)

@@ -1,0 +1,102 @@
+"""What two workers of a Dask cluster are worth of two threads, or processes, of this machine.
+
+    python benchmarks/cluster.py [--rounds N] [--engine kernel|python]
+
+The same check is done here and on a cluster of this machine, in turns, so that whatever else the
+machine does falls on both; the first turn of each is not counted, since it starts what stays: the
+compiler, workers, a guardian.  A ratio above 1 means that the cluster is faster, or takes less
+processor time; this time is that of all processes together, and so that of the scheduler is in it.
+Nothing is asserted but that the reports are equal.
+"""
+
+from __future__ import annotations
+
+import argparse
+import statistics
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import psutil
+
+from allworlds import check
+from allworlds.work import local_cluster
+
+WORKERS = 2
+
+JOBS: dict[str, dict[str, Any]] = {
+    "kernel": {"edges": 9, "vertices": 2},
+    "python": {"edges": 5},
+}
+"""Checks that take some ten seconds, so that what is sent once does not count."""
+
+
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """Seconds of the clock, and of all processors."""
+
+    wall: float
+    cpu: float
+
+
+def cpu_of_all() -> float:
+    """Processor time of this process and of all that it has started, ended ones too."""
+    return sum(_cpu_of_each())
+
+
+def _cpu_of_each() -> Iterator[float]:
+    here = psutil.Process()
+    for process in (here, *here.children(recursive=True)):
+        try:
+            times = process.cpu_times()
+        except psutil.NoSuchProcess:
+            continue
+        yield times.user + times.system + times.children_user + times.children_system
+
+
+def taken(**options: Any) -> tuple[Taken, Any]:
+    """What a check takes, and its document."""
+    wall, cpu = time.perf_counter(), cpu_of_all()
+    document = check(workers=WORKERS, **options).uninterrupted().to_json()
+    return Taken(time.perf_counter() - wall, cpu_of_all() - cpu), document
+
+
+def told(name: str, ratios: list[float]) -> str:
+    """The median, and in parentheses the least and the largest."""
+    return f"{name} {statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
+
+
+def measure(engine: str, rounds: int, address: str) -> None:
+    """Print the ratios of one engine."""
+    turns: list[tuple[Taken, Taken]] = []
+    job = {"engine": engine, **JOBS[engine]}
+    for _ in range(rounds + 1):
+        here, whole = taken(**job)
+        there, same = taken(**job, dask=address)
+        if same != whole:
+            raise SystemExit(f"the reports of {engine} differ: this measures nothing")
+        turns.append((here, there))
+    walls = [here.wall / there.wall for here, there in turns[1:]]
+    cpus = [here.cpu / there.cpu for here, there in turns[1:]]
+    seconds = statistics.median(here.cpu for here, _ in turns[1:])
+    print(
+        f"{engine}, {JOBS[engine]}: {told('clock', walls)}, {told('processors', cpus)}; "
+        f"here {seconds:.1f} s of processors",
+        flush=True,
+    )
+
+
+def main() -> None:
+    """Measure, and print."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--engine", choices=JOBS, action="append")
+    options = parser.parse_args()
+    with local_cluster(WORKERS) as cluster:
+        for engine in options.engine or JOBS:
+            measure(engine, options.rounds, cluster.scheduler_address)
+
+
+if __name__ == "__main__":
+    main()

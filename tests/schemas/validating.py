@@ -1,0 +1,27 @@
+"""Documents held against the schemas of the package."""
+
+import functools
+import json
+from importlib.resources import files
+
+from jsonschema import Draft202012Validator
+from referencing import Registry, Resource
+
+SCHEMAS = {
+    file.name.removesuffix(".schema.json"): json.loads(file.read_text(encoding="utf-8"))
+    for file in (files("allworlds") / "schemas").iterdir()
+}
+REGISTRY = Registry().with_resources(
+    (schema["$id"], Resource.from_contents(schema)) for schema in SCHEMAS.values()
+)
+
+
+@functools.cache
+def validator(reference):
+    return Draft202012Validator({"$ref": reference}, registry=REGISTRY)
+
+
+def complaints(reference, document):
+    plain = json.loads(json.dumps(document))
+    errors = validator(reference).iter_errors(plain)
+    return [f"{error.json_path}: {error.message}" for error in errors]
