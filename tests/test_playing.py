@@ -76,11 +76,7 @@ def test_a_page_is_written_and_nothing_is_played(tmp_path, capsys):
     assert call(["play", "theta", "--html", str(page)]) == 0
     assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
     said = capsys.readouterr()
-    assert said.out.split() == [
-        "PAGE",
-        f"{page},",
-        *["to", "be", "opened", "in", "a", "web", "browser"],
-    ]
+    assert "".join(said.out.split()) == f"PAGE{page},tobeopenedinawebbrowser"
     assert not said.err
 
 

@@ -32,12 +32,14 @@ OPTIONS = [
 
 
 @pytest.mark.parametrize(
-    ("verb", "option"), [(verb, param.opts[0]) for verb, param in OPTIONS], ids=" ".join
+    ("verb", "option"), [(verb, param.opts[0]) for verb, param in OPTIONS], ids=str
 )
 def test_an_empty_text_is_no_value_of_any_option(refused, verb, option, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    refused(*least(verb, str(tmp_path)), option, "")
-    assert list(tmp_path.iterdir()) == []
+    command = least(verb, str(tmp_path))
+    before = [*tmp_path.iterdir()]
+    refused(*command, option, "")
+    assert [*tmp_path.iterdir()] == before
 
 
 NUMBERS = [
@@ -45,7 +47,7 @@ NUMBERS = [
 ]
 
 
-@pytest.mark.parametrize(("verb", "option"), NUMBERS, ids=" ".join)
+@pytest.mark.parametrize(("verb", "option"), NUMBERS, ids=str)
 @pytest.mark.parametrize("value", ["1_0", " 1", "١"])  # noqa: RUF001  # an Arabic digit
 def test_a_number_is_written_with_ascii_digits_alone(refused, verb, option, value):
     assert repr(value) in refused(*least(verb, "out"), option, value)

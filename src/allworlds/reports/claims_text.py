@@ -32,7 +32,7 @@ def claims_text(report: ClaimsReport, width: int) -> str:
     for name in report.missed:
         lines += entry("REQUIRED", f"{name} was not checked", width)
     legend = "= as expected   ≠ not as expected   ? nothing was met   - not checked"
-    lines += [legend, claims_line(report)]
+    lines += [legend, claims_line(report, width)]
     return "\n".join(lines)
 
 
@@ -41,7 +41,7 @@ def heading(section: str) -> str:
     return "Ours" if section == "ours" else f"Section {section}"
 
 
-def claims_line(report: ClaimsReport) -> str:
+def claims_line(report: ClaimsReport, _width: int) -> str:
     """All in one line, which begins with the verdict."""
     standings = Counter(one.standing for one in report.entries)
     checked = [one for one in report.entries if one.standing == "as-expected"]

@@ -6,7 +6,7 @@ from allworlds.figures import Figure
 from allworlds.reports.layout import entry
 
 
-def figure_line(report: Figure) -> str:
+def figure_line(report: Figure, _width: int) -> str:
     """The verdict and the files in one line."""
     return f"{_verdict(report)}: figure {report.name} in {report.path}, its data in {report.data}"
 

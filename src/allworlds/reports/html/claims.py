@@ -17,7 +17,7 @@ VERDICTS = {0: "holds", 1: "refuted", 3: "inconclusive", 4: "vacuous", 130: "inc
 
 def claims_page(report: ClaimsReport) -> Page:
     """The table of the claims, and each of them."""
-    word, _, text = claims_line(report).partition(": ")
+    word, _, text = claims_line(report, 0).partition(": ")
     header = ["section", "claim", "sentence", "expected", "found", ""]
     rows = [
         [
