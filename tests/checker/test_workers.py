@@ -36,13 +36,15 @@ def only_finding(name, **options):
     ("name", "law", "seen"),
     [
         ("hang", "timeout", "silent for 4 s"),
-        ("hang_gil", "timeout", "silent for 4 s"),
-        ("hang_regex", "timeout", "silent for 4 s"),
+        pytest.param("hang_gil", "timeout", "silent for 4 s", marks=pytest.mark.slow),
+        pytest.param("hang_regex", "timeout", "silent for 4 s", marks=pytest.mark.slow),
         ("os_exit", "crash", "exit code 0"),
         ("segfault", "crash", "signal 11"),
         ("reads", "crash", "EOFError"),
         ("closes", "crash", "end of the interpreter"),
-        ("closes_and_hangs", "crash", "the interpreter's pipe"),
+        pytest.param(
+            *("closes_and_hangs", "crash", "the interpreter's pipe"), marks=pytest.mark.slow
+        ),
         ("sys_exit", "crash", "SystemExit"),
         ("interrupt", "crash", "KeyboardInterrupt"),
         ("raises", "crash", "ZeroDivisionError"),

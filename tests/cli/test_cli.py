@@ -254,7 +254,13 @@ def test_counts(cli):
     assert [row["unrooted"] for row in rows] == [2, 5, 20, 107]
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize(
+    "number",
+    [
+        signal.SIGINT,
+        *(pytest.param(other, marks=pytest.mark.slow) for other in (signal.SIGTERM, signal.SIGHUP)),
+    ],
+)
 @pytest.mark.parametrize("explorer", ["hang", "right"])
 def test_an_interrupt_leaves_a_report_and_no_worker(start, tmp_path, number, explorer):
     hung = tmp_path / "hung"

@@ -45,7 +45,10 @@ HEARD = {
 }
 
 
-@pytest.mark.parametrize("name", HEARD)
+LONG = {"count compiled": pytest.mark.slow}
+
+
+@pytest.mark.parametrize("name", [pytest.param(name, marks=LONG.get(name, ())) for name in HEARD])
 def test_what_is_promised_is_done(name):
     heard = Adds()
     HEARD[name](heard)

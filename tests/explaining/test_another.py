@@ -27,7 +27,7 @@ def log_of(world, word):
     return Transcript(world.first, tuple(steps))
 
 
-@pytest.mark.parametrize("map_class", ["maps", "simple"])
+@pytest.mark.parametrize("map_class", [pytest.param("maps", marks=pytest.mark.slow), "simple"])
 def test_in_every_small_world_and_for_every_short_walk_it_is_another_and_senses_the_same(map_class):
     others = 0
     for world in allworlds.worlds(edges=3, map_class=map_class, places="all"):

@@ -110,7 +110,13 @@ def test_a_spoiled_answer_is_told_by_its_slip_in_every_small_world(name):
         assert all(words in sentence for sentence in told)
 
 
-@pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
+MIRRORING = [
+    pytest.param(one, id=one.name, marks=() if one.name == "mirror-image" else pytest.mark.slow)
+    for one in WRONG_EXPLORERS
+]
+
+
+@pytest.mark.parametrize("mutant", MIRRORING)
 def test_a_mirror_image_is_claimed_exactly_where_there_is_one(mutant):
     for finding in findings_of(mutant.name):
         if finding.law not in ("map", "pose"):

@@ -52,7 +52,7 @@ def test_every_run_has_one_valid_world_of_the_class_within_the_bound(map_class):
 
 
 @CLASSES
-@pytest.mark.parametrize("least", [7, 14])
+@pytest.mark.parametrize("least", [7, pytest.param(14, marks=pytest.mark.slow)])
 def test_no_world_of_a_sample_is_smaller_than_it_is_to_be(map_class, least):
     # No lattice has 14 edges of which none is taken away: other maps take its place.
     (batch,) = batches(Sample(30, min_edges=least))

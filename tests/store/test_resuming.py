@@ -46,7 +46,7 @@ VERBS = {
     "own": lambda **more: check(edges=3, engine="python", **more),
     "compiled": lambda **more: check(edges=5, engine="kernel", **more),
     "foreign": lambda **more: check(wrong("right"), edges=3, **more),
-    "refuted": lambda **more: check(wrong("here_of_another"), edges=4, max_findings=3, **more),
+    "refuted": lambda **more: check(wrong("here_of_another"), edges=3, max_findings=3, **more),
     "worst": lambda **more: worst(edges=4, **more),
     "census": lambda **more: ambiguity.census(edges=4, **more),
 }
