@@ -77,7 +77,8 @@ def shell(tmp_path):
         "PATH": f"{programs}{os.pathsep}{os.environ['PATH']}",
         "PYTHONPATH": str(Path(allworlds.__file__).parents[1]),
     }
-    environment.pop("COLUMNS", None)
+    for name in ("CI", "BUILD_NUMBER", "GITHUB_ACTIONS", "PYTEST_ADDOPTS", "COLUMNS"):
+        environment.pop(name, None)  # it changes what is printed
 
     def run(command):
         return subprocess.run(
