@@ -133,6 +133,19 @@ def home_again(transcript):
     ]
 
 
+def notes_of(ask, world, log, dart):
+    """What the page's notes say after this log, where the reader claims to be at ``dart``."""
+    return ask(
+        what="notes",
+        first=log.first.to_json(),
+        steps=steps_of(log),
+        conclusions=home_again(log),
+        movable=False,
+        world=world_data(world),
+        dart=dart,
+    )
+
+
 def test_notes_with_every_return_concluded_are_the_folded_log(ask):
     for map_ in all_maps(3):
         for place in Directional.places(map_, 0):
@@ -140,15 +153,7 @@ def test_notes_with_every_return_concluded_are_the_folded_log(ask):
             log = run.outcome.episode.transcript
             for length in range(len(log.steps) + 1):
                 part = type(log)(log.first, log.steps[:length])
-                told = ask(
-                    what="notes",
-                    first=log.first.to_json(),
-                    steps=steps_of(part),
-                    conclusions=home_again(part),
-                    movable=False,
-                    world=world_data(run.world),
-                    dart=0,
-                )
+                told = notes_of(ask, run.world, part, 0)
                 assert not told["wrong"]
                 folded = fold(part)
                 assert told["open"] == sum(x == y for x, y in enumerate(folded.alpha))
@@ -164,15 +169,7 @@ def test_complete_notes_are_the_world_with_the_robot_in_its_place(ask):
             for action in log.actions:
                 state, _ = run.world.step(state, action)
             for dart in run.world.map.darts:
-                told = ask(
-                    what="notes",
-                    first=log.first.to_json(),
-                    steps=steps_of(log),
-                    conclusions=home_again(log),
-                    movable=False,
-                    world=world_data(run.world),
-                    dart=dart,
-                )
+                told = notes_of(ask, run.world, log, dart)
                 answer = told["estimate"]
                 found = Estimate(CombinatorialMap(answer["sigma"], answer["alpha"]), answer["here"])
                 same = bool(rooted_isomorphism(found.map, found.here, map_, dart))
