@@ -23,7 +23,9 @@ function makePicture(frame) {
   const { follows } = frame.dataset;
   const edges = new Map();
   for (const edge of svg.querySelectorAll("[data-darts]")) {
-    for (const dart of edge.dataset.darts.split(" ")) edges.set(dart, edge);
+    for (const dart of edge.dataset.darts.split(" ")) {
+      edges.set(dart, [...(edges.get(dart) || []), edge]);
+    }
   }
   const grown = [...svg.querySelectorAll("[data-since]")];
 
@@ -36,8 +38,7 @@ function makePicture(frame) {
     svg.style.setProperty("--k", 1 / scale);
   }
 
-  function arrow(dart, step) {
-    const edge = edges.get(dart);
+  function arrow(edge, dart, step) {
     const length = edge.getTotalLength();
     // The dart is the one by which it arrives: the edge is drawn from its first dart to its second.
     const back = edge.dataset.darts.split(" ")[0] === dart;
@@ -61,14 +62,17 @@ function makePicture(frame) {
     arrows.replaceChildren();
     for (const [step, item] of items.slice(0, current + 1).entries()) {
       if (!("moved" in item.dataset)) continue;
-      const { classList } = edges.get(item.dataset[follows]);
-      classList.add("walked");
-      if (step > current - TRAIL && step < current) classList.add("trail");
+      for (const { classList } of edges.get(item.dataset[follows])) {
+        classList.add("walked");
+        if (step > current - TRAIL && step < current) classList.add("trail");
+      }
     }
     const { [follows]: dart, moved } = items[current].dataset;
     if (moved !== undefined) {
-      edges.get(dart).classList.add("last");
-      arrow(dart, current);
+      for (const edge of edges.get(dart)) {
+        edge.classList.add("last");
+        arrow(edge, dart, current);
+      }
     }
     svg.querySelector(`[data-dart="${dart}"]`).classList.add("here");
     for (const part of grown) {
@@ -151,6 +155,28 @@ function makeViewer(viewer) {
     }
   }
 
+  // A surface that is no sphere has two views: with crossings, and cut open.
+  function makeViews(figure) {
+    const views = figure.querySelector(".views");
+    if (!figure.querySelector(".cut")) return;
+    views.hidden = false;
+    const buttons = ["Crossing edges", "Glued polygon"].map((name, chosen) => {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = name;
+      button.addEventListener("click", () => choose(chosen));
+      views.append(button);
+      return button;
+    });
+    function choose(chosen) {
+      figure.classList.toggle("open", chosen === 1);
+      buttons.forEach((button, i) => button.setAttribute("aria-pressed", i === chosen));
+      fit();
+    }
+    figure.classList.add("two-views");
+    choose(0);
+  }
+
   function makeTabs() {
     const figures = [...viewer.querySelectorAll("figure")];
     const tabs = viewer.querySelector(".tabs");
@@ -197,6 +223,7 @@ function makeViewer(viewer) {
     });
   });
   makeTabs();
+  for (const figure of viewer.querySelectorAll("figure")) makeViews(figure);
   new ResizeObserver(fit).observe(viewer);
   fit();
   const parting = items.findIndex((item) => item.classList.contains("parting"));
