@@ -3,10 +3,9 @@
 Each number that is held is the least that was found, a little below it.
 """
 
-import re
 from cmath import phase
 from itertools import combinations, pairwise
-from math import degrees, inf, pi
+from math import inf, pi
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -15,9 +14,9 @@ import pytest
 from allworlds.drawing import Scene, picture
 from allworlds.drawing.rays import spread
 from allworlds.maps import CombinatorialMap
-from allworlds.maps.canonical import unrooted_code
 from allworlds.maps.families import family
-from small import all_maps, slow
+from curves import crossings, flat, points
+from small import slow, unrooted_maps
 
 NS = "{http://www.w3.org/2000/svg}"
 SQUARE = 75  # degrees: no crossing is more acute
@@ -25,50 +24,16 @@ ROUND_VERTEX, ROUND_CROSSING = 45, 35  # pixels: so near edges may meet, with a 
 SMALL_APART, LARGE_APART = 16, 4  # pixels: no nearer come edges of maps up to 4, up to 14 edges
 
 
-def unrooted(edges):
-    return [
-        CombinatorialMap(*code)
-        for code in sorted({unrooted_code(map_) for map_ in all_maps(edges)})
-        if len(code[0]) <= 2 * edges
-    ]
-
-
 def curves(map_):
-    """Each edge as a polygon, seven points to a parabola; and the middles of the vertices."""
+    """Each edge as a polygon, and the middles of the vertices."""
     svg = ET.fromstring(ET.tostring(picture(Scene(map_, 0, 0), "p", "a map")))
     ways, ends = [], []
     for path in svg.iter(f"{NS}path"):
         if "data-darts" in path.attrib:
-            numbers = [float(x) for x in re.findall(r"-?[0-9.]+", path.get("d"))]
-            p = [complex(*xy) for xy in zip(numbers[::2], numbers[1::2], strict=True)]
-            way = p[:2]
-            for k in range(1, len(p) - 2, 2):
-                a, b, c = p[k : k + 3]
-                times = [i / 7 for i in range(1, 8)]  # no point is where edges cross
-                way += [(1 - t) ** 2 * a + 2 * t * (1 - t) * b + t * t * c for t in times]
-            way.append(p[-1])
+            way = flat(points(path.get("d")))
             ways.append(way)
             ends += [way[0], way[-1]]
     return ways, ends
-
-
-def crossings(ways):
-    """Each crossing of two edges or of an edge with itself: where, and at what acute angle."""
-    begin, end = (
-        np.array([p for way in ways for p in part(way)])
-        for part in (lambda way: way[:-1], lambda way: way[1:])
-    )
-
-    def side(p, q, r):
-        return ((q - p).conj() * (r - p)).imag
-
-    a, b, c, d = begin[:, None], end[:, None], begin[None], end[None]
-    here, there = side(c, d, a), side(c, d, b)
-    meet = (side(a, b, c) * side(a, b, d) < 0) & (here * there < 0)
-    for i, j in zip(*np.nonzero(np.triu(meet, 2)), strict=True):
-        at = begin[i] + (end[i] - begin[i]) * here[i, j] / (here[i, j] - there[i, j])
-        angle = abs(phase((end[i] - begin[i]) / (end[j] - begin[j])))
-        yield at, degrees(min(angle, pi - angle))
 
 
 def apart(ways, ends, crossed):
@@ -98,22 +63,20 @@ def held(map_, least):
 
 
 def test_edges_of_small_maps_cross_at_a_good_angle_and_else_keep_apart():
-    maps = unrooted(3)
+    maps = unrooted_maps(3)
     assert len(maps) == 2 + 5 + 20
     assert sum(held(map_, SMALL_APART) for map_ in maps) >= sum(map_.genus for map_ in maps)
 
 
 @pytest.mark.slow
 def test_so_do_those_of_every_map_with_four_edges():
-    maps = [map_ for map_ in unrooted(4) if map_.edge_count == 4]
+    maps = [map_ for map_ in unrooted_maps(4) if map_.edge_count == 4]
     assert len(maps) == 107
     for map_ in maps:
         held(map_, SMALL_APART)
 
 
-@pytest.mark.parametrize(
-    ("edges", "seed"), [(9, 0), *(slow(m, m) for m in range(5, 15))]
-)
+@pytest.mark.parametrize(("edges", "seed"), [(9, 0), *(slow(m, m) for m in range(5, 15))])
 def test_and_those_of_larger_maps(edges, seed):
     assert held(family(f"random:{edges}", holes=0, seed=seed), LARGE_APART) >= 0
 

@@ -17,6 +17,7 @@ from allworlds.maps import CombinatorialMap
 from allworlds.maps.build import named_map
 from allworlds.maps.combinatorial import cycles
 from allworlds.maps.families import family
+from curves import flat, points
 from small import slow
 
 layouts = import_module("allworlds.drawing.layout")
@@ -32,12 +33,6 @@ EACH = [*MAPS, *(slow(map_) for map_ in SMALL if map_ not in FEW)]
 
 def drawn(map_, **shown):
     return ET.fromstring(ET.tostring(picture(Scene(map_, 0, 0, **shown), "p", "a map")))
-
-
-def points(path):
-    """The points of a path, controls included."""
-    numbers = [float(x) for x in re.findall(r"-?[0-9.]+", path)]
-    return [complex(x, y) for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
 
 
 def stubs(svg):
@@ -123,17 +118,6 @@ def test_every_dart_and_every_vertex_is_named_once(map_):
     texts = [text.text for text in svg.iter(f"{NS}text")]
     names = [*map(str, map_.darts), *(f"v{v}" for v in range(map_.vertex_count))]
     assert sorted(texts) == sorted(names)
-
-
-def flat(way):
-    """The curve as a polygon: straight, parabolas, straight.  No corner is where edges cross."""
-    corners = [way[0], way[1]]
-    for k in range(1, len(way) - 2, 2):
-        a, b, c = way[k : k + 3]
-        corners += [
-            (1 - t) ** 2 * a + 2 * t * (1 - t) * b + t * t * c for t in (i / 7 for i in range(1, 8))
-        ]
-    return [*corners, way[-1]]
 
 
 def meet(a, b, c, d):

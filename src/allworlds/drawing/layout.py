@@ -168,7 +168,9 @@ def _finished(map_: CombinatorialMap, root: Dart, ways: Sequence[Sequence[comple
     # Rounded, for among equals the first is to be taken whatever the last bits are.
     far = max(others, key=lambda point: round(abs(point - origin), 6)) - origin
     stub = min(abs(stubs[d] - ways[d][0]) for d in map_.darts)
-    size = max(max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in points_of(way)]))
+    size = max(
+        max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in points_of(way)])
+    )
     scale = min(max(STUB / stub, NARROWEST / size), WIDEST / size)
     turn = far.conjugate() / abs(far) * scale
     return Layout(

@@ -6,7 +6,7 @@ inside.  Along every other edge the surface is cut, so each of these is two side
 
 from __future__ import annotations
 
-from cmath import rect
+from cmath import phase, rect
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import pi, sqrt, tau
@@ -55,7 +55,7 @@ def polygon(map_: CombinatorialMap, root: Dart) -> Polygon:
     It is the same for the same rooted map, whatever its darts are called.
 
     Raises:
-        ValueError: for a tree, which has no edge to be cut along.
+        ValueError: for a map with one vertex on the sphere, where no edge is to be cut along.
 
     Cost: O(m^2).
     """
@@ -63,7 +63,7 @@ def polygon(map_: CombinatorialMap, root: Dart) -> Polygon:
     inside = _between_faces(map_, order)
     cut = [dart for dart in order if dart not in inside]
     if not cut:
-        raise ValueError("a tree is not cut open: no edge of it can be left out")
+        raise ValueError("a map with one vertex on the sphere has no edge to be cut along")
     sides, within = [cut[0]], list[tuple[Dart, ...]]()
     while True:
         corner, dart = [], map_.sigma[map_.alpha[sides[-1]]]
@@ -111,18 +111,23 @@ def _ways(
     if not ends:
         return {}
     count, inner = len(corners), INNER * radius
-    entry: dict[Dart, complex] = {}
+    leave, entry = dict[Dart, complex](), dict[Dart, complex]()
     for k, darts in enumerate(within):
-        for place, dart in enumerate(darts):
-            aside = (place + 0.5) / len(darts) - 0.5
-            entry[dart] = rect(inner, pi - tau * (k + 0.8 * aside) / count)
+        back, ahead = corners[k - 1] - corners[k], corners[(k + 1) % count] - corners[k]
+        angle = phase(ahead / back) % tau
+        for place, dart in enumerate(darts, 1):
+            # Clockwise from the side before to the side after; less far than half a side.
+            part = place / (len(darts) + 1)
+            leave[dart] = corners[k] + 0.48 * back * rect(1, part * angle)
+            entry[dart] = rect(inner, pi - tau * (k + 0.8 * (part - 0.5)) / count)
     ways = {}
     for k, dart in ends:
         other = map_.alpha[dart]
         far = next(i for i, end in ends if end == other)
         a, b = entry[dart], entry[other]
         middle = (a + b) / 2
-        ways[dart] = (corners[k], a, middle * _bent(abs(middle) / inner), b, corners[far])
+        bend = middle * _bent(abs(middle) / inner)
+        ways[dart] = (corners[k], leave[dart], a, bend, b, leave[other], corners[far])
     return ways
 
 

@@ -137,7 +137,7 @@ def _side(
 
 
 def _corner(scene: Scene, cut: Polygon, place: int) -> ET.Element:
-    """A corner as the part of a vertex that it is, with the numbers of the darts that begin here."""
+    """A corner: its vertex, and the numbers of the darts that begin here."""
     start, end = cut.side(place)
     along = {d: (cut.ways[d][1] - start) / abs(cut.ways[d][1] - start) for d in cut.within[place]}
     along[cut.sides[place]] = (end - start) / abs(end - start)

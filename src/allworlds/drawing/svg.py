@@ -13,7 +13,7 @@ from itertools import pairwise
 from math import cos, pi, sin, tau
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing.layout import DISC, Layout, layout
+from allworlds.drawing.layout import Layout, layout
 from allworlds.drawing.marks import at, curve, vertex_with
 from allworlds.drawing.scene import Scene
 from allworlds.maps.combinatorial import Dart

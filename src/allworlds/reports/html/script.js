@@ -21,6 +21,7 @@ function makePicture(frame) {
   const { width, height } = svg.viewBox.baseVal;
   const arrows = svg.querySelector(".arrows");
   const { follows } = frame.dataset;
+  const cutOpen = svg.classList.contains("polygon");
   const edges = new Map();
   for (const edge of svg.querySelectorAll("[data-darts]")) {
     for (const dart of edge.dataset.darts.split(" ")) {
@@ -49,7 +50,9 @@ function makePicture(frame) {
     const inner = element(svg, "g", { class: "fixed" });
     const turn = `rotate(${(angle * 180) / Math.PI})`;
     inner.append(element(svg, "path", { d: "M10 0 L-7 -7 L-7 7 Z", transform: turn }));
-    const away = { x: -18 * Math.sin(angle), y: 18 * Math.cos(angle) };
+    // Beside the edge; inside of a polygon, whose letters stand outside.
+    const far = cutOpen && at.y * Math.cos(angle) > at.x * Math.sin(angle) ? -18 : 18;
+    const away = { x: -far * Math.sin(angle), y: far * Math.cos(angle) };
     inner.append(element(svg, "text", away, step));
     outer.append(inner);
     arrows.append(outer);
@@ -169,7 +172,7 @@ function makeViewer(viewer) {
       return button;
     });
     function choose(chosen) {
-      figure.classList.toggle("open", chosen === 1);
+      figure.classList.toggle("cut-open", chosen === 1);
       buttons.forEach((button, i) => button.setAttribute("aria-pressed", i === chosen));
       fit();
     }

@@ -14,10 +14,10 @@ KEYS = (
 )
 
 READING = (
-    "The surface, cut open: sides with the same letter are one edge, glued so that their arrows "
-    "agree, and corners with the same name are one vertex. Each side bears the number of the dart "
-    "with which it begins, counterclockwise; at a corner the darts go on clockwise through the "
-    "inside, and from the corner's last side to where its twin ends. Nothing crosses."
+    "The surface, cut open; nothing crosses. Two sides with the same letter are one edge: glue "
+    "them so that their arrows agree. Corners with the same name are one vertex. A side bears the "
+    "number of the dart by which a walk round the polygon, counterclockwise, leaves along it. At "
+    "each corner the darts follow clockwise from the side that ends there to the side that begins."
 )
 """How the polygon is read."""
 
