@@ -32,7 +32,8 @@ def crossings(ways):
     )
 
     def side(p, q, r):
-        return ((q - p).conj() * (r - p)).imag
+        # Rounded, for segments with a common end do not cross.
+        return np.round(((q - p).conj() * (r - p)).imag, 6)
 
     a, b, c, d = begin[:, None], end[:, None], begin[None], end[None]
     here, there = side(c, d, a), side(c, d, b)

@@ -76,7 +76,7 @@ def test_so_do_those_of_every_map_with_four_edges():
         held(map_, SMALL_APART)
 
 
-@pytest.mark.parametrize(("edges", "seed"), [(9, 0), *(slow(m, m) for m in range(5, 15))])
+@pytest.mark.parametrize(("edges", "seed"), [(9, 0), *(slow(m, m) for m in (6, 8, 11, 14))])
 def test_and_those_of_larger_maps(edges, seed):
     assert held(family(f"random:{edges}", holes=0, seed=seed), LARGE_APART) >= 0
 

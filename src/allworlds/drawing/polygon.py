@@ -114,11 +114,12 @@ def _ways(
     leave, entry = dict[Dart, complex](), dict[Dart, complex]()
     for k, darts in enumerate(within):
         back, ahead = corners[k - 1] - corners[k], corners[(k + 1) % count] - corners[k]
-        angle = phase(ahead / back) % tau
+        angle, reach = phase(ahead / back) % tau, min(0.48, 0.3 * radius / abs(back))
         for place, dart in enumerate(darts, 1):
-            # Clockwise from the side before to the side after; less far than half a side.
+            # Clockwise from the side before to the side after; less far than half a side, and
+            # than the circle.
             part = place / (len(darts) + 1)
-            leave[dart] = corners[k] + 0.48 * back * rect(1, part * angle)
+            leave[dart] = corners[k] + reach * back * rect(1, part * angle)
             entry[dart] = rect(inner, pi - tau * (k + 0.8 * (part - 0.5)) / count)
     ways = {}
     for k, dart in ends:
