@@ -121,7 +121,7 @@ def _ways(
             part = place / (len(darts) + 1)
             leave[dart] = corners[k] + reach * back * rect(1, part * angle)
             entry[dart] = rect(inner, pi - tau * (k + 0.8 * (part - 0.5)) / count)
-    ways = {}
+    ways: dict[Dart, tuple[complex, ...]] = {}
     for k, dart in ends:
         other = map_.alpha[dart]
         far = next(i for i, end in ends if end == other)

@@ -114,11 +114,11 @@ def _side(
     if scene.labels is None:
         colour = f" class-{sorted(set(letters.values())).index(letters[dart]) % COLOURS}"
     x, y = rounded(outside.real), rounded(outside.imag)
-    box = {"x": rounded(outside.real - 8), "y": rounded(outside.imag - 8), "rx": 3}
+    left, top = rounded(outside.real - 8), rounded(outside.imag - 8)
     sign = tag(
         "g",
         tag("path", d="M9 0 L-6 -6 L-6 6 Z", transform=f"rotate({rounded(degrees(phase(ahead)))})"),
-        tag("rect", class_="box", width=16, height=16, **box),
+        tag("rect", class_="box", x=left, y=top, width=16, height=16, rx=3),
         tag("text", letters[dart], x=x, y=y),
         class_="fixed",
     )

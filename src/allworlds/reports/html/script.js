@@ -5,6 +5,7 @@ const KEYS = {
   ArrowLeft: "back", ArrowRight: "next", Home: "first", End: "last", " ": "play",
   "+": "in", "=": "in", "-": "out",
 };
+const MARKED = ["walked", "trail", "last", "here", "tested", "supposed"]; // Of one step each.
 const TRAIL = 3; // So many steps before the last are shown, too.
 const SMALLEST = 0.6; // A picture is made so small at most, so that its numbers have room.
 
@@ -59,8 +60,8 @@ function makePicture(frame) {
   }
 
   function draw(items, current) {
-    for (const one of svg.querySelectorAll(".walked, .trail, .last, .here")) {
-      one.classList.remove("walked", "trail", "last", "here");
+    for (const one of svg.querySelectorAll(MARKED.map((name) => `.${name}`).join())) {
+      one.classList.remove(...MARKED);
     }
     arrows.replaceChildren();
     for (const [step, item] of items.slice(0, current + 1).entries()) {
@@ -78,6 +79,12 @@ function makePicture(frame) {
       }
     }
     svg.querySelector(`[data-dart="${dart}"]`).classList.add("here");
+    if (follows === "known") {
+      for (const name of ["tested", "supposed"]) {
+        const at = svg.querySelector(`[data-dart="${items[current].dataset[name]}"]`);
+        if (at) at.classList.add(name);
+      }
+    }
     for (const part of grown) {
       part.classList.toggle("later", Number(part.dataset.since) > current);
       if ("until" in part.dataset) {
