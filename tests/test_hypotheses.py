@@ -11,7 +11,7 @@ from allworlds.hypotheses import TELLING, hypotheses_in
 from allworlds.protocol import Percept
 from small import slow
 
-LIGHTHOUSES = dict(zip(TELLING, ("directional", "cluster", "natural"), strict=True))
+LIGHTHOUSES = dict(zip(TELLING, ("directional", "cluster:single=true", "natural"), strict=True))
 
 
 def runs(explorer, edges, **options):
@@ -25,7 +25,8 @@ def runs(explorer, edges, **options):
 )
 def test_a_hypothesis_is_right_just_where_it_is_true(explorer, edges):
     right = wrong = 0
-    for told in runs(explorer, edges):
+    # Where an explorer gets a world wrong, which natural lighthouses allow, nothing is promised.
+    for told in (one for one in runs(explorer, edges) if one.finding is None):
         map_ = told.world.map
         trail = true_trail(told.world, told.outcome.episode.transcript)
         for test in hypotheses_in(told):
@@ -46,9 +47,9 @@ def test_they_are_as_many_as_a_check_has_witnesses():
         for world in worlds(edges=3, places="all")
         for test in hypotheses_in(run("algorithm1", world))
     ]
-    seen = check(edges=3).witnesses
+    seen = check(edges=3).to_json()["witnesses"]
     assert sum(heard) == seen["case-3"]
-    assert len(heard) - sum(heard) == seen["case-1"] + seen["case-2"]
+    assert len(heard) - sum(heard) == seen.get("case-1", 0) + seen.get("case-2", 0)
 
 
 def test_on_the_way_what_is_supposed_would_be_sensed_so_up_to_the_last_step():
@@ -63,6 +64,14 @@ def test_on_the_way_what_is_supposed_would_be_sensed_so_up_to_the_last_step():
             if not test.right and test.last > test.first:
                 assert told.world.percepts[test.supposed[-1]] != percepts[test.last]
     assert seen
+
+
+def test_where_s_has_gone_wrong_nothing_is_told_of_it():
+    runs_of = [run("algorithm1-cluster", w) for w in worlds(edges=3, lighthouse="cluster")]
+    wrong = [told for told in runs_of if told.finding]
+    assert wrong
+    for told in wrong:
+        assert len(hypotheses_in(told)) < 10
 
 
 def test_an_explorer_that_does_not_tell_has_none_and_neither_has_one_that_walks_otherwise():

@@ -73,7 +73,8 @@ def hypotheses_in(run: SingleRun) -> tuple[Hypothesis, ...]:
     if (again.transcript, again.checkpoints) != (episode.transcript, episode.checkpoints):
         return ()
     trail = true_trail(world, episode.transcript)
-    return tuple(_test(world, trail, episode.checkpoints, one) for one in heard.tests)
+    tests = [_test(world, trail, episode.checkpoints, one) for one in heard.tests]
+    return tuple(test for test in tests if test)
 
 
 def embedded(checkpoint: Checkpoint, world: World, robot: Dart) -> dict[Dart, Dart] | None:
@@ -160,14 +161,16 @@ def _test(
     trail: Sequence[Dart],
     checkpoints: Sequence[tuple[int, Checkpoint]],
     heard: _Taken,
-) -> Hypothesis:
-    """The test in the world's darts.
+) -> Hypothesis | None:
+    """The test in the world's darts; None where S, gone wrong, does not lie in the world.
 
     Whatever is supposed, the same motions are made: where the robot then were is found along
     the world's own map, in which S lies.
     """
     map_ = world.map
     place = _darts_of_s(world, trail, checkpoints, heard.arrived)
+    if place is None:
+        return None
     at = place[heard.dart]
     # After tests that failed the robot stands turned against the dart of entry.
     turn = map_.offset(trail[heard.arrived], trail[heard.first])
@@ -182,13 +185,11 @@ def _test(
 
 def _darts_of_s(
     world: World, trail: Sequence[Dart], checkpoints: Sequence[tuple[int, Checkpoint]], step: int
-) -> dict[Dart, Dart]:
+) -> dict[Dart, Dart] | None:
     """The dart of the world for each dart that S has at a step; at first it has those of v0."""
     shown = [(at, checkpoint) for at, checkpoint in checkpoints if at < step]
     if not shown:
         start = world.start
         return {k: world.map.turn(start, k) for k in range(world.map.degree_at[start])}
     at, checkpoint = shown[-1]
-    place = embedded(checkpoint, world, trail[at])
-    assert place is not None
-    return place
+    return embedded(checkpoint, world, trail[at])
