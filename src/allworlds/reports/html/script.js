@@ -7,6 +7,8 @@ const KEYS = {
 };
 const TRAIL = 3; // So many steps before the last are shown, too.
 const SMALLEST = 0.6; // A picture is made so small at most, so that its numbers have room.
+const SMALLEST_STILL = 0.5; // One without a walk, in which there is less to be seen.
+const HIGHEST = 0.5; // Of the window's height, so that the buttons are seen with the picture.
 
 function element(svg, name, attributes, text = "") {
   const made = document.createElementNS(svg.namespaceURI, name);
@@ -16,7 +18,7 @@ function element(svg, name, attributes, text = "") {
 }
 
 // A picture: it follows the robot in one of the worlds, and is as large as there is room for.
-function makePicture(frame) {
+function makePicture(frame, smallest) {
   const svg = frame.querySelector("svg");
   const { width, height } = svg.viewBox.baseVal;
   const arrows = svg.querySelector(".arrows");
@@ -29,7 +31,8 @@ function makePicture(frame) {
 
   function fit(zoom) {
     if (!frame.clientWidth) return;
-    const room = Math.min(1.25, Math.max(SMALLEST, frame.clientWidth / width));
+    const free = Math.min(frame.clientWidth / width, (HIGHEST * innerHeight) / height);
+    const room = Math.min(1.25, Math.max(smallest, free));
     const scale = Math.min(room * zoom, 6);
     svg.style.width = `${width * scale}px`;
     svg.style.height = `${height * scale}px`;
@@ -90,7 +93,7 @@ function makeViewer(viewer) {
   const playing = viewer.querySelector(".play");
   const speed = viewer.querySelector(".speed");
   const last = items.length - 1;
-  const pictures = [...viewer.querySelectorAll("[data-follows]")].map(makePicture);
+  const pictures = [...viewer.querySelectorAll("[data-follows]")].map((frame) => makePicture(frame, SMALLEST));
   const camel = (name) => name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
   for (const { frame } of pictures) frame.dataset.follows = camel(frame.dataset.follows);
   let current = 0;
@@ -203,6 +206,13 @@ function makeViewer(viewer) {
   const target = items.findIndex((item) => `#${item.id}` === location.hash);
   show(target >= 0 ? target : parting >= 0 ? parting : last);
   return { viewer, go };
+}
+
+// A picture without a walk is as large as there is room for, too.
+for (const frame of document.querySelectorAll('[data-follows=""]')) {
+  const { fit } = makePicture(frame, SMALLEST_STILL);
+  new ResizeObserver(() => fit(1)).observe(frame);
+  fit(1);
 }
 
 const viewers = [...document.querySelectorAll(".viewer")].map(makeViewer);
