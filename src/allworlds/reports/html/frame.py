@@ -15,7 +15,7 @@ from allworlds.version import __version__
 
 
 class Own(NamedTuple):
-    """What a page has of its own: a style beside that of all, and a script in place of theirs."""
+    """What a page has of its own: a style beside that of all, a script instead of that of walks."""
 
     style: str
     script: str
@@ -57,7 +57,7 @@ def framed(page: Page) -> str:
 
 def _framed(page: Page, summary: Mapping[str, Any] | None) -> str:
     style = _own("style.css") + (page.own.style if page.own else "")
-    script = page.own.script if page.own else _own("script.js")
+    script = _own("fit.js") + (page.own.script if page.own else _own("script.js"))
     word, text, name = page.verdict
     policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}"
     head = tag(

@@ -1,4 +1,3 @@
-"use strict";
 // Keys and buttons step along a walk; without this script the list of its steps is all there.
 
 const KEYS = {
@@ -6,9 +5,6 @@ const KEYS = {
   "+": "in", "=": "in", "-": "out",
 };
 const TRAIL = 3; // So many steps before the last are shown, too.
-const SMALLEST = 0.6; // A picture is made so small at most, so that its numbers have room.
-const SMALLEST_STILL = 0.5; // One without a walk, in which there is less to be seen.
-const HIGHEST = 0.5; // Of the window's height, so that the buttons are seen with the picture.
 
 function element(svg, name, attributes, text = "") {
   const made = document.createElementNS(svg.namespaceURI, name);
@@ -17,27 +13,17 @@ function element(svg, name, attributes, text = "") {
   return made;
 }
 
-// A picture: it follows the robot in one of the worlds, and is as large as there is room for.
-function makePicture(frame, smallest) {
+// A picture, which follows the robot in one of the worlds.
+function makePicture(frame) {
   const svg = frame.querySelector("svg");
-  const { width, height } = svg.viewBox.baseVal;
   const arrows = svg.querySelector(".arrows");
   const { follows } = frame.dataset;
+  const fit = fitting(frame, SMALLEST);
   const edges = new Map();
   for (const edge of svg.querySelectorAll("[data-darts]")) {
     for (const dart of edge.dataset.darts.split(" ")) edges.set(dart, edge);
   }
   const grown = [...svg.querySelectorAll("[data-since]")];
-
-  function fit(zoom) {
-    if (!frame.clientWidth) return;
-    const free = Math.min(frame.clientWidth / width, (HIGHEST * innerHeight) / height);
-    const room = Math.min(1.25, Math.max(smallest, free));
-    const scale = Math.min(room * zoom, 6);
-    svg.style.width = `${width * scale}px`;
-    svg.style.height = `${height * scale}px`;
-    svg.style.setProperty("--k", 1 / scale);
-  }
 
   function arrow(dart, step) {
     const edge = edges.get(dart);
@@ -93,7 +79,7 @@ function makeViewer(viewer) {
   const playing = viewer.querySelector(".play");
   const speed = viewer.querySelector(".speed");
   const last = items.length - 1;
-  const pictures = [...viewer.querySelectorAll("[data-follows]")].map((frame) => makePicture(frame, SMALLEST));
+  const pictures = [...viewer.querySelectorAll("[data-follows]")].map(makePicture);
   const camel = (name) => name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
   for (const { frame } of pictures) frame.dataset.follows = camel(frame.dataset.follows);
   let current = 0;
@@ -206,13 +192,6 @@ function makeViewer(viewer) {
   const target = items.findIndex((item) => `#${item.id}` === location.hash);
   show(target >= 0 ? target : parting >= 0 ? parting : last);
   return { viewer, go };
-}
-
-// A picture without a walk is as large as there is room for, too.
-for (const frame of document.querySelectorAll('[data-follows=""]')) {
-  const { fit } = makePicture(frame, SMALLEST_STILL);
-  new ResizeObserver(() => fit(1)).observe(frame);
-  fit(1);
 }
 
 const viewers = [...document.querySelectorAll(".viewer")].map(makeViewer);
