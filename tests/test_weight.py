@@ -35,7 +35,11 @@ def weight(names):
 
 def test_the_readme_says_what_an_installation_weighs():
     told = re.search(r"An installation weighs (\d+) MB: (.*?); .*? (\d+)\.", README, re.DOTALL)
-    total, parts, own = int(told[1]), dict(re.findall(r"([a-z][\w ]*?) (\d+)", told[2])), int(told[3])
+    total, parts, own = (
+        int(told[1]),
+        dict(re.findall(r"([a-z][\w ]*?) (\d+)", told[2])),
+        int(told[3]),
+    )
     assert set(parts) == set(SAID)
     try:
         everything = needed("allworlds", set()) - {"allworlds"}
