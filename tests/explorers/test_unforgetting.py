@@ -122,6 +122,7 @@ def matchings(darts):
             yield [(first, other), *rest]
 
 
+@pytest.mark.no_cover
 @ours
 @given(maps(8), st.integers(0, 15))
 def test_in_any_map_the_answer_is_right_and_the_bound_is_kept(explore, world, bearing):
@@ -156,6 +157,7 @@ def prism(length):
     return from_cycles(sides)
 
 
+@pytest.mark.no_cover
 @ours
 def test_a_lattice_is_explored_with_a_fraction_of_the_walk_of_algorithm_1(explore):
     world = lattice(7, 7)
@@ -165,6 +167,7 @@ def test_a_lattice_is_explored_with_a_fraction_of_the_walk_of_algorithm_1(explor
 # ------------------------------------------------------------ what they say
 
 
+@pytest.mark.no_cover
 @ours
 @given(maps(6))
 def test_what_is_published_grows_and_ends_with_the_whole_map(explore, world):

@@ -162,6 +162,7 @@ def test_a_right_s_is_embedded_step_by_step():
         assert remembered == len(shown)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("change", CHANGES)
 def test_a_changed_s_is_judged_as_without_memory(change):
     random, seen = Random(2), set()
