@@ -262,11 +262,11 @@ def test_counts(cli):
         *(pytest.param(other, marks=pytest.mark.slow) for other in (signal.SIGTERM, signal.SIGHUP)),
     ],
 )
-@pytest.mark.parametrize("explorer", ["hang", "right"])
-def test_an_interrupt_leaves_a_report_and_no_worker(start, tmp_path, number, explorer):
+@pytest.mark.parametrize(("explorer", "edges"), [("hang", "3"), ("right", "9")])
+def test_an_interrupt_leaves_a_report_and_no_worker(start, tmp_path, number, explorer, edges):
     hung = tmp_path / "hung"
     process = start(
-        *["check", f"{WRONG}:{explorer}", "--edges", "9", "--json", "--workers", "2"],
+        *["check", f"{WRONG}:{explorer}", "--edges", edges, "--json", "--workers", "2"],
         *["--answer-timeout", PATIENCE, "--engine", "python"],
         HUNG=str(hung),
     )
