@@ -82,14 +82,14 @@ def tell_pose(story: Story) -> Telling:
     """Where the robot is and where it believes to be, and where the walks to there part."""
     belief = Belief(story)
     images = _images(belief)
-    alike = len(images) - 1
-    symmetry = f"The map is symmetric: {plural(alike, 'other dart')} would do as well."
     slip = the_slip(belief)
     turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
+    right = "This map is its own mirror image, and it may be" if slip else "The map is right, it is"
+    alike = len(images) - 1
+    symmetry = f" (the map is symmetric: {plural(alike, 'other dart')} would do as well)"
     sentences = [
         *([slip.sentence] if slip else []),
-        _say_where(story, images),
-        *([symmetry] if alike else []),
+        f"{right} 'here' that is wrong: {_say_where(belief, images)}{symmetry if alike else ''}.",
         *tell_parting(belief),
     ]
     name = slip.name if slip else TURNED if turned else ELSEWHERE
@@ -107,21 +107,25 @@ def _images(belief: Belief) -> list[Dart]:
     return images
 
 
-def _say_where(story: Story, images: list[Dart]) -> str:
+def _say_where(belief: Belief, images: list[Dart]) -> str:
+    """Where the robot stands, and where the answer says that it stands."""
+    story = belief.story
     map_, robot = story.map, story.walked[-1]
-    stands = (
-        f"The map is right, but not where the robot is: it stands at {story.place(robot)}, and "
-        "believes to stand at "
-    )
+    stands = f"the robot stands at {story.place(robot)}, and the answer says"
+    parting = belief.parting
+    meant = parting.taken_for if parting and parting.step == len(story.walked) - 1 else None
     near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
     if not near:
-        return f"{stands}{story.place(images[0])}, which is another vertex."
-    believed = min(near, key=lambda d: map_.offset(d, robot))
-    turned, degree = map_.offset(believed, robot), map_.degree_at[robot]
-    return (
-        f"{stands}dart {believed} of the same vertex, which is off by a turn: in truth it is "
-        f"turned further by {turned} of {degree} darts clockwise."
-    )
+        said = map_.alpha[robot] if map_.alpha[robot] in images else images[0]
+        told = f"{stands} {story.place(said)}, which is another vertex"
+    else:
+        said = meant if meant in near else min(near, key=lambda d: map_.offset(d, robot))
+        turned, degree = map_.offset(said, robot), map_.degree_at[robot]
+        told = (
+            f"{stands} dart {said} of the same vertex, off by a turn of {turned} of {degree} darts"
+        )
+    far = "; that is the far end of the edge by which it came"
+    return told + (far if said == map_.alpha[robot] and len(story.walked) > 1 else "")
 
 
 def tell_ambiguity(story: Story) -> Telling:
