@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from allworlds.explaining.another import another_world
 from allworlds.explaining.parting import tell_open_darts, tell_parting
+from allworlds.explaining.rounds import tell_rounds
 from allworlds.explaining.slips import the_slip
 from allworlds.explaining.spending import spending
 from allworlds.explaining.stderr import telling_line
@@ -46,6 +47,13 @@ def tell_timeout(story: Story) -> Telling:
     return told
 
 
+def tell_budget(story: Story) -> Telling:
+    """Whether the robot went round, or since when it found nothing new."""
+    how = "The explorer went on for longer than it may."
+    rounds = tell_rounds(story)
+    return Telling([how, *(rounds or [_say_last_step(story)]), story.expected_and_seen()])
+
+
 def _say_last_step(story: Story) -> str:
     steps, place = story.transcript.steps, story.place(story.walked[-1])
     if not steps:
@@ -69,9 +77,14 @@ def tell_map(story: Story) -> Telling:
     elif belief.parting is None:
         told, name = parting, GUESSED
     else:
-        sizes = f"The world has {_size(story.map)}; the answer has {_size(belief.answer.map)}"
-        told = [f"{sizes} and is another map.", *parting]
+        told = [_say_sizes(story.map, belief.answer.map), *parting]
     return Telling(told, belief.step, belief.answer, slip=name)
+
+
+def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
+    if _size(world) == _size(answer):
+        return f"The answer has {_size(answer)}, as the world has, but is another map."
+    return f"The world has {_size(world)}, the answer {_size(answer)}."
 
 
 def _size(map_: CombinatorialMap) -> str:
@@ -155,7 +168,10 @@ def tell_invariant_2(story: Story) -> Telling:
 
 def tell_variant(story: Story) -> Telling:
     """The checkpoint that shows no progress; what it shows may be true, so nothing parts."""
-    broken = "A pass brought no progress: the edges missing in S did not get fewer, or not none."
+    broken = (
+        "A pass brought no progress: from one checkpoint to the next S, the explored part, must "
+        "gain an edge, and at the last one it must have them all."
+    )
     return Telling(_tell_checkpoint(broken, story))
 
 
@@ -167,7 +183,8 @@ def _tell_checkpoint(broken: str, story: Story) -> list[str]:
             f"The checkpoint came after step {step}, where the robot stood at "
             f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
         )
-    return [*sentences, story.expected_and_seen()]
+    told = story.expected_and_seen().replace(f"at the checkpoint after step {step}: ", "")
+    return [*sentences, told.replace(f" at the checkpoint after step {step}.", ".")]
 
 
 # ---------------------------------------------------------------- the answer was guessed, or dear
@@ -209,7 +226,7 @@ TELLERS: dict[str, Teller] = {
     "timeout": tell_timeout,
     "illegal-action": ending("The explorer did what no robot can do here."),
     "no-estimate": ending("The explorer ended without an answer that could be judged."),
-    "budget": ending("The explorer went on for longer than it may."),
+    "budget": tell_budget,
     "nondeterministic": ending("Exploring the same world again, the explorer did something else."),
     "map": tell_map,
     "pose": tell_pose,
