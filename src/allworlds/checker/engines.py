@@ -76,9 +76,9 @@ class Compiled:
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """The first option that it does not know."""
-        if subject.foreign and not subject.name.startswith(NATIVE):
+        if subject.foreign and not subject.elsewhere:
             # Said before the kernel is loaded, which takes half a second.
-            return f"runs only built-in explorers and shared libraries, not {show(subject.name)}"
+            return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
         from allworlds.checker.questions import obstacle
 
         return obstacle(scope, subject)

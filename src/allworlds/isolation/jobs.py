@@ -85,7 +85,7 @@ class PlayRecords:
 
 @dataclass(frozen=True, slots=True)
 class PlayStretch:
-    """Play many runs of a native explorer in compiled code; answered by :class:`Stretched`.
+    """Play many runs, which stand in shared memory, and leave their logs there; answered by :class:`Stretched`.
 
     Attributes:
         memory: a file that both sides see, laid out by the kernel.

@@ -11,8 +11,8 @@ lock only to start and to end, so that threads share the work.
     what is judged: maps, finished one after the other, as worlds with every lighthouse;
 ``algorithm1``, ``two_vertices``
     explorers, each behind the C interface of all explorers;
-``native``, ``logs``, ``batches``
-    explorers in shared libraries, played in processes of their own, many runs at a time;
+``native``, ``logs``, ``writing``, ``batches``
+    foreign explorers, played in processes of their own, many runs at a time;
 ``walk``, ``ways``, ``tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``dearest``
@@ -61,6 +61,7 @@ from allworlds.kernel.runs import examine
 from allworlds.kernel.schedules import search
 from allworlds.kernel.tables import MOST_EDGES, Tables, tables
 from allworlds.kernel.walk import explore
+from allworlds.kernel.writing import STRANGE_LOG, Written, read_log, written_log
 
 __all__ = [
     "CHECKED",
@@ -72,6 +73,7 @@ __all__ = [
     "MOST_EARLIER",
     "MOST_EDGES",
     "RUN_TOLD",
+    "STRANGE_LOG",
     "UNDEFINED",
     "Actors",
     "Bounds",
@@ -86,6 +88,7 @@ __all__ = [
     "Stretch",
     "Tables",
     "UnitJudge",
+    "Written",
     "by_vertices_and_faces",
     "compile_apart",
     "costs",
@@ -98,8 +101,10 @@ __all__ = [
     "load_judge",
     "load_native",
     "play_worlds",
+    "read_log",
     "search",
     "tables",
     "walk",
     "walk_number",
+    "written_log",
 ]
