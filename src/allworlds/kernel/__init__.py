@@ -61,7 +61,7 @@ from allworlds.kernel.runs import examine
 from allworlds.kernel.schedules import search
 from allworlds.kernel.tables import MOST_EDGES, Tables, tables
 from allworlds.kernel.walk import explore
-from allworlds.kernel.writing import STRANGE_LOG, Written, read_log, written_log
+from allworlds.kernel.writing import End, Written, answer_entry, read_log, shown_entry
 
 __all__ = [
     "CHECKED",
@@ -73,13 +73,13 @@ __all__ = [
     "MOST_EARLIER",
     "MOST_EDGES",
     "RUN_TOLD",
-    "STRANGE_LOG",
     "UNDEFINED",
     "Actors",
     "Bounds",
     "Broken",
     "Counts",
     "Dearest",
+    "End",
     "Kept",
     "Laid",
     "Level",
@@ -89,6 +89,7 @@ __all__ = [
     "Tables",
     "UnitJudge",
     "Written",
+    "answer_entry",
     "by_vertices_and_faces",
     "compile_apart",
     "costs",
@@ -103,8 +104,8 @@ __all__ = [
     "play_worlds",
     "read_log",
     "search",
+    "shown_entry",
     "tables",
     "walk",
     "walk_number",
-    "written_log",
 ]
