@@ -76,7 +76,7 @@ class Compiled:
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """The first option that it does not know."""
-        if subject.foreign and not subject.elsewhere:
+        if subject.foreign and not subject.elsewhere and subject.native is None:
             # Said before the kernel is loaded, which takes half a second.
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
         from allworlds.checker.questions import obstacle

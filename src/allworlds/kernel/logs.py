@@ -143,11 +143,8 @@ def differing(first, begins, ends, second, again, runs, different):
         a, b = int64(begins[run]), int64(again[run])
         length, room = int64(ends[run]) - a, len(second) - b
         inside = a >= 0 and b >= 0 and a + length <= len(first)
-        alike = False
-        if length > 0 and inside:
-            alike = length <= room and _same(one + a, other + b, length)
-            alike = alike or _mean_the_same(one + a, length, other + b, room)
-        if not alike:
+        same = length > 0 and inside and length <= room and _same(one + a, other + b, length)
+        if not (same or (inside and _mean_the_same(one + a, length, other + b, room))):
             different[found] = run
             found += 1
     return found
