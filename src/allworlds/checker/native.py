@@ -58,8 +58,9 @@ half as many, though no fewer than so few, if it took long."""
 MOST_DIFFERING = 16
 """So many runs whose plays differ are looked at in one stretch."""
 
-KEPT = 64
-"""So many plays are kept to be played again among later ones."""
+KEPT, ANEW = 256, 8
+"""So many plays are kept to be played again among later ones; of each stretch so many take the
+place of others."""
 
 DIFFERENT = "the second walk or answer differs"
 
@@ -195,9 +196,10 @@ class PlayedByStretches:
                 self._find(unit, laid, judge, broken, tally)
         for play in (earlier[row - laid.runs] for row in differing if row >= laid.runs):
             self._find_differing(play.unit, [play.number], tally)
-        if not differing and laid.runs:
-            row = self.cast.random.randrange(laid.runs)
-            self._keep(_Earlier(unit, judge.number(row), judge.kept(row)))
+        if not differing:
+            wanted = min(laid.runs, max(ANEW, KEPT - len(self._kept)))
+            for row in self.cast.random.sample(range(laid.runs), wanted):
+                self._keep(_Earlier(unit, judge.number(row), judge.kept(row)))
         return tally
 
     def _keep(self, play: _Earlier) -> None:
