@@ -55,7 +55,7 @@ from allworlds.kernel.engine import (
     walk,
 )
 from allworlds.kernel.laws import CHECKED
-from allworlds.kernel.native import RUN_TOLD, play_worlds
+from allworlds.kernel.native import RUN_NUMBER, RUN_TOLD, play_worlds
 from allworlds.kernel.rows import Bounds, Broken, Counts, Level, Listed, Rows, walk_number
 from allworlds.kernel.runs import examine
 from allworlds.kernel.schedules import search
@@ -72,6 +72,7 @@ __all__ = [
     "MOST_BUDGET",
     "MOST_EARLIER",
     "MOST_EDGES",
+    "RUN_NUMBER",
     "RUN_TOLD",
     "UNDEFINED",
     "Actors",

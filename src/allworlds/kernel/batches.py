@@ -183,6 +183,8 @@ class UnitJudge:
             records.percepts[end : end + length] = kept.percepts
             records.starts[row], records.heads[row] = end, kept.head
             end += length
+        # Who plays again is not to know which runs these are.
+        records.heads[: laid.runs + len(earlier), native.RUN_NUMBER] = 0
         # Who plays again need not know which runs they are.
         records.heads[: laid.runs + len(earlier), native.RUN_NUMBER] = 0
 
