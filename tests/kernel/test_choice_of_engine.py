@@ -35,8 +35,11 @@ class Stopper(Silent):
         self.notices.append(text)
 
 
-def foreign(first):
-    yield from ()
+def closure():
+    def foreign(first):
+        yield from ()
+
+    return foreign
 
 
 @pytest.mark.parametrize(
@@ -46,7 +49,7 @@ def foreign(first):
         ({"schedules": "all", "edges": 2}, "schedule"),
         ({"step_budget": 100_000}, "100000"),
         ({"edges": 13}, "13"),
-        ({"explore": foreign}, "foreign"),
+        ({"explore": closure()}, "foreign"),
     ],
 )
 def test_what_the_kernel_cannot_do_is_refused_by_name(options, reason):
@@ -78,7 +81,7 @@ def scope_to(edges, lighthouse="directional"):
 
 
 MINE, PROGRAM = Subject("mine.py:explore", frozenset()), Subject("exec:./mine", frozenset())
-LIBRARY, CLOSURE = Subject("native:mine.so", frozenset()), Subject("f", frozenset(), foreign)
+LIBRARY, CLOSURE = Subject("native:mine.so", frozenset()), Subject("f", frozenset(), closure())
 
 
 @pytest.mark.parametrize(
