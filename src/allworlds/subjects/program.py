@@ -170,6 +170,7 @@ class Program:
 
     def _kill(self) -> None:
         process, self._process = self._process, None
+        self._in_to = self._out_of = -1
         if process is None:
             return
         with contextlib.suppress(ProcessLookupError, PermissionError):
