@@ -66,9 +66,9 @@ def tell_tests(steps: ET.Element, tests: Sequence[Hypothesis], story: Walked) ->
             if step == test.first:
                 words.append(f"has it come by dart {test.dart}?")
             else:
-                words.append(f"if by dart {test.dart}, now at {story.place(dart)}")
+                words.append(f"if by dart {test.dart}, it is now at {story.place(dart)}")
             if step == test.last:
-                words[-1] += " Yes." if test.right else " No."
+                words[-1] += ": yes" if test.right else ": no"
     for step, words in told.items():
         steps[step].append(tag("span", f"test: {'; '.join(words)}", class_="test"))
 
