@@ -110,6 +110,7 @@ FAULTS = {
 }
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_planted_fault_is_found(fault, folder, monkeypatch):
     (place, value), kind = FAULTS[fault]

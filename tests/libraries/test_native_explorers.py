@@ -142,6 +142,7 @@ def test_a_quotient_without_darts_or_with_too_many_is_no_answer():
 # ---------------------------------------------------------------- what it may do to its process
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("code", ATTACKS)
 def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
     law, seen = ATTACKS[code]
