@@ -86,7 +86,7 @@ FAULTS = {
         ("allworlds.findings.finding.parse_json", json.loads),
         "findings",
     ),
-    "a manifest that is any JSON": (("allworlds.corpora.parse_json", json.loads), "manifests"),
+    "a manifest that is any JSON": (("allworlds.own_corpus.parse_json", json.loads), "manifests"),
     "a corpus of files that are texts": (
         ("allworlds.findings.store.Finding.from_json", json.loads),
         "corpus",
