@@ -21,6 +21,7 @@ from allworlds.kernel.algorithm1 import algorithm1_addresses
 from allworlds.kernel.classes import rule_address
 from allworlds.kernel.compiling import uncollected
 from allworlds.kernel.counting import count
+from allworlds.kernel.demand_driven import explore
 from allworlds.kernel.laws import LAWS
 from allworlds.kernel.lighthouses import KINDS, lighthouse_address
 from allworlds.kernel.names import EVENTS, POLICIES
