@@ -180,7 +180,9 @@ class PlayedByStretches:
             self._find_differing(play.unit, [play.number], tally)
         if not differing and laid.runs:
             row = self.cast.random.randrange(laid.runs)
-            self._keep(_Earlier(unit, judge.number(row), judge.kept(row)))
+            kept = judge.kept(row)
+            if kept is not None:
+                self._keep(_Earlier(unit, judge.number(row), kept))
         return tally
 
     def _keep(self, play: _Earlier) -> None:

@@ -71,16 +71,18 @@ class Actor:
         addresses, state = explorer.library.addresses(), explorer.state()
         self._actors = kernel.Actors(addresses, state, explorer.handed(), beat)
         self._seen: dict[str, kernel.Stretch] = {}
+        self._threads = threads_now()
 
     def play(self, job: PlayStretch) -> Stretched:
         """All runs of a stretch."""
         from allworlds import kernel
 
-        threads = threads_now()
         if job.memory not in self._seen:
             with Path(job.memory).open("r+b") as file:
                 memory = mmap.mmap(file.fileno(), kernel.Stretch.size(job.edges))
             self._seen[job.memory] = kernel.Stretch(memory, job.edges)
         stretch = self._seen[job.memory]
         size = self._actors.play(stretch, job.runs, job.order, job.policy, again=job.again)
-        return Stretched(size, threads_left(threads))
+        left = threads_left(self._threads)
+        self._threads += left
+        return Stretched(size, left)
