@@ -112,7 +112,7 @@ def byte_of(_context, address, index):
 
 @intrinsic
 def put_entry(_context, address, index, value):
-    """Makes it the 32-bit integer number ``index`` of the array at the address, which may be odd."""
+    """Makes it the 32-bit integer number ``index`` of what begins at the address."""
 
     def generate(target, builder, _signature, values):
         integer = ir.IntType(32)

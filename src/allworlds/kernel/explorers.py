@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from numba import types
 from numba.extending import overload
 
 from allworlds.kernel.compiling import RECORD

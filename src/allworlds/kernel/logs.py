@@ -1,7 +1,7 @@
 """The log of a run in bytes: each motion, what has been published, and how it ended.
 
-Who plays writes it (:mod:`allworlds.kernel.native`); here it is followed through the world, and what
-is sensed on the way is noted for the second play.
+Who plays writes it (:mod:`allworlds.kernel.native`); here it is followed through the world, and
+what is sensed on the way is noted for the second play.
 """
 
 from __future__ import annotations
