@@ -15,11 +15,14 @@
 ``another``
     another world that agrees with the log;
 ``story``
-    the finding with its walk, and the same walk in a wrong answer: what tellers are told.
+    the finding with its walk, and the same walk in a wrong answer: what tellers are told;
+``walked``
+    the walk that a log describes, and the names of the places on it.
 """
 
 from allworlds.explaining.explanation import Explanation, explain
 from allworlds.explaining.spending import Spending
-from allworlds.explaining.story import Belief, Story, Walked
+from allworlds.explaining.story import Belief, Story
+from allworlds.explaining.walked import Walked
 
 __all__ = ["Belief", "Explanation", "Spending", "Story", "Walked", "explain"]
