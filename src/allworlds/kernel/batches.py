@@ -71,6 +71,14 @@ class Stretch:
         rows = ROWS
         return rows * (4 * native.HEAD + 8 + native.WIDE * 2 * edges) + 2 * LOG_BYTES
 
+    def put(self, logs: bytes | bytearray, begins: Sequence[int]) -> int:
+        """The number of bytes of logs that have come to stand here; -1 if there is no room."""
+        if len(logs) > len(self.logs):
+            return -1
+        self.begins[: len(begins)] = begins
+        self.logs[: len(logs)] = frombuffer(logs, uint8)
+        return len(logs)
+
     def _array(self, kind: Any, *shape: int) -> Any:
         count = 1
         for length in shape:
@@ -185,6 +193,8 @@ class UnitJudge:
             records.percepts[end : end + length] = kept.percepts
             records.starts[row], records.heads[row] = end, kept.head
             end += length
+        # Who plays again is not to know which runs these are.
+        records.heads[: laid.runs + len(earlier), native.RUN_NUMBER] = 0
 
     def differing(self, laid: Laid, size: int, earlier: Sequence[Kept] = ()) -> list[int]:
         """Which runs have second logs that are not as their first ones.
@@ -205,13 +215,11 @@ class UnitJudge:
         """The number of a run in its unit."""
         return int(self._first.heads[row, native.RUN_NUMBER])
 
-    def kept(self, row: int) -> Kept | None:
-        """What is needed to play a run again; None if it was too long for that."""
+    def kept(self, row: int) -> Kept:
+        """What is needed to play a run again."""
         first = self._first
         start, end, begin = int(first.starts[row]), int(first.starts[row + 1]), first.begins[row]
         log = first.logs[begin : first.ends[row]].copy()
-        if max(len(log), end - start) > LONGEST_EARLIER:
-            return None
         return Kept(first.heads[row].copy(), first.percepts[start:end].copy(), log)
 
 
@@ -221,6 +229,11 @@ class Kept(NamedTuple):
     head: Any
     percepts: Any
     log: Any
+
+    @property
+    def short(self) -> bool:
+        """Whether there is room for it among the runs of any stretch."""
+        return max(len(self.log), len(self.percepts)) <= LONGEST_EARLIER
 
 
 class _Logs(NamedTuple):
