@@ -250,10 +250,10 @@ def _walk(edges: int, threads: int = 1) -> None:
 def _check(scope: Scope, threads: int) -> None:
     """The last level of the scope."""
     job = Job(scope, load("algorithm1"), Limits(threads), 1, None, lambda _: None)
-    way = ENGINES["kernel"].ready(job)
-    with way.transport:
+    ready = ENGINES["kernel"].ready(job)
+    with ready.transport:
         units = scope.units(scope.extent.levels[-1])
-        gather(way.transport, way.engine, units, Tally(1), Silent())
+        gather(ready.transport, ready.engine, units, Tally(1), Silent())
 
 
 def _count(edges: int) -> None:

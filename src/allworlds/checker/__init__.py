@@ -39,7 +39,7 @@ from allworlds.checker.ending import (
 from allworlds.checker.engines import ENGINES
 from allworlds.checker.exhaustive import check, estimate, merged_check
 from allworlds.checker.gate import Cell, count_gate
-from allworlds.checker.guessing import Estimate
+from allworlds.checker.guessing import TimeEstimate
 from allworlds.checker.job import Job
 from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
 from allworlds.checker.replaying import Replay, replay
@@ -52,7 +52,6 @@ __all__ = [
     "Completed",
     "Disagreed",
     "Ending",
-    "Estimate",
     "Interrupted",
     "Job",
     "ManyRunsOptions",
@@ -61,6 +60,7 @@ __all__ = [
     "RunOptions",
     "SingleRun",
     "Stopped",
+    "TimeEstimate",
     "UserCorpus",
     "check",
     "count_gate",

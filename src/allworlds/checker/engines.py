@@ -15,7 +15,7 @@ from allworlds.work import Dask, Threads, Transport
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class ReadyEngine:
     """An engine made ready, and the transport by which units get to it and tallies back."""
 
     transport: Transport[Any]
@@ -33,7 +33,7 @@ class Engine(Protocol):
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """Why it cannot do a check; empty if it can."""
 
-    def ready(self, job: Job) -> Way:
+    def ready(self, job: Job) -> ReadyEngine:
         """The engine for this job.
 
         Raises:
@@ -54,12 +54,12 @@ class General:
         """None."""
         return ""
 
-    def ready(self, job: Job) -> Way:
+    def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
         engine = Examination(job.scope, job.keep)
         if job.dask is not None:
-            return Way(_cluster(job, job.dask), engine)
-        return Way(workers_for(job.subject, job.limits, job.deadline), engine)
+            return ReadyEngine(_cluster(job, job.dask), engine)
+        return ReadyEngine(workers_for(job.subject, job.limits, job.deadline), engine)
 
 
 class Compiled:
@@ -83,7 +83,7 @@ class Compiled:
 
         return obstacle(scope, subject)
 
-    def ready(self, job: Job) -> Way:
+    def ready(self, job: Job) -> ReadyEngine:
         """Threads, after both engines have agreed on every small world.
 
         For a native explorer processes, as its code is foreign: there both agree as they go.
@@ -93,16 +93,16 @@ class Compiled:
 
             apart = NativeExamination(job.scope, job.keep)
             if job.dask is not None:
-                return Way(_cluster(job, job.dask), apart)
+                return ReadyEngine(_cluster(job, job.dask), apart)
             apart.compiled(job)
-            return Way(workers_for(job.subject, job.limits, job.deadline), apart)
+            return ReadyEngine(workers_for(job.subject, job.limits, job.deadline), apart)
         from allworlds.checker.compiled import BATCH, CompiledExamination
 
         engine = CompiledExamination.ready(job)
         if job.dask is not None:
             workers = job.limits.workers
-            return Way(Dask(job.dask, workers, job.deadline), engine)
-        return Way(Threads(job.limits.workers, job.deadline, BATCH), engine)
+            return ReadyEngine(Dask(job.dask, workers, job.deadline), engine)
+        return ReadyEngine(Threads(job.limits.workers, job.deadline, BATCH), engine)
 
 
 def _cluster(job: Job, scheduler: str) -> Dask:

@@ -10,9 +10,9 @@ from typing import Any, Unpack
 
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.ending import Completed, Disagreed, Ending, Interrupted, Stopped
-from allworlds.checker.engines import Engine, Way, engine_for, why_not_compiled
+from allworlds.checker.engines import Engine, ReadyEngine, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
-from allworlds.checker.guessing import LONG, Estimate, estimated, is_worth_a_guess
+from allworlds.checker.guessing import LONG, TimeEstimate, estimated, is_worth_a_guess
 from allworlds.checker.job import Job
 from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
 from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
@@ -116,7 +116,7 @@ def estimate(
     engine: str = "auto",
     dask: str | None = None,
     **options: Unpack[ManyRunsOptions],
-) -> Estimate:
+) -> TimeEstimate:
     """How long :func:`check` will take with these options, from a sample of some seconds.
 
     Raises:
@@ -289,9 +289,9 @@ class _Check:
 
     def _examined(self) -> Ending:
         try:
-            way = self._engine.ready(self._job)
-            with way.transport:
-                return self._all_levels(way)
+            ready = self._engine.ready(self._job)
+            with ready.transport:
+                return self._all_levels(ready)
         except TimeIsUp:
             return Stopped(f"the time limit of {self._job.limits.time_limit:g} s was reached")
         except EnginesDisagree as error:
@@ -299,11 +299,11 @@ class _Check:
         except (Unsettled, Lost) as error:
             return Stopped(str(error))
 
-    def _all_levels(self, way: Way) -> Ending:
+    def _all_levels(self, ready: ReadyEngine) -> Ending:
         extent, keep = self._scope.extent, self._job.keep
         tell_of_size(extent, self._listener, shards_of(self._scope.coverage))
         for edges in extent.levels:
-            self._level(way, edges)
+            self._level(ready, edges)
             self._levels.append(edges)
             if not all(cell.agrees for cell in self._gate):
                 return Disagreed("the count gate: the enumeration and its source disagree")
@@ -314,7 +314,7 @@ class _Check:
             return Completed()
         return Completed(missing_witnesses(extent, self._subject, self._tally.witnesses))
 
-    def _level(self, way: Way, edges: int) -> None:
+    def _level(self, ready: ReadyEngine, edges: int) -> None:
         """One level, whole: its counts stand in the report only if it is finished."""
         scope, extent = self._scope, self._scope.extent
         self._listener.level(edges, level_size(extent, edges) // shards_of(self._scope.coverage))
@@ -322,7 +322,7 @@ class _Check:
         finished = False
         try:
             shelf = shelf_for(self._records, self._job)
-            gather(way.transport, way.engine, scope.units(edges), tally, self._listener, shelf)
+            gather(ready.transport, ready.engine, scope.units(edges), tally, self._listener, shelf)
             finished = True
         finally:
             minimal = finished and scope.whole
