@@ -41,7 +41,13 @@ from allworlds.checker.exhaustive import check, estimate, merged_check
 from allworlds.checker.gate import Cell, count_gate
 from allworlds.checker.guessing import TimeEstimate
 from allworlds.checker.job import Job
-from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
+from allworlds.checker.options import (
+    CheckOptions,
+    ManyRunsOptions,
+    RunOptions,
+    refuse_others,
+    rules_for,
+)
 from allworlds.checker.replaying import Replay, replay
 from allworlds.checker.report import Report
 from allworlds.checker.single import SingleRun, run, single_run, worlds
@@ -49,6 +55,7 @@ from allworlds.checker.single import SingleRun, run, single_run, worlds
 __all__ = [
     "ENGINES",
     "Cell",
+    "CheckOptions",
     "Completed",
     "Disagreed",
     "Ending",
