@@ -18,7 +18,7 @@ def check_text(report: Report | TimeEstimate, width: int) -> str:
         return "\n".join(_guess(report, width))
     header, rows = size_table(report)
     scope = [line for name, text in scope_words(report) for line in entry(name, text, width)]
-    blocks = [table(header, rows, "r" * len(header)), scope]
+    blocks = [table(header, rows, "r" * len(header), width, keys=2), scope]
     blocks += [
         [finding_text(finding, width, origin_words(report, finding))] for finding in report.findings
     ]

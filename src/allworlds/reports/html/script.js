@@ -1,4 +1,3 @@
-"use strict";
 // Keys and buttons step along a walk; without this script the list of its steps is all there.
 
 const KEYS = {
@@ -6,7 +5,6 @@ const KEYS = {
   "+": "in", "=": "in", "-": "out",
 };
 const TRAIL = 3; // So many steps before the last are shown, too.
-const SMALLEST = 0.6; // A picture is made so small at most, so that its numbers have room.
 
 function element(svg, name, attributes, text = "") {
   const made = document.createElementNS(svg.namespaceURI, name);
@@ -15,26 +13,17 @@ function element(svg, name, attributes, text = "") {
   return made;
 }
 
-// A picture: it follows the robot in one of the worlds, and is as large as there is room for.
+// A picture, which follows the robot in one of the worlds.
 function makePicture(frame) {
   const svg = frame.querySelector("svg");
-  const { width, height } = svg.viewBox.baseVal;
   const arrows = svg.querySelector(".arrows");
   const { follows } = frame.dataset;
+  const fit = fitting(frame, SMALLEST);
   const edges = new Map();
   for (const edge of svg.querySelectorAll("[data-darts]")) {
     for (const dart of edge.dataset.darts.split(" ")) edges.set(dart, edge);
   }
   const grown = [...svg.querySelectorAll("[data-since]")];
-
-  function fit(zoom) {
-    if (!frame.clientWidth) return;
-    const room = Math.min(1.25, Math.max(SMALLEST, frame.clientWidth / width));
-    const scale = Math.min(room * zoom, 6);
-    svg.style.width = `${width * scale}px`;
-    svg.style.height = `${height * scale}px`;
-    svg.style.setProperty("--k", 1 / scale);
-  }
 
   function arrow(dart, step) {
     const edge = edges.get(dart);

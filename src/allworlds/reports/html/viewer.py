@@ -17,10 +17,16 @@ SPEEDS = {"slow": 1600, "medium": 800, "fast": 250}
 """Milliseconds from step to step."""
 
 
-def viewer(figures: Sequence[ET.Element], steps: ET.Element, title: str) -> ET.Element:
-    """Pictures and a walk along which keys step in all of them."""
+def viewer(
+    figures: Sequence[ET.Element], steps: ET.Element, title: str, *about: ET.Element
+) -> ET.Element:
+    """Pictures and a walk along which keys step in all of them.
+
+    What is told about them stands before the pictures, and on a phone behind them.
+    """
     return tag(
         "div",
+        *about,
         tag("div", class_="tabs", role="group", aria_label="Picture", hidden="hidden"),
         tag("div", *figures, class_="pictures"),
         _controls(),
@@ -69,13 +75,17 @@ def _controls() -> ET.Element:
 def figure(
     title: str, scene: Scene, name: str, follows: str, drawn: Layout | None = None
 ) -> ET.Element:
-    """A picture with its caption and its legend; the robot in it is that of ``follows``."""
-    legend = [
-        tag("span", "clockwise: the order of darts", class_="key turn-key"),
-        tag("span", "robot, at the dart by which it came", class_="key robot-key"),
-        tag("span", "walked", class_="key walked-key"),
-        tag("span", "walked just now", class_="key last-key", hidden="hidden"),
-    ]
+    """A picture with its caption and its legend.
+
+    The robot in it is that of ``follows``; where that is empty there is none.
+    """
+    legend = [tag("span", "clockwise: the order of darts", class_="key turn-key")]
+    if follows:
+        legend += [
+            tag("span", "robot, at the dart by which it came", class_="key robot-key"),
+            tag("span", "walked", class_="key walked-key"),
+            tag("span", "walked just now", class_="key last-key", hidden="hidden"),
+        ]
     if scene.marks:
         legend.append(tag("span", "marked", class_="key marked-key"))
     if scene.pointed:

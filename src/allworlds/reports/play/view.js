@@ -1,4 +1,3 @@
-"use strict";
 // The page in which the reader is the robot: it shows what robot.js says, and passes clicks on.
 
 const world = JSON.parse(document.getElementById("play-json").textContent);
@@ -232,8 +231,12 @@ function drawLog() {
   at("cost").textContent = `Traversals so far: ${moves}.`;
 }
 
+const fitWorld = fitting(at("world").querySelector(".frame"), SMALLEST_STILL);
+new ResizeObserver(() => fitWorld(1)).observe(at("world"));
+
 function drawWorld() {
   at("world").hidden = !uncovered;
+  fitWorld(1);
   at("uncover").hidden = uncovered;
   for (const one of at("world").querySelectorAll(".walked, .here")) {
     one.classList.remove("walked", "here");
