@@ -6,6 +6,8 @@
     level by level to a report;
 ``engines``
     **the** table of engines;
+``sizes``
+    from which size on that is the compiled one;
 ``compiled``, ``questions``, ``agreement``
     the compiled one: its rows into tallies, what it is asked, and whether it is to be believed;
 ``guessing``
@@ -51,9 +53,11 @@ from allworlds.checker.options import (
 from allworlds.checker.replaying import Replay, replay
 from allworlds.checker.report import Report
 from allworlds.checker.single import SingleRun, run, single_run, worlds
+from allworlds.checker.sizes import WALKED_FROM
 
 __all__ = [
     "ENGINES",
+    "WALKED_FROM",
     "Cell",
     "CheckOptions",
     "Completed",

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any, Protocol
 
 from allworlds.checker.job import Job
+from allworlds.checker.sizes import COMPILED_FROM
 from allworlds.inputs import InputError, show
 from allworlds.isolation import in_any_order, workers_for
 from allworlds.runs import Examination, Scope
@@ -133,10 +134,6 @@ def why_not_compiled(scope: Scope, subject: Subject) -> str:
         return ""
     obstacle = ENGINES["kernel"].obstacle(scope, subject)
     return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""
-
-
-COMPILED_FROM = 5
-"""Checks of so many edges are worth the compiling; smaller ones are done before it would begin."""
 
 
 def engine_for(name: str, scope: Scope, subject: Subject) -> Engine:
