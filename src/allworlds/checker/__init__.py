@@ -4,12 +4,16 @@
     the options that ``check``, ``fuzz`` and ``run`` share;
 ``exhaustive``
     level by level to a report;
+``job``
+    what an engine is to do;
 ``engines``
     **the** table of engines;
 ``sizes``
     from which size on that is the compiled one;
 ``compiled``, ``questions``, ``agreement``
     the compiled one: its rows into tallies, what it is asked, and whether it is to be believed;
+``native``
+    the same for explorers in shared libraries, many runs at a time;
 ``guessing``
     how long it will take;
 ``gate``

@@ -4,8 +4,8 @@ The owner (a check) hands units to **referees**, which judge; each has two **pla
 explorer in them, of which the one plays in worlds and the other against what was sensed there.
 The **guardian** forks them all, and ends them, and all that they have started.
 
-``jobs``
-    what they say to each other;
+``jobs``, ``saying``
+    what they say to each other, and what a player may say: integers and texts;
 ``guardian``, ``roles``, ``process``
     starting, hearing and ending processes;
 ``player``, ``players``
