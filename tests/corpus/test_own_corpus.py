@@ -52,6 +52,7 @@ def test_a_finding_is_reproduced_by_its_mutant_to_the_letter(entry):
         assert (again.expected, again.seen) == (finding.expected, finding.seen)
 
 
+@pytest.mark.no_cover
 @entries("finding")
 def test_a_finding_is_fixed_by_algorithm_1(entry):
     finding = Finding.from_json(CORPUS.document(entry))
@@ -111,6 +112,7 @@ def copy(tmp_path):
     return target
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("entry", CORPUS.entries, ids=lambda entry: entry.name)
 def test_an_entry_with_a_flipped_digit_is_refused_by_name(entry, copy):
     path = copy / entry.file

@@ -52,6 +52,7 @@ def test_the_cases_are_of_every_kind_and_the_same_every_time():
     assert len({str(case) for _, case in drawn}) > QUICK * 0.9
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     "kind", ["worlds", "findings", "expressions", "lines", "corpus", "options"]
 )

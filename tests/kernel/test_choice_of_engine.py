@@ -77,6 +77,7 @@ def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, 
     assert apart == ([] if kept else ["algorithm1"])
 
 
+@pytest.mark.no_cover
 def test_ctrl_c_leaves_the_finished_levels():
     listener = Stopper(after=50_000)
     report = check(edges=8, engine="kernel", workers=2, listener=listener)

@@ -1,5 +1,6 @@
 """Cost counts traversals, adds up, and a way back costs as much as the way."""
 
+import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import tuples
 
@@ -43,6 +44,7 @@ def back(ks):
     return [0, *(-k for k in reversed(ks[1:]))] if ks else []
 
 
+@pytest.mark.no_cover
 @given(worlds(), motions())
 def test_the_cost_of_a_walk_is_its_number_of_motions(world, ks):
     assert episode_of(world, ks).transcript.cost == len(ks)

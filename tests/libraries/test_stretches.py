@@ -176,6 +176,7 @@ def parts(cast, edges, keep=1, units=None, scope=None):
     return tally
 
 
+@pytest.mark.no_cover
 def test_stretches_count_what_the_other_engine_counts():
     tally = parts(CastHere(example("c/algorithm1.c")), 4)
     whole = Tally(1)
@@ -194,6 +195,7 @@ def test_a_stretch_over_which_a_player_is_lost_is_played_by_the_general_engine(w
     assert lost.rows == parts(CastHere(library), 3).rows
 
 
+@pytest.mark.no_cover
 def test_logs_that_cannot_be_read_are_not_believed():
     library = example("c/algorithm1.c")
     spoilt = CastHere(library, logs=lambda _, said: Stretched(said.size // 2, 0))

@@ -51,6 +51,7 @@ def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class
     assert [found.status for found in result.searched].count("unsat") >= edges - 1
 
 
+@pytest.mark.no_cover
 @needs_python_sat
 @pytest.mark.parametrize(
     ("lighthouse", "map_class", "edges"),
