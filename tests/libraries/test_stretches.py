@@ -212,28 +212,32 @@ def test_the_smallest_of_the_broken_runs_is_found_with_its_law():
     assert finding.key[0] == 4
 
 
-def test_a_law_that_the_other_engine_does_not_find_broken_is_a_disagreement(monkeypatch):
+@pytest.mark.parametrize("edges", [1, 4])
+def test_a_law_that_the_other_engine_does_not_find_broken_is_a_disagreement(monkeypatch, edges):
     judge = kernel.UnitJudge.judge
+    unit = next(iter(scope_of(edges).units(edges)))
+    map_ = next(unit.maps(scope_of(edges).extent))
+    world = kernel.Broken(map_.vertex_count, map_.sigma, map_.alpha, 0, "map")
 
     def blames(self, laid, size, earlier=()):
         rows, good = judge(self, laid, size, earlier)
-        world = kernel.Broken(2, (0, 1), (1, 0), 0, "map")
         return kernel.Rows(rows.counts, {}, rows.met, (world,)), good
 
     monkeypatch.setattr(kernel.UnitJudge, "judge", blames)
-    with pytest.raises(EnginesDisagree, match="the kernel says that map is broken"):
-        parts(CastHere(example("c/algorithm1.c")), 1)
+    # In small worlds both judges look at everything, in large ones at what is broken.
+    said = "count differently" if edges == 1 else "the kernel says that map is broken"
+    with pytest.raises(EnginesDisagree, match=said):
+        parts(CastHere(example("c/algorithm1.c")), edges, units=[unit])
 
 
 def test_counts_that_differ_are_a_disagreement(monkeypatch):
-    general = PlayedByStretches._by_the_general_engine
+    count = Examination.count_run
 
-    def counts(self, unit, laid):
-        tally = general(self, unit, laid)
+    def counts(self, run, tally):
         tally.left_out += 1
-        return tally
+        return count(self, run, tally)
 
-    monkeypatch.setattr(PlayedByStretches, "_by_the_general_engine", counts)
+    monkeypatch.setattr(Examination, "count_run", counts)
     with pytest.raises(EnginesDisagree, match="count differently"):
         parts(CastHere(example("c/algorithm1.c")), 2)
 

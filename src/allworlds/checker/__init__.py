@@ -13,7 +13,7 @@
 ``compiled``, ``questions``, ``agreement``
     the compiled one: its rows into tallies, what it is asked, and whether it is to be believed;
 ``native``
-    the same for explorers in shared libraries, many runs at a time;
+    the same for foreign explorers, many runs at a time;
 ``guessing``
     how long it will take;
 ``gate``

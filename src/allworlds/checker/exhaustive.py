@@ -145,7 +145,7 @@ def _asked(
         listener.notice(why)
     deadline, dask = limits.deadline(), options.get("dask")
     job = Job(scope, subject, limits, keep, deadline, listener.notice, dask)
-    return job, engine_for(engine, scope, subject)
+    return job, engine_for(engine, scope, subject, limits.memory)
 
 
 def merged_check(identity: Identity, records: Records, listener: Listener) -> Report:

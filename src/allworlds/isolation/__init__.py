@@ -12,8 +12,9 @@ The **guardian** forks them all, and ends them, and all that they have started.
     the process with the foreign code in it, and its referee's side;
 ``referee``, ``workers``
     the process that judges units, and its owner's side: the transport;
-``stretches``
-    many runs of a native explorer at a time, in memory that is shared;
+``stretches``, ``scribe``
+    many runs of a foreign explorer at a time, in memory that is shared, and who writes their logs
+    where the explorer is a generator;
 ``confirm``
     single runs, and findings once more in fresh processes;
 ``looking``
