@@ -78,9 +78,9 @@ COMPARED = [
     ("maps.enumeration", "maps.bruteforce", {"maps.combinatorial", "inputs"}),
     ("maps.counting", "maps.enumeration", set()),
     ("maps.counting", "maps.bruteforce", set()),
-    ("kernel.walk", "explorers.algorithm1", set()),
+    ("kernel.demand_driven", "explorers.algorithm1", set()),
     (
-        "kernel.walk",
+        "kernel.demand_driven",
         "kernel.runs",
         {
             *("kernel", "kernel.bits", "kernel.calls", "kernel.code", "kernel.compiling"),

@@ -101,6 +101,7 @@ def test_a_transport_brings_every_unit_once(name, units, made):
     assert total == Counter("".join(map(str, units)))
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("name", TRANSPORTS)
 def test_a_transport_ends_when_the_time_is_up(name, made):
     with made(name, deadline=0.0) as transport, pytest.raises(TimeIsUp):

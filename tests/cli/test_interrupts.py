@@ -91,6 +91,7 @@ def test_a_search_that_is_interrupted_is_undecided(cli, interrupt, tmp_path):
     assert all(line.startswith("allworlds: interrupted") for line in err.splitlines())
 
 
+@pytest.mark.no_cover
 def test_twins_that_were_found_before_an_interrupt_are_told(cli, monkeypatch, tmp_path):
     def interrupted(*_):
         raise KeyboardInterrupt

@@ -6,11 +6,11 @@ import pytest
 from allworlds.ambiguity import twins
 from allworlds.bisimulation import flaw
 from allworlds.checker import check, replay, run
-from allworlds.corpora import MANIFEST, load_corpus, own_corpus
 from allworlds.counter import count
 from allworlds.findings import Finding
 from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap, automorphisms, unrooted_code
+from allworlds.own_corpus import MANIFEST, load_corpus, own_corpus
 from allworlds.world import World
 from small import slow
 

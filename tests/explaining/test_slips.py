@@ -226,10 +226,9 @@ def test_the_slip_stands_in_the_explanation():
 
 @pytest.mark.no_cover
 def test_a_pose_that_is_off_by_a_turn_is_told_so():
-    def turned(estimate):
-        return Estimate(estimate.map, estimate.map.sigma[estimate.here])
-
-    findings = check(spoiling(turned), edges=3, max_findings=100, laws=("pose",)).findings
+    findings = check(
+        spoiling(with_the_next_dart), edges=3, max_findings=100, laws=("pose",)
+    ).findings
     told = [explain(finding) for finding in findings]
     assert "off by a turn" in {one.slip for one in told}
     for one in told:
@@ -259,3 +258,30 @@ def test_nothing_is_looked_for_in_large_maps():
         return Estimate(family("cycle:3"), 0)
 
     assert the_slip(Belief(Story(run(explore, world).finding))) is None
+
+
+def with_the_other_end(estimate):
+    return Estimate(estimate.map, estimate.map.alpha[estimate.here])
+
+
+def with_the_next_dart(estimate):
+    return Estimate(estimate.map, estimate.map.sigma[estimate.here])
+
+
+@pytest.mark.no_cover
+def test_a_pose_at_the_far_end_of_the_last_edge_is_told_so_exactly_where_it_is():
+    findings = [
+        *check(spoiling(with_the_other_end), edges=3, max_findings=40, laws=("pose",)).findings,
+        *check(spoiling(with_the_next_dart), edges=3, max_findings=40, laws=("pose",)).findings,
+    ]
+    said = []
+    for finding in findings:
+        belief = Belief(Story(finding))
+        world, robot = finding.world.map, belief.story.walked[-1]
+        truly = bool(
+            rooted_isomorphism(belief.answer.map, belief.answer.here, world, world.alpha[robot])
+        )
+        said.append("the far end of the edge" in " ".join(explain(finding).sentences))
+        assert truly or not said[-1]
+    assert any(said)
+    assert not all(said)

@@ -73,6 +73,7 @@ def unrooted(m):
     return list({unrooted_code(map_): map_ for map_ in maps(m)}.values())
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "parts", "k"), [(3, 2, 0), *EACH_PART])
 def test_on_every_map_against_itself_at_every_dart(edges, parts, k):
     random = Random(k)

@@ -57,6 +57,7 @@ def test_checkpoints_cost_nothing_and_change_nothing(world, ks):
     assert len(talking.checkpoints) == 2 * len(ks)
 
 
+@pytest.mark.no_cover
 @given(worlds(), motions(), motions())
 def test_cost_is_additive(world, one, two):
     both = case_of(world, one + two)
@@ -85,6 +86,7 @@ def test_on_the_way_back_the_same_percepts_come_in_reverse_order(world, ks):
     assert degrees == degrees[::-1]
 
 
+@pytest.mark.no_cover
 def test_a_way_back_that_forgets_the_signs_would_be_noticed():
     def lost(drawn):
         world, ks = drawn
@@ -97,6 +99,7 @@ def test_a_way_back_that_forgets_the_signs_would_be_noticed():
     assert world.map.edge_count == 2
 
 
+@pytest.mark.no_cover
 def test_a_meter_that_does_not_count_the_way_back_would_be_noticed():
     def too_soft(drawn):
         world, ks = drawn

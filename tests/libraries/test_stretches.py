@@ -91,6 +91,7 @@ def test_every_class_is_judged_as_in_the_other_engine(map_class, source):
     assert (tally.findings == []) == (source == "c/algorithm1.c")
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     "lighthouse", ["none", "position", "compass", "cluster", "cluster:single=true", "natural"]
 )

@@ -260,6 +260,7 @@ def test_mirror_images_have_as_many_automorphisms_and_mirroring_keeps_sameness(m
     assert unrooted_code(mirrored.mirrored()) == unrooted_code(map_)
 
 
+@pytest.mark.no_cover
 @given(maps())
 def test_the_dual_of_the_dual_is_the_same_map_and_faces_and_vertices_are_swapped(map_):
     dual = map_.dual()

@@ -21,6 +21,7 @@ def codes(maps):
     return [rooted_code(map_.sigma, map_.alpha, 0) for map_ in maps]
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(("map_class", "edges"), LEVELS)
 def test_gluing_meets_each_map_that_trying_all_permutations_meets_once(map_class, edges):
     met = codes(rooted_maps(edges, map_class))

@@ -14,7 +14,6 @@ from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
 from allworlds.checker import Interrupted, check, replay, run, worlds
 from allworlds.comparing import compare
-from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
 from allworlds.figures import figure
@@ -27,6 +26,7 @@ from allworlds.maps import named_map
 from allworlds.minimax import optimum
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.own_corpus import own_corpus
 from allworlds.playing import play
 from allworlds.skeletons import init
 from allworlds.smt import search

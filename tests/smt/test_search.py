@@ -34,6 +34,7 @@ def sizes(result):
 
 
 # Smallest pairs with the position marked: any map m = 2, simple m = 6, planar simple m = 8.
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("map_class", "edges", "found"),
     [

@@ -13,7 +13,7 @@ lock only to start and to end, so that threads share the work.
     explorers, each behind the C interface of all explorers;
 ``native``, ``logs``, ``writing``, ``batches``
     foreign explorers, played in processes of their own, many runs at a time;
-``walk``, ``ways``, ``tally``
+``demand_driven``, ``ways``, ``tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``dearest``
     the worst and the best cost of a world over all schedules, and its door;
@@ -40,6 +40,7 @@ from allworlds.kernel.batches import (
 )
 from allworlds.kernel.compiling import is_compiled
 from allworlds.kernel.dearest import Dearest, dearest_of_unit
+from allworlds.kernel.demand_driven import explore
 from allworlds.kernel.engine import (
     COMPILING,
     EXPLORERS,
@@ -60,7 +61,6 @@ from allworlds.kernel.rows import Bounds, Broken, Counts, Level, Listed, Rows, w
 from allworlds.kernel.runs import examine
 from allworlds.kernel.schedules import search
 from allworlds.kernel.tables import MOST_EDGES, Tables, tables
-from allworlds.kernel.walk import explore
 from allworlds.kernel.writing import End, Written, answer_entry, read_log, shown_entry
 
 __all__ = [
