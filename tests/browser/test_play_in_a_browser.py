@@ -97,7 +97,7 @@ def test_the_world_is_seen_when_it_is_uncovered_and_not_before(game):
     assert not game.locator("#played").is_visible()
     walked_loops(game)
     game.locator("#uncover").click()
-    picture, room = game.locator("#played"), game.locator("#world .frame")
+    picture, room = game.locator("#played"), game.locator("#world .frame").first
     assert picture.is_visible()
     assert not game.locator("#uncover").is_visible()
     assert picture.bounding_box()["width"] <= room.bounding_box()["width"]
