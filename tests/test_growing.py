@@ -28,6 +28,7 @@ def report():
     return grow("algorithm1", "greedy", families=["lattice", "thick"], to=50, worlds=2)
 
 
+@pytest.mark.no_cover
 def test_every_cost_is_that_of_a_single_run_in_the_world_of_that_name(report):
     for row in report.rows:
         for member, cost in zip(row.members, row.costs, strict=True):

@@ -3,8 +3,8 @@
 import builtins
 import json
 import signal
-import sys
 import threading
+from importlib import import_module
 from types import SimpleNamespace
 
 import pytest
@@ -44,16 +44,17 @@ def interrupt(monkeypatch):
 
     def at(path, times):
         home, _, name = path.rpartition(".")
-        module = sys.modules[home]  # a function of the package may have its name, too
+        module = import_module(home)  # a function of the package may have its name, too
         monkeypatch.setattr(module, name, InterruptedAt(getattr(module, name), times))
 
     return at
 
 
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize("verb", ROWS)
 def test_the_rows_before_an_interrupt_are_told(cli, interrupt, verb):
     path, words, rows = ROWS[verb]
-    cli(*verb.split(), *words.split(), "-q")  # everything is loaded, and compiled
     interrupt(path, 2)
     code, out, err = cli(*verb.split(), *words.split(), "--json")
     document = json.loads(out)
@@ -63,10 +64,10 @@ def test_the_rows_before_an_interrupt_are_told(cli, interrupt, verb):
     assert finished == (5 if verb == "worst" else 2)  # of 1 edge 2 sizes, of 2 edges 3
 
 
+@pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize("verb", ROWS)
 def test_the_text_of_what_was_interrupted_says_so(cli, interrupt, verb):
     path, words, _ = ROWS[verb]
-    cli(*verb.split(), *words.split(), "-q")
     interrupt(path, 1)
     code, out, _ = cli(*verb.split(), *words.split())
     assert code == 130
@@ -75,7 +76,6 @@ def test_the_text_of_what_was_interrupted_says_so(cli, interrupt, verb):
 
 
 def test_before_the_first_round_there_is_nothing_to_tell(cli, interrupt):
-    cli("bench", "--edges", 4, "--rounds", 1, "-q")
     interrupt("allworlds.benching._round", 0)
     assert cli("bench", "--edges", 4) == (130, "", "allworlds: interrupted\n")
 
@@ -84,7 +84,6 @@ SEARCH = "search --lighthouse position --class simple --vertices 4 --edges 6 --j
 
 
 def test_a_search_that_is_interrupted_is_undecided(cli, interrupt, tmp_path):
-    cli(*SEARCH.split(), tmp_path, "-q")
     interrupt("allworlds.smt.searching.pair_formula", 1)
     code, out, err = cli(*SEARCH.split(), tmp_path)
     document = json.loads(out)
@@ -93,6 +92,7 @@ def test_a_search_that_is_interrupted_is_undecided(cli, interrupt, tmp_path):
     assert all(line.startswith("allworlds: interrupted") for line in err.splitlines())
 
 
+@pytest.mark.no_cover
 def test_twins_that_were_found_before_an_interrupt_are_told(cli, monkeypatch, tmp_path):
     def interrupted(*_):
         raise KeyboardInterrupt

@@ -47,6 +47,7 @@ NUMBERS = [
 ]
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(("verb", "option"), NUMBERS, ids=str)
 @pytest.mark.parametrize("value", ["1_0", " 1", "١"])  # noqa: RUF001  # an Arabic digit
 def test_a_number_is_written_with_ascii_digits_alone(refused, verb, option, value):

@@ -95,6 +95,7 @@ def test_so_it_does_in_the_plain_way(plain):
         going_round_gives_sigma(map_)
 
 
+@pytest.mark.no_cover
 def test_another_cyclic_order_would_be_seen():
     beginnings = stubs(drawn(GENUS_2))
     beginnings[0], beginnings[1] = beginnings[1], beginnings[0]
@@ -117,6 +118,7 @@ def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
     assert sorted(seen) == list(map_.darts)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("map_", EACH, ids=str)
 def test_every_dart_and_every_vertex_is_named_once(map_):
     svg = drawn(map_)
@@ -161,6 +163,7 @@ def test_planar_maps_are_drawn_without_crossings():
     assert [map_ for map_ in flat_ones if crossings(map_)] == []
 
 
+@pytest.mark.no_cover
 def test_edges_that_must_cross_do():
     for map_ in MAPS:
         if map_.genus:

@@ -63,7 +63,7 @@ class General:
 
 
 class Compiled:
-    """The judge in compiled code: built-in explorers in threads, native ones in processes."""
+    """The judge in compiled code: built-in explorers in threads, foreign ones in processes."""
 
     name = "kernel"
 
@@ -76,9 +76,9 @@ class Compiled:
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """The first option that it does not know."""
-        if subject.foreign and not subject.name.startswith(NATIVE):
+        if subject.foreign and not subject.elsewhere and subject.native is None:
             # Said before the kernel is loaded, which takes half a second.
-            return f"runs only built-in explorers and shared libraries, not {show(subject.name)}"
+            return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
         from allworlds.checker.questions import obstacle
 
         return obstacle(scope, subject)
@@ -86,7 +86,7 @@ class Compiled:
     def ready(self, job: Job) -> Way:
         """Threads, after both engines have agreed on every small world.
 
-        For a native explorer processes, as its code is foreign: there both agree as they go.
+        For a foreign explorer processes: there both agree as they go.
         """
         if job.subject.foreign:
             from allworlds.checker.native import NativeExamination
@@ -139,13 +139,14 @@ COMPILED_FROM = 5
 """Checks of so many edges are worth the compiling; smaller ones are done before it would begin."""
 
 
-def engine_for(name: str, scope: Scope, subject: Subject) -> Engine:
+def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> Engine:
     """The engine that is to be used.
 
     Args:
         name: ``auto``, or one of :data:`ENGINES`.
         scope: what is to be checked.
         subject: the explorer.
+        memory: MB that it may have, compiled code included.
 
     Raises:
         InputError: for a name that is none, or for an engine that cannot do it.
@@ -153,6 +154,8 @@ def engine_for(name: str, scope: Scope, subject: Subject) -> Engine:
     if name == "auto":
         compiled = ENGINES["kernel"]
         small = scope.extent.levels[-1] < COMPILED_FROM
+        # Hundreds of MB of address space are the compiled engine's own.
+        small |= memory is not None and subject.foreign and not subject.name.startswith(NATIVE)
         return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled
     if name not in ENGINES:
         raise InputError(f"engine {show(name)} is none of auto, {', '.join(ENGINES)}")

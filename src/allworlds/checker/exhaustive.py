@@ -154,7 +154,7 @@ def _asked(
     if engine == "auto" and (why := why_not_compiled(scope, subject)):
         listener.notice(why)
     job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice, dask)
-    return job, engine_for(engine, scope, subject)
+    return job, engine_for(engine, scope, subject, limits.memory)
 
 
 def merged_check(identity: Identity, records: Records, listener: Listener) -> Report:

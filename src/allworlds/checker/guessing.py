@@ -14,6 +14,7 @@ from allworlds.checker.job import Job
 from allworlds.isolation import Unsettled
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.runs import EnginesDisagree, Unit
+from allworlds.subjects import NATIVE
 from allworlds.work import Lost, TimeIsUp, drawn_units, level_size, shards_of
 
 if TYPE_CHECKING:
@@ -25,10 +26,10 @@ SECONDS = 3.0
 MOST_SECONDS = 120.0
 """So long it takes at most, compiling and all; where no piece is done by then there is no guess."""
 
-PIECE = {"python": 200, "kernel": 200_000}
-"""So many worlds at most stand in a piece of the sample, by the engine."""
+PIECE = {"python": 200, "compiled": 200_000}
+"""So many worlds at most stand in a piece of the sample, by what plays in them."""
 
-MANY = {"python": 20_000, "kernel": 100_000_000}
+MANY = {"python": 20_000, "compiled": 100_000_000}
 """Checks of more worlds begin with an estimate."""
 
 LONG = 60.0
@@ -80,6 +81,12 @@ class Estimate:
         }
 
 
+def _plays(job: Job, engine: Engine) -> str:
+    """What plays: compiled code, or, whoever judges it, an explorer in Python or behind a pipe."""
+    slow = job.subject.foreign and not job.subject.name.startswith(NATIVE)
+    return "python" if slow or engine.name == "python" else "compiled"
+
+
 def worlds_of(job: Job) -> int:
     """How many worlds are to be tried; of a shard about so many."""
     extent = job.scope.extent
@@ -90,7 +97,7 @@ def worlds_of(job: Job) -> int:
 def is_worth_a_guess(job: Job, engine: Engine) -> bool:
     """Whether a check may be long, and has no limit of time; its worlds are soon counted."""
     soon = job.limits.time_limit is None and job.scope.extent.levels[-1] <= COUNTABLE
-    return soon and worlds_of(job) > MANY[engine.name]
+    return soon and worlds_of(job) > MANY[_plays(job, engine)]
 
 
 def estimated(job: Job, engine: Engine) -> Estimate:
@@ -103,7 +110,7 @@ def estimated(job: Job, engine: Engine) -> Estimate:
     sampled, began, ended = 0, 0.0, 0.0
     try:
         with way.transport as transport:
-            for part in transport.map(way.engine, _pieces(job, engine.name)):
+            for part in transport.map(way.engine, _pieces(job, PIECE[_plays(job, engine)])):
                 now = time.monotonic()
                 if not began:
                     began = now
@@ -117,9 +124,9 @@ def estimated(job: Job, engine: Engine) -> Estimate:
     return Estimate(job.subject.name, engine.name, worlds_of(job), sampled, rate)
 
 
-def _pieces(job: Job, engine: str) -> Iterator[Any]:
+def _pieces(job: Job, worlds: int) -> Iterator[Any]:
     extent = job.scope.extent
     draw = Random(0)  # noqa: S311  # the same pieces each time
-    units = drawn_units(extent, extent.levels[-1], PIECE[engine], draw)
+    units = drawn_units(extent, extent.levels[-1], worlds, draw)
     for unit in islice(units, PIECES):
         yield Unit(unit.edges, unit.prefix)

@@ -224,7 +224,7 @@ class _Run:
         except BaseException as error:  # noqa: BLE001  # an explorer may raise anything
             return _raised(error)
         finally:
-            _close(generator)
+            closed(generator)
             beat[1] = 0
 
     def _most_darts(self) -> int:
@@ -314,7 +314,8 @@ def _raised(error: BaseException) -> Fault:
     return Fault("crash", _ANSWER, seen, detail[-LONGEST:], isinstance(error, MemoryError))
 
 
-def _close(generator: Generator[Any, Any, Any] | None) -> None:
+def closed(generator: Generator[Any, Any, Any] | None) -> None:
+    """Nothing: it is closed, whatever it makes of that."""
     try:
         if generator is not None:
             generator.close()

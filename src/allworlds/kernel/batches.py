@@ -68,6 +68,14 @@ class Stretch:
         rows = ROWS
         return rows * (4 * native.HEAD + 8 + native.WIDE * 2 * edges) + 2 * LOG_BYTES
 
+    def put(self, logs: bytes | bytearray, begins: Sequence[int]) -> int:
+        """The number of bytes of logs that have come to stand here; -1 if there is no room."""
+        if len(logs) > len(self.logs):
+            return -1
+        self.begins[: len(begins)] = begins
+        self.logs[: len(logs)] = frombuffer(logs, uint8)
+        return len(logs)
+
     def _array(self, kind: Any, *shape: int) -> Any:
         count = 1
         for length in shape:
@@ -175,6 +183,10 @@ class UnitJudge:
             records.percepts[end : end + length] = kept.percepts
             records.starts[row], records.heads[row] = end, kept.head
             end += length
+        # Who plays again is not to know which runs these are.
+        records.heads[: laid.runs + len(earlier), native.RUN_NUMBER] = 0
+        # Who plays again need not know which runs they are.
+        records.heads[: laid.runs + len(earlier), native.RUN_NUMBER] = 0
 
     def differing(self, laid: Laid, size: int, earlier: Sequence[Kept] = ()) -> list[int]:
         """Which runs have second logs that are not as their first ones.

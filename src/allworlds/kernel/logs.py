@@ -131,6 +131,8 @@ def _read_map(reader):
 def differing(first, begins, ends, second, again, runs, different):
     """How many of the runs have second logs that are not as the first; noted in ``different``.
 
+    What is published on the way is judged once, and need not be the same again.
+
     ``first`` and ``second`` are the bytes of the logs, and ``begins`` and ``again`` say where that
     of each run begins; ``ends`` where the first ends.  A log tells where it ends, so that one which
     is longer differs in what the other one has.
@@ -139,12 +141,36 @@ def differing(first, begins, ends, second, again, runs, different):
     one, other = address_of(first), address_of(second)
     for run in range(runs):
         a, b = int64(begins[run]), int64(again[run])
-        length = int64(ends[run]) - a
-        inside = a >= 0 and b >= 0 and a + length <= len(first) and b + length <= len(second)
-        if length < 1 or not inside or not _same(one + a, other + b, length):
+        length, room = int64(ends[run]) - a, len(second) - b
+        inside = a >= 0 and b >= 0 and a + length <= len(first)
+        same = length > 0 and inside and length <= room and _same(one + a, other + b, length)
+        if not (same or (inside and _mean_the_same(one + a, length, other + b, room))):
             different[found] = run
             found += 1
     return found
+
+
+@inner
+def _mean_the_same(one, length, other, room):
+    """Whether the logs have the same motions and end in the same way, whatever they show."""
+    a, b = _behind_the_shown(one, 0, length), _behind_the_shown(other, 0, room)
+    while a < length and b < room:
+        code = byte_of(one, a)
+        if code != byte_of(other, b):
+            return False
+        if code > LARGEST_MOTION:
+            rest = length - a
+            return rest <= room - b and _same(one + a, other + b, rest)
+        a, b = _behind_the_shown(one, a + 1, length), _behind_the_shown(other, b + 1, room)
+    return False
+
+
+@inlined
+def _behind_the_shown(log, at, end):
+    """Where the log goes on behind what has been published there."""
+    while at + 1 < end and byte_of(log, at) == SHOWN:
+        at += 3 + 2 * byte_of(log, at + 1)
+    return at
 
 
 @inlined

@@ -76,11 +76,20 @@ def run_text(run: SingleRun, width: int) -> str:
             ]
         case Fault():
             raise AssertionError(ending)
-    bound = "" if run.outcome.bound is None else f" of at most {run.outcome.bound}"
-    cost = plural(transcript.cost, "traversal")
-    laws = ", ".join(run.rules.applying)
-    lines += entry("HOLDS", f"{cost}{bound}; laws: {laws}", width)
+    lines += entry("HOLDS", f"{_cost(run)}; laws: {', '.join(run.rules.applying)}", width)
     return "\n".join(lines)
+
+
+def run_line(run: SingleRun, _width: int) -> str:
+    """The verdict of one run in one line, however wide it is."""
+    if run.finding:
+        return f"REFUTED: law {run.finding.law} is broken"
+    return f"HOLDS: {_cost(run)}: no law is broken"
+
+
+def _cost(run: SingleRun) -> str:
+    bound = "" if run.outcome.bound is None else f" of at most {run.outcome.bound}"
+    return plural(run.outcome.cost, "traversal") + bound
 
 
 def _quotient(answer: Ambiguous, width: int) -> list[str]:
@@ -99,14 +108,25 @@ def _quotient(answer: Ambiguous, width: int) -> list[str]:
 
 def replay_text(replay: Replay, width: int) -> str:
     """Whether a finding still stands."""
+    lines = entry(*_replayed(replay), width)
+    if replay.again.finding:
+        lines += ["", _refutation(replay.again.finding, width, [])]
+    return "\n".join(lines)
+
+
+def replay_line(replay: Replay, _width: int) -> str:
+    """The same in one line, however wide it is."""
+    return ": ".join(_replayed(replay))
+
+
+def _replayed(replay: Replay) -> tuple[str, str]:
     recorded, again = replay.recorded, replay.again.finding
     if again is None:
-        text = f"{replay.again.explorer} now keeps every law in the recorded world"
-        return "\n".join(entry("FIXED", text, width))
-    law = f"law '{again.law}' is broken again"
+        return "FIXED", f"{replay.again.explorer} now keeps every law in the recorded world"
     if again.law != recorded.law:
         law = f"law '{again.law}' is broken now, where '{recorded.law}' was recorded"
-    return "\n".join([*entry("REPRODUCED", law, width), "", _refutation(again, width, [])])
+        return "REPRODUCED", law
+    return "REPRODUCED", f"law '{again.law}' is broken again"
 
 
 def walk_lines(
