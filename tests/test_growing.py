@@ -10,7 +10,7 @@ from math import log
 import pytest
 
 from allworlds import grow, run
-from allworlds.checker import Completed
+from allworlds.checker import Completed, Interrupted
 from allworlds.growing import GROWING, Climb, GrowRow, Growth, members_of
 from allworlds.inputs import InputError
 from allworlds.isolation import Unsettled
@@ -86,6 +86,7 @@ def test_a_broken_law_refutes():
     assert (told.verdict.value, told.exit_code) == ("refuted", 1)
     assert told.findings[0].law == "no-estimate"
     assert "broken a law" in grow_text(told, 100)
+    assert replace(told, ending=Interrupted()).exit_code == 130
 
 
 def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():

@@ -271,6 +271,17 @@ def test_the_package_loads_only_maps_and_protocol_at_once():
     assert homes <= LAYERS[""] & units()
 
 
+@pytest.mark.parametrize("door", sorted(ROOT.rglob("__init__.py")), ids=lambda d: d.parent.name)
+def test_a_package_that_tells_of_its_modules_tells_of_each(door):
+    told = ast.get_docstring(ast.parse(door.read_text(encoding="utf-8"))) or ""
+    # A list of modules: names, and indented below them what they hold.
+    lines = re.findall(r"^((?:``[\w.]+``,?\s)+) +\S", told, re.MULTILINE)
+    names = {name for line in lines for name in re.findall(r"``([\w]+)``", line)}
+    inside = {file.stem for file in door.parent.glob("*.py") if file != door}
+    if names & inside:
+        assert inside <= names
+
+
 def test_nobody_but_main_imports_the_command_line():
     importers = {
         unit(short)

@@ -129,6 +129,49 @@ def test_what_the_explorer_knows_grows(shows):
         assert seen[0] == 0 < seen[1] < seen[2] == 6
 
 
+def test_the_hypothesis_under_test_is_shown_where_s_is(shows):
+    with shows("genus 1") as page:
+        shown = set()
+        for i, item in enumerate(page.locator(".walk li").all()):
+            page.locator(".slider").fill(str(i))
+            tested, supposed = (item.get_attribute(f"data-{n}") for n in ("tested", "supposed"))
+            for name, dart in (("tested", tested), ("supposed", supposed)):
+                seats = page.locator(f"#walk-1-known .{name}, #walk-1-known-polygon .{name}")
+                assert [s.get_attribute("data-dart") for s in seats.all()] == [dart] * 2 * (
+                    dart is not None
+                )
+            assert not page.locator("#walk-1-world .tested").count()
+            if tested is not None:
+                assert "test: " in item.text_content()
+                shown.add(tested)
+        assert len(shown) > 2
+
+
+@pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
+@pytest.mark.parametrize("name", ["genus 1", "genus 2", "14 edges"])
+def test_a_surface_is_shown_with_crossings_or_cut_open_and_keys_switch(name, size, shows):
+    with shows(name, size, bypass_csp=True) as page:
+        world = page.locator(".viewer figure").first
+        drawn, cut = world.locator("svg").all()
+        assert (drawn.is_visible(), cut.is_visible()) == (True, False)
+        button = world.get_by_role("button", name="Glued polygon")
+        button.focus()
+        page.keyboard.press("Enter")
+        assert button.get_attribute("aria-pressed") == "true"
+        assert (drawn.is_visible(), cut.is_visible()) == (False, True)
+        assert min(heights(page)) >= 11 - 0.01
+        for at in (0, 3):
+            page.locator(".slider").fill(str(at))
+            dart = page.locator(".walk li").nth(at).get_attribute("data-robot")
+            here = cut.locator(".here")
+            assert (here.count(), here.get_attribute("data-dart")) == (1, dart)
+            assert cut.locator(".edge.last").count() in ((1, 2) if at else (0,))
+        assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
+        assert axe.Axe().run(page)["violations"] == []
+    with shows("genus 0") as page:
+        assert not page.get_by_role("button", name="Glued polygon").count()
+
+
 def heights(page):
     """Of every number and name in a picture that is shown, in pixels of the screen."""
     return page.eval_on_selector_all(

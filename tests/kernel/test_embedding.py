@@ -158,23 +158,37 @@ def told(judged):
 
 
 def judge(sequence, map_):
-    """What is said after each S, by who remembers and by who does not; how often the one did."""
+    """What is said after each S, by who remembers and by who does not; how often the one did.
+
+    What consists of bytes is shown as bytes, too.
+    """
     world = new(WORLD)
     world.darts = len(map_.sigma)
     world.sigma[: world.darts], world.alpha[: world.darts] = map_.sigma, map_.alpha
-    minds = [new(JUDGED) for _ in range(2)]
+    minds = [new(JUDGED) for _ in range(4)]
     said, remembered = [], 0
     for sigma, alpha, here, dart, (walked, *_) in sequence:
         arrays = [np.array([*values, *[0] * 16], np.int32) for values in (sigma, alpha)]
-        published = new(ANSWER)
-        published.sigma, published.alpha = (array.ctypes.data for array in arrays)
-        published.darts, published.here = len(sigma), here
-        for forget, judged in enumerate(minds):
-            known = look(judged, published, world, dart, walked, forget)
-        remembered += known > 0
-        assert told(minds[0]) == told(minds[1])
+        listed = new(ANSWER)
+        listed.sigma, listed.alpha = (array.ctypes.data for array in arrays)
+        listed.darts, listed.here = len(sigma), here
+        packed = listed
+        if {*sigma, *alpha} <= {*range(256)}:
+            packed = listed.copy()
+            room = np.full((2, 48), -7, np.int32)
+            packed.sigma, packed.alpha = (array.ctypes.data for array in room)
+            string = np.array([*sigma, *alpha, *range(100, 132)], np.uint8)
+            packed.bytes = string.ctypes.data
+        for which, judged in enumerate(minds):
+            look(judged, (listed, packed)[which // 2], world, dart, walked, which % 2)
+        remembered += minds[0].known > 0
+        assert minds[0].known == minds[2].known
+        assert len({told(judged) for judged in minds}) == 1
         said.append(told(minds[0]))
-    laws = {answered(judged, published, world, dart, f) for f, judged in enumerate(minds)}
+    laws = {
+        answered(judged, (listed, packed)[which // 2], world, dart, which % 2)
+        for which, judged in enumerate(minds)
+    }
     assert len(laws) == 1
     return said, remembered, laws.pop()
 

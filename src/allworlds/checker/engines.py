@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any, Protocol
 
 from allworlds.checker.job import Job
+from allworlds.checker.sizes import COMPILED_FROM
 from allworlds.inputs import InputError, show
 from allworlds.isolation import in_any_order, workers_for
 from allworlds.runs import Examination, Scope
@@ -15,7 +16,7 @@ from allworlds.work import Dask, Threads, Transport
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class ReadyEngine:
     """An engine made ready, and the transport by which units get to it and tallies back."""
 
     transport: Transport[Any]
@@ -33,7 +34,7 @@ class Engine(Protocol):
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """Why it cannot do a check; empty if it can."""
 
-    def ready(self, job: Job) -> Way:
+    def ready(self, job: Job) -> ReadyEngine:
         """The engine for this job.
 
         Raises:
@@ -54,12 +55,12 @@ class General:
         """None."""
         return ""
 
-    def ready(self, job: Job) -> Way:
+    def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
         engine = Examination(job.scope, job.keep)
         if job.dask is not None:
-            return Way(_cluster(job, job.dask), engine)
-        return Way(workers_for(job.subject, job.limits, job.deadline), engine)
+            return ReadyEngine(_cluster(job, job.dask), engine)
+        return ReadyEngine(workers_for(job.subject, job.limits, job.deadline), engine)
 
 
 class Compiled:
@@ -83,7 +84,7 @@ class Compiled:
 
         return obstacle(scope, subject)
 
-    def ready(self, job: Job) -> Way:
+    def ready(self, job: Job) -> ReadyEngine:
         """Threads, after both engines have agreed on every small world.
 
         For a foreign explorer processes: there both agree as they go.
@@ -93,16 +94,16 @@ class Compiled:
 
             apart = NativeExamination(job.scope, job.keep)
             if job.dask is not None:
-                return Way(_cluster(job, job.dask), apart)
+                return ReadyEngine(_cluster(job, job.dask), apart)
             apart.compiled(job)
-            return Way(workers_for(job.subject, job.limits, job.deadline), apart)
+            return ReadyEngine(workers_for(job.subject, job.limits, job.deadline), apart)
         from allworlds.checker.compiled import BATCH, CompiledExamination
 
         engine = CompiledExamination.ready(job)
         if job.dask is not None:
             workers = job.limits.workers
-            return Way(Dask(job.dask, workers, job.deadline), engine)
-        return Way(Threads(job.limits.workers, job.deadline, BATCH), engine)
+            return ReadyEngine(Dask(job.dask, workers, job.deadline), engine)
+        return ReadyEngine(Threads(job.limits.workers, job.deadline, BATCH), engine)
 
 
 def _cluster(job: Job, scheduler: str) -> Dask:
@@ -133,10 +134,6 @@ def why_not_compiled(scope: Scope, subject: Subject) -> str:
         return ""
     obstacle = ENGINES["kernel"].obstacle(scope, subject)
     return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""
-
-
-COMPILED_FROM = 5
-"""Checks of so many edges are worth the compiling; smaller ones are done before it would begin."""
 
 
 def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> Engine:

@@ -42,7 +42,7 @@ COUNTABLE = 16
 
 
 @dataclass(frozen=True, slots=True)
-class Estimate:
+class TimeEstimate:
     """A guess.
 
     Attributes:
@@ -100,17 +100,17 @@ def is_worth_a_guess(job: Job, engine: Engine) -> bool:
     return soon and worlds_of(job) > MANY[_plays(job, engine)]
 
 
-def estimated(job: Job, engine: Engine) -> Estimate:
+def estimated(job: Job, engine: Engine) -> TimeEstimate:
     """A guess from pieces of the last level, which are drawn like its maps.
 
     What starts workers and compiles is not counted; the sample takes some seconds.
     """
     hurried = replace(job, deadline=time.monotonic() + MOST_SECONDS)
-    way = engine.ready(hurried)
+    ready = engine.ready(hurried)
     sampled, began, ended = 0, 0.0, 0.0
     try:
-        with way.transport as transport:
-            for part in transport.map(way.engine, _pieces(job, PIECE[_plays(job, engine)])):
+        with ready.transport as transport:
+            for part in transport.map(ready.engine, _pieces(job, PIECE[_plays(job, engine)])):
                 now = time.monotonic()
                 if not began:
                     began = now
@@ -121,7 +121,7 @@ def estimated(job: Job, engine: Engine) -> Estimate:
     except (TimeIsUp, EnginesDisagree, Lost, Unsettled):
         pass  # the check itself will say so
     rate = sampled / (ended - began) if ended > began and sampled else None
-    return Estimate(job.subject.name, engine.name, worlds_of(job), sampled, rate)
+    return TimeEstimate(job.subject.name, engine.name, worlds_of(job), sampled, rate)
 
 
 def _pieces(job: Job, worlds: int) -> Iterator[Any]:

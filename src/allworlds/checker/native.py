@@ -199,7 +199,9 @@ class PlayedByStretches:
         if not differing:
             wanted = min(laid.runs, max(ANEW, KEPT - len(self._kept)))
             for row in self.cast.random.sample(range(laid.runs), wanted):
-                self._keep(_Earlier(unit, judge.number(row), judge.kept(row)))
+                kept = judge.kept(row)
+                if kept.short:
+                    self._keep(_Earlier(unit, judge.number(row), kept))
         return tally
 
     def _keep(self, play: _Earlier) -> None:

@@ -6,6 +6,7 @@ import os
 from functools import cache
 
 from allworlds import kernel
+from allworlds.checker.sizes import WALKED_FROM
 from allworlds.episode import default_step_budget
 from allworlds.findings import Rules
 from allworlds.inputs import InputError, show
@@ -15,11 +16,6 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.runs import Scope
 from allworlds.subjects import Subject
 from allworlds.world import LIGHTHOUSES, Lighthouse
-
-WALKED_FROM = 6
-"""The least m whose maps are walked once for every bearing, where that can be done.  Up to
-there every bearing is walked."""
-
 
 CLASSES = frozenset({MapClass.MAPS, MapClass.SIMPLE, MapClass.PLANAR, MapClass.PLANAR_SIMPLE})
 """The classes that the kernel enumerates: it knows of a class whether it is simple and planar."""

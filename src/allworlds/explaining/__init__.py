@@ -12,6 +12,8 @@
     the line of a traceback that tells;
 ``spending``
     what the traversals were spent on;
+``rounds``
+    where a walk that comes to no end begins to go round, or finds nothing new;
 ``another``
     another world that agrees with the log;
 ``story``

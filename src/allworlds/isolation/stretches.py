@@ -88,10 +88,12 @@ class Actor:
         addresses, state = explorer.library.addresses(), explorer.state()
         self._actors = kernel.Actors(addresses, state, explorer.handed(), beat)
         self._shown = Shown()
+        self._threads = threads_now()
 
     def play(self, job: PlayStretch) -> Stretched:
         """All runs of a stretch."""
-        threads = threads_now()
         stretch = self._shown.stretch(job)
         size = self._actors.play(stretch, job.runs, job.order, job.policy, again=job.again)
-        return Stretched(size, threads_left(threads))
+        left = threads_left(self._threads)
+        self._threads += left
+        return Stretched(size, left)

@@ -5,11 +5,13 @@ The twin of what :mod:`allworlds.kernel.native` writes, and :mod:`allworlds.kern
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from enum import IntEnum
 from typing import NamedTuple, TypeAlias
 
 from allworlds.kernel import logs
+
+_span: Callable[[int], int] = logs.span.py_func
 
 Published: TypeAlias = tuple[tuple[int, ...], tuple[int, ...], int]
 """Sigma, alpha and ``here``: of a checkpoint, or of the answer."""
@@ -56,9 +58,10 @@ def _entry(code: int, sigma: Sequence[int], alpha: Sequence[int], here: int) -> 
     if not (darts == len(alpha) and 1 <= darts <= logs.MOST_PUBLISHED):
         return None
     try:
-        return bytes((code, darts, here, *sigma, *alpha))
+        entry = bytes((code, darts, here, *sigma, *alpha))
     except ValueError:  # there is something in it that is no byte
         return None
+    return entry + bytes(_span(darts) - 2 * darts)
 
 
 def read_log(log: bytes) -> Written:
@@ -78,7 +81,7 @@ def read_log(log: bytes) -> Written:
             darts, here = (*log[at : at + 2], 0, 0)[:2]
             at += 2
             published = tuple(log[at : at + darts]), tuple(log[at + darts : at + 2 * darts]), here
-            at += 2 * darts
+            at += _span(darts)
             if code == logs.ANSWERED and at <= len(log):
                 return Written(tuple(motions), tuple(shown), published)
             shown.append((len(motions), published))

@@ -5,13 +5,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing import Layout, Scene, picture
+from allworlds.drawing import Layout, Scene, has_polygon, picture, polygon_picture
 from allworlds.markup import tag
 
 KEYS = (
     "Left and right arrow, Home and End step along the walk, the space bar plays it, "
     "plus and minus zoom."
 )
+
+READING = (
+    "The surface, cut open; nothing crosses. Two sides with the same letter are one edge: glue "
+    "them so that their arrows agree. Corners with the same name are one vertex. A side bears the "
+    "number of the dart by which a walk round the polygon, counterclockwise, leaves along it. At "
+    "each corner the darts follow clockwise from the side that ends there to the side that begins."
+)
+"""How the polygon is read."""
 
 SPEEDS = {"slow": 1600, "medium": 800, "fast": 250}
 """Milliseconds from step to step."""
@@ -93,20 +101,31 @@ def figure(
     legend.append(tag("span", "faced at the start", class_="key start-key"))
     if scene.ringed is not None:
         legend.append(tag("span", "the first difference", class_="key ring-key"))
-    genus = scene.map.genus
+    genus, cut = scene.map.genus, []
+    if follows and has_polygon(scene):
+        other = f"{title}, cut open"
+        drawing = polygon_picture(scene, f"{name}-polygon", other)
+        reading = tag("p", READING, class_="legend reading")
+        cut = [tag("div", _frame(drawing, other, follows), reading, class_="cut")]
     about = f"genus {genus}" + ("; edges that cross do not meet" if genus else "")
     return tag(
         "figure",
         tag("figcaption", tag("b", title), f", {about}"),
-        tag(
-            "div",
-            picture(scene, name, title, drawn),
-            class_="frame",
-            data_follows=follows,
-            role="group",
-            tabindex="0",
-            aria_label=f"{title}, which can be scrolled",
-        ),
+        tag("div", class_="views", role="group", aria_label="View", hidden="hidden"),
+        _frame(picture(scene, name, title, drawn), title, follows),
+        *cut,
         tag("p", *legend, class_="legend"),
         data_title=title,
+    )
+
+
+def _frame(drawing: ET.Element, title: str, follows: str) -> ET.Element:
+    return tag(
+        "div",
+        drawing,
+        class_="frame",
+        data_follows=follows,
+        role="group",
+        tabindex="0",
+        aria_label=f"{title}, which can be scrolled",
     )

@@ -231,12 +231,15 @@ function drawLog() {
   at("cost").textContent = `Traversals so far: ${moves}.`;
 }
 
-const fitWorld = fitting(at("world").querySelector(".frame"), SMALLEST_STILL);
-new ResizeObserver(() => fitWorld(1)).observe(at("world"));
+const fits = [...at("world").querySelectorAll(".frame")].map((one) => fitting(one, SMALLEST_STILL));
+function fitWorld() {
+  for (const fit of fits) fit(1);
+}
+new ResizeObserver(fitWorld).observe(at("world"));
 
 function drawWorld() {
   at("world").hidden = !uncovered;
-  fitWorld(1);
+  fitWorld();
   at("uncover").hidden = uncovered;
   for (const one of at("world").querySelectorAll(".walked, .here")) {
     one.classList.remove("walked", "here");
