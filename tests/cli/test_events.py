@@ -4,6 +4,7 @@ import inspect
 import json
 import sys
 from importlib import import_module
+from pathlib import Path
 
 import pytest
 
@@ -154,6 +155,13 @@ def test_a_full_disk_costs_events_alone(capsys):
     heard.stage("x", 1, "turns")
     said = capsys.readouterr().err
     assert said == "allworlds: no more events are written: No space left on device\n"
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no disk that is always full")
+def test_and_not_the_report(cli):
+    code, out, err = cli("check", "--edges", 1, "-q", "--events", "/dev/full")
+    assert (code, out.partition(":")[0]) == (0, "HOLDS")
+    assert err == "allworlds: no more events are written: No space left on device\n"
 
 
 def test_an_estimate_is_a_document(cli, monkeypatch):

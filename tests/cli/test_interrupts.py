@@ -1,5 +1,6 @@
 """Whoever interrupts gets what is finished, in one line on stderr the word, and code 130."""
 
+import builtins
 import json
 import signal
 import threading
@@ -8,7 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from allworlds.cli import app
+from allworlds.cli import app, main
 from allworlds.outcome import until_interrupted
 from allworlds.smt.searching import _Search
 from allworlds.work import Threads
@@ -101,6 +102,21 @@ def test_twins_that_were_found_before_an_interrupt_are_told(cli, monkeypatch, tm
     document = json.loads(out)
     assert (code, document["status"], len(document["pair"])) == (130, "sat", 2)
     assert (tmp_path / "pair.json").exists()
+
+
+def test_an_interrupt_at_once_is_told_in_a_line(capsys, monkeypatch):
+    loads = builtins.__import__
+
+    def interrupted(name, globals_=None, locals_=None, fromlist=(), level=0):
+        if "app" in (fromlist or ()):
+            raise KeyboardInterrupt
+        return loads(name, globals_, locals_, fromlist, level)
+
+    monkeypatch.setattr(builtins, "__import__", interrupted)
+    with pytest.raises(SystemExit) as end:
+        main()
+    assert end.value.code == 130
+    assert capsys.readouterr() == ("", "allworlds: interrupted\n")
 
 
 @pytest.mark.parametrize("words", ["twins k4 k4", "ambiguity class k4"])

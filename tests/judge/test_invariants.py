@@ -251,6 +251,17 @@ def test_entries_out_of_range_break_invariant_1(name, far):
             variant(bad)
 
 
+@pytest.mark.parametrize("name", ["sigma", "alpha", "here"])
+def test_a_number_of_thousands_of_digits_breaks_invariant_1_and_nothing_else(name):
+    huge = 10**5000
+    case, i, checkpoint = next(every(2))
+    entries = getattr(checkpoint, name)
+    value = huge if name == "here" else put(entries, {0: huge})
+    violation = invariant_1(single(case, i, **{name: value}))
+    assert violation.law == "invariant-1"
+    assert "an object of type int" in violation.seen
+
+
 @pytest.mark.parametrize("here", [-1, 10**9])
 def test_a_here_out_of_range_breaks_invariant_1(here):
     for case, i, checkpoint in every(2):

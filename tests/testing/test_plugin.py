@@ -79,6 +79,34 @@ def test_without_a_cache_nothing_is_kept(tests, pytester):
     assert not [*pytester.path.glob(".pytest_cache/d/allworlds/*")]
 
 
+def test_a_test_that_checks_nothing_with_the_fixture_fails(tests):
+    text = """
+    import pytest
+
+    @pytest.mark.allworlds(edges=1)
+    def test_forgets(explores):
+        pass
+
+    @pytest.mark.allworlds(edges=1)
+    def test_skips(explores):
+        pytest.skip("not today")
+
+    @pytest.fixture
+    def checked(explores):
+        return explores("algorithm1")
+
+    @pytest.mark.allworlds(edges=1)
+    def test_has_it_checked(checked):
+        assert checked.runs == 3
+
+    def test_without_it():
+        pass
+    """
+    result = tests(text)
+    result.assert_outcomes(passed=2, failed=1, skipped=1)
+    result.stdout.fnmatch_lines(["*test_forgets*never calls it, so that nothing has been checked*"])
+
+
 def test_an_assertion_needs_no_mark(tests, pytester):
     text = """
     from allworlds.testing import assert_explores
