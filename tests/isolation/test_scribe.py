@@ -17,8 +17,8 @@ from allworlds import (
     Move,
     kernel,
 )
-from allworlds.checker.native import KEPT, LEAST, THIRD, PlayedByStretches
 from allworlds.checker.questions import level_of
+from allworlds.checker.stretches import KEPT, LEAST, THIRD, PlayedByStretches
 from allworlds.episode import Fault, Said, perform
 from allworlds.explorers import algorithm1
 from allworlds.findings import make_rules
@@ -363,7 +363,7 @@ def test_who_is_wrong_elsewhere_alone_is_found_in_small_worlds():
 def test_stretches_that_take_long_become_shorter(monkeypatch):
     _, engine = first_unit(ready_made, 4)
     usual = engine._most
-    monkeypatch.setattr("allworlds.checker.native.REPORT_EVERY", -1.0)
+    monkeypatch.setattr("allworlds.checker.stretches.REPORT_EVERY", -1.0)
     _, engine = first_unit(ready_made, 4)
     assert LEAST <= engine._most < usual
 

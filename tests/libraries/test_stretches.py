@@ -12,9 +12,9 @@ from allworlds import kernel
 from allworlds.checker import check
 from allworlds.checker.engines import why_not_compiled
 from allworlds.checker.job import Job
-from allworlds.checker.native import NativeExamination, PlayedByStretches
-from allworlds.checker.native import load as load_here
 from allworlds.checker.questions import level_of
+from allworlds.checker.stretches import PlayedByStretches, StretchExamination
+from allworlds.checker.stretches import load as load_here
 from allworlds.findings import make_rules
 from allworlds.isolation.jobs import PlayStretch, Stretched
 from allworlds.isolation.saying import read, written
@@ -333,7 +333,7 @@ def test_runs_are_played_in_an_order_that_a_seed_draws():
 def test_the_rest_of_a_unit_whose_referee_was_lost_goes_to_the_general_engine():
     cast = CastHere(example("c/algorithm1.c"))
     examination = Examination(scope_of(2), 1)
-    engine = NativeExamination(scope_of(2), 1).foreign("native:x", cast, Earlier())
+    engine = StretchExamination(scope_of(2), 1).foreign("native:x", cast, Earlier())
     unit = next(iter(scope_of(2).units(2)))
     whole, rest = Tally(1), Tally(1)
     for _, part in engine.parts(unit):
@@ -347,7 +347,7 @@ def test_the_rest_of_a_unit_whose_referee_was_lost_goes_to_the_general_engine():
 
 
 def test_our_own_explorers_are_played_as_ever():
-    own = NativeExamination(scope_of(1), 1).own(load("algorithm1"))
+    own = StretchExamination(scope_of(1), 1).own(load("algorithm1"))
     units = [*scope_of(1).units(1)]
     assert sum(part.runs for unit in units for _, part in own.parts(unit)) == 3
 
@@ -357,12 +357,12 @@ def test_what_is_needed_is_compiled_once_and_said(monkeypatch):
     notices = []
     subject = load(native(example("c/algorithm1.c")))
     job = Job(scope_of(2), subject, Limits(), 1, None, notices.append)
-    NativeExamination.compiled(job)
+    StretchExamination.compiled(job)
     notices.clear()  # in a fresh cache there is something to be compiled
-    NativeExamination.compiled(job)
+    StretchExamination.compiled(job)
     assert not notices
     monkeypatch.setattr(kernel, "is_compiled", lambda _: False)
-    NativeExamination.compiled(job)
+    StretchExamination.compiled(job)
     assert notices == [kernel.COMPILING]
 
 

@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from allworlds.checker.native import NativeExamination, PlayedByStretches
+from allworlds.checker.stretches import PlayedByStretches, StretchExamination
 from allworlds.findings import make_rules
 from allworlds.isolation import players
 from allworlds.isolation.guardian import Prepare, _Guardian
@@ -94,7 +94,7 @@ def test_a_referee_takes_the_engine_of_native_explorers():
         referee = RefereeProcess(theirs, bytearray(16), None)
         cast = Cast(None, CASTING, Random(1))
         engine = referee._engine(
-            Appointment(subject, 1.0, None, 1), cast, NativeExamination(scope, 1)
+            Appointment(subject, 1.0, None, 1), cast, StretchExamination(scope, 1)
         )
         assert isinstance(engine, PlayedByStretches)
         assert engine.cast is cast

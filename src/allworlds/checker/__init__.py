@@ -12,7 +12,7 @@
     from which size on that is the compiled one;
 ``compiled``, ``questions``, ``agreement``
     the compiled one: its rows into tallies, what it is asked, and whether it is to be believed;
-``native``
+``stretches``
     the same for foreign explorers, many runs at a time;
 ``guessing``
     how long it will take;

@@ -90,9 +90,9 @@ class Compiled:
         For a foreign explorer processes: there both agree as they go.
         """
         if job.subject.foreign:
-            from allworlds.checker.native import NativeExamination
+            from allworlds.checker.stretches import StretchExamination
 
-            apart = NativeExamination(job.scope, job.keep)
+            apart = StretchExamination(job.scope, job.keep)
             if job.dask is not None:
                 return ReadyEngine(_cluster(job, job.dask), apart)
             apart.compiled(job)

@@ -73,7 +73,7 @@ def load() -> None:
 
 
 @dataclass(frozen=True, slots=True)
-class NativeExamination:
+class StretchExamination:
     """All runs of a unit, played by a foreign explorer in stretches, and judged by the kernel.
 
     Attributes:
