@@ -154,7 +154,7 @@ def figure(name: str) -> str:
         PluginError: if the table has none.
     """
     if name not in FIGURES:
-        raise PluginError(f"figure {name!r} is none of {', '.join(FIGURES)}")
+        raise PluginError(f"figure {name!r} is not one of {', '.join(FIGURES)}")
     return drawing(*FIGURES[name].scenes(), caption=FIGURES[name].caption)
 
 

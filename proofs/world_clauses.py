@@ -58,7 +58,7 @@ class Asked:
             ("class", self.map_class, CLASSES),
         ):
             if value not in legal:
-                raise Refused(f"{name} {value!r} is none of {', '.join(legal)}")
+                raise Refused(f"{name} {value!r} is not one of {', '.join(legal)}")
         for degree in (self.marked, self.others):
             if degree is not None and degree < 1:
                 raise Refused(f"degree {degree}, but every vertex has at least one dart")

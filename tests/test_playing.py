@@ -67,7 +67,7 @@ def test_a_line_is_an_action_and_the_conversation_is_no_result(end, capsys, monk
     assert document["path"] is None
     assert said.err.count("you sense: degree 3") == 3
     assert "that cannot be done: the directional lighthouse gives no markers" in said.err
-    assert "is none of a number, drop, pick, or an empty line to end" in said.err
+    assert "is not one of a number, drop, pick, or an empty line to end" in said.err
     assert "\x1b" not in said.err
 
 

@@ -210,7 +210,7 @@ def test_a_start_and_a_marker_that_matter_are_kept():
 
 
 def test_a_lighthouse_that_is_none_is_refused_at_once():
-    with pytest.raises(InputError, match="'lamp' is none of"):
+    with pytest.raises(InputError, match="'lamp' is not one of"):
         strategies.worlds(lighthouse="lamp")
 
 

@@ -71,7 +71,7 @@ class Corpus:
             if entry.name == name:
                 return entry
         raise InputError(
-            f"corpus entry {show(name)} is none of "
+            f"corpus entry {show(name)} is not one of "
             f"{', '.join(entry.name for entry in self.entries)}"
         )
 

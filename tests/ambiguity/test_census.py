@@ -184,7 +184,7 @@ def test_a_forgotten_world_is_noticed(monkeypatch):
         ({"edges": 0}, "edges = 0"),
         ({}, "needs a bound"),
         ({"vertices": 3}, "vertices = 3 alone"),
-        ({"edges": 2, "map_class": "round"}, "'round' is none of maps"),
+        ({"edges": 2, "map_class": "round"}, "'round' is not one of maps"),
     ],
 )
 def test_bad_options_are_named(options, named):

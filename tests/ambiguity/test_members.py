@@ -182,7 +182,7 @@ def test_where_classes_can_be_infinite_none_is_made(kind):
     ("options", "named"),
     [
         ({"limit": 0}, "limit 0"),
-        ({"map_class": "round"}, "'round' is none of maps, simple"),
+        ({"map_class": "round"}, "'round' is not one of maps, simple"),
         ({"map_class": "simple"}, "the world itself is not simple"),
     ],
 )

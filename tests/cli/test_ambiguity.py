@@ -71,7 +71,7 @@ def test_the_census_counts_inside_a_class(cli):
     ("arguments", "named"),
     [
         (["twins", "k4", "nowhere"], "'nowhere' is neither JSON"),
-        (["twins", "k4", "k4", "--lighthouse", "sun"], "'sun' is none of"),
+        (["twins", "k4", "k4", "--lighthouse", "sun"], "'sun' is not one of"),
         (["twins", "k4", '{"sigma": [0, 1]}'], "'alpha' must be a list"),
         (["twins", "k4"], "B"),
         (["ambiguity", "class", "k4", "--limit", "0"], "limit 0"),

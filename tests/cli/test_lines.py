@@ -55,7 +55,7 @@ def test_a_line_is_never_too_long(refused, arguments):
 def test_of_a_line_that_is_too_long_both_ends_are_kept(refused):
     line = refused("check", "--policy", LONG)
     assert line.startswith("allworlds: policy 'yyy")
-    assert line.endswith("is none of fifo, lifo, nearest, random:SEED (SEED = 0, 1, 2, ...)\n")
+    assert line.endswith("is not one of fifo, lifo, nearest, random:SEED (SEED = 0, 1, 2, ...)\n")
     line = refused("check", "--bound", f"n+{LONG}+n")
     assert line.endswith("+ - * // **, min(,), max(,) and parentheses\n")
 

@@ -95,7 +95,7 @@ def test_every_figure_that_a_page_asks_for_is_drawn_and_every_one_is_asked_for()
     assert set(pictures.FIGURE.findall(pages)) == set(pictures.FIGURES)
     for name in pictures.FIGURES:
         assert "<svg" in pictures.figure(name)
-    with pytest.raises(Exception, match="figure 'x' is none of map"):
+    with pytest.raises(Exception, match="figure 'x' is not one of map"):
         pictures.figure("x")
 
 

@@ -195,7 +195,7 @@ def test_a_figure_is_the_same_each_time_and_its_data_stand_beside_it(
 @pytest.mark.parametrize(
     ("name", "options", "said"),
     [
-        ("4", {}, "'4' is none of 1, 2, 3, bounds"),
+        ("4", {}, "'4' is not one of 1, 2, 3, bounds"),
         ("1", {"out": "x.gif"}, "x.gif"),
         ("1", {"worlds": 3}, "worlds 3 has no effect"),
         ("3", {"worlds": 0}, "worlds = 0"),

@@ -60,7 +60,7 @@ def test_what_the_kernel_cannot_do_is_refused_by_name(options, reason):
 
 
 def test_an_engine_that_is_none_is_refused():
-    with pytest.raises(InputError, match=r"'warp' is none of auto, python, kernel"):
+    with pytest.raises(InputError, match=r"'warp' is not one of auto, python, kernel"):
         check(edges=2, engine="warp")
 
 

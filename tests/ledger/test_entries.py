@@ -151,7 +151,7 @@ def test_an_interrupt_leaves_what_was_checked(monkeypatch):
     [
         ({"only": ["fig-1"]}, "only 'fig-1' is no claim; near it are fig1"),
         ({"require": ["@"]}, "require '@' is no claim"),
-        ({"budget": "large"}, "budget 'large' is none of quick, full"),
+        ({"budget": "large"}, "budget 'large' is not one of quick, full"),
         ({"workers": 0}, "workers = 0"),
         ({"proofs": "nowhere"}, "proofs 'nowhere' is no folder"),
     ],

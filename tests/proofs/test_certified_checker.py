@@ -82,7 +82,7 @@ def test_a_program_that_remembers_the_last_run_is_no_function(built, capsys):
         (["--exec", "no-such-program"], "no-such-program"),
         (["--exec", "true", "--limit", "D"], "--limit D: without a limit"),
         (["--exec", "true", "--limit", "none"], "--limit none: without a limit"),
-        (["--exec", "true", "--limit", "n+"], "bound 'n+' is none of"),
+        (["--exec", "true", "--limit", "n+"], "bound 'n+' is not one of"),
         (["--exec", "true", "--edges", "0"], "--edges 0: at least 1"),
         (["--exec", ""], "--exec '': a command expected"),
     ],

@@ -255,8 +255,8 @@ def test_another_number_of_variables_is_refused(small):
 @pytest.mark.parametrize(
     ("asked", "message"),
     [
-        (("gps", "maps"), "lighthouse 'gps' is none of none, position, directional, compass"),
-        (("none", "trees"), "class 'trees' is none of maps, simple, planar, planar-simple"),
+        (("gps", "maps"), "lighthouse 'gps' is not one of none, position, directional, compass"),
+        (("none", "trees"), "class 'trees' is not one of maps, simple, planar, planar-simple"),
         (("none", "maps", 0), "degree 0, but every vertex has at least one dart"),
     ],
 )

@@ -109,7 +109,7 @@ def test_a_directory_with_other_files_is_no_obstacle(tmp_path):
 
 def test_a_language_without_a_skeleton_is_refused_with_those_that_have_one(tmp_path, refused):
     line = refused("init", tmp_path / "new", "--lang", "cobol")
-    assert "'cobol' is none of python, javascript, c, rust" in line
+    assert "'cobol' is not one of python, javascript, c, rust" in line
     assert not (tmp_path / "new").exists()
 
 

@@ -241,7 +241,10 @@ def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"lighthouse": "gps"}, "lighthouse 'gps' is none of none, position, directional, compass"),
+        (
+            {"lighthouse": "gps"},
+            "lighthouse 'gps' is not one of none, position, directional, compass",
+        ),
         ({"map_class": "trees"}, "class 'trees'"),
         ({"edges": 0}, "edges = 0"),
         ({"vertices": 0}, "vertices = 0"),

@@ -240,8 +240,8 @@ def directional(dart):
         ({"lighthouse": directional(0.0)}, "lighthouse.dart = 0.0"),
         ({"lighthouse": directional("0")}, "lighthouse.dart = '0'"),
         ({"lighthouse": directional(None)}, "lighthouse.dart = None"),
-        ({"lighthouse": {"kind": "lamp"}}, "'lamp' is none of .*directional"),
-        ({"lighthouse": {"kind": ""}}, "'' is none of .*directional"),
+        ({"lighthouse": {"kind": "lamp"}}, "'lamp' is not one of .*directional"),
+        ({"lighthouse": {"kind": ""}}, "'' is not one of .*directional"),
         ({"lighthouse": {"kind": "directional:x=1"}}, "no options, not 'x=1'"),
         ({"lighthouse": {"kind": 3}}, "'kind', not {'kind': 3}"),
         ({"lighthouse": {}}, "'kind', not {}"),
@@ -356,7 +356,7 @@ def test_kinds_are_found_by_name():
     assert all(LIGHTHOUSES[kind.kind] is kind for kind in LIGHTHOUSES.values())
     assert lighthouse_named("directional") is Directional
     assert lighthouse_from_json({"kind": "directional", "dart": 2}, PATH, 1) == Directional(2)
-    with pytest.raises(InvalidWorld, match=r"'Directional' is none of .*directional"):
+    with pytest.raises(InvalidWorld, match=r"'Directional' is not one of .*directional"):
         lighthouse_named("Directional")
     with pytest.raises(InvalidWorld, match="no options, not 'markers=2'"):
         lighthouse_named("directional:markers=2")

@@ -155,7 +155,7 @@ def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = N
         small |= memory is not None and subject.foreign and not subject.name.startswith(NATIVE)
         return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled
     if name not in ENGINES:
-        raise InputError(f"engine {show(name)} is none of auto, {', '.join(ENGINES)}")
+        raise InputError(f"engine {show(name)} is not one of auto, {', '.join(ENGINES)}")
     if obstacle := ENGINES[name].obstacle(scope, subject):
         raise InputError(f"engine {show(name)} {obstacle}; give auto or python")
     return ENGINES[name]

@@ -50,7 +50,7 @@ def worlds(
     extent = Extent(MapClass.named(map_class), edges, vertices)
     kind = lighthouse_named(lighthouse)
     if places not in ("all", "first"):
-        raise InputError(f"places {show(places)} is none of all, first")
+        raise InputError(f"places {show(places)} is not one of all, first")
     return _worlds(extent, kind, places)
 
 

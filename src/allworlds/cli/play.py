@@ -58,7 +58,7 @@ def _asked(percept: Percept, refused: str) -> Action | None:
             return Move(int(line) % percept.degree)
         if line in ("", "drop", "pick"):
             return {"": None, "drop": Drop(), "pick": Pick()}[line]
-        _say(f"{printable(line)[:40]!r} is none of {LEGAL}\n")
+        _say(f"{printable(line)[:40]!r} is not one of {LEGAL}\n")
 
 
 def _say(text: str) -> None:

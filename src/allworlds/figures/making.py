@@ -151,7 +151,7 @@ def figure(
     refuse_others("figure", options, FigureOptions)
     kind = FIGURES.get(name)
     if kind is None:
-        raise InputError(f"figure {show(name)} is none of {', '.join(FIGURES)}")
+        raise InputError(f"figure {show(name)} is not one of {', '.join(FIGURES)}")
     asked = _asked(name, kind, options, listener or Silent())
     path, data = files_of(name, options.get("out"))
     ensure_installed("matplotlib", "figures", "figure")

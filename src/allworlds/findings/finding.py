@@ -152,7 +152,7 @@ def _explorer_and_law(document: Mapping[str, Any]) -> tuple[str, str]:
     if not isinstance(explorer, str):
         raise InputError(f"a finding names its explorer, not {show(explorer)}")
     if law not in PRECEDENCE:
-        raise InputError(f"law {show(law)} is none of {', '.join(PRECEDENCE)}")
+        raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
     return explorer, law
 
 

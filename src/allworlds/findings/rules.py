@@ -63,7 +63,7 @@ class Rules:
         bound_named("none" if self.bound is None else a_text("bound", self.bound))
         for law in self.laws or ():
             if law not in list(LAWS):  # a key would have to be hashable
-                raise InputError(f"law {show(law)} is none of {', '.join(LAWS)}")
+                raise InputError(f"law {show(law)} is not one of {', '.join(LAWS)}")
         if self.laws == ():
             raise InputError(f"laws = () names no law; legal are {', '.join(LAWS)}")
         for law in self.laws or ():

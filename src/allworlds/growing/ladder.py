@@ -90,7 +90,7 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
         not degree or (growing.degree is not None and re.fullmatch(r"\d{1,4}", degree, re.ASCII))
     )
     if growing is None or not legal or (":" in family and not degree):
-        raise InputError(f"family {show(family)} is none of {FORMS}")
+        raise InputError(f"family {show(family)} is not one of {FORMS}")
     number = int(degree) if degree else growing.degree or 0
     ladder = []
     for text in dict.fromkeys(_largest(growing, number, to >> k) for k in reversed(range(SIZES))):

@@ -101,7 +101,7 @@ def bound_named(text: str) -> Bound:
             tree = ast.parse(text if plain else "", mode="eval")
     except (SyntaxError, ValueError, MemoryError, RecursionError):
         raise InputError(
-            f"bound {show(text)} is none of paper, two-vertices, none or an expression"
+            f"bound {show(text)} is not one of paper, two-vertices, none or an expression"
         ) from None
     try:
         evaluate = _compile(tree.body, text)
@@ -158,7 +158,7 @@ def _compile(node: ast.expr, text: str) -> _Evaluate:
             return lambda names: function(part(names) for part in parts)
     part = ast.get_source_segment(text, node) or text
     raise InputError(
-        f"{show(part)} in bound {show(text)} is none of integers, {', '.join(VARIABLES)}, "
+        f"{show(part)} in bound {show(text)} is not one of integers, {', '.join(VARIABLES)}, "
         "+ - * // **, min(,), max(,) and parentheses"
     )
 
@@ -181,7 +181,7 @@ def _binary(op: ast.operator, left: _Evaluate, right: _Evaluate, text: str) -> _
         return power
     if type(op) not in _OPERATORS:
         sign = {ast.Div: "/", ast.Mod: "%"}.get(type(op), type(op).__name__)
-        raise InputError(f"{sign} in bound {show(text)} is none of + - * // **")
+        raise InputError(f"{sign} in bound {show(text)} is not one of + - * // **")
     apply: Any = _OPERATORS[type(op)]
     result: _Evaluate = lambda names: apply(left(names), right(names))  # noqa: E731
     return result

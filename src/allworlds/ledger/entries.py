@@ -175,7 +175,7 @@ def claims(
         InputError: naming the offending value and what would be legal.
     """
     if budget not in BUDGETS:
-        raise InputError(f"budget {show(budget)} is none of {', '.join(BUDGETS)}")
+        raise InputError(f"budget {show(budget)} is not one of {', '.join(BUDGETS)}")
     if an_integer("workers", workers) < 1:
         raise InputError(f"workers = {workers}; legal is 1 or more")
     chosen, required = _named("only", only), _named("require", require)

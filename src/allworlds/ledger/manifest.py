@@ -105,7 +105,7 @@ def _claim(name: str, row: Mapping[str, Any]) -> Claim:
         ("expected", get_args(Truth)),
     ):
         if row[key] not in legal:
-            raise BadManifest(f"claim {name}: {key} {row[key]!r} is none of {', '.join(legal)}")
+            raise BadManifest(f"claim {name}: {key} {row[key]!r} is not one of {', '.join(legal)}")
     quick = _scope(name, row["scope"], row["quick"])
     full = _scope(name, row["scope"], row["full"]) if "full" in row else quick
     return Claim(

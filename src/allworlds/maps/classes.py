@@ -25,7 +25,7 @@ class MapClass(StrEnum):
             InputError: naming those that there are.
         """
         if not isinstance(text, str) or text not in list(cls):
-            raise InputError(f"class {show(text)} is none of {', '.join(cls)}")
+            raise InputError(f"class {show(text)} is not one of {', '.join(cls)}")
         return cls(text)
 
     @property

@@ -78,7 +78,7 @@ def _parsed(text: str) -> tuple[Family, tuple[int, ...]]:
         match = re.fullmatch(kind.pattern, text, re.ASCII)
         if match is not None:
             return kind, tuple(int(size[:7]) for size in match.groups())
-    raise InputError(f"family {show(text)} is none of {FORMS}")
+    raise InputError(f"family {show(text)} is not one of {FORMS}")
 
 
 def random_map(edges: int, random: Random) -> CombinatorialMap:

@@ -98,7 +98,7 @@ def policy_named(name: str, run: str = "") -> Policy:
         return Seeded(f"{seed.lstrip('0') or '0'}/{run}")
     if name not in POLICIES:
         legal = ", ".join([*POLICIES, SEEDED])
-        raise InputError(f"policy {show(name)} is none of {legal} (SEED = 0, 1, 2, ...)")
+        raise InputError(f"policy {show(name)} is not one of {legal} (SEED = 0, 1, 2, ...)")
     return POLICIES[name]()
 
 
@@ -135,7 +135,7 @@ class Choices:
                 a ``crash``.  Nothing is recorded then.
         """
         if of not in KINDS:
-            raise ValueError(f"of={show(of)} is none of {', '.join(KINDS)}")
+            raise ValueError(f"of={show(of)} is not one of {', '.join(KINDS)}")
         _check_sequence("options", options)
         if cost is not None:
             _check_sequence("cost", cost)

@@ -89,5 +89,5 @@ def a_schedule(text: object) -> Schedule:
         InputError: for anything else.
     """
     if text not in get_args(Schedule):
-        raise InputError(f"schedules {show(text)} is none of {', '.join(get_args(Schedule))}")
+        raise InputError(f"schedules {show(text)} is not one of {', '.join(get_args(Schedule))}")
     return cast("Schedule", text)

@@ -115,7 +115,7 @@ def init(directory: str | Path, *, lang: str = "python") -> Skeleton:
             (then nothing is written), or a file cannot be written.
     """
     if lang not in LANGUAGES:
-        raise InputError(f"lang {show(lang)} is none of {', '.join(LANGUAGES)}")
+        raise InputError(f"lang {show(lang)} is not one of {', '.join(LANGUAGES)}")
     folder = a_path("directory", directory)
     texts = dict(templates(lang))
     there = [name for name in texts if (folder / name).exists() or (folder / name).is_symlink()]

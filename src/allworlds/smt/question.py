@@ -223,7 +223,7 @@ def question(
         InputError: naming the offending value and what would be legal.
     """
     if lighthouse not in SEARCHED:
-        raise InputError(f"lighthouse {show(lighthouse)} is none of {', '.join(SEARCHED)}")
+        raise InputError(f"lighthouse {show(lighthouse)} is not one of {', '.join(SEARCHED)}")
     return Question(
         lighthouse,
         MapClass.named(map_class),

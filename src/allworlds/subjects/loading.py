@@ -46,7 +46,7 @@ def source_of(name: str) -> Source | None:
     if not colon:
         known = sorted({*BUILT_IN, *entry_points()})
         raise InputError(
-            f"explorer {show(name)} is none of {', '.join(known)}, module:attribute or "
+            f"explorer {show(name)} is not one of {', '.join(known)}, module:attribute or "
             f"path/to/file.py:attribute{did_you_mean(name, known)}"
         )
     if not place or not attribute:

@@ -213,7 +213,7 @@ def worst(
         return worst_of_runs(explore, extent, lighthouse, workers, listener or Silent())
     transit = "simple" if transit is None else transit
     if transit not in get_args(Transit):
-        raise InputError(f"transit {show(transit)} is none of {', '.join(get_args(Transit))}")
+        raise InputError(f"transit {show(transit)} is not one of {', '.join(get_args(Transit))}")
     if an_integer("workers", workers) < 1:
         raise InputError(f"workers {show(workers)} is not positive")
     edges = _edges(edges, DEFAULT_EDGES)

@@ -41,7 +41,9 @@ def lighthouse_named(text: str) -> type[Lighthouse]:
     """
     kind, colon, rest = text.partition(":")
     if kind not in LIGHTHOUSES:
-        raise InvalidWorld(f"lighthouse {show(kind)} is none of {', '.join(sorted(LIGHTHOUSES))}")
+        raise InvalidWorld(
+            f"lighthouse {show(kind)} is not one of {', '.join(sorted(LIGHTHOUSES))}"
+        )
     return LIGHTHOUSES[kind].with_options(_options(text, rest)) if colon else LIGHTHOUSES[kind]
 
 
