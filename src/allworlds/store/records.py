@@ -17,7 +17,7 @@ from allworlds.store import database
 from allworlds.store.database import Database
 from allworlds.store.identity import Identity
 from allworlds.words import listed, plural
-from allworlds.work import Sum, Unit
+from allworlds.work import NOTHING_KEPT, Kept, Sum, Unit
 
 LOCK = "lock"
 
@@ -174,6 +174,11 @@ class Shelf:
     def keep(self, unit: Unit, result: Sum) -> None:
         """Keep the whole result of a unit."""
         self.records.keep(unit.key, result.worlds, result.to_json())
+
+
+def shelf(records: Records, read: Callable[[Any], Sum]) -> Kept:
+    """Records as whoever adds up results sees them; ``read`` makes a result of its JSON value."""
+    return NOTHING_KEPT if isinstance(records, NoRecords) else Shelf(records, read)
 
 
 @contextmanager
