@@ -301,7 +301,7 @@ def test_a_task_holds_as_many_units_as_are_worth_sending():
     assert pace.units(1000, 2) == 1
     pace.took(10, 0.0)
     assert pace.units(1000, 2) == 1
-    assert cluster.Pace(1e-6).units(1000, 2) == 100_000
+    assert cluster.Pace(1e-6).units(1000, 2) == 40_000
 
 
 # ---------------------------------------------------------------- real processes

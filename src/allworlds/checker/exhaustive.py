@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Unpack
@@ -12,7 +13,15 @@ from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.ending import Completed, Disagreed, Ending, Interrupted, Stopped
 from allworlds.checker.engines import Engine, Way, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
-from allworlds.checker.guessing import LONG, Estimate, estimated, is_worth_a_guess
+from allworlds.checker.guessing import (
+    LONG,
+    Estimate,
+    Guess,
+    estimated,
+    extrapolated,
+    is_worth_a_guess,
+    one_larger,
+)
 from allworlds.checker.job import Job
 from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
 from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
@@ -22,7 +31,7 @@ from allworlds.inputs import InputError, a_path, an_integer, show
 from allworlds.isolation import Unsettled, confirmed, subject_of
 from allworlds.maps.classes import Extent
 from allworlds.outcome import Verdict
-from allworlds.progress import Listener, Silent
+from allworlds.progress import Listener, Once, Silent
 from allworlds.runs import (
     DEFAULT_EDGES,
     LOST,
@@ -115,16 +124,31 @@ def estimate(
     shard: tuple[int, int] | None = None,
     engine: str = "auto",
     dask: str | None = None,
+    listener: Listener | None = None,
     **options: Unpack[ManyRunsOptions],
 ) -> Estimate:
     """How long :func:`check` will take with these options, from a sample of some seconds.
 
+    And with more edges: one more is tried as well, by the engine that would do it, and for the
+    next the time goes on growing as it did.
+
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    return estimated(
-        *_asked(explore, edges, vertices, schedules, shard, 1, engine, dask, Silent(), options)
-    )
+    heard = Once(listener or Silent())
+
+    def asked(edges: int | None) -> tuple[Job, Engine]:
+        return _asked(explore, edges, vertices, schedules, shard, 1, engine, dask, heard, options)
+
+    job, chosen = asked(edges)
+    guess, larger = estimated(job, chosen), tuple[Guess, ...]()
+    if guess.rate and (extent := one_larger(job)):
+        # What an engine cannot do ends the table.
+        with suppress(InputError):
+            job, chosen = asked(extent.edges)
+            more = estimated(job, chosen)
+            larger = (more, *extrapolated(job, (guess, more)))
+    return Estimate(job.subject.name, guess, larger)
 
 
 def _asked(

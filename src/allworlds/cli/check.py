@@ -80,16 +80,19 @@ def check(
     explore = opt.explorer_name(explorer, command, native)
     many = opt.many_runs(bounds.map_class, lighthouse, rules, effort)
     if estimate:
-        guess = allworlds.checker.estimate(
-            explore,
-            edges=bounds.edges,
-            vertices=bounds.vertices,
-            schedules=schedules,
-            shard=shard_numbers(shard),
-            engine=engine,
-            dask=dask,
-            **many,
-        )
+        with listening(output) as listener:
+            guess = allworlds.checker.estimate(
+                explore,
+                edges=bounds.edges,
+                vertices=bounds.vertices,
+                schedules=schedules,
+                shard=shard_numbers(shard),
+                engine=engine,
+                dask=dask,
+                listener=listener,
+                **many,
+            )
+            listener.verdict(guess)
         return emit(guess, "check", output, workers=effort.count)
     ensure_directory(corpus)
 
