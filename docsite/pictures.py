@@ -26,10 +26,10 @@ from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
 import allworlds
-from allworlds.corpora import own_corpus
 from allworlds.drawing import Scene, picture, scene_of
 from allworlds.maps import CombinatorialMap, Mismatch, isomorphism
 from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.own_corpus import own_corpus
 from allworlds.world import Directional, World, world_named
 
 FIGURE = re.compile(r"^<!-- figure ([a-z0-9-]+) -->$", re.MULTILINE)

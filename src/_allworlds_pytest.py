@@ -54,6 +54,19 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     metafunc.parametrize(FIXTURE, levels, ids=[f"edges-{edges}" for edges in levels], indirect=True)
 
 
+class _Explores:
+    """What the fixture is: a level, and whether anything has been asked of it."""
+
+    def __init__(self, level: Callable[..., Any]) -> None:
+        self._level = level
+        self.asked = False
+
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
+        __tracebackhide__ = True
+        self.asked = True
+        return self._level(*arguments, **options)
+
+
 @pytest.fixture
 def explores(request: pytest.FixtureRequest) -> Callable[..., Any]:
     """``explores(my_explorer)``: it is right in every world with so many edges.
@@ -63,7 +76,21 @@ def explores(request: pytest.FixtureRequest) -> Callable[..., Any]:
     from allworlds.testing import AtLevel
 
     mark = request.node.get_closest_marker(MARK)
-    return AtLevel(request.param, mark.kwargs if mark else {})
+    return _Explores(AtLevel(request.param, mark.kwargs if mark else {}))
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[object]:
+    """Let no test pass that has the fixture and checks nothing with it."""
+    result = yield
+    level = pyfuncitem.funcargs.get(FIXTURE)
+    if isinstance(level, _Explores) and not level.asked:
+        pytest.fail(
+            f"{pyfuncitem.name} takes the fixture '{FIXTURE}' and never calls it, so that nothing "
+            f"has been checked: {FIXTURE}(my_explorer)",
+            pytrace=False,
+        )
+    return result
 
 
 @pytest.hookimpl(wrapper=True)

@@ -31,6 +31,16 @@ settings.register_profile(
 settings.load_profile("same-every-time")
 
 
+def pytest_configure(config):
+    """In a worker of pytest-xdist coverage is begun twice; only what is begun later is read.
+
+    The first would go on wherever the second pauses, and the mark ``no_cover`` would be void.
+    """
+    begun = Coverage.current()
+    if hasattr(config, "workerinput") and begun:
+        begun.stop()
+
+
 @pytest.fixture(scope="session", autouse=True)
 def temporary(tmp_path_factory):
     """What is left in temporary directories, as by ``search``, goes with those of the tests."""

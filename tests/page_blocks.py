@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 BLOCK = re.compile(
     r"(?:^<!-- not run: (?P<reason>[^\n]*) -->\n)?"
+    r"(?:^<!-- needs: (?P<needs>[^\n]*) -->\n)?"
     r"^(?P<indent> *)```(?P<language>\w+)(?: title=\"(?P<title>[^\"\n]+)\")?\n"
     r"(?P<body>.*?)^(?P=indent)```$",
     re.MULTILINE | re.DOTALL,
@@ -13,18 +14,33 @@ BLOCK = re.compile(
 
 @dataclass(frozen=True)
 class Block:
-    """A fenced block: its language, the file that it is, why it is not run, and its text."""
+    """A fenced block.
+
+    Attributes:
+        language: of the block.
+        title: the file that it is.
+        reason: why it is not run.
+        needs: the programs without which it cannot be run.
+        body: its text.
+    """
 
     language: str
     title: str
     reason: str
+    needs: tuple[str, ...]
     body: str
 
 
 def blocks(text, *languages):
     """The fenced blocks of a page, in order; of these languages, where there are any."""
     found = [
-        Block(each["language"], each["title"] or "", each["reason"] or "", each["body"])
+        Block(
+            each["language"],
+            each["title"] or "",
+            each["reason"] or "",
+            tuple((each["needs"] or "").split()),
+            each["body"],
+        )
         for each in BLOCK.finditer(text)
     ]
     return [block for block in found if not languages or block.language in languages]

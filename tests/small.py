@@ -5,6 +5,7 @@ import pytest
 from hypothesis import assume
 from hypothesis import strategies as st
 
+from allworlds.maps.canonical import unrooted_code
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.world import State
@@ -36,6 +37,12 @@ def slow(*values):
 def all_maps(most):
     """Every rooted map with at most so many edges."""
     return [map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)]
+
+
+def unrooted_maps(most):
+    """Every map with at most so many edges, once whatever its root."""
+    codes = {unrooted_code(map_) for map_ in all_maps(most)}
+    return [CombinatorialMap(*code) for code in sorted(codes, key=lambda c: (len(c[0]), c))]
 
 
 @st.composite

@@ -41,6 +41,7 @@ def test_ratios_are_taken_within_a_round(report):
     assert ratio["ratio"]["highest"] == round(max(both), 4)
 
 
+@pytest.mark.no_cover
 def test_the_document_says_what_was_measured(report):
     document = json.loads(json.dumps(report.to_json()))
     assert document["schema"] == 1

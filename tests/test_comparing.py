@@ -5,11 +5,13 @@ import io
 import json
 import sys
 from collections import defaultdict
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 
 from allworlds import check, compare, run
+from allworlds.checker import Interrupted
 from allworlds.comparing import Comparison
 from allworlds.inputs import InputError
 from allworlds.isolation import Unsettled
@@ -144,9 +146,14 @@ def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
         assert report.to_json()["complete"] is False
 
 
-def test_a_count_that_disagrees_is_an_error(report):
-    from dataclasses import replace
+def test_an_interrupt_goes_before_a_finding_and_a_count_that_disagrees_before_both(report):
+    found = replace(report, findings=tuple(check(stops_at_once, edges=1).findings))
+    assert (found.exit_code, replace(found, ending=Interrupted()).exit_code) == (1, 130)
+    wrong = replace(found, gate=(replace(report.gate[0], counted=7),), ending=Interrupted())
+    assert wrong.exit_code == 70
 
+
+def test_a_count_that_disagrees_is_an_error(report):
     wrong = replace(report.gate[0], counted=7)
     told: Comparison = replace(report, gate=(wrong,))
     assert told.exit_code == 70

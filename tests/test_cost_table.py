@@ -1,4 +1,4 @@
-"""The table of docs/cost.md against its sources."""
+"""The tables of docs/cost.md and docs/how-to/bound.md against their sources."""
 
 import importlib.util
 import json
@@ -15,12 +15,17 @@ def document():
     return json.loads((ROOT / "benchmarks/results/kernel.json").read_text(encoding="utf-8"))
 
 
-@pytest.fixture(scope="module")
-def cost():
-    spec = importlib.util.spec_from_file_location("cost", ROOT / "benchmarks/cost.py")
+def benchmark(name):
+    """The module that prints a table."""
+    spec = importlib.util.spec_from_file_location(name, ROOT / "benchmarks" / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+@pytest.fixture(scope="module")
+def cost():
+    return benchmark("cost")
 
 
 def test_the_page_holds_the_table_of_the_measurement(document, cost):
@@ -51,3 +56,13 @@ def test_the_measurement_says_where_and_when_it_was_made(document):
     assert re.fullmatch(r"[0-9]+\.[0-9]+\.[0-9]+", document["version"])
     assert document["machine"]["processor"]
     assert document["rounds"] >= 3
+
+
+def test_the_page_of_bounds_holds_the_table_of_the_effort():
+    document = json.loads((ROOT / "benchmarks/results/effort.json").read_text(encoding="utf-8"))
+    effort = benchmark("effort")
+    page = (ROOT / "docs/how-to/bound.md").read_text(encoding="utf-8")
+    assert "\n".join(effort.table(document)) in page
+    for kind in document["kinds"].values():
+        assert kind["worlds"] == effort.worlds(kind["edges"])
+        assert kind["seconds"] >= effort.LONG_ENOUGH > kind["smallest"]

@@ -67,6 +67,7 @@ JOBS = {
 }
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("name", JOBS)
 def test_a_cluster_says_the_same(name, here, tmp_path):
     whole = JOBS[name]().to_json()
@@ -284,6 +285,7 @@ def test_what_is_the_same_in_all_tasks_is_unpacked_once(task, monkeypatch):
     do("d")
 
 
+@pytest.mark.no_cover
 def test_a_task_holds_as_many_units_as_are_worth_sending():
     pace = cluster.Pace()
     pace.took(1, None)

@@ -10,7 +10,7 @@ from math import log
 import pytest
 
 from allworlds import grow, run
-from allworlds.checker import Completed
+from allworlds.checker import Completed, Interrupted
 from allworlds.growing import GROWING, Climb, GrowRow, Growth, members_of
 from allworlds.inputs import InputError
 from allworlds.isolation import Unsettled
@@ -28,6 +28,7 @@ def report():
     return grow("algorithm1", "greedy", families=["lattice", "thick"], to=50, worlds=2)
 
 
+@pytest.mark.no_cover
 def test_every_cost_is_that_of_a_single_run_in_the_world_of_that_name(report):
     for row in report.rows:
         for member, cost in zip(row.members, row.costs, strict=True):
@@ -85,6 +86,7 @@ def test_a_broken_law_refutes():
     assert (told.verdict.value, told.exit_code) == ("refuted", 1)
     assert told.findings[0].law == "no-estimate"
     assert "broken a law" in grow_text(told, 100)
+    assert replace(told, ending=Interrupted()).exit_code == 130
 
 
 def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():

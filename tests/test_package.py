@@ -12,6 +12,7 @@ import pytest
 
 import allworlds
 from package_contents import NEEDED, flaws
+from small import slow
 
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -56,7 +57,7 @@ def run_without_heavy_ones(tmp_path, *arguments):
     )
 
 
-@pytest.mark.parametrize("workers", ["1", "2"])
+@pytest.mark.parametrize("workers", [slow("1"), "2"])
 def test_an_explorer_of_ones_own_is_checked_without_numba_and_z3_in_every_process(
     workers, tmp_path
 ):

@@ -21,7 +21,8 @@ struct dart {
 struct vertex {
     int32_t first;  /* its first dart */
     int32_t home;   /* the first of its darts that leads nearer to v0 */
-    int32_t length; /* of a shortest walk to what was measured last */
+    int32_t depth;  /* the length of a shortest walk to v0 */
+    int32_t length; /* of one to what was measured last */
 };
 
 enum phase {
@@ -93,16 +94,18 @@ static int32_t offset(const struct robot *r, int32_t dart)
     return motion < 0 ? motion + r->darts[dart].expected.degree : motion;
 }
 
-static void add_vertex(struct robot *r, allworlds_percept seen)
+static void add_vertex(struct robot *r, const allworlds_percept *seen)
 {
+    int32_t degree = seen->degree, marks = seen->marks, bearing = seen->bearing;
     int32_t first = r->dart_count, vertex = r->vertex_count++;
-    make_room(r, first + seen.degree);
+    make_room(r, first + degree);
     r->vertices[vertex].first = first;
-    for (int32_t dart = first; dart < first + seen.degree; dart++) {
-        r->darts[dart] = (struct dart){dart, vertex, seen};
+    r->vertices[vertex].depth = 0;
+    for (int32_t dart = first; dart < first + degree; dart++) {
+        r->darts[dart] = (struct dart){dart, vertex, {degree, marks, bearing}};
         r->open[r->open_count++] = dart;
     }
-    r->dart_count += seen.degree;
+    r->dart_count += degree;
 }
 
 /* An edge of S, whose darts leave U. */
@@ -147,6 +150,28 @@ static int32_t nearer(struct robot *r, int32_t vertex)
     return dart;
 }
 
+/* An edge of S may have brought vertices nearer to v0. */
+static void draw_nearer(struct robot *r, int32_t dart)
+{
+    int32_t twin = r->darts[dart].twin, far, gain;
+    if (vertex_of(r, dart)->depth < vertex_of(r, twin)->depth) {
+        far = twin;
+        twin = dart;
+    } else {
+        far = dart;
+    }
+    gain = vertex_of(r, far)->depth - vertex_of(r, twin)->depth;
+    if (gain > 1) {
+        measure(r, 0);
+        for (int32_t v = 1; v < r->vertex_count; v++) {
+            r->vertices[v].depth = r->vertices[v].length;
+            r->vertices[v].home = nearer(r, v);
+        }
+    } else if (gain == 1 && far < vertex_of(r, far)->home) {
+        vertex_of(r, far)->home = far;
+    }
+}
+
 /* ---- one step */
 
 static void leave_by(struct robot *r, int32_t dart, allworlds_action *action)
@@ -165,25 +190,30 @@ static void follow(struct robot *r, allworlds_action *action)
         leave_by(r, r->goal, action);
     } else {
         r->phase = FOLLOWING;
-        leave_by(r, nearer(r, vertex), action);
+        leave_by(r, r->darts[r->goal].vertex ? nearer(r, vertex) : r->vertices[vertex].home, action);
     }
 }
 
 /* Lines 2-4: which dart is explored next. */
 static void next_pass(struct robot *r, allworlds_action *action)
 {
+    int32_t vertex, goal;
     if (r->open_count == 0) {
         action->kind = ALLWORLDS_ANSWER;
         return;
     }
-    if (r->pick) {
-        measure(r, r->darts[r->here].vertex);
-        for (int32_t i = 0; i < r->open_count; i++)
-            r->numbers[i] = vertex_of(r, r->open[i])->length;
-    }
+    vertex = r->darts[r->here].vertex;
+    if (r->pick && vertex)
+        measure(r, vertex);
+    if (r->pick)
+        for (int32_t i = 0; i < r->open_count; i++) {
+            const struct vertex *v = vertex_of(r, r->open[i]);
+            r->numbers[i] = vertex ? v->length : v->depth;
+        }
     r->goal = r->open[choose(r, ALLWORLDS_EDGE, r->open_count, r->numbers)];
-    if (r->darts[r->goal].vertex != r->darts[r->here].vertex)
-        measure(r, r->darts[r->goal].vertex);
+    goal = r->darts[r->goal].vertex;
+    if (goal && goal != vertex)
+        measure(r, goal);
     follow(r, action);
 }
 
@@ -193,13 +223,8 @@ static void test(struct robot *r, allworlds_action *action)
     int32_t vertex = r->darts[r->here].vertex;
     if (vertex == 0) {
         /* Lines 18-19: e and e' are one edge, and the robot stands at v0. */
-        int joins = r->darts[r->goal].vertex != r->darts[r->partner].vertex;
         explore(r, r->goal, r->partner);
-        if (joins) {
-            measure(r, 0);
-            for (int32_t v = 1; v < r->vertex_count; v++)
-                r->vertices[v].home = nearer(r, v);
-        }
+        draw_nearer(r, r->goal);
         r->phase = PASSING;
         action->kind = ALLWORLDS_CHECKPOINT;
         return;
@@ -216,9 +241,10 @@ static void next_hypothesis(struct robot *r, allworlds_action *action)
 {
     int32_t taken, entry = r->dart_count;
     if (r->hypothesis_count == 0) {
-        add_vertex(r, r->seen);
+        add_vertex(r, &r->seen);
         explore(r, r->goal, entry);
         r->vertices[r->vertex_count - 1].home = entry;
+        r->vertices[r->vertex_count - 1].depth = vertex_of(r, r->goal)->depth + 1;
         r->here = entry + (r->turned % r->seen.degree + r->seen.degree) % r->seen.degree;
         r->phase = PASSING;
         action->kind = ALLWORLDS_CHECKPOINT;
@@ -292,7 +318,7 @@ void allworlds_start(void *state, const allworlds_percept *percept, int32_t told
     struct robot *r = state;
     (void)told;
     r->dart_count = r->vertex_count = r->open_count = r->here = r->turned = 0;
-    add_vertex(r, *percept);
+    add_vertex(r, percept);
     if (percept->bearing >= 0)
         for (int32_t dart = 0; dart < percept->degree; dart++)
             r->darts[dart].expected.bearing =

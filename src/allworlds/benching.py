@@ -17,7 +17,7 @@ from pathlib import Path
 from statistics import median
 from typing import TYPE_CHECKING
 
-from allworlds.checker import ENGINES, Job
+from allworlds.checker import ENGINES, WALKED_FROM, Job
 from allworlds.episode import default_step_budget
 from allworlds.findings import Rules
 from allworlds.inputs import InputError, a_text, an_integer, at_most, show
@@ -42,9 +42,6 @@ MOST_ROUNDS = 1000
 
 PYTHON_EDGES = 4
 JUDGED_EDGES = 6
-
-WALKED_FROM = 6
-"""From so many edges on a check with the kernel walks once for every bearing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -250,10 +247,10 @@ def _walk(edges: int, threads: int = 1) -> None:
 def _check(scope: Scope, threads: int) -> None:
     """The last level of the scope."""
     job = Job(scope, load("algorithm1"), Limits(threads), 1, None, lambda _: None)
-    way = ENGINES["kernel"].ready(job)
-    with way.transport:
+    ready = ENGINES["kernel"].ready(job)
+    with ready.transport:
         units = scope.units(scope.extent.levels[-1])
-        gather(way.transport, way.engine, units, Tally(1), Silent())
+        gather(ready.transport, ready.engine, units, Tally(1), Silent())
 
 
 def _count(edges: int) -> None:

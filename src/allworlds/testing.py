@@ -27,12 +27,12 @@ from pathlib import Path
 from typing import Any, TypeAlias, cast
 
 from allworlds.checker import ManyRunsOptions, Report, check
-from allworlds.corpora import own_corpus
 from allworlds.findings import Finding
 from allworlds.fuzzer import refuted_in
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.outcome import Verdict
+from allworlds.own_corpus import own_corpus
 from allworlds.reports import brief, finding_in_words
 from allworlds.words import plural
 

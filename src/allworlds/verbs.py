@@ -52,6 +52,7 @@ VERBS = (
         "run_text:run_text",
         "run",
         "One world, told step by step.",
+        brief="run_text:run_line",
     ),
     Verb(
         "fuzz",
@@ -67,6 +68,7 @@ VERBS = (
         "run_text:replay_text",
         "replay",
         "A finding once more: reproduced or fixed.",
+        brief="run_text:replay_line",
     ),
     Verb(
         "explain",

@@ -131,6 +131,31 @@ def test_an_attack_gets_its_verdict_and_leaves_nothing_behind(attack, function, 
     assert attack.says in scene.said()
 
 
+def tried_in_compiled_code():
+    """Each attack on who plays, or on what is played twice, wherever the kernel can judge."""
+    kinds = ("state", "reaching", "dying")
+    # What is left to the Python engine, what names its engine, and what looks for worlds alone.
+    others = {"all", "--memory", "--engine"}
+    for attack in attacks():
+        alone = others & {*attack.options} or attack.name == "reaching/trusted_to_be_honest"
+        if attack.file.parent.name in kinds and not attack.signal and not alone:
+            for function in attack.verdicts:
+                marks = () if attack.name in QUICK_IN_COMPILED_CODE else pytest.mark.slow
+                yield pytest.param(attack, function, marks=marks, id=attack.name)
+
+
+QUICK_IN_COMPILED_CODE = ("state/goes_by_pid", "reaching/finds_the_world")
+
+
+@pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize(("attack", "function"), [*tried_in_compiled_code()])
+def test_an_attack_gets_the_same_verdict_where_compiled_code_judges(attack, function, scene):
+    words = placed(attack, function, scene)
+    process = scene.start("check", *words, "--workers", 1, "--json", "--engine", "kernel")
+    code, out = scene.ended(process)
+    judged(attack.verdicts[function], code, out, scene.said())
+
+
 def test_every_kind_of_attack_is_told_of():
     told = ATTACKS.parents[1].joinpath("docs", "trust.md").read_text(encoding="utf-8")
     assert [kind.name for kind in KINDS if f"attacks/{kind.name}" not in told] == []

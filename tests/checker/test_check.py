@@ -89,6 +89,7 @@ def test_no_witness_is_asked_for_that_cannot_occur(policy, map_class, most):
             assert report.verdict is Verdict.HOLDS, options
 
 
+@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("edges", [4, 5])
 def test_the_witnesses_of_algorithm_1_occur(edges):
@@ -486,6 +487,7 @@ def test_the_listener_is_told_of_every_world():
     assert Listener.told == [[1, 2, 2], [2, 10, 10], [3, 74, 74]]
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     "options",
     [

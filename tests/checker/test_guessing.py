@@ -134,6 +134,7 @@ def test_a_long_check_begins_with_an_estimate(monkeypatch):
     assert listener.notices == []
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", list(MapClass))
 def test_pieces_are_drawn_as_often_as_they_have_maps(map_class):
     extent = Extent(map_class, 4)

@@ -207,6 +207,7 @@ def test_a_finding_is_replayed_from_its_report_and_from_its_command(cli, tmp_pat
         assert again[key] == finding[key]
 
 
+@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
     ("name", "options"),
@@ -261,11 +262,11 @@ def test_counts(cli):
         *(pytest.param(other, marks=pytest.mark.slow) for other in (signal.SIGTERM, signal.SIGHUP)),
     ],
 )
-@pytest.mark.parametrize("explorer", ["hang", "right"])
-def test_an_interrupt_leaves_a_report_and_no_worker(start, tmp_path, number, explorer):
+@pytest.mark.parametrize(("explorer", "edges"), [("hang", "3"), ("right", "9")])
+def test_an_interrupt_leaves_a_report_and_no_worker(start, tmp_path, number, explorer, edges):
     hung = tmp_path / "hung"
     process = start(
-        *["check", f"{WRONG}:{explorer}", "--edges", "9", "--json", "--workers", "2"],
+        *["check", f"{WRONG}:{explorer}", "--edges", edges, "--json", "--workers", "2"],
         *["--answer-timeout", PATIENCE, "--engine", "python"],
         HUNG=str(hung),
     )

@@ -4,6 +4,7 @@ import inspect
 import json
 import sys
 from importlib import import_module
+from pathlib import Path
 
 import pytest
 
@@ -48,6 +49,7 @@ HEARD = {
 LONG = {"count compiled": pytest.mark.slow}
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("name", [pytest.param(name, marks=LONG.get(name, ())) for name in HEARD])
 def test_what_is_promised_is_done(name):
     heard = Adds()
@@ -94,6 +96,7 @@ AT_ONCE = {"merge", "figure"}
 """Their least commands have nothing to do but to read and to draw."""
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("name", [name for name in WATCHED if name != "bench"])
 def test_every_verb_that_is_watched_writes_events(name, cli, tmp_path, monkeypatch):
     monkeypatch.setattr(events, "EVERY", 0.0)
@@ -110,6 +113,7 @@ def test_every_verb_that_is_watched_writes_events(name, cli, tmp_path, monkeypat
     assert name in AT_ONCE or {line["event"] for line in lines} > {"progress", "verdict"}
 
 
+@pytest.mark.no_cover
 def test_every_verb_that_is_watched_has_the_option(cli):
     for words in WATCHED.values():
         assert "--events" in cli(*words, "--help")[1]
@@ -151,6 +155,13 @@ def test_a_full_disk_costs_events_alone(capsys):
     heard.stage("x", 1, "turns")
     said = capsys.readouterr().err
     assert said == "allworlds: no more events are written: No space left on device\n"
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no disk that is always full")
+def test_and_not_the_report(cli):
+    code, out, err = cli("check", "--edges", 1, "-q", "--events", "/dev/full")
+    assert (code, out.partition(":")[0]) == (0, "HOLDS")
+    assert err == "allworlds: no more events are written: No space left on device\n"
 
 
 @pytest.mark.usefixtures("without_workers")

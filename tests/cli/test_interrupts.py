@@ -1,14 +1,15 @@
 """Whoever interrupts gets what is finished, in one line on stderr the word, and code 130."""
 
+import builtins
 import json
 import signal
-import sys
 import threading
+from importlib import import_module
 from types import SimpleNamespace
 
 import pytest
 
-from allworlds.cli import app
+from allworlds.cli import app, main
 from allworlds.outcome import until_interrupted
 from allworlds.smt.searching import _Search
 from allworlds.work import Threads
@@ -43,16 +44,17 @@ def interrupt(monkeypatch):
 
     def at(path, times):
         home, _, name = path.rpartition(".")
-        module = sys.modules[home]  # a function of the package may have its name, too
+        module = import_module(home)  # a function of the package may have its name, too
         monkeypatch.setattr(module, name, InterruptedAt(getattr(module, name), times))
 
     return at
 
 
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize("verb", ROWS)
 def test_the_rows_before_an_interrupt_are_told(cli, interrupt, verb):
     path, words, rows = ROWS[verb]
-    cli(*verb.split(), *words.split(), "-q")  # everything is loaded, and compiled
     interrupt(path, 2)
     code, out, err = cli(*verb.split(), *words.split(), "--json")
     document = json.loads(out)
@@ -62,10 +64,10 @@ def test_the_rows_before_an_interrupt_are_told(cli, interrupt, verb):
     assert finished == (5 if verb == "worst" else 2)  # of 1 edge 2 sizes, of 2 edges 3
 
 
+@pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize("verb", ROWS)
 def test_the_text_of_what_was_interrupted_says_so(cli, interrupt, verb):
     path, words, _ = ROWS[verb]
-    cli(*verb.split(), *words.split(), "-q")
     interrupt(path, 1)
     code, out, _ = cli(*verb.split(), *words.split())
     assert code == 130
@@ -74,7 +76,6 @@ def test_the_text_of_what_was_interrupted_says_so(cli, interrupt, verb):
 
 
 def test_before_the_first_round_there_is_nothing_to_tell(cli, interrupt):
-    cli("bench", "--edges", 4, "--rounds", 1, "-q")
     interrupt("allworlds.benching._round", 0)
     assert cli("bench", "--edges", 4) == (130, "", "allworlds: interrupted\n")
 
@@ -83,7 +84,6 @@ SEARCH = "search --lighthouse position --class simple --vertices 4 --edges 6 --j
 
 
 def test_a_search_that_is_interrupted_is_undecided(cli, interrupt, tmp_path):
-    cli(*SEARCH.split(), tmp_path, "-q")
     interrupt("allworlds.smt.searching.pair_formula", 1)
     code, out, err = cli(*SEARCH.split(), tmp_path)
     document = json.loads(out)
@@ -92,6 +92,7 @@ def test_a_search_that_is_interrupted_is_undecided(cli, interrupt, tmp_path):
     assert all(line.startswith("allworlds: interrupted") for line in err.splitlines())
 
 
+@pytest.mark.no_cover
 def test_twins_that_were_found_before_an_interrupt_are_told(cli, monkeypatch, tmp_path):
     def interrupted(*_):
         raise KeyboardInterrupt
@@ -101,6 +102,21 @@ def test_twins_that_were_found_before_an_interrupt_are_told(cli, monkeypatch, tm
     document = json.loads(out)
     assert (code, document["status"], len(document["pair"])) == (130, "sat", 2)
     assert (tmp_path / "pair.json").exists()
+
+
+def test_an_interrupt_at_once_is_told_in_a_line(capsys, monkeypatch):
+    loads = builtins.__import__
+
+    def interrupted(name, globals_=None, locals_=None, fromlist=(), level=0):
+        if "app" in (fromlist or ()):
+            raise KeyboardInterrupt
+        return loads(name, globals_, locals_, fromlist, level)
+
+    monkeypatch.setattr(builtins, "__import__", interrupted)
+    with pytest.raises(SystemExit) as end:
+        main()
+    assert end.value.code == 130
+    assert capsys.readouterr() == ("", "allworlds: interrupted\n")
 
 
 @pytest.mark.parametrize("words", ["twins k4 k4", "ambiguity class k4"])

@@ -47,6 +47,7 @@ NUMBERS = [
 ]
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(("verb", "option"), NUMBERS, ids=str)
 @pytest.mark.parametrize("value", ["1_0", " 1", "١"])  # noqa: RUF001  # an Arabic digit
 def test_a_number_is_written_with_ascii_digits_alone(refused, verb, option, value):
@@ -172,3 +173,12 @@ def test_the_scope_says_no_bound_where_none_was_checked(cli):
     code, out, _ = cli("check", "--edges", "2", "--bound", "none", "--json")
     assert code == 0
     assert "bound" not in json.loads(out)["scope"]["laws"]
+
+
+def test_a_current_directory_that_is_no_more_is_told_of(refused, tmp_path, monkeypatch):
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    said = refused("check", "--exec", "cat", "--edges", 1)
+    assert "the current directory has been removed" in said

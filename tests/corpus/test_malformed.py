@@ -5,8 +5,8 @@ import json
 
 import pytest
 
-from allworlds.corpora import MANIFEST, load_corpus
 from allworlds.inputs import InputError
+from allworlds.own_corpus import MANIFEST, load_corpus
 
 ENTRY = {
     "name": "a",

@@ -1,5 +1,6 @@
 """The figure of the words: what it draws is true of its world, and the file is what is drawn."""
 
+import csv
 import importlib.util
 import re
 from cmath import phase
@@ -14,12 +15,17 @@ from allworlds.drawing.layout import layout
 ROOT = Path(__file__).parents[2]
 
 
-@pytest.fixture(scope="module")
-def darts():
-    spec = importlib.util.spec_from_file_location("darts", ROOT / "docs" / "figures" / "darts.py")
+def beside(name):
+    """The module of a figure."""
+    spec = importlib.util.spec_from_file_location(name, ROOT / "docs" / "figures" / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+@pytest.fixture(scope="module")
+def darts():
+    return beside("darts")
 
 
 def test_its_arcs_go_clockwise_round_v0_from_the_robots_dart(darts):
@@ -59,3 +65,46 @@ def test_the_file_says_what_the_command_draws(darts):
     ]
     for page in ("README.md", "docs/protocol.md"):
         assert "assets/darts.svg" in (ROOT / page).read_text(encoding="utf-8")
+
+
+EXPLORERS = {
+    "Algorithm 1, first in, first out": "algorithm1, fifo",
+    "Algorithm 1, last in, first out": "algorithm1, lifo",
+    "Algorithm 1, nearest": "algorithm1, nearest",
+    "`dudek91`, a marker that can be carried": "dudek91, fifo",
+    "`remembering`": "remembering, fifo",
+    "`prudent`": "prudent",
+    "`greedy`": "greedy",
+}
+"""The lines of the table of figure 3, and what the data call them."""
+
+
+def test_the_table_of_figure_3_is_that_of_its_data():
+    page = (ROOT / "docs/figures.md").read_text(encoding="utf-8").partition("## Fig. 3")[2]
+    told = {
+        name.strip(): [cell.strip(" *") for cell in cells]
+        for name, *cells in re.findall(r"^\| (.*?) \| (.*?) \| (.*?) \|$", page, re.MULTILINE)
+    }
+    with (ROOT / "docs/figures/figure-3-means.csv").open(encoding="utf-8", newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["edges"] in ("238", "248")]
+    assert [row["family"] for row in rows] == ["lattice"] * 7 + ["dense"] * 7
+    means = {}
+    for row in rows:
+        means.setdefault(row["explorer"], []).append(f"{float(row['mean']):,.0f}")
+    assert {EXPLORERS[name]: told[name] for name in EXPLORERS} == means
+    assert told["(1)+(2)"] == [f"{int(rows[i]['bound_1_plus_2']):,}" for i in (0, 7)]
+    assert told["2m"] == [rows[i]["twice_the_edges"] for i in (0, 7)]
+
+
+def test_means_are_of_all_runs_of_a_size():
+    same = {"family": "f", "vertices": "2", "edges": "3", "bound_1_plus_2": "9"}
+    runs = [
+        {**same, "explorer": who, "twice_the_edges": "6", "traversals": cost}
+        for who, cost in (("a", "1"), ("b", "7"), ("a", "3"))
+    ]
+    header, *lines = beside("means").means(runs)
+    assert lines == [
+        ["f", "2", "3", "a", 2, "2.00", "1.00", "9", "6"],
+        ["f", "2", "3", "b", 1, "7.00", "0.00", "9", "6"],
+    ]
+    assert len(header) == 9

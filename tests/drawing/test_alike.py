@@ -1,5 +1,7 @@
 """Maps drawn and named like others: what agrees lies in the same place and has the same number."""
 
+import pytest
+
 from allworlds import worlds
 from allworlds.drawing import extended, layout, layout_like, mirror_of, names_like
 from allworlds.maps import CombinatorialMap
@@ -37,6 +39,7 @@ def test_no_dart_is_used_twice_where_the_maps_differ():
                     assert found[a.sigma[dart]] == b.sigma[other]
 
 
+@pytest.mark.no_cover
 def test_the_same_map_lies_where_the_other_one_does_and_has_its_names():
     for map_ in MAPS:
         other, old = renamed(map_)
@@ -85,9 +88,9 @@ def test_a_map_that_agrees_in_part_is_turned_towards_the_other():
 
     def apart(one):
         return sum(
-            abs(one.stub(d) - one.ways[d][0] - drawn.stub(e) + drawn.ways[e][0])
+            abs(one.ways[d][0] - drawn.ways[e][0]) ** 2 + abs(one.stub(d) - drawn.stub(e)) ** 2
             for d, e in ties.items()
         )
 
-    assert apart(turned) <= apart(layout(a, 0)) + 1e-6
+    assert apart(turned) < apart(layout(a, 0))
     assert layout_like({}, a, 0, b, drawn) == layout(a, 0)

@@ -5,6 +5,7 @@ import signal
 import pytest
 
 from allworlds.episode import Answered, Fault, default_step_budget, play
+from allworlds.episode.endings import MOST_DARTS
 from allworlds.explorers.algorithm1 import algorithm1
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
@@ -702,6 +703,50 @@ def test_a_map_with_an_entry_of_thousands_of_digits_is_blamed_and_not_here():
 
 def test_a_map_with_a_wordy_entry_is_told_in_a_sentence():
     fault(returning(Estimate(tampered((Wordy(), 1)), 0)), "no-estimate")
+
+
+def endless():
+    """As long as anyone asks."""
+    return itertools.repeat(0)
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        Estimate(CombinatorialMap.trusted((0,) * (MOST_DARTS + 1), (0,)), 0),
+        Ambiguous((0,), (0,), endless(), (0,), 0),
+        Ambiguous((0,), (0,), (0,), endless(), 0),
+    ],
+    ids=["long", "degree", "marks"],
+)
+def test_of_an_answer_no_more_is_looked_at_than_a_world_can_have(answer):
+    assert fault(returning(answer), "no-estimate").seen == "more than 200,000 darts"
+
+
+def test_nor_of_a_map_without_end():
+    answer = Estimate(tampered(endless()), 0)
+    assert fault(returning(answer), "no-estimate").seen == "more than 200,000 darts"
+
+
+@pytest.mark.parametrize("part", ["sigma", "alpha"])
+def test_nor_of_a_checkpoint(part):
+    parts = {"sigma": (0, 1), "alpha": (1, 0), part: endless()}
+    told = fault(yielding(Checkpoint(**parts, here=0)), "illegal-action")
+    assert told.seen == "more than 200,000 darts"
+
+
+def test_whoever_may_walk_farther_may_publish_more():
+    def explore(_):
+        yield Checkpoint(range(MOST_DARTS + 2), (0,), 0)
+
+    told = run(explore, budget=MOST_DARTS // 2 + 1)
+    assert [len(published.sigma) for _, published in told.checkpoints] == [MOST_DARTS + 2]
+
+
+@pytest.mark.parametrize("name", ["degree", "marks"])
+def test_a_quotient_with_a_number_of_thousands_of_digits_is_none(name):
+    parts = {"sigma": (0,), "alpha": (0,), "degree": (1,), "marks": (1,), "here": 0, name: (HUGE,)}
+    assert f"{name} holds an object" in fault(returning(Ambiguous(**parts)), "no-estimate").seen
 
 
 def test_an_estimate_without_its_parts_is_no_estimate():

@@ -52,6 +52,7 @@ def test_a_log_that_is_not_one_of_the_folded_world_is_found_out(monkeypatch):
         another_world(world, log)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
 def test_findings_of_folding_name_it_and_no_others_do(mutant):
     for finding in check(mutant.explorer(), edges=3, max_findings=3).findings:

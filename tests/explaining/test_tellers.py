@@ -76,8 +76,8 @@ def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
     law, step, text = told("pose-lost")
     assert (law, step) == ("pose", 2)
     # Two loops side by side, at dart 3; 'here' is dart 0, which the symmetry takes to dart 2.
-    assert "stands at v0, dart 3, and believes to stand at dart 2 of the same vertex" in text
-    assert "turned further by 1 of 4 darts clockwise" in text
+    assert "stands at v0, dart 3, and the answer says dart 0 of the same vertex" in text
+    assert "off by a turn of 3 of 4 darts" in text
     assert "symmetric: 1 other dart" in text
 
 
@@ -85,7 +85,7 @@ def test_a_robot_at_another_vertex_is_told_so(explained, answering):
     # A vertex of degree 3 with a loop and a leaf: no symmetry.
     explanation = explained(LASSO, answering(LASSO, 3, 0))
     assert explanation.law == "pose"
-    assert "believes to stand at v1, dart 3, which is another vertex" in explanation.sentences[0]
+    assert "the answer says v1, dart 3, which is another vertex" in explanation.sentences[0]
     assert explanation.slip == "another vertex"
 
 

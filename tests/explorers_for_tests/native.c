@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-static int32_t kind, count, here_is, degree, episodes;
+static int32_t kind, count, here_is, degree, episodes, steps;
 char state[16];
 void *thrown[1 << 16];
 
@@ -22,6 +22,11 @@ void *thrown[1 << 16];
 #endif
 #ifndef ATTACK
 #define ATTACK
+#endif
+
+/* How many steps it makes, to and fro: an odd number. */
+#ifndef STEPS
+#define STEPS 1
 #endif
 
 #ifdef CHOOSES
@@ -63,7 +68,7 @@ void allworlds_start(void *none, const allworlds_percept *percept, int32_t told,
                      allworlds_action *action)
 {
     (void)none, (void)told, (void)wait_for_ever, (void)do_nothing, (void)far_away;
-    kind = ALLWORLDS_MOVE, count = 2, here_is = 1;
+    kind = ALLWORLDS_MOVE, count = 2, here_is = 1, steps = 1;
     degree = percept->degree;
     action->motion = 0;
     if (degree == 1) {
@@ -76,7 +81,7 @@ void allworlds_start(void *none, const allworlds_percept *percept, int32_t told,
 void allworlds_step(void *none, const allworlds_percept *percept, allworlds_action *action)
 {
     (void)none, (void)percept;
-    action->kind = ALLWORLDS_ANSWER;
+    action->kind = steps++ < STEPS ? ALLWORLDS_MOVE : ALLWORLDS_ANSWER;
 }
 
 int32_t allworlds_answer(void *none, int32_t capacity, int32_t *sigma, int32_t *alpha, int32_t *here)

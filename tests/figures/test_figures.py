@@ -124,6 +124,7 @@ def test_the_caption_tells_when_a_mean_lies_below_twice_the_edges(small):
         assert any(told in said for said in replace(small, growth=growth).caption())
 
 
+@pytest.mark.no_cover
 def test_an_interrupted_figure_is_drawn_as_far_as_it_came(small, monkeypatch, tmp_path):
     none = Growth(("greedy",), ("lattice",), (), (), Interrupted())
     monkeypatch.setattr("allworlds.figures.making.figure_3", lambda *_: replace(small, growth=none))

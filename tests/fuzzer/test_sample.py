@@ -62,6 +62,7 @@ def test_no_world_of_a_sample_is_smaller_than_it_is_to_be(map_class, least):
     assert max(sizes) <= 14
 
 
+@pytest.mark.no_cover
 @CLASSES
 def test_every_number_of_edges_and_every_bearing_comes(map_class):
     sample = drawn(map_class, 6, 300)

@@ -34,6 +34,7 @@ def refuted(explore, map_):
     )
 
 
+@pytest.mark.no_cover
 def test_an_error_that_begins_at_so_many_edges_is_shrunk_to_these_and_one_vertex(shrunk):
     _, edges, report = shrunk
     (finding,) = report.findings
@@ -105,6 +106,7 @@ def smallest(large, condition, map_class="maps"):
     return steps, recorder
 
 
+@pytest.mark.no_cover
 def test_every_step_is_smaller_and_only_smaller_worlds_are_tried(large):
     steps, recorder = smallest(large, lambda world: world.map.vertex_count >= 3)
     keys = [large.key[:4], *(step.key[:4] for step in steps)]
@@ -142,6 +144,7 @@ def test_in_the_simple_class_one_link_is_left(large):
     assert steps[-1].world.map == allworlds.CombinatorialMap((0, 1), (1, 0))
 
 
+@pytest.mark.no_cover
 def test_where_nothing_smaller_refutes_there_is_no_step(large):
     steps, recorder = smallest(large, lambda world: False)
     assert steps == []

@@ -9,8 +9,8 @@ from functools import cache
 from random import Random
 from typing import Any
 
-from allworlds.corpora import own_corpus
 from allworlds.maps.families import random_map
+from allworlds.own_corpus import own_corpus
 from allworlds.world import LIGHTHOUSES
 
 LONG = "x" * 5000

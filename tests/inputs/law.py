@@ -19,8 +19,8 @@ from pathlib import Path
 
 from allworlds.cli.app import call
 from allworlds.cli.output import printable
-from allworlds.corpora import load_corpus
 from allworlds.inputs import InputError
+from allworlds.own_corpus import load_corpus
 
 LONGEST = 300
 """The longest line on stderr."""

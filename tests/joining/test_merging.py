@@ -19,6 +19,7 @@ def sharded(report, command, directory, shards):
     }
 
 
+@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", JOBS)
 @pytest.mark.parametrize("shards", [1, 3])

@@ -221,6 +221,7 @@ def test_an_expression_may_have_a_value_in_some_worlds_only():
         bound.value(2, 5, 1, 1)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     "text",
     [

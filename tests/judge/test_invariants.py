@@ -5,31 +5,13 @@ from random import Random
 
 import pytest
 
-from allworlds.explorers.algorithm1 import algorithm1
 from allworlds.judge import Case, Violation
 from allworlds.judge.invariants import invariant_1, invariant_2, variant
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.protocol import Checkpoint, Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World
-from small import EDGE, LOLLIPOP, stepped
-
-
-def finished(world):
-    """Algorithm 1's run in a world, as a case."""
-    generator = algorithm1(world.first)
-    dart, reply, steps, checkpoints = world.start, None, [], []
-    while True:
-        try:
-            message = generator.send(reply)
-        except StopIteration as stop:
-            transcript = Transcript(world.first, tuple(steps))
-            return Case(world.map, world.start, transcript, tuple(checkpoints), stop.value)
-        if isinstance(message, Checkpoint):
-            checkpoints.append((len(steps), message))
-            reply = None
-        else:
-            dart, reply = stepped(world, dart, message)
-            steps.append((message, reply))
+from finished import finished
+from small import EDGE, LOLLIPOP
 
 
 @cache
@@ -269,6 +251,17 @@ def test_entries_out_of_range_break_invariant_1(name, far):
             variant(bad)
 
 
+@pytest.mark.parametrize("name", ["sigma", "alpha", "here"])
+def test_a_number_of_thousands_of_digits_breaks_invariant_1_and_nothing_else(name):
+    huge = 10**5000
+    case, i, checkpoint = next(every(2))
+    entries = getattr(checkpoint, name)
+    value = huge if name == "here" else put(entries, {0: huge})
+    violation = invariant_1(single(case, i, **{name: value}))
+    assert violation.law == "invariant-1"
+    assert "an object of type int" in violation.seen
+
+
 @pytest.mark.parametrize("here", [-1, 10**9])
 def test_a_here_out_of_range_breaks_invariant_1(here):
     for case, i, checkpoint in every(2):
@@ -383,6 +376,7 @@ def test_checkpoints_out_of_order_break_the_variant():
             assert variant(published(case, *reversed(case.checkpoints))).law == "variant"
 
 
+@pytest.mark.no_cover
 def test_the_last_checkpoint_missing_breaks_the_variant():
     for case in up_to(4):
         if case.map.edge_count > 1:

@@ -1,12 +1,12 @@
 import pytest
 
-from allworlds.explorers.algorithm1 import algorithm1
 from allworlds.judge import LAWS, PRECEDENCE, Case, Setting, Violation, judge
 from allworlds.judge.laws import bound_law, folding_law, map_law, pose_law
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import rooted_maps
-from allworlds.protocol import Checkpoint, Drop, Estimate, Move, Percept, Transcript
+from allworlds.protocol import Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World
+from finished import finished
 from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS, stepped
 
 
@@ -22,24 +22,6 @@ def walked(world, *motions):
 def answered(map_, dart, estimate, here, **rest):
     world = World(map_, Directional(dart), dart)
     return Case(map_, dart, Transcript(world.first), (), Estimate(estimate, here), **rest)
-
-
-def finished(world):
-    """Algorithm 1's run in a world, as a case."""
-    generator = algorithm1(world.first)
-    dart, reply, steps, checkpoints = world.start, None, [], []
-    while True:
-        try:
-            message = generator.send(reply)
-        except StopIteration as stop:
-            transcript = Transcript(world.first, tuple(steps))
-            return Case(world.map, world.start, transcript, tuple(checkpoints), stop.value)
-        if isinstance(message, Checkpoint):
-            checkpoints.append((len(steps), message))
-            reply = None
-        else:
-            dart, reply = stepped(world, dart, message)
-            steps.append((message, reply))
 
 
 def test_the_laws_stand_in_the_order_in_which_they_are_reported():

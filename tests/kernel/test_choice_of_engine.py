@@ -2,9 +2,17 @@ import pytest
 
 from allworlds import check, kernel
 from allworlds.checker.agreement import AGREED
+from allworlds.checker.engines import ENGINES, engine_for
+from allworlds.checker.guessing import is_worth_a_guess
+from allworlds.checker.job import Job
+from allworlds.findings import make_rules
 from allworlds.inputs import InputError
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.outcome import Verdict
 from allworlds.progress import Silent
+from allworlds.runs import Scope
+from allworlds.subjects import Subject, load
+from allworlds.work import Limits
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -27,8 +35,11 @@ class Stopper(Silent):
         self.notices.append(text)
 
 
-def foreign(first):
-    yield from ()
+def closure():
+    def foreign(first):
+        yield from ()
+
+    return foreign
 
 
 @pytest.mark.parametrize(
@@ -38,7 +49,7 @@ def foreign(first):
         ({"schedules": "all", "edges": 2}, "schedule"),
         ({"step_budget": 100_000}, "100000"),
         ({"edges": 13}, "13"),
-        ({"explore": foreign}, "foreign"),
+        ({"explore": closure()}, "foreign"),
     ],
 )
 def test_what_the_kernel_cannot_do_is_refused_by_name(options, reason):
@@ -65,6 +76,41 @@ def test_auto_takes_the_kernel_from_five_edges_on_wherever_it_can():
     assert check(edges=5, vertices=2, policy="random:1").engine == "python"
 
 
+def scope_to(edges, lighthouse="directional"):
+    return Scope(Extent(MapClass.MAPS, edges, None), make_rules({}, lighthouse, "none"))
+
+
+MINE, PROGRAM = Subject("mine.py:explore", frozenset()), Subject("exec:./mine", frozenset())
+LIBRARY, CLOSURE = Subject("native:mine.so", frozenset()), Subject("f", frozenset(), closure())
+
+
+@pytest.mark.parametrize(
+    ("subject", "memory", "engine"),
+    [
+        (MINE, None, "kernel"),
+        (PROGRAM, None, "kernel"),
+        (CLOSURE, None, "python"),
+        # A compiler needs more than an explorer in Python may be meant to have.
+        (MINE, 500, "python"),
+        (PROGRAM, 500, "python"),
+        (LIBRARY, 500, "kernel"),
+    ],
+)
+def test_auto_takes_it_for_explorers_of_ones_own_too(subject, memory, engine):
+    assert engine_for("auto", scope_to(5), subject, memory).name == engine
+    assert engine_for("auto", scope_to(4), subject, memory).name == "python"
+    assert engine_for("auto", scope_to(5, "movable"), subject, memory).name == "python"
+
+
+@pytest.mark.parametrize(
+    ("subject", "worth"), [(MINE, True), (LIBRARY, False), (load("algorithm1"), False)]
+)
+def test_what_plays_slowly_is_worth_a_guess_whoever_judges(subject, worth):
+    job = Job(scope_to(6), subject, Limits(), 1, None, str)
+    assert is_worth_a_guess(job, ENGINES["kernel"]) == worth
+    assert is_worth_a_guess(job, ENGINES["python"])
+
+
 @pytest.mark.parametrize("kept", [False, True])
 def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, kept):
     monkeypatch.setattr(kernel, "is_compiled", lambda _: kept)
@@ -77,6 +123,7 @@ def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, 
     assert apart == ([] if kept else ["algorithm1"])
 
 
+@pytest.mark.no_cover
 def test_ctrl_c_leaves_the_finished_levels():
     listener = Stopper(after=50_000)
     report = check(edges=8, engine="kernel", workers=2, listener=listener)

@@ -46,7 +46,7 @@ def judged(truth, dart, estimate, here):
 
 
 @pytest.mark.no_cover
-@settings(max_examples=200)
+@settings(max_examples=100)
 @given(answers())
 def test_both_judges_say_the_same_of_every_answer(answer):
     assert judged(*answer) == verdict(*answer)

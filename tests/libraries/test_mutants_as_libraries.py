@@ -1,5 +1,7 @@
 """Every wrong explorer in a shared library: the same law, in the same smallest world."""
 
+from dataclasses import replace
+
 import pytest
 
 from allworlds import check
@@ -39,6 +41,17 @@ def test_a_wrong_explorer_in_a_library_is_killed_in_the_same_world(mutant):
 @pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
 def test_every_wrong_explorer_in_a_library_is_killed_in_the_same_world(mutant):
     same(mutant, "kernel")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
+def test_every_wrong_explorer_in_python_is_killed_by_compiled_code_in_the_same_world(mutant):
+    name = f"allworlds.mutation.explorers:{mutant.name.replace('-', '_')}"
+    (ours,) = check(name, edges=4, engine="kernel").findings
+    (theirs,) = check(name, edges=4, engine="python").findings
+    assert ours.law == theirs.law
+    if ours.law != "nondeterministic":
+        assert replace(ours, seen="", detail="") == replace(theirs, seen="", detail="")
 
 
 def test_the_mutants_killed_soon_are_mutants():

@@ -142,7 +142,14 @@ def test_a_quotient_without_darts_or_with_too_many_is_no_answer():
 # ---------------------------------------------------------------- what it may do to its process
 
 
-@pytest.mark.parametrize("code", ATTACKS)
+WAITED_FOR = "for (;;) pause()"
+"""Is waited for in three processes until the time for its answer is over."""
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize(
+    "code", [small.slow(code) if code == WAITED_FOR else code for code in ATTACKS]
+)
 def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
     law, seen = ATTACKS[code]
     limit = SOON if law == "timeout" else PATIENCE

@@ -8,6 +8,7 @@ from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
 from allworlds.work import LevelUnit, Shard, level_size, units_of_level
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("depth", [1, 2, 3, 9])
 @pytest.mark.parametrize("vertices", [None, 2])
 @pytest.mark.parametrize("map_class", list(MapClass))
@@ -34,6 +35,7 @@ def test_eight_shards_of_eight_edges_are_balanced(map_class):
     assert max(weights) <= 1.1 * min(weights)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", [MapClass.SIMPLE, MapClass.PLANAR_SIMPLE])
 def test_eight_shards_of_a_simple_class_are_balanced(map_class):
     """Each within a tenth of the mean, though the weights are upper bounds: maps are counted."""
@@ -44,6 +46,7 @@ def test_eight_shards_of_a_simple_class_are_balanced(map_class):
     assert min(worlds) >= 0.9 * sum(worlds) / 8
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("wrong", [lambda *_: 1, lambda unit, _: len(unit.key)])
 def test_shards_by_wrong_weights_are_worse(wrong, monkeypatch):
     extent = Extent(MapClass.MAPS, 5)
@@ -64,6 +67,7 @@ def spread(worlds):
     return (max(worlds) - min(worlds)) * len(worlds) / sum(worlds)
 
 
+@pytest.mark.no_cover
 def test_no_unit_falls_to_two_shards():
     extent = Extent(MapClass.SIMPLE, None, 4)
     for edges in extent.levels:

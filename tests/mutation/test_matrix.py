@@ -9,12 +9,16 @@ from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, 
 from allworlds.mutation.judges import WEAK_JUDGES
 from small import slow
 
-SMALLER = 2
-# Whom it takes four edges to kill.  Every smaller map is its own mirror image.
+SMALLER = 1
+# Whom it takes three edges to kill, and whom four: every smaller map is its own mirror image.
+TAKE_THREE = [
+    *("no-retracing", "orientation-not-restored", "one-hypothesis-only", "wrong-in-one-world"),
+    "nearest-only",
+]
 TAKE_FOUR = ["confirmed-too-early", "mirror-accepted"]
 
 
-@pytest.fixture(scope="module", params=[3, slow(4)])
+@pytest.fixture(scope="module", params=[2, slow(4)])
 def full(request, untraced):
     """Every mutant; with -m slow at the bound of the command."""
     with untraced():
@@ -23,7 +27,7 @@ def full(request, untraced):
 
 @pytest.fixture(scope="module")
 def small():
-    """Every mutant at a bound that takes a second."""
+    """Every mutant in the worlds with one edge."""
     return mutants(edges=SMALLER)
 
 
@@ -34,8 +38,9 @@ def row(kill_matrix, name):
 # ---------------------------------------------------------------- the matrix
 
 
+@pytest.mark.no_cover
 def test_no_mutant_survives(full):
-    assert full.survivors == (TAKE_FOUR if full.edges < 4 else [])
+    assert sorted(full.survivors) == (sorted(TAKE_THREE + TAKE_FOUR) if full.edges < 4 else [])
     assert full.exit_code == (1 if full.edges < 4 else 0)
 
 
@@ -73,6 +78,7 @@ def test_every_law_kills_some_explorer_and_is_missed_by_some_judge(full, law):
 ANY_WORLD = "nondeterministic"  # by what the explorer has kept from other worlds
 
 
+@pytest.mark.no_cover
 def test_every_kill_names_its_smallest_world(full, small):
     for kill in full.kills:
         if kill.equivalent or kill.mutant in full.survivors or kill.killed_by == ANY_WORLD:
@@ -127,10 +133,17 @@ def test_the_document_has_a_row_for_every_mutant(full):
 
 @pytest.mark.no_cover
 @pytest.mark.parametrize("law", LAWS)
-def test_without_any_one_law_mutants_survive(small, monkeypatch, law):
+def test_without_any_one_law_a_mutant_survives_that_it_kills(full, monkeypatch, law):
+    def killed(mutants_):
+        rows = [(mutant, row(full, mutant.name)) for mutant in mutants_]
+        return [mutant for mutant, kill in rows if kill.world and kill.world.map.edge_count <= 2]
+
+    explorers_ = [m for m in killed(WRONG_EXPLORERS) if row(full, m.name).killed_by == law]
+    judges = [m for m in killed(WEAK_JUDGES) if m.law == law]
+    assert only(monkeypatch, explorers_, judges=judges).survivors == []
     monkeypatch.delitem(LAWS, law)
-    without = mutants(edges=SMALLER)
-    assert set(without.survivors) > set(small.survivors)
+    without = only(monkeypatch, explorers_, judges=judges)
+    assert without.survivors
     assert without.exit_code == 1
 
 
@@ -144,13 +157,13 @@ class Right(explorers.Algorithm1):
     """Nothing is wrong with it."""
 
 
-def only(monkeypatch, wrong, equivalent=()):
-    """The matrix of these explorers and nothing else."""
+def only(monkeypatch, wrong, equivalent=(), judges=()):
+    """The matrix of these mutants and nothing else."""
     for name, values in (
         ("WRONG_EXPLORERS", tuple(wrong)),
         ("WRONG_LEARNERS", ()),
         ("EQUIVALENT_EXPLORERS", tuple(equivalent)),
-        ("WEAK_JUDGES", ()),
+        ("WEAK_JUDGES", tuple(judges)),
         ("BROKEN_ENUMERATORS", ()),
     ):
         monkeypatch.setattr(matrix, name, values)

@@ -313,7 +313,7 @@ def refused_formulas(checkers, proofs, refuted, name, tries):
     return differ, refused
 
 
-@pytest.mark.parametrize("name", QUICK)
+@pytest.mark.parametrize("name", [name for name in QUICK if name[-1] != "3"])
 def test_no_changed_formula_is_accepted(checkers, proofs, refuted, name):
     differ, refused = refused_formulas(checkers, proofs, refuted, name, 60)
     assert differ == refused > 30
@@ -322,7 +322,7 @@ def test_no_changed_formula_is_accepted(checkers, proofs, refuted, name):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORMULAS)
 def test_no_changed_formula_is_accepted_in_the_long_run(checkers, proofs, refuted, name):
-    tries = 200 if name in QUICK else 20
+    tries = 20 if name in LARGE else 60 if name[-1] == "3" else 200
     differ, refused = refused_formulas(checkers, proofs, refuted, name, tries)
     assert differ == refused > tries // 2
 

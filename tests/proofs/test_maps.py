@@ -6,6 +6,7 @@ from allworlds.maps.classes import MapClass
 from allworlds.maps.enumeration import rooted_maps
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("map_class", "edges", "most", "count"),
     [

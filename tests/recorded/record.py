@@ -19,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from allworlds.checker import check
-from allworlds.corpora import own_corpus
+from allworlds.own_corpus import own_corpus
 
 HERE = Path(__file__).parent
 FINDINGS = own_corpus().directory / "findings"

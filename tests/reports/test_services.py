@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from allworlds.checker import Completed, Interrupted, Stopped, check
-from allworlds.reports import written
+from allworlds.reports import FORMATS, written
 from allworlds.reports.annotations import runner_commands
 from allworlds.reports.markdown import markdown
 from allworlds.reports.run_text import finding_text
@@ -25,6 +25,27 @@ def read(line):
 
     told = dict(part.split("=", 1) for part in properties.split(","))
     return kind, {name: plain(value) for name, value in told.items()}, plain(message)
+
+
+RAISES = """
+def explore(first):
+    if not first.degree:
+        yield
+    raise ValueError("ends with \\udcff \\x1b[31m \\0 and a bell \\a")
+"""
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_what_an_explorer_says_or_is_called_fits_into_every_file(form, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    try:
+        (tmp_path / "q\udcff.py").write_text(RAISES)
+    except OSError:
+        pytest.skip("names of files are UTF-8 here")
+    text = written(form, check("q\udcff.py:explore", edges=1))
+    assert text.encode()
+    assert not re.search(r"[\x00-\x08\x0b-\x1f\x7f]", text)
+    assert "ends with" in text
 
 
 def test_a_finding_is_an_error_at_the_line_of_the_explorer(refuted, line):

@@ -7,6 +7,7 @@ from allworlds.checker import check, replay, run
 from allworlds.counter import CountRow, count
 from allworlds.fuzzer import fuzz
 from allworlds.maps.build import named_map
+from allworlds.reports import brief
 from allworlds.reports.check_text import check_text
 from allworlds.reports.count_text import count_text
 from allworlds.reports.run_text import finding_text, replay_text, run_text
@@ -189,3 +190,19 @@ def test_of_many_choices_both_ends_are_told():
 def test_what_was_seen_is_a_number_and_what_was_expected_a_bound():
     words = " ".join(check_text(check(edges=1, bound=0), 100).split())
     assert "expected at most 0 traversals seen 1 traversal" in words
+
+
+def test_a_run_and_a_replay_have_one_line_each():
+    right = run("algorithm1", World(named_map("theta"), Directional(0)))
+    assert brief("run", right, 40) == "HOLDS: 8 traversals of at most 17: no law is broken"
+    explore = lambda f: (yield from single_edge(f))  # noqa: E731
+    (finding,) = check(explore, edges=1, engine="python").findings
+    wrong = run(explore, finding.world)
+    assert brief("run", wrong, 40) == f"REFUTED: law {finding.law} is broken"
+    again = brief("replay", replay(finding, explore), 40)
+    assert again == f"REPRODUCED: law '{finding.law}' is broken again"
+    fixed = brief("replay", replay(finding, "algorithm1"), 40)
+    assert fixed == "FIXED: algorithm1 now keeps every law in the recorded world"
+    other = brief("replay", replay(replace(finding, law="pose"), explore), 40)
+    assert other.startswith("REPRODUCED: law ")
+    assert other.endswith("is broken now, where 'pose' was recorded")

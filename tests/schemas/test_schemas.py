@@ -14,7 +14,6 @@ from allworlds.ambiguity import census, class_of, twins
 from allworlds.benching import bench
 from allworlds.checker import Interrupted, check, replay, run, worlds
 from allworlds.comparing import compare
-from allworlds.corpora import own_corpus
 from allworlds.counter import count
 from allworlds.explaining import explain
 from allworlds.figures import figure
@@ -27,6 +26,7 @@ from allworlds.maps import named_map
 from allworlds.minimax import optimum
 from allworlds.mutation import mutants
 from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.own_corpus import own_corpus
 from allworlds.playing import play
 from allworlds.skeletons import init
 from allworlds.smt import search
@@ -79,6 +79,11 @@ def manifest():
     return json.loads((own_corpus().directory / "manifest.json").read_text(encoding="utf-8"))
 
 
+@functools.cache
+def benched():
+    return bench(edges=4, rounds=1)
+
+
 def kept(verb):
     """What a verb says of a run directory."""
     with tempfile.TemporaryDirectory() as directory:
@@ -118,7 +123,7 @@ DOCUMENTS = {
             "worst": lambda: worst(edges=2),
             "mutants": lambda: mutants(edges=1),
             "optimum": lambda: optimum(edges=1),
-            "bench": lambda: bench(edges=4, rounds=1),
+            "bench": benched,
             "ambiguity-census": lambda: census(edges=2),
         }.items()
     },
@@ -188,7 +193,7 @@ DOCUMENTS = {
         whole("worst"),
         lambda: worst(edges=2, map_class="simple", transit="shortest").to_json(),
     ),
-    "bench": (whole("bench"), lambda: bench(edges=4, rounds=1).to_json()),
+    "bench": (whole("bench"), lambda: benched().to_json()),
     "twins told apart": (
         whole("twins"),
         lambda: twins(marked("cycle-3"), marked("cycle-4")).to_json(),

@@ -34,6 +34,7 @@ def sizes(result):
 
 
 # Smallest pairs with the position marked: any map m = 2, simple m = 6, planar simple m = 8.
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("map_class", "edges", "found"),
     [
@@ -51,6 +52,7 @@ def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class
     assert [found.status for found in result.searched].count("unsat") >= edges - 1
 
 
+@pytest.mark.no_cover
 @needs_python_sat
 @pytest.mark.parametrize(
     ("lighthouse", "map_class", "edges"),

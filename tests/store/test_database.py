@@ -188,6 +188,7 @@ def test_a_checksum_depends_on_every_field():
     assert len({*sums, checksum("b", *row)}) == 6
 
 
+@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 def test_a_flipped_byte_is_detected_or_harms_nothing(tmp_path):
     job = lambda run: check(edges=3, engine="python", run=run).to_json()  # noqa: E731

@@ -57,6 +57,7 @@ def units_in(directory):
         return {key for (key,) in connection.execute("SELECT key FROM units")}
 
 
+@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", VERBS)
 def test_a_job_that_was_ended_goes_on_and_says_the_same(name, tmp_path):
@@ -89,6 +90,7 @@ def test_what_is_finished_is_not_done_again(name, tmp_path, monkeypatch):
         job(run=tmp_path / "another")
 
 
+@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", ["raises", "everywhere", "here_of_another", "sys_exit"])
 def test_a_finding_that_was_kept_is_the_same_finding(name, tmp_path):
@@ -113,6 +115,7 @@ def test_a_finding_is_confirmed_once(tmp_path, monkeypatch):
     assert job().to_json() == whole
 
 
+@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 def test_a_time_limit_is_no_part_of_the_job(tmp_path):
     job = lambda **more: check(edges=3, engine="python", **more)  # noqa: E731

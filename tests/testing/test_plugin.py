@@ -42,6 +42,7 @@ def tests(pytester):
     return run
 
 
+@pytest.mark.no_cover
 def test_a_mark_makes_one_test_for_each_number_of_edges(tests):
     result = tests(MARKED, "-v")
     result.assert_outcomes(passed=3)
@@ -62,6 +63,7 @@ def test_a_refuted_explorer_fails_with_the_picture_and_no_traceback_of_ours(test
     assert "testing.py" not in text
 
 
+@pytest.mark.no_cover
 def test_findings_are_kept_in_the_cache_each_test_its_own(tests, pytester):
     tests(REFUTED)
     kept = sorted(pytester.path.glob(".pytest_cache/d/allworlds/*/*.json"))
@@ -75,6 +77,34 @@ def test_findings_are_kept_in_the_cache_each_test_its_own(tests, pytester):
 def test_without_a_cache_nothing_is_kept(tests, pytester):
     tests(REFUTED, "-p", "no:cacheprovider").assert_outcomes(failed=2)
     assert not [*pytester.path.glob(".pytest_cache/d/allworlds/*")]
+
+
+def test_a_test_that_checks_nothing_with_the_fixture_fails(tests):
+    text = """
+    import pytest
+
+    @pytest.mark.allworlds(edges=1)
+    def test_forgets(explores):
+        pass
+
+    @pytest.mark.allworlds(edges=1)
+    def test_skips(explores):
+        pytest.skip("not today")
+
+    @pytest.fixture
+    def checked(explores):
+        return explores("algorithm1")
+
+    @pytest.mark.allworlds(edges=1)
+    def test_has_it_checked(checked):
+        assert checked.runs == 3
+
+    def test_without_it():
+        pass
+    """
+    result = tests(text)
+    result.assert_outcomes(passed=2, failed=1, skipped=1)
+    result.stdout.fnmatch_lines(["*test_forgets*never calls it, so that nothing has been checked*"])
 
 
 def test_an_assertion_needs_no_mark(tests, pytester):
@@ -100,6 +130,7 @@ def test_the_fixture_alone_tries_the_default(tests):
     ]
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("text", "said"),
     [

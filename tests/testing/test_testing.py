@@ -39,6 +39,7 @@ def cached(tmp_path, monkeypatch):
     return tmp_path / "past"
 
 
+@pytest.mark.no_cover
 def test_a_right_explorer_passes_and_the_report_says_how_much_was_tried():
     report = assert_explores(RIGHT, edges=3, corpus=None)
     assert (report.worlds, report.runs) == (86, 309)
@@ -91,6 +92,7 @@ def test_a_finding_is_kept_and_tried_first_and_forgotten_when_it_is_fixed(cached
     assert [*cached.iterdir()] == []
 
 
+@pytest.mark.no_cover
 def test_a_corpus_of_ones_own_keeps_everything(tmp_path):
     with pytest.raises(AssertionError):
         assert_explores(wrong(), edges=3, corpus=tmp_path)
@@ -128,10 +130,12 @@ def test_the_kit_has_a_part_for_each_thing_that_is_tried():
     assert "every-schedule" not in map(str, conformance("algorithm1"))
 
 
+@pytest.mark.no_cover
 def test_algorithm_1_conforms():
     assert_conforms(RIGHT, edges=2, drawn=5, drawn_edges=5, corpus=None)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("part", ["edges-2", "drawn-maps"])
 def test_a_wrong_explorer_fails_each_part_that_goes_far_enough(part):
     parts = {str(part): part for part in conformance(wrong(), drawn=8, drawn_edges=6)}
@@ -139,6 +143,7 @@ def test_a_wrong_explorer_fails_each_part_that_goes_far_enough(part):
         parts[part]()
 
 
+@pytest.mark.no_cover
 def test_what_conforms_no_longer_is_told_with_the_part():
     with pytest.raises(AssertionError, match=r"^known-hard-maps: \nFINDING"):
         assert_conforms(wrong(), corpus=None)

@@ -15,6 +15,15 @@ bisimulation
     (:mod:`allworlds.bisimulation`).
 separation
     Motions that tell them apart.
+
+Modules
+-------
+``comparison``
+    two worlds: a bisimulation or a separation;
+``members``, ``lifting``, ``marked``
+    the class of a world: its members, how they are made from the quotient, and their codes;
+``census``
+    every map with a marked vertex.
 """
 
 from allworlds.ambiguity.census import AmbiguityCensus, CensusRow, census, merged_census

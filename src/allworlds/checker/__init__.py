@@ -4,10 +4,16 @@
     the options that ``check``, ``fuzz`` and ``run`` share;
 ``exhaustive``
     level by level to a report;
+``job``
+    what an engine is to do;
 ``engines``
     **the** table of engines;
+``sizes``
+    from which size on that is the compiled one;
 ``compiled``, ``questions``, ``agreement``
     the compiled one: its rows into tallies, what it is asked, and whether it is to be believed;
+``native``
+    the same for foreign explorers, many runs at a time;
 ``guessing``
     how long it will take;
 ``gate``
@@ -39,20 +45,28 @@ from allworlds.checker.ending import (
 from allworlds.checker.engines import ENGINES
 from allworlds.checker.exhaustive import check, estimate, merged_check
 from allworlds.checker.gate import Cell, count_gate
-from allworlds.checker.guessing import Estimate
+from allworlds.checker.guessing import TimeEstimate
 from allworlds.checker.job import Job
-from allworlds.checker.options import ManyRunsOptions, RunOptions, refuse_others, rules_for
+from allworlds.checker.options import (
+    CheckOptions,
+    ManyRunsOptions,
+    RunOptions,
+    refuse_others,
+    rules_for,
+)
 from allworlds.checker.replaying import Replay, replay
 from allworlds.checker.report import Report
 from allworlds.checker.single import SingleRun, run, single_run, worlds
+from allworlds.checker.sizes import WALKED_FROM
 
 __all__ = [
     "ENGINES",
+    "WALKED_FROM",
     "Cell",
+    "CheckOptions",
     "Completed",
     "Disagreed",
     "Ending",
-    "Estimate",
     "Interrupted",
     "Job",
     "ManyRunsOptions",
@@ -61,6 +75,7 @@ __all__ = [
     "RunOptions",
     "SingleRun",
     "Stopped",
+    "TimeEstimate",
     "UserCorpus",
     "check",
     "count_gate",

@@ -1,7 +1,7 @@
 """The compiled engine of a check: rows of the kernel into tallies.
 
 In small worlds every run is played and judged by itself.  From
-:data:`allworlds.checker.questions.WALKED_FROM` edges on Algorithm 1 with its
+:data:`allworlds.checker.sizes.WALKED_FROM` edges on Algorithm 1 with its
 directional lighthouse is walked once in each rooted map, and the walk is counted for every
 bearing, because the marker's direction only tells the darts of v0 apart.  That premise, and the
 kernel itself, are compared with the general engine before the first level
@@ -19,7 +19,8 @@ from typing import Any, Self
 from allworlds import kernel
 from allworlds.checker.agreement import AGREEMENT_EDGES, compare_engines
 from allworlds.checker.job import Job
-from allworlds.checker.questions import WALKED_FROM, level_of, walks
+from allworlds.checker.questions import level_of, walks
+from allworlds.checker.sizes import WALKED_FROM
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.runs import EnginesDisagree, Examiner, InUnit, Row, Scope, Tally, Unit
 from allworlds.subjects import Subject

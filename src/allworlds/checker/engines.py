@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any, Protocol
 
 from allworlds.checker.job import Job
+from allworlds.checker.sizes import COMPILED_FROM
 from allworlds.inputs import InputError, show
 from allworlds.isolation import in_any_order, workers_for
 from allworlds.runs import Examination, Scope
@@ -15,7 +16,7 @@ from allworlds.work import Dask, Split, Threads, Transport
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class ReadyEngine:
     """An engine made ready, and the transport by which units get to it and tallies back."""
 
     transport: Transport[Any]
@@ -33,7 +34,7 @@ class Engine(Protocol):
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """Why it cannot do a check; empty if it can."""
 
-    def ready(self, job: Job) -> Way:
+    def ready(self, job: Job) -> ReadyEngine:
         """The engine for this job.
 
         Raises:
@@ -54,16 +55,16 @@ class General:
         """None."""
         return ""
 
-    def ready(self, job: Job) -> Way:
+    def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
         engine = Examination(job.scope, job.keep)
         if job.dask is not None:
-            return Way(_cluster(job, job.dask), engine)
-        return Way(workers_for(job.subject, job.limits, job.deadline), engine)
+            return ReadyEngine(_cluster(job, job.dask), engine)
+        return ReadyEngine(workers_for(job.subject, job.limits, job.deadline), engine)
 
 
 class Compiled:
-    """The judge in compiled code: built-in explorers in threads, native ones in processes."""
+    """The judge in compiled code: built-in explorers in threads, foreign ones in processes."""
 
     name = "kernel"
 
@@ -76,33 +77,34 @@ class Compiled:
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
         """The first option that it does not know."""
-        if subject.foreign and not subject.name.startswith(NATIVE):
+        if subject.foreign and not subject.elsewhere and subject.native is None:
             # Said before the kernel is loaded, which takes half a second.
-            return f"runs only built-in explorers and shared libraries, not {show(subject.name)}"
+            return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
         from allworlds.checker.questions import obstacle
 
         return obstacle(scope, subject)
 
-    def ready(self, job: Job) -> Way:
+    def ready(self, job: Job) -> ReadyEngine:
         """Threads, after both engines have agreed on every small world.
 
-        For a native explorer processes, as its code is foreign: there both agree as they go.
+        For a foreign explorer processes: there both agree as they go.
         """
         if job.subject.foreign:
             from allworlds.checker.native import NativeExamination
 
             apart = NativeExamination(job.scope, job.keep)
             if job.dask is not None:
-                return Way(_cluster(job, job.dask), apart)
+                return ReadyEngine(_cluster(job, job.dask), apart)
             apart.compiled(job)
-            return Way(workers_for(job.subject, job.limits, job.deadline), apart)
+            return ReadyEngine(workers_for(job.subject, job.limits, job.deadline), apart)
         from allworlds.checker.compiled import BATCH, CompiledExamination
 
         engine, workers = CompiledExamination.ready(job), job.limits.workers
         near = Threads(workers, job.deadline, BATCH)
         if job.dask is None:
-            return Way(near, engine)
-        return Way(Split(engine.is_soon_done, near, Dask(job.dask, workers, job.deadline)), engine)
+            return ReadyEngine(near, engine)
+        far = Dask(job.dask, workers, job.deadline)
+        return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
 
 
 def _cluster(job: Job, scheduler: str) -> Dask:
@@ -135,17 +137,14 @@ def why_not_compiled(scope: Scope, subject: Subject) -> str:
     return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""
 
 
-COMPILED_FROM = 5
-"""Checks of so many edges are worth the compiling; smaller ones are done before it would begin."""
-
-
-def engine_for(name: str, scope: Scope, subject: Subject) -> Engine:
+def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> Engine:
     """The engine that is to be used.
 
     Args:
         name: ``auto``, or one of :data:`ENGINES`.
         scope: what is to be checked.
         subject: the explorer.
+        memory: MB that it may have, compiled code included.
 
     Raises:
         InputError: for a name that is none, or for an engine that cannot do it.
@@ -153,6 +152,8 @@ def engine_for(name: str, scope: Scope, subject: Subject) -> Engine:
     if name == "auto":
         compiled = ENGINES["kernel"]
         small = scope.extent.levels[-1] < COMPILED_FROM
+        # Hundreds of MB of address space are the compiled engine's own.
+        small |= memory is not None and subject.foreign and not subject.name.startswith(NATIVE)
         return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled
     if name not in ENGINES:
         raise InputError(f"engine {show(name)} is none of auto, {', '.join(ENGINES)}")

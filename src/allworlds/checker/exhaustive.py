@@ -11,12 +11,12 @@ from typing import Any, Unpack
 
 from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.ending import Completed, Disagreed, Ending, Interrupted, Stopped
-from allworlds.checker.engines import Engine, Way, engine_for, why_not_compiled
+from allworlds.checker.engines import Engine, ReadyEngine, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
 from allworlds.checker.guessing import (
     LONG,
-    Estimate,
     Guess,
+    TimeEstimate,
     estimated,
     extrapolated,
     is_worth_a_guess,
@@ -24,7 +24,7 @@ from allworlds.checker.guessing import (
 )
 from allworlds.checker.job import Job
 from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
-from allworlds.checker.options import ManyRunsOptions, refuse_others, rules_for
+from allworlds.checker.options import CheckOptions, ManyRunsOptions, refuse_others, rules_for
 from allworlds.checker.report import Report
 from allworlds.findings import Finding
 from allworlds.inputs import InputError, a_path, an_integer, show
@@ -100,9 +100,16 @@ def check(
         InputError: naming the offending option and what would be legal.
     """
     listener = listener or Silent()
-    job, chosen = _asked(
-        explore, edges, vertices, schedules, shard, max_findings, engine, dask, listener, options
-    )
+    asked: CheckOptions = {
+        **options,
+        "edges": edges,
+        "vertices": vertices,
+        "schedules": schedules,
+        "shard": shard,
+        "engine": engine,
+        "dask": dask,
+    }
+    job, chosen = _asked(explore, asked, max_findings, listener)
     directory = None if corpus is None else UserCorpus(a_path("corpus", corpus))
     if run is not None and corpus is not None:
         raise InputError(
@@ -118,15 +125,9 @@ def check(
 def estimate(
     explore: str | Callable[..., Any] = "algorithm1",
     *,
-    edges: int | None = None,
-    vertices: int | None = None,
-    schedules: str = "one",
-    shard: tuple[int, int] | None = None,
-    engine: str = "auto",
-    dask: str | None = None,
     listener: Listener | None = None,
-    **options: Unpack[ManyRunsOptions],
-) -> Estimate:
+    **options: Unpack[CheckOptions],
+) -> TimeEstimate:
     """How long :func:`check` will take with these options, from a sample of some seconds.
 
     And with more edges: one more is tried as well, by the engine that would do it, and for the
@@ -136,49 +137,39 @@ def estimate(
         InputError: naming the offending option and what would be legal.
     """
     heard = Once(listener or Silent())
-
-    def asked(edges: int | None) -> tuple[Job, Engine]:
-        return _asked(explore, edges, vertices, schedules, shard, 1, engine, dask, heard, options)
-
-    job, chosen = asked(edges)
+    job, chosen = _asked(explore, options, 1, heard)
     guess, larger = estimated(job, chosen), tuple[Guess, ...]()
     if guess.rate and (extent := one_larger(job)):
         # What an engine cannot do ends the table.
         with suppress(InputError):
-            job, chosen = asked(extent.edges)
+            job, chosen = _asked(explore, {**options, "edges": extent.edges}, 1, heard)
             more = estimated(job, chosen)
             larger = (more, *extrapolated(job, (guess, more)))
-    return Estimate(job.subject.name, guess, larger)
+    return TimeEstimate(job.subject.name, guess, larger)
 
 
 def _asked(
-    explore: str | Callable[..., Any],
-    edges: int | None,
-    vertices: int | None,
-    schedules: str,
-    shard: tuple[int, int] | None,
-    max_findings: int,
-    engine: str,
-    dask: str | None,
-    listener: Listener,
-    options: ManyRunsOptions,
+    explore: str | Callable[..., Any], options: CheckOptions, max_findings: int, listener: Listener
 ) -> tuple[Job, Engine]:
     """What is to be done, and by which engine."""
-    refuse_others("check", options, ManyRunsOptions)
+    refuse_others("check", options, CheckOptions)
     limits = Limits.of(options)
     keep = _positive("max-findings", max_findings)
     subject = subject_of(explore, limits)
     map_class, rules = rules_for(subject, options)
+    edges, vertices = options.get("edges"), options.get("vertices")
     if edges is None and vertices is None:
         edges = DEFAULT_EDGES
-    extent = Extent(map_class, edges, vertices)
-    scope = Scope(extent, rules, a_schedule(schedules), a_shard(shard))
+    schedules, shard = a_schedule(options.get("schedules", "one")), a_shard(options.get("shard"))
+    scope = Scope(Extent(map_class, edges, vertices), rules, schedules, shard)
     if scope.schedules == "all" and not subject.takes_choices:
         raise InputError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
+    engine = options.get("engine", "auto")
     if engine == "auto" and (why := why_not_compiled(scope, subject)):
         listener.notice(why)
-    job = Job(scope, subject, limits, keep, limits.deadline(), listener.notice, dask)
-    return job, engine_for(engine, scope, subject)
+    deadline, dask = limits.deadline(), options.get("dask")
+    job = Job(scope, subject, limits, keep, deadline, listener.notice, dask)
+    return job, engine_for(engine, scope, subject, limits.memory)
 
 
 def merged_check(identity: Identity, records: Records, listener: Listener) -> Report:
@@ -313,9 +304,9 @@ class _Check:
 
     def _examined(self) -> Ending:
         try:
-            way = self._engine.ready(self._job)
-            with way.transport:
-                return self._all_levels(way)
+            ready = self._engine.ready(self._job)
+            with ready.transport:
+                return self._all_levels(ready)
         except TimeIsUp:
             return Stopped(f"the time limit of {self._job.limits.time_limit:g} s was reached")
         except EnginesDisagree as error:
@@ -323,11 +314,11 @@ class _Check:
         except (Unsettled, Lost) as error:
             return Stopped(str(error))
 
-    def _all_levels(self, way: Way) -> Ending:
+    def _all_levels(self, ready: ReadyEngine) -> Ending:
         extent, keep = self._scope.extent, self._job.keep
         tell_of_size(extent, self._listener, shards_of(self._scope.coverage))
         for edges in extent.levels:
-            self._level(way, edges)
+            self._level(ready, edges)
             self._levels.append(edges)
             if not all(cell.agrees for cell in self._gate):
                 return Disagreed("the count gate: the enumeration and its source disagree")
@@ -338,7 +329,7 @@ class _Check:
             return Completed()
         return Completed(missing_witnesses(extent, self._subject, self._tally.witnesses))
 
-    def _level(self, way: Way, edges: int) -> None:
+    def _level(self, ready: ReadyEngine, edges: int) -> None:
         """One level, whole: its counts stand in the report only if it is finished."""
         scope, extent = self._scope, self._scope.extent
         self._listener.level(edges, level_size(extent, edges) // shards_of(self._scope.coverage))
@@ -346,7 +337,7 @@ class _Check:
         finished = False
         try:
             shelf = shelf_for(self._records, self._job)
-            gather(way.transport, way.engine, scope.units(edges), tally, self._listener, shelf)
+            gather(ready.transport, ready.engine, scope.units(edges), tally, self._listener, shelf)
             finished = True
         finally:
             minimal = finished and scope.whole

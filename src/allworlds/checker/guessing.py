@@ -15,6 +15,7 @@ from allworlds.isolation import Unsettled
 from allworlds.maps.classes import Extent
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.runs import EnginesDisagree, Unit
+from allworlds.subjects import NATIVE
 from allworlds.work import Lost, TimeIsUp, drawn_units, level_size, shards_of
 
 if TYPE_CHECKING:
@@ -26,10 +27,10 @@ SECONDS = 3.0
 MOST_SECONDS = 120.0
 """So long it takes at most, compiling and all; where no piece is done by then there is no guess."""
 
-PIECE = {"python": 200, "kernel": 200_000}
-"""So many worlds at most stand in a piece of the sample, by the engine."""
+PIECE = {"python": 200, "compiled": 200_000}
+"""So many worlds at most stand in a piece of the sample, by what plays in them."""
 
-MANY = {"python": 20_000, "kernel": 100_000_000}
+MANY = {"python": 20_000, "compiled": 100_000_000}
 """Checks of more worlds begin with an estimate."""
 
 LONG = 60.0
@@ -77,7 +78,7 @@ class Guess:
 
 
 @dataclass(frozen=True, slots=True)
-class Estimate:
+class TimeEstimate:
     """How long a check takes, and larger ones.
 
     Attributes:
@@ -111,6 +112,12 @@ class Estimate:
         }
 
 
+def _plays(job: Job, engine: Engine) -> str:
+    """What plays: compiled code, or, whoever judges it, an explorer in Python or behind a pipe."""
+    slow = job.subject.foreign and not job.subject.name.startswith(NATIVE)
+    return "python" if slow or engine.name == "python" else "compiled"
+
+
 def worlds_of(job: Job) -> int:
     """How many worlds are to be tried; of a shard about so many."""
     extent = job.scope.extent
@@ -121,7 +128,7 @@ def worlds_of(job: Job) -> int:
 def is_worth_a_guess(job: Job, engine: Engine) -> bool:
     """Whether a check may be long, and has no limit of time; its worlds are soon counted."""
     soon = job.limits.time_limit is None and job.scope.extent.levels[-1] <= COUNTABLE
-    return soon and worlds_of(job) > MANY[engine.name]
+    return soon and worlds_of(job) > MANY[_plays(job, engine)]
 
 
 def estimated(job: Job, engine: Engine) -> Guess:
@@ -130,11 +137,11 @@ def estimated(job: Job, engine: Engine) -> Guess:
     What starts workers and compiles is not counted; the sample takes some seconds.
     """
     hurried = replace(job, deadline=time.monotonic() + MOST_SECONDS)
-    way = engine.ready(hurried)
+    ready = engine.ready(hurried)
     sampled, began, ended = 0, 0.0, 0.0
     try:
-        with way.transport as transport:
-            for part in transport.map(way.engine, _pieces(job, engine.name)):
+        with ready.transport as transport:
+            for part in transport.map(ready.engine, _pieces(job, PIECE[_plays(job, engine)])):
                 now = time.monotonic()
                 if not began:
                     began = now
@@ -175,9 +182,9 @@ def extrapolated(job: Job, guesses: tuple[Guess, Guess]) -> tuple[Guess, ...]:
     return (Guess(extent.levels[-1], second.engine, worlds, 0, slower * second.rate),)
 
 
-def _pieces(job: Job, engine: str) -> Iterator[Any]:
+def _pieces(job: Job, worlds: int) -> Iterator[Any]:
     extent = job.scope.extent
     draw = Random(0)  # noqa: S311  # the same pieces each time
-    units = drawn_units(extent, extent.levels[-1], PIECE[engine], draw)
+    units = drawn_units(extent, extent.levels[-1], worlds, draw)
     for unit in islice(units, PIECES):
         yield Unit(unit.edges, unit.prefix)

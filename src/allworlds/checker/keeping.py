@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields, replace
 from functools import partial
 from typing import Any
 
-from allworlds.checker.engines import ENGINES, Engine, Way
+from allworlds.checker.engines import ENGINES, Engine, ReadyEngine
 from allworlds.checker.job import Job
 from allworlds.findings import Finding, Rules
 from allworlds.maps.classes import Extent, MapClass
@@ -89,9 +89,9 @@ class Done:
         """None."""
         return ""
 
-    def ready(self, job: Job) -> Way:  # noqa: ARG002  # it is done
-        """A way on which no unit ever goes."""
-        return Way(Here(), None)
+    def ready(self, job: Job) -> ReadyEngine:  # noqa: ARG002  # it is done
+        """A transport by which no unit ever goes."""
+        return ReadyEngine(Here(), None)
 
 
 def shelf_for(records: Records, job: Job) -> Kept:

@@ -1,14 +1,16 @@
-"""Native explorers in the compiled engine: stretches of runs, played twice, and judged between.
+"""Foreign explorers in the compiled engine: stretches of runs, played twice, and judged between.
 
 A stretch is laid out and judged by a referee, which has no foreign code in it; its two players play
 it, the one in worlds, the other against what was sensed there, each in an order of its own.
 Whatever goes wrong there, a lost player, threads left behind, logs that cannot be read, is left to
-the general engine, which plays the stretch anew; and what the kernel says of a broken law, the
-general engine must say too, or nothing is believed.
+the general engine, which plays the stretch anew.  A run that breaks a law is played anew by it,
+too: if it does otherwise then, and the Python judge says of the same log what the kernel says, the
+explorer is not the same twice; if that says something else, nothing is believed.
 """
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator, MutableSequence, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
@@ -19,10 +21,13 @@ from allworlds import kernel
 from allworlds.checker.compiled import tally_of
 from allworlds.checker.job import Job
 from allworlds.checker.questions import level_of
+from allworlds.episode import Fault, Log, Said, retold
 from allworlds.isolation import Cast, Shared, guardian
+from allworlds.maps.canonical import Code
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.runs import (
     LOST,
+    REPORT_EVERY,
     Earlier,
     EnginesDisagree,
     Examination,
@@ -43,18 +48,23 @@ from allworlds.subjects import Subject
 from allworlds.world import World
 
 AGREEMENT_EDGES = 3
-"""Up to so many edges both engines do everything, and must count the same."""
+"""Up to so many edges both judges look at every log, and must say the same; and the general engine
+plays everything, too."""
 
-AT_FIRST, AFTER_LOSS = 512, 64
-"""The runs of the first stretch, and of the one after a loss; each next one has twice as many."""
+AT_FIRST, AFTER_LOSS, LEAST = 64, 64, 16
+"""The runs of the first stretch, and of the one after a loss; each next one has twice as many, but
+half as many, though no fewer than so few, if it took long."""
 
 MOST_DIFFERING = 16
 """So many runs whose plays differ are looked at in one stretch."""
 
-KEPT = 64
-"""So many plays are kept to be played again among later ones."""
+KEPT, ANEW = 256, 8
+"""So many plays are kept to be played again among later ones; of each stretch so many take the
+place of others."""
 
 DIFFERENT = "the second walk or answer differs"
+
+THIRD = "when it was played once more, the walk or the answer was another"
 
 
 def load() -> None:
@@ -64,7 +74,7 @@ def load() -> None:
 
 @dataclass(frozen=True, slots=True)
 class NativeExamination:
-    """All runs of a unit, played in compiled code by a native explorer, and judged by the kernel.
+    """All runs of a unit, played by a foreign explorer in stretches, and judged by the kernel.
 
     Attributes:
         scope, keep: as for the general engine.
@@ -103,7 +113,7 @@ class _Earlier(NamedTuple):
 
 @dataclass(slots=True)
 class PlayedByStretches:
-    """The engine for a native explorer.
+    """The engine for a foreign explorer.
 
     Attributes:
         examination, explorer, cast, earlier: as for the general engine.
@@ -136,6 +146,7 @@ class PlayedByStretches:
         judge = kernel.UnitJudge(level, unit.prefix, keep, first.stretch, second.stretch)
         laid = None
         while laid is None or not laid.last:
+            began = time.monotonic()
             laid = judge.lay_out(self._most)
             tally = self._compiled(unit, judge, laid)
             if tally is None:
@@ -143,9 +154,14 @@ class PlayedByStretches:
                 judge.skip(laid)
                 tally = self._by_the_general_engine(unit, laid)
             else:
-                self._most = min(2 * self._most, kernel.LONGEST_STRETCH)
+                slow = time.monotonic() - began > REPORT_EVERY
+                most = self._most // 2 if slow else 2 * self._most
+                self._most = max(LEAST, min(most, kernel.LONGEST_STRETCH))
                 if unit.edges <= AGREEMENT_EDGES:
-                    self._compare(unit, laid, tally)
+                    general = self._by_the_general_engine(unit, laid)
+                    tally.remarks.update(general.remarks)
+                    for found in general.findings:
+                        tally.find(found)
             yield laid.until, tally
 
     def _compiled(self, unit: Unit, judge: kernel.UnitJudge, laid: kernel.Laid) -> Tally | None:
@@ -163,6 +179,8 @@ class PlayedByStretches:
         rows, readable = judge.judge(laid, size, again)
         if not readable:
             return None
+        if unit.edges <= AGREEMENT_EDGES:
+            self._compare(unit, laid, judge, rows)
         differing: list[int] = []
         if laid.runs:
             played = second.played(self.cast, "second", laid.runs + few, policy)
@@ -175,12 +193,15 @@ class PlayedByStretches:
             self._find_differing(unit, ours, tally)
         else:
             for broken in rows.broken:
-                self._find(unit, broken, tally)
+                self._find(unit, laid, judge, broken, tally)
         for play in (earlier[row - laid.runs] for row in differing if row >= laid.runs):
             self._find_differing(play.unit, [play.number], tally)
-        if not differing and laid.runs:
-            row = self.cast.random.randrange(laid.runs)
-            self._keep(_Earlier(unit, judge.number(row), judge.kept(row)))
+        if not differing:
+            wanted = min(laid.runs, max(ANEW, KEPT - len(self._kept)))
+            for row in self.cast.random.sample(range(laid.runs), wanted):
+                kept = judge.kept(row)
+                if kept.short:
+                    self._keep(_Earlier(unit, judge.number(row), kept))
         return tally
 
     def _keep(self, play: _Earlier) -> None:
@@ -197,54 +218,96 @@ class PlayedByStretches:
             tally.add(self._general.tally(unit, some))
         return tally
 
-    def _compare(self, unit: Unit, laid: kernel.Laid, tally: Tally) -> None:
-        """Nothing, where the general engine counts the same, and finds as much."""
-        general = self._by_the_general_engine(unit, laid)
-        laws = [{found.law for found in each.findings} for each in (tally, general)]
-        if "nondeterministic" in laws[0] | laws[1]:
-            for found in general.findings:
-                tally.find(found)
-            return
-        same = (
-            tally.rows == general.rows
-            and (tally.left_out, tally.checkpoints) == (general.left_out, general.checkpoints)
-            and [found.key for found in tally.findings] == [f.key for f in general.findings]
+    def _compare(
+        self, unit: Unit, laid: kernel.Laid, judge: kernel.UnitJudge, rows: kernel.Rows
+    ) -> None:
+        """Nothing, where the Python judge says the same of the same logs.
+
+        Raises:
+            EnginesDisagree: where it does not.
+        """
+        scope, keep = self.examination.scope, self.examination.keep
+        counted, judged = tally_of(rows, unit, scope, keep), self.examination.tally()
+        for _, one, outcome in self._outcomes(unit, laid, judge, judged):
+            self.examination.count_outcome(self._referee, one.world, one.place, outcome, judged)
+        kernels, pythons = (
+            (tally.rows, tally.left_out, tally.checkpoints, +tally.witnesses)
+            for tally in (counted, judged)
         )
-        if not same and not laws[1] & {*LOST}:
+        broken = sorted((_key(unit, each), each.law) for each in rows.broken)
+        found = sorted((each.key[:4], each.law) for each in judged.findings)
+        if kernels != pythons or broken != found:
             raise EnginesDisagree(
                 f"the kernel and the python engine count differently in the unit {unit.key}: "
-                f"{tally.rows} and {general.rows}"
+                f"{kernels}, {broken} and {pythons}, {found}"
             )
 
-    def _find(self, unit: Unit, broken: kernel.Broken, tally: Tally) -> None:
+    def _outcomes(
+        self, unit: Unit, laid: kernel.Laid, judge: kernel.UnitJudge, tally: Tally
+    ) -> Iterator[tuple[int, OneRun, Outcome]]:
+        """Each run of a stretch with its row, judged in Python by its first log."""
+        row = 0
+        for run in islice(self.examination.runs(unit, laid.first), laid.until - laid.first):
+            world = self.examination.count_run(run, tally)
+            if world is not None:
+                episode = retold(_log(judge.kept(row)), world)
+                outcome = self._referee.outcome(world, episode, ())
+                yield row, OneRun(run.number, run.place, world), outcome
+                row += 1
+
+    def _find(
+        self,
+        unit: Unit,
+        laid: kernel.Laid,
+        judge: kernel.UnitJudge,
+        broken: kernel.Broken,
+        tally: Tally,
+    ) -> None:
         """A broken run, if it may be among the smallest, as the general engine finds it."""
-        assert broken.place is not None
-        key = (unit.edges, broken.vertices, (broken.sigma, broken.alpha), broken.place)
+        key = _key(unit, broken)
         # In small levels each unit must find what the general engine finds in it.
         small = unit.edges <= AGREEMENT_EDGES
         worst = self._worst.findings
         if not small and len(worst) >= self.examination.keep and key >= worst[-1].key:
             return
-        map_ = CombinatorialMap(broken.sigma, broken.alpha)
+        map_, place = CombinatorialMap(broken.sigma, broken.alpha), key[-1]
         rules = self.examination.scope.rules
-        lighthouse = next(islice(rules.kind.places(map_, 0), broken.place, None))
+        lighthouse = next(islice(rules.kind.places(map_, 0), place, None))
         world = World(map_, lighthouse, 0)
-        given = GivenWorlds(((world, broken.place),))
-        lit = {0: OneRun(0, broken.place, world)}
-        for one, outcome in self._general.outcomes(given, lit):
+        given = GivenWorlds(((world, place),))
+        for one, outcome in self._general.outcomes(given, {0: OneRun(0, place, world)}):
             if not isinstance(outcome, Outcome):
                 tally.find(self._referee.lost(one.world, one.place, outcome))
                 continue
-            law = outcome.violation.law if outcome.violation else ""
-            if law not in (broken.law, "nondeterministic", *LOST):
-                raise EnginesDisagree(
-                    f"the kernel says that {broken.law} is broken, the python engine that "
-                    f"{law or 'none'} is, in the world sigma={list(map_.sigma)} "
-                    f"alpha={list(map_.alpha)} place={broken.place}"
-                )
-            finding = self._referee.finding(one.world, one.place, outcome)
+            told, law = outcome, outcome.violation.law if outcome.violation else ""
+            # Of a run without an answer the general engine alone knows why.
+            unknown = law and broken.law == "illegal-action"
+            if not unknown and law not in (broken.law, "nondeterministic", *LOST):
+                self._confirm(unit, laid, judge, broken)
+                told = replace(outcome, violation=nondeterministic(THIRD))
+            finding = self._referee.finding(one.world, one.place, told)
             tally.find(finding)
             self._worst.find(finding)
+
+    def _confirm(
+        self, unit: Unit, laid: kernel.Laid, judge: kernel.UnitJudge, broken: kernel.Broken
+    ) -> None:
+        """Nothing, where the Python judge says what the kernel says of the same log.
+
+        Raises:
+            EnginesDisagree: where it does not.
+        """
+        law = ""
+        for _, one, outcome in self._outcomes(unit, laid, judge, self.examination.tally()):
+            map_ = one.world.map
+            if (map_.sigma, map_.alpha, one.place) == (broken.sigma, broken.alpha, broken.place):
+                law = outcome.violation.law if outcome.violation else ""
+        if law != broken.law:
+            raise EnginesDisagree(
+                f"the kernel says that {broken.law} is broken, the python engine that "
+                f"{law or 'none'} is, in the world sigma={list(broken.sigma)} "
+                f"alpha={list(broken.alpha)} place={broken.place}"
+            )
 
     def _find_differing(self, unit: Unit, differing: Sequence[int], tally: Tally) -> None:
         """Runs whose plays differ, whatever they do when they are played once more."""
@@ -267,6 +330,22 @@ class PlayedByStretches:
 def _one(run: NumberedRun) -> OneRun:
     assert run.lighthouse is not None
     return OneRun(run.number, run.place, World(run.map, run.lighthouse, 0))
+
+
+def _key(unit: Unit, broken: kernel.Broken) -> tuple[int, int, Code, int]:
+    """What the finding of a broken run is sorted by."""
+    assert broken.place is not None
+    return unit.edges, broken.vertices, (broken.sigma, broken.alpha), broken.place
+
+
+def _log(kept: kernel.Kept) -> Log:
+    """A first log as the general engine would have it."""
+    motions, published, ending = kernel.read_log(kept.log.tobytes())
+    shown = tuple([(steps, *what) for steps, what in published])
+    if not isinstance(ending, kernel.End):
+        return Log(motions, shown, Said(*ending))
+    without = ending is kernel.End.WITHOUT_ANSWER
+    return Log(motions, shown, Fault("illegal-action" if without else "budget", "", ""))
 
 
 @cache

@@ -1,4 +1,4 @@
-"""What ``run``, and what ``check`` and ``fuzz``, take beside the rules."""
+"""What ``run``, what ``check`` and ``fuzz``, and what ``check`` alone take beside the rules."""
 
 from __future__ import annotations
 
@@ -29,6 +29,28 @@ class ManyRunsOptions(RulesOptions, EffortOptions, total=False):
 
     map_class: str
     lighthouse: str | None
+
+
+class CheckOptions(ManyRunsOptions, total=False):
+    """What says which check is meant, and with what effort: that is done, or its time guessed.
+
+    Attributes:
+        edges: the largest number of edges; None (default) for one that takes seconds, unless
+            the vertices are bounded.
+        vertices: the largest number of vertices; None (default) for any.
+        schedules: ``one`` (default) or ``all``.
+        shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0; None
+            (default) for the whole.
+        engine: ``auto`` (default), ``python`` or ``kernel``.
+        dask: the address of a Dask scheduler, or ``local``; None (default) for this machine.
+    """
+
+    edges: int | None
+    vertices: int | None
+    schedules: str
+    shard: tuple[int, int] | None
+    engine: str
+    dask: str | None
 
 
 def refuse_others(function: str, options: object, legal: type) -> None:

@@ -6,6 +6,7 @@ import os
 from functools import cache
 
 from allworlds import kernel
+from allworlds.checker.sizes import WALKED_FROM
 from allworlds.episode import default_step_budget
 from allworlds.findings import Rules
 from allworlds.inputs import InputError, show
@@ -13,13 +14,8 @@ from allworlds.judge import LAWS, paper_bound
 from allworlds.kernel import Bounds, Level, Tables, tables
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.runs import Scope
-from allworlds.subjects import NATIVE, Subject
+from allworlds.subjects import Subject
 from allworlds.world import LIGHTHOUSES, Lighthouse
-
-WALKED_FROM = 6
-"""The least m whose maps are walked once for every bearing, where that can be done.  Up to
-there every bearing is walked."""
-
 
 CLASSES = frozenset({MapClass.MAPS, MapClass.SIMPLE, MapClass.PLANAR, MapClass.PLANAR_SIMPLE})
 """The classes that the kernel enumerates: it knows of a class whether it is simple and planar."""
@@ -28,10 +24,10 @@ CLASSES = frozenset({MapClass.MAPS, MapClass.SIMPLE, MapClass.PLANAR, MapClass.P
 def obstacle(scope: Scope, subject: Subject) -> str:
     """Why the kernel cannot do a check; empty if it can."""
     rules, extent = scope.rules, scope.extent
-    if not subject.name.startswith(NATIVE) and subject.name not in kernel.EXPLORERS:
+    if not subject.foreign and subject.name not in kernel.EXPLORERS:
         return f"runs only {', '.join(kernel.EXPLORERS)}, not {show(subject.name)}"
-    if subject.name.startswith(NATIVE) and not hasattr(os, "memfd_create"):
-        return "plays shared libraries on Linux alone"
+    if subject.foreign and not hasattr(os, "memfd_create"):
+        return "judges foreign explorers on Linux alone"
     if kind_of(rules.kind) not in kernel.LIGHTHOUSES:
         return f"does not know the lighthouse {show(rules.lighthouse)}"
     if extent.map_class not in CLASSES:

@@ -12,6 +12,7 @@ from functools import cache
 from importlib import import_module
 from itertools import pairwise
 from keyword import iskeyword
+from pathlib import Path
 from typing import Annotated, Any, NoReturn
 
 import typer
@@ -135,6 +136,8 @@ def call(arguments: list[str]) -> int:
         complain("interrupted")
         return Exit.INTERRUPTED
     except OSError as error:
+        if not _somewhere():
+            return _refuse("the current directory has been removed: change to one that exists")
         # A full disk, or a stdout that is closed or full.
         abandon_stdout()
         complain(error.strerror or str(error))
@@ -144,6 +147,15 @@ def call(arguments: list[str]) -> int:
         complain("internal error; the lines above say where")
         return Exit.INTERNAL
     return code
+
+
+def _somewhere() -> bool:
+    """Whether there is a current directory."""
+    try:
+        Path.cwd()
+    except FileNotFoundError:
+        return False
+    return True
 
 
 def _invoked(arguments: list[str]) -> int:

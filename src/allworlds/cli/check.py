@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -13,6 +13,9 @@ from allworlds.cli.output import emit
 from allworlds.cli.values import shard_numbers
 from allworlds.cli.watch import kept_in, watched
 from allworlds.inputs import InputError, show
+
+if TYPE_CHECKING:
+    from allworlds.checker import CheckOptions
 
 
 def check(
@@ -78,20 +81,18 @@ def check(
 
     files.ensure_writable()
     explore = opt.explorer_name(explorer, command, native)
-    many = opt.many_runs(bounds.map_class, lighthouse, rules, effort)
+    asked: CheckOptions = {
+        **opt.many_runs(bounds.map_class, lighthouse, rules, effort),
+        "edges": bounds.edges,
+        "vertices": bounds.vertices,
+        "schedules": schedules,
+        "shard": shard_numbers(shard),
+        "engine": engine,
+        "dask": dask,
+    }
     if estimate:
         with listening(output) as listener:
-            guess = allworlds.checker.estimate(
-                explore,
-                edges=bounds.edges,
-                vertices=bounds.vertices,
-                schedules=schedules,
-                shard=shard_numbers(shard),
-                engine=engine,
-                dask=dask,
-                listener=listener,
-                **many,
-            )
+            guess = allworlds.checker.estimate(explore, listener=listener, **asked)
             listener.verdict(guess)
         return emit(guess, "check", output, workers=effort.count)
     ensure_directory(corpus)
@@ -100,17 +101,11 @@ def check(
         with listening(output) as listener:
             report = allworlds.check(
                 explore,
-                edges=bounds.edges,
-                vertices=bounds.vertices,
-                schedules=schedules,
-                shard=shard_numbers(shard),
                 max_findings=max_findings,
-                engine=engine,
                 corpus=corpus,
                 run=run,
-                dask=dask,
                 listener=listener,
-                **many,
+                **asked,
             )
             listener.verdict(report)
         files.write(report)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from time import monotonic
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -88,7 +88,9 @@ def listening(output: LongOutput) -> Iterator[Events]:
         InputError: if it cannot be written.
     """
     with ExitStack() as stack:
-        file = stack.enter_context(_opened(output.events)) if output.events is not None else None
+        file = _opened(output.events) if output.events is not None else None
+        if file is not None:
+            stack.callback(_let_go, file)
         yield Events(stack.enter_context(Progress(quiet=output.quiet)), file)
 
 
@@ -97,3 +99,9 @@ def _opened(path: str) -> TextIO:
         return a_path("events", path).open("w", encoding="utf-8")
     except OSError as error:
         raise InputError(f"file {show(path)} cannot be written: {error.strerror}") from None
+
+
+def _let_go(file: TextIO) -> None:
+    """Close it; what could not be written has been told, and is tried once more by this."""
+    with suppress(OSError):
+        file.close()

@@ -153,9 +153,8 @@ class Comparison:
 
     @property
     def exit_code(self) -> Exit:
-        """Of the command."""
-        interrupted = isinstance(self.ending, Interrupted)
-        if interrupted and self.verdict is Verdict.INCONCLUSIVE:
+        """That of the verdict; 130 where it was interrupted, whatever was found till then."""
+        if isinstance(self.ending, Interrupted) and self.verdict is not Verdict.ERROR:
             return Exit.INTERRUPTED
         return self.verdict.exit
 

@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 from cmath import exp
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from math import tau
 
 from allworlds.drawing.mesh import mesh, place
-from allworlds.drawing.planar import planar
+from allworlds.drawing.planar import PlanarMap, drawings
+from allworlds.drawing.rays import spread, straightened
+from allworlds.drawing.spline import least_distance, points_of
+from allworlds.maps.canonical import Mismatch, isomorphism, unrooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
 
 MOST_DARTS = 200
 """Larger drawings, ends at crossings counted, are made in the plain way."""
 
-STUB, NARROWEST, WIDEST = 30.0, 130.0, 900.0
+CANDIDATES = 3
+"""So many drawings are made at most where edges come near each other."""
+
+APART = 12.0
+"""In pixels: so far apart no two edges are said to come near each other."""
+
+STUB, NARROWEST, WIDEST = 24.0, 130.0, 900.0
 """In pixels: the straight beginning of an edge, at least; the drawing, at least and at most."""
 
 DISC, CHIP, HIGH, GAP, FAR = 12.0, 10.0, 14.0, 16.0, 46.0
@@ -52,52 +61,85 @@ class Layout:
         start, towards, *_ = self.ways[dart]
         return (towards - start) / abs(towards - start)
 
-    def rim(self, dart: Dart, wide: float) -> float:
-        """How far from its vertex the middle of the dart's number stands, in pixels.
-
-        A number so wide touches neither the vertex nor, if there is room, a number beside it.
-        """
-        here = self.along(dart)
-        aside, high = abs(here.real), abs(here.imag)
-        half = min(wide / 2 / max(aside, 0.01), HIGH / 2 / max(high, 0.01))
-        free = DISC + max(half, CHIP) + 2
-        around = [d for d, way in enumerate(self.ways) if way[0] == self.ways[dart][0]]
-        nearest = min((abs(here - self.along(d)) for d in around if d != dart), default=2)
-        return max(free, min(GAP / max(nearest, 0.01), FAR))
-
     def box(self, margin: float) -> tuple[float, float, float, float]:
         """Left, top, width and height of a box that holds the drawing."""
-        points = [*self.vertices, *(p for way in self.ways for p in _drawn(way))]
+        points = [*self.vertices, *(p for way in self.ways for p in points_of(way))]
         left, top = (min(xs) - margin for xs in _coordinates(points))
         right, bottom = (max(xs) + margin for xs in _coordinates(points))
         return left, top, right - left, bottom - top
+
+
+def rim(here: complex, others: Iterable[complex], wide: float) -> float:
+    """How far from its vertex the middle of a dart's number stands, in pixels.
+
+    A number so wide touches neither the vertex nor, if there is room, a number beside it.
+
+    Args:
+        here: the direction in which the dart leaves, of length 1.
+        others: those of the other darts there.
+        wide: the number.
+    """
+    aside, high = abs(here.real), abs(here.imag)
+    half = min(wide / 2 / max(aside, 0.01), HIGH / 2 / max(high, 0.01))
+    free = DISC + max(half, CHIP) + 2
+    nearest = min((abs(here - other) for other in others), default=2)
+    return max(free, min(GAP / max(nearest, 0.01), FAR))
 
 
 @lru_cache(maxsize=256)
 def layout(map_: CombinatorialMap, root: Dart) -> Layout:
     """The drawing of a map of any genus, the root's vertex to the left.
 
-    No two edges of a planar map cross, and those of another as seldom as was found.  Only in
-    the plain way, round a circle, edges cross needlessly and may run under a vertex.
+    The same map is drawn the same whatever its darts are called.  No two edges of a planar map
+    cross, and those of another as seldom as was found.  Only in the plain way, round a circle,
+    edges cross needlessly and may run under a vertex.
     """
-    drawn = planar(map_)
-    if len(drawn.sigma) > MOST_DARTS:
+    if 2 * map_.edge_count > MOST_DARTS:
         return _finished(map_, root, _round_a_circle(map_))
+    same = CombinatorialMap.trusted(*unrooted_code(map_))
+    names, ways = isomorphism(map_, same), _best(same)
+    if isinstance(names, Mismatch) or not ways:
+        return _finished(map_, root, _round_a_circle(map_))
+    return _finished(map_, root, [ways[names[dart]] for dart in map_.darts])
+
+
+@lru_cache(maxsize=256)
+def _best(map_: CombinatorialMap) -> Sequence[Sequence[complex]]:
+    """For each dart the points that its edge is drawn towards; none of a map that is too large.
+
+    Of the first few drawings it is the first in which no two edges come near each other, else
+    the one in which they come least near.
+    """
+    best: tuple[float, Sequence[Sequence[complex]]] = (-1.0, ())
+    for drawn in drawings(map_)[:CANDIDATES]:
+        if len(drawn.sigma) > MOST_DARTS:
+            break
+        ways = _ways(drawn)
+        apart = least_distance(_finished(map_, 0, ways).ways)
+        best = max(best, (apart, ways), key=lambda one: one[0])
+        if apart >= APART:
+            break
+    return best[1]
+
+
+def _ways(drawn: PlanarMap) -> list[list[complex]]:
     net = mesh(drawn)
     points = place(net)
-    centres = {
-        dart: points[net.first_vertex + i]
-        for i, vertex in enumerate(cycles(drawn.sigma))
-        for dart in vertex
-    }
+    vertices = cycles(drawn.sigma)
+    centres = {d: points[net.first_vertex + i] for i, v in enumerate(vertices) for d in v}
+    towards: dict[Dart, complex] = {}
+    for vertex in vertices:
+        leave = spread if vertex[0] < drawn.own else straightened
+        round_it = [points[dart] for dart in vertex]
+        towards.update(zip(vertex, leave(centres[vertex[0]], round_it), strict=True))
     ways = []
-    for dart in map_.darts:
-        way = drawn.way(dart)
-        towards = [centres[dart]]
-        for near, far in zip(way[::2], way[1::2], strict=True):
-            towards += [points[near], points[far], centres[far]]
-        ways.append(towards)
-    return _finished(map_, root, ways)
+    for dart in range(drawn.own):
+        way = [centres[dart]]
+        along = drawn.way(dart)
+        for near, far in zip(along[::2], along[1::2], strict=True):
+            way += [towards[near], points[near], points[far], towards[far], centres[far]]
+        ways.append(way)
+    return ways
 
 
 def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
@@ -126,21 +168,15 @@ def _finished(map_: CombinatorialMap, root: Dart, ways: Sequence[Sequence[comple
     # Rounded, for among equals the first is to be taken whatever the last bits are.
     far = max(others, key=lambda point: round(abs(point - origin), 6)) - origin
     stub = min(abs(stubs[d] - ways[d][0]) for d in map_.darts)
-    size = max(max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in _drawn(way)]))
+    size = max(
+        max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in points_of(way)])
+    )
     scale = min(max(STUB / stub, NARROWEST / size), WIDEST / size)
     turn = far.conjugate() / abs(far) * scale
     return Layout(
         tuple((point - origin) * turn for point in rough.vertices),
         tuple(tuple((point - origin) * turn for point in way) for way in rough.ways),
     )
-
-
-def _drawn(way: Sequence[complex]) -> list[complex]:
-    """Points of the curve: its ends, and the tops of its parabolas with where they meet."""
-    points = [way[0], way[-1]]
-    for a, b, c in zip(way, way[1:], way[2:], strict=False):
-        points += [(a + b) / 2, (a + 6 * b + c) / 8, (b + c) / 2]
-    return points
 
 
 def _coordinates(points: Sequence[complex]) -> tuple[list[float], list[float]]:

@@ -13,6 +13,7 @@ from __future__ import annotations
 from cmath import exp
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import inf, tau
 
 from allworlds.drawing.planar import PlanarMap
@@ -23,6 +24,11 @@ SWEEPS = 150
 
 MOST_SWEEPS = 100_000
 """Far more than it takes until no triangle is turned over."""
+
+FURTHER = 1.8
+
+ROOM = 4.0
+"""Of a triangle at a vertex: round it is to be room for the numbers of its darts."""
 
 RING = 0.05
 """The weight of the triangles of the ring: it keeps others from meeting, and may be flat."""
@@ -38,11 +44,14 @@ class Mesh:
 
     Attributes:
         links: for each point within the ring its neighbours, clockwise.
+        rooms: for each neighbour twice the area that is wanted for the triangle with it and the
+            one before it.
         first_vertex: the point of the first vertex.
         ring: the points of the ring, clockwise.
     """
 
     links: list[list[int]]
+    rooms: list[list[float]]
     first_vertex: int
     ring: range
 
@@ -77,7 +86,12 @@ def mesh(drawn: PlanarMap) -> Mesh:
     for i, point in enumerate(edge):
         place = links[point].index(ring.start)
         links[point][place : place + 1] = [ring[i - 1], ring[i]]
-    return Mesh(links, first_vertex, ring)
+    own = {first_vertex + i for i, vertex in enumerate(vertices) if vertex[0] < drawn.own}
+    rooms = [
+        [ROOM if own & {i, a, b} else 1.0 for a, b in pairwise([link[-1], *link])]
+        for i, link in enumerate(links)
+    ]
+    return Mesh(links, rooms, first_vertex, ring)
 
 
 def place(net: Mesh) -> list[complex]:
@@ -108,6 +122,7 @@ def _move(i: int, net: Mesh, points: list[complex]) -> None:
     """Move a point to where the triangles round it are less strained."""
     here = points[i]
     strain, step = _strain(here, i, net, points)
+    step *= FURTHER
     for _ in range(6):
         if _strain(here + step, i, net, points)[0] < strain:
             points[i] = here + step
@@ -118,14 +133,14 @@ def _move(i: int, net: Mesh, points: list[complex]) -> None:
 def _strain(centre: complex, i: int, net: Mesh, points: Sequence[complex]) -> tuple[float, complex]:
     """How far the triangles round a point are from being alike, and the step that is to help.
 
-    The strain of a triangle with area A/2 and squares of sides of sum S is S/A + 1/A + A: the
-    least for an equilateral one of a fixed size, infinite for one that is turned over.
+    The strain of a triangle with area A/2, squares of sides of sum S and wanted area R/2 is
+    S/A + R/A + A/R: infinite for one that is turned over.
     """
     link, ring = net.links[i], net.ring.start
     strain, slope, bend = 0.0, 0j, 0.0
     last = link[-1]
     ray = points[last] - centre
-    for j in link:
+    for j, room in zip(link, net.rooms[i], strict=True):
         other = points[j] - centre
         area = ray.real * other.imag - ray.imag * other.real
         if area <= 0:
@@ -137,8 +152,9 @@ def _strain(centre: complex, i: int, net: Mesh, points: Sequence[complex]) -> tu
             slope -= RING / area**2 * 1j * side
             bend += 2 * RING * abs(side) ** 2 / area**3
         else:
-            strain += (squares + 1) / area + area
-            slope -= 2 * (ray + other) / area + ((squares + 1) / area**2 - 1) * 1j * side
-            bend += 4 / area + 2 * (squares + 1) * abs(side) ** 2 / area**3
+            wide = squares + room
+            strain += wide / area + area / room
+            slope -= 2 * (ray + other) / area + (wide / area**2 - 1 / room) * 1j * side
+            bend += 4 / area + 2 * wide * abs(side) ** 2 / area**3
         last, ray = j, other
     return strain, -slope / bend

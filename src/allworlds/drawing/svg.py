@@ -13,22 +13,17 @@ from itertools import pairwise
 from math import cos, pi, sin, tau
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing.layout import CHIP, DISC, HIGH, Layout, layout
+from allworlds.drawing.layout import Layout, layout
+from allworlds.drawing.marks import at, curve, vertex_with
 from allworlds.drawing.scene import Scene
 from allworlds.maps.combinatorial import Dart
-from allworlds.markup import Child, tag
+from allworlds.markup import tag
 
 MARGIN = 30.0
 """The free room round the drawing, in pixels."""
 
-FLAG = 12.0
-"""The length of the head of the arrow that stands for a marker's direction, in pixels."""
-
 TURN = 16.5
 """The radius of the arrow that shows which way is clockwise."""
-
-COLOURS = 12
-"""So many classes of darts have colours of their own, one after the other."""
 
 
 def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) -> ET.Element:
@@ -96,54 +91,29 @@ def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
         "path",
         class_="edge walked" if walked else "edge",
         data_darts=f"{dart} {other}",
-        d=_curve(way),
+        d=curve(way),
     )
 
 
 def _bridges(way: Sequence[complex]) -> Iterator[str]:
-    """The pieces of the curve about each of its crossings: every third point is one."""
-    for k in range(3, len(way) - 3, 3):
-        before, at, after = way[k - 1 : k + 2]
-        start, end = (before + 3 * at) / 4, (at * 3 + after) / 4
-        # The middle half of the parabola from half way before to half way after the crossing.
-        middle = (before + 6 * at + after) / 8
-        yield f"M{_at((start + middle) / 2)} Q{_at(middle)} {_at((end + middle) / 2)}"
-
-
-def _curve(way: Sequence[complex]) -> str:
-    """From the first point to the last: straight, then a parabola for each point between."""
-    path = f"M{_at(way[0])} L{_at((way[0] + way[1]) / 2)}"
-    for towards, after in pairwise(way[1:]):
-        path += f" Q{_at(towards)} {_at((towards + after) / 2)}"
-    return f"{path} L{_at(way[-1])}"
+    """The straight pieces of the curve about its crossings: every fifth point is one."""
+    for k in range(5, len(way) - 1, 5):
+        before, crossing, after = way[k - 1 : k + 2]
+        yield f"M{at((before + crossing) / 2)} L{at((crossing + after) / 2)}"
 
 
 def _stub(drawn: Layout, dart: Dart) -> ET.Element:
     """The straight beginning of the dart."""
-    d = f"M{_at(drawn.ways[dart][0])} L{_at(drawn.stub(dart))}"
+    d = f"M{at(drawn.ways[dart][0])} L{at(drawn.stub(dart))}"
     return tag("path", class_="stub", data_stub=dart, d=d)
 
 
 def _vertex(scene: Scene, drawn: Layout, vertex: int) -> ET.Element:
     """The vertex with its darts' numbers round it, and all that is to be seen there."""
-    darts, marks = scene.map.vertices[vertex], scene.marks.get(vertex, 0)
+    darts = scene.map.vertices[vertex]
     along = {dart: drawn.along(dart) for dart in darts}
-    parts: list[ET.Element] = [_clockwise([*along.values()])]
-    rim = {dart: drawn.rim(dart, _width(scene, dart)) for dart in darts}
-    parts += [_flag(along[dart], rim[dart]) for dart in darts if dart in scene.pointed]
-    parts.append(tag("circle", class_="disc", r=DISC))
-    parts.append(tag("text", scene.vertex_names[vertex], class_="name"))
-    if marks > 1:
-        text = f"\N{MULTIPLICATION SIGN}{marks}"
-        parts.append(tag("text", text, class_="marks", x=_rounded(DISC), y=_rounded(-DISC)))
-    parts += [_number(scene, dart, rim[dart] * along[dart]) for dart in darts]
-    return tag(
-        "g",
-        tag("g", *parts, class_="fixed"),
-        class_="vertex marked" if marks else "vertex",
-        data_vertex=vertex,
-        transform=f"translate({_at(drawn.vertices[vertex])})",
-    )
+    arrow = _clockwise([*along.values()])
+    return vertex_with(scene, vertex, drawn.vertices[vertex], along, [arrow])
 
 
 def _clockwise(along: Sequence[complex]) -> ET.Element:
@@ -156,61 +126,10 @@ def _clockwise(along: Sequence[complex]) -> ET.Element:
     tip = TURN * complex(cos(end), sin(end))
     ahead = complex(cos(end + pi / 2), sin(end + pi / 2))
     head = [tip + 5 * ahead, tip - 3j * ahead, tip + 3j * ahead]
-    arc = f"M{_at(TURN * complex(cos(start), sin(start)))} A{TURN} {TURN} 0 0 1 {_at(tip)}"
+    arc = f"M{at(TURN * complex(cos(start), sin(start)))} A{TURN} {TURN} 0 0 1 {at(tip)}"
     return tag(
         "g",
         tag("path", class_="arc", d=arc),
-        tag("path", class_="head", d=f"M{' L'.join(map(_at, head))} Z"),
+        tag("path", class_="head", d=f"M{' L'.join(map(at, head))} Z"),
         class_="clockwise",
     )
-
-
-def _flag(along: complex, rim: float) -> ET.Element:
-    """The marker's arrow, behind the number of the dart that it points along."""
-    base, wing = (rim + CHIP) * along, along * 1j * FLAG * 0.55
-    head = f"M{_at(base + FLAG * along)} L{_at(base + wing)} L{_at(base - wing)} Z"
-    return tag(
-        "g",
-        tag("path", class_="pole", d=f"M{_at(0j)} L{_at(base)}"),
-        tag("path", class_="flag", d=head),
-    )
-
-
-def _number(scene: Scene, dart: Dart, at: complex) -> ET.Element:
-    """The dart's number: in a box where the robot started, on a disc where it is."""
-    text: list[Child] = [scene.dart_names[dart]]
-    colour = ""
-    if scene.labels is not None:
-        text.append(tag("tspan", scene.labels[dart], class_="letter"))
-        colour = f" class-{sorted(set(scene.labels)).index(scene.labels[dart]) % COLOURS}"
-    wide, high = _width(scene, dart) + 4, HIGH + 2
-    left, top = _rounded(-wide / 2), _rounded(-high / 2)
-    box = tag("rect", class_="box", x=left, y=top, width=wide, height=high, rx=3)
-    parts = [tag("circle", class_="ring", r=CHIP + 4)] if dart == scene.ringed else []
-    here = " here" if dart == scene.robot else ""
-    start = " start" if dart == scene.start else ""
-    return tag(
-        "g",
-        *parts,
-        box,
-        tag("circle", class_="robot", r=CHIP),
-        tag("text", *text),
-        class_=f"dart{start}{colour}{here}",
-        data_dart=dart,
-        transform=f"translate({_at(at)})",
-    )
-
-
-def _width(scene: Scene, dart: Dart) -> float:
-    """Of the dart's number with its letter, in pixels."""
-    letters = "" if scene.labels is None else scene.labels[dart]
-    return 4.0 + 7.0 * len(scene.dart_names[dart] + letters)
-
-
-def _at(point: complex) -> str:
-    return f"{_rounded(point.real)} {_rounded(point.imag)}"
-
-
-def _rounded(value: float) -> str:
-    # Adding 0 turns -0 into 0.
-    return f"{round(value, 1) + 0.0:.1f}"

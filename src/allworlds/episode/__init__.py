@@ -9,6 +9,8 @@ from allworlds.episode.endings import (
     SaidAmbiguous,
     Undecided,
     answered,
+    ending_of,
+    integers,
 )
 from allworlds.episode.episode import (
     ADAPTERS_LAWS,
@@ -16,6 +18,7 @@ from allworlds.episode.episode import (
     Log,
     Player,
     Stage,
+    closed,
     default_step_budget,
     own_copy,
     perform,
@@ -38,7 +41,10 @@ __all__ = [
     "Stage",
     "Undecided",
     "answered",
+    "closed",
     "default_step_budget",
+    "ending_of",
+    "integers",
     "own_copy",
     "perform",
     "play",

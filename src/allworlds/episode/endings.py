@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import islice
 from typing import TypeAlias
 
-from allworlds.inputs import are_plain, integer, let_users_interrupt, show
+from allworlds.inputs import LARGEST_SIZE, are_plain, integer, let_users_interrupt, show
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol import Ambiguous, Estimate
@@ -83,43 +84,68 @@ class SaidAmbiguous(Said):
     marks: tuple[int, ...]
 
 
+MOST_DARTS = 2 * LARGEST_SIZE
+"""So many darts can be published or answered, or twice the step budget, whichever is more."""
+
+
+class TooManyDarts(ValueError):
+    """A map of more darts than anyone could have walked along."""
+
+
 _ESTIMATE = "Estimate(map, here) with a dart of the map"
 _AMBIGUOUS = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
 
 
-def ending_of(answer: object) -> Said | Fault:
-    """The integers of an answer: what is handed over may be a subclass, or tampered with."""
+def ending_of(answer: object, most: int = MOST_DARTS) -> Said | Fault:
+    """The integers of an answer: what is handed over may be a subclass, or tampered with.
+
+    Args:
+        answer: anything.
+        most: the largest number of darts that is looked at.
+    """
     if type(answer) is Ambiguous:
-        return _said_ambiguous(answer)
+        return _said_ambiguous(answer, most)
     if type(answer) is not Estimate:
         return Fault("no-estimate", _ESTIMATE, show(answer))
     try:
         claimed: object = answer.map
         if not isinstance(claimed, CombinatorialMap):
             return Fault("no-estimate", _ESTIMATE, f"a map that is {show(claimed)}")
-        return Said(integers(claimed.sigma), integers(claimed.alpha), integer(answer.here))
+        sigma, alpha = integers(claimed.sigma, most), integers(claimed.alpha, most)
+        return Said(sigma, alpha, integer(answer.here))
+    except TooManyDarts as error:
+        return Fault("no-estimate", _ESTIMATE, str(error))
     except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
         let_users_interrupt(error)
         return Fault("no-estimate", _ESTIMATE, show(answer))
 
 
-def _said_ambiguous(answer: Ambiguous) -> Said | Fault:
+def _said_ambiguous(answer: Ambiguous, most: int) -> Said | Fault:
     try:
         return SaidAmbiguous(
-            integers(answer.sigma),
-            integers(answer.alpha),
+            integers(answer.sigma, most),
+            integers(answer.alpha, most),
             integer(answer.here),
-            integers(answer.degree),
-            integers(answer.marks),
+            integers(answer.degree, most),
+            integers(answer.marks, most),
         )
+    except TooManyDarts as error:
+        return Fault("no-estimate", _AMBIGUOUS, str(error))
     except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
         let_users_interrupt(error)
         return Fault("no-estimate", _AMBIGUOUS, show(answer))
 
 
-def integers(values: Iterable[object]) -> tuple[int, ...]:
-    """The values as integers; raises TypeError if one is none."""
-    kept = tuple(values)
+def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...]:
+    """The values as integers, of which there may be no end.
+
+    Raises:
+        TypeError: if one is none.
+        TooManyDarts: if there are more than ``most``; no more than that are asked for.
+    """
+    kept = values if type(values) is tuple else tuple(islice(values, most + 1))
+    if len(kept) > most:
+        raise TooManyDarts(f"more than {most:,} darts")
     if are_plain(kept):
         return kept  # type: ignore[return-value]
     return tuple([integer(value) for value in kept])
@@ -156,6 +182,10 @@ def _flaw(said: SaidAmbiguous) -> str:
     for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):
         if len(values) != size:
             return f"{name} has {len(values)} entries, and sigma {size}"
+    for name, values in (("degree", said.degree), ("marks", said.marks)):
+        for value in values:
+            if value.bit_length() > 63:
+                return f"{name} holds {show(value)}, which is sensed nowhere"
     if said.here not in range(size):
         return f"here = {show(said.here)}, but the darts are 0..{size - 1}"
     for name, values in (("sigma", said.sigma), ("alpha", said.alpha)):

@@ -7,7 +7,16 @@ from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequ
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
-from allworlds.episode.endings import Ending, Fault, Said, answered, ending_of, integers
+from allworlds.episode.endings import (
+    MOST_DARTS,
+    Ending,
+    Fault,
+    Said,
+    TooManyDarts,
+    answered,
+    ending_of,
+    integers,
+)
 from allworlds.inputs import SHOWN, integer, let_users_interrupt, show
 from allworlds.protocol import (
     Action,
@@ -211,12 +220,16 @@ class _Run:
                 if fault:
                     return fault
         except StopIteration as stop:
-            return ending_of(stop.value)
+            return ending_of(stop.value, self._most_darts())
         except BaseException as error:  # noqa: BLE001  # an explorer may raise anything
             return _raised(error)
         finally:
-            _close(generator)
+            closed(generator)
             beat[1] = 0
+
+    def _most_darts(self) -> int:
+        """A map with more cannot be known within the budget, nor be one that is ever checked."""
+        return max(MOST_DARTS, 2 * self.budget)
 
     def _publish(self, message: Checkpoint) -> Fault | None:
         if len(self.checkpoints) > self.budget:
@@ -226,8 +239,11 @@ class _Run:
                 f"checkpoint {len(self.checkpoints) + 1}",
             )
         try:
-            sigma, alpha = integers(message.sigma), integers(message.alpha)
+            most = self._most_darts()
+            sigma, alpha = integers(message.sigma, most), integers(message.alpha, most)
             here = integer(message.here)
+        except TooManyDarts as error:
+            return Fault("illegal-action", "a checkpoint of what has been walked along", str(error))
         except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
             let_users_interrupt(error)
             return Fault(
@@ -298,7 +314,8 @@ def _raised(error: BaseException) -> Fault:
     return Fault("crash", _ANSWER, seen, detail[-LONGEST:], isinstance(error, MemoryError))
 
 
-def _close(generator: Generator[Any, Any, Any] | None) -> None:
+def closed(generator: Generator[Any, Any, Any] | None) -> None:
+    """Nothing: it is closed, whatever it makes of that."""
     try:
         if generator is not None:
             generator.close()

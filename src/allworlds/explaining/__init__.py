@@ -12,14 +12,19 @@
     the line of a traceback that tells;
 ``spending``
     what the traversals were spent on;
+``rounds``
+    where a walk that comes to no end begins to go round, or finds nothing new;
 ``another``
     another world that agrees with the log;
 ``story``
-    the finding with its walk, and the same walk in a wrong answer: what tellers are told.
+    the finding with its walk, and the same walk in a wrong answer: what tellers are told;
+``walked``
+    the walk that a log describes, and the names of the places on it.
 """
 
 from allworlds.explaining.explanation import Explanation, explain
 from allworlds.explaining.spending import Spending
-from allworlds.explaining.story import Belief, Story, Walked
+from allworlds.explaining.story import Belief, Story
+from allworlds.explaining.walked import Walked
 
 __all__ = ["Belief", "Explanation", "Spending", "Story", "Walked", "explain"]

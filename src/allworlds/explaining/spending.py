@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from allworlds.explaining.story import Walked
+from allworlds.explaining.walked import Walked
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Move
 

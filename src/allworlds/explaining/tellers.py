@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from allworlds.explaining.another import another_world
 from allworlds.explaining.parting import tell_open_darts, tell_parting
+from allworlds.explaining.rounds import tell_rounds
 from allworlds.explaining.slips import the_slip
 from allworlds.explaining.spending import spending
 from allworlds.explaining.stderr import telling_line
@@ -46,6 +47,13 @@ def tell_timeout(story: Story) -> Telling:
     return told
 
 
+def tell_budget(story: Story) -> Telling:
+    """Whether the robot went round, or since when it found nothing new."""
+    how = "The explorer went on for longer than it may."
+    rounds = tell_rounds(story)
+    return Telling([how, *(rounds or [_say_last_step(story)]), story.expected_and_seen()])
+
+
 def _say_last_step(story: Story) -> str:
     steps, place = story.transcript.steps, story.place(story.walked[-1])
     if not steps:
@@ -69,9 +77,14 @@ def tell_map(story: Story) -> Telling:
     elif belief.parting is None:
         told, name = parting, GUESSED
     else:
-        sizes = f"The world has {_size(story.map)}; the answer has {_size(belief.answer.map)}"
-        told = [f"{sizes} and is another map.", *parting]
+        told = [_say_sizes(story.map, belief.answer.map), *parting]
     return Telling(told, belief.step, belief.answer, slip=name)
+
+
+def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
+    if _size(world) == _size(answer):
+        return f"The answer has {_size(answer)}, as the world has, but is another map."
+    return f"The world has {_size(world)}, the answer {_size(answer)}."
 
 
 def _size(map_: CombinatorialMap) -> str:
@@ -82,14 +95,14 @@ def tell_pose(story: Story) -> Telling:
     """Where the robot is and where it believes to be, and where the walks to there part."""
     belief = Belief(story)
     images = _images(belief)
-    alike = len(images) - 1
-    symmetry = f"The map is symmetric: {plural(alike, 'other dart')} would do as well."
     slip = the_slip(belief)
     turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
+    right = "This map is its own mirror image, and it may be" if slip else "The map is right, it is"
+    alike = len(images) - 1
+    symmetry = f" (the map is symmetric: {plural(alike, 'other dart')} would do as well)"
     sentences = [
         *([slip.sentence] if slip else []),
-        _say_where(story, images),
-        *([symmetry] if alike else []),
+        f"{right} 'here' that is wrong: {_say_where(belief, images)}{symmetry if alike else ''}.",
         *tell_parting(belief),
     ]
     name = slip.name if slip else TURNED if turned else ELSEWHERE
@@ -107,21 +120,25 @@ def _images(belief: Belief) -> list[Dart]:
     return images
 
 
-def _say_where(story: Story, images: list[Dart]) -> str:
+def _say_where(belief: Belief, images: list[Dart]) -> str:
+    """Where the robot stands, and where the answer says that it stands."""
+    story = belief.story
     map_, robot = story.map, story.walked[-1]
-    stands = (
-        f"The map is right, but not where the robot is: it stands at {story.place(robot)}, and "
-        "believes to stand at "
-    )
+    stands = f"the robot stands at {story.place(robot)}, and the answer says"
+    parting = belief.parting
+    meant = parting.taken_for if parting and parting.step == len(story.walked) - 1 else None
     near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
     if not near:
-        return f"{stands}{story.place(images[0])}, which is another vertex."
-    believed = min(near, key=lambda d: map_.offset(d, robot))
-    turned, degree = map_.offset(believed, robot), map_.degree_at[robot]
-    return (
-        f"{stands}dart {believed} of the same vertex, which is off by a turn: in truth it is "
-        f"turned further by {turned} of {degree} darts clockwise."
-    )
+        said = map_.alpha[robot] if map_.alpha[robot] in images else images[0]
+        told = f"{stands} {story.place(said)}, which is another vertex"
+    else:
+        said = meant if meant in near else min(near, key=lambda d: map_.offset(d, robot))
+        turned, degree = map_.offset(said, robot), map_.degree_at[robot]
+        told = (
+            f"{stands} dart {said} of the same vertex, off by a turn of {turned} of {degree} darts"
+        )
+    far = "; that is the far end of the edge by which it came"
+    return told + (far if said == map_.alpha[robot] and len(story.walked) > 1 else "")
 
 
 def tell_ambiguity(story: Story) -> Telling:
@@ -151,7 +168,10 @@ def tell_invariant_2(story: Story) -> Telling:
 
 def tell_variant(story: Story) -> Telling:
     """The checkpoint that shows no progress; what it shows may be true, so nothing parts."""
-    broken = "A pass brought no progress: the edges missing in S did not get fewer, or not none."
+    broken = (
+        "A pass brought no progress: from one checkpoint to the next S, the explored part, must "
+        "gain an edge, and at the last one it must have them all."
+    )
     return Telling(_tell_checkpoint(broken, story))
 
 
@@ -163,7 +183,8 @@ def _tell_checkpoint(broken: str, story: Story) -> list[str]:
             f"The checkpoint came after step {step}, where the robot stood at "
             f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
         )
-    return [*sentences, story.expected_and_seen()]
+    told = story.expected_and_seen().replace(f"at the checkpoint after step {step}: ", "")
+    return [*sentences, told.replace(f" at the checkpoint after step {step}.", ".")]
 
 
 # ---------------------------------------------------------------- the answer was guessed, or dear
@@ -205,7 +226,7 @@ TELLERS: dict[str, Teller] = {
     "timeout": tell_timeout,
     "illegal-action": ending("The explorer did what no robot can do here."),
     "no-estimate": ending("The explorer ended without an answer that could be judged."),
-    "budget": ending("The explorer went on for longer than it may."),
+    "budget": tell_budget,
     "nondeterministic": ending("Exploring the same world again, the explorer did something else."),
     "map": tell_map,
     "pose": tell_pose,

@@ -1,6 +1,19 @@
 """Explorers: generator functions that are written against the protocol alone.
 
 A new built-in explorer is a module of this package and an entry of :data:`BUILT_IN`.
+
+``algorithm1``, ``undirected``
+    Algorithm 1 of the paper, and as it does without a direction;
+``partial_map``, ``paths``
+    its S and U, and its ways through S;
+``unforgetting``, ``remembering``, ``greedy``, ``prudent``
+    what never forgets: all that these have in common, and three of them;
+``folded_log``, ``folding``
+    all that was ever seen as one map, and explorers that only fold it;
+``quotient``, ``experiments``
+    position alone: the quotient, learnt by experiments that are never made twice;
+``dudek91``, ``depth_first``
+    one movable marker; a number at every vertex.
 """
 
 from collections.abc import Callable, Mapping

@@ -6,6 +6,8 @@ checked (a proof that two worlds are twins, or runs that were judged).  matplotl
 
 ``making``
     **the** table of the figures;
+``drawn``
+    what every figure has: a verdict, data, a caption and a drawing;
 ``twins``, ``augmentation``, ``holes``
     Fig. 1, Fig. 2 and Fig. 3 of the paper;
 ``bounds``

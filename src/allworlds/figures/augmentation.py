@@ -118,19 +118,15 @@ class Augmentation:
         cost = self.told.outcome.cost
         return [
             (
-                "Two passes of one run of Algorithm 1 (first in, first out) in the "
-                f"{WORLD}; the run, of {cost} traversals, was judged. Black: "
-                "S; dashed: U, the darts "
-                "that are open; grey: what the robot does not know. The "
-                "marker at v0 points along the "
-                "arrow."
+                f"Two passes of one run of Algorithm 1 (first in, first out) in the {WORLD}; the "
+                f"run, of {cost} traversals, was judged. Black: S; dashed: U, the darts that are "
+                "open; grey: what the robot does not know. The marker at v0 points along the arrow."
             ),
             (
-                f"Above, pass {new.number}: the robot leaves S by e (red). "
-                f"The {len(new.hypotheses)} "
-                "open darts (blue) with the same signature are the "
-                "hypotheses e'; all are rejected, "
-                f"so the vertex is new, and e (green) is added with it: {new.cost} traversals."
+                f"Above, pass {new.number}: the robot leaves S by e (red). The "
+                f"{len(new.hypotheses)} open darts (blue) with the same signature are the "
+                "hypotheses e'; all are rejected, so the vertex is new, and e (green) is added "
+                f"with it: {new.cost} traversals."
             ),
             (
                 f"Below, pass {closing.number}: of {len(closing.hypotheses)} hypotheses one is "

@@ -88,33 +88,24 @@ class Bounds:
         sizes = ", ".join(f"m = {cell.edges}, n = {cell.vertices}" for cell in tight)
         loosest = max(self.cells, key=lambda cell: cell.bound / cell.worst)
         times = f"{loosest.bound / loosest.worst:.1f}"
-        sentences = [
-            (
-                "A panel for each number of vertices n: the bound (1)+(2) of "
-                "Algorithm 1; its exact "
-                "worst cost over all worlds with m edges and every schedule (each choice of edge, "
-                "order of hypotheses and path); the cost in the world that "
-                "is worst under the schedule "
-                "that is best for it; the optimum; and m, for who does not know m must walk every "
-                "edge."
-            ),
-            (
-                "The optimum is the best worst case of any explorer, here of "
-                "one that knows m and n "
-                f"(exact minimax, m <= {MOST_OPTIMAL}). Knowing m it need not "
-                "walk the last edge, so "
-                "it can lie below m; it can lie above the best schedule, "
-                "which is chosen by one who "
-                "knows the world."
-            ),
-            (
-                f"With n = 1 the bound is the worst case; else it is attained with {sizes}. It is "
-                f"loosest with m = {loosest.edges}, n = {loosest.vertices}, "
-                f"where it is {times} times "
-                f"the worst case: {loosest.bound} and {loosest.worst}."
-            ),
-        ]
-        return sentences
+        shown = (
+            "A panel for each number of vertices n: the bound (1)+(2) of Algorithm 1; its exact "
+            "worst cost over all worlds with m edges and every schedule (each choice of edge, "
+            "order of hypotheses and path); the cost in the world that is worst under the schedule "
+            "that is best for it; the optimum; and m, for who does not know m must walk every edge."
+        )
+        optimum = (
+            "The optimum is the best worst case of any explorer, here of one that knows m and n "
+            f"(exact minimax, m <= {MOST_OPTIMAL}). Knowing m it need not walk the last edge, so "
+            "it can lie below m; it can lie above the best schedule, which is chosen by one who "
+            "knows the world."
+        )
+        attained = (
+            f"With n = 1 the bound is the worst case; else it is attained with {sizes}. It is "
+            f"loosest with m = {loosest.edges}, n = {loosest.vertices}, where it is {times} times "
+            f"the worst case: {loosest.bound} and {loosest.worst}."
+        )
+        return shown, optimum, attained
 
     def draw(self, figure: Any) -> None:
         """A panel for each number of vertices."""

@@ -92,13 +92,11 @@ class Holes:
         runs = sum(len(row.costs) for row in self.growth.rows)
         sentences = [
             (
-                "Traversals by edges, mean and standard error of "
-                f"{self.worlds} graphs a size, seeds "
-                f"{self.seed} to {self.seed + self.worlds - 1}: squares of a lattice and complete "
-                f"graphs, without {HOLES} of their edges, removed at random while the rest stays "
-                f"connected. Every one of the {runs:,} runs was judged. Above "
-                "linear axes, which the "
-                "bounds leave at once; below the same with logarithmic ones."
+                f"Traversals by edges, mean and standard error of {self.worlds} graphs a size, "
+                f"seeds {self.seed} to {self.seed + self.worlds - 1}: squares of a lattice and "
+                f"complete graphs, without {HOLES} of their edges, removed at random while the "
+                f"rest stays connected. Every one of the {runs:,} runs was judged. Above linear "
+                "axes, which the bounds leave at once; below the same with logarithmic ones."
             ),
         ]
         for family, row in last.items():

@@ -67,23 +67,18 @@ class Twins:
         sensed = " ".join(_sensed(percept) for _, percept in self.walks[0][1:])
         return (
             (
-                "Two different maps with 9 vertices and 14 edges, an "
-                "undirected marker at the black "
-                "vertex v0. The darts stand round every vertex in their true cyclic order."
+                "Two different maps with 9 vertices and 14 edges, an undirected marker at the "
+                "black vertex v0. The darts stand round every vertex in their true cyclic order."
             ),
             (
-                "Darts of one colour are of one class of a bisimulation, "
-                "which was checked: wherever "
-                "a motion leads in one map, it leads to a dart of the same "
-                "colour in the other, and "
-                "there the same is sensed. So no motion tells the two worlds apart."
+                "Darts of one colour are of one class of a bisimulation, which was checked: "
+                "wherever a motion leads in one map, it leads to a dart of the same colour in the "
+                "other, and there the same is sensed. So no motion tells the two worlds apart."
             ),
             (
-                f"Orange: the motions {motions} of the paper's caption, "
-                "numbered in the order of the "
-                f"steps, from dart 0 of v0. Sensed in both: {sensed}, as the "
-                "paper says (A: no marker, "
-                "P: marker)."
+                f"Orange: the motions {motions} of the paper's caption, numbered in the order of "
+                f"the steps, from dart 0 of v0. Sensed in both: {sensed}, as the paper says (A: no "
+                "marker, P: marker)."
             ),
             "The two maps differ in two edges, drawn thick.",
         )

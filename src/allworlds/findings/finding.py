@@ -128,42 +128,67 @@ class Finding:
             raise InputError(
                 f"finding of version {show(document.get('version'))}; this program reads {VERSION}"
             )
-        explorer, law = document.get("explorer"), document.get("law")
-        if not isinstance(explorer, str):
-            raise InputError(f"a finding names its explorer, not {show(explorer)}")
-        if law not in PRECEDENCE:
-            raise InputError(f"law {show(law)} is none of {', '.join(PRECEDENCE)}")
+        explorer, law = _explorer_and_law(document)
         world = World.from_json(document.get("world", {}))
-        options, choices = document.get("options", {}), document.get("choices", [])
-        if not isinstance(options, Mapping):
-            raise InputError(f"options must be an object, not {show(options)}")
-        if not isinstance(choices, list) or not all(type(i) is int and i >= 0 for i in choices):
-            raise InputError(f"choices must be a list of integers from 0 on, not {show(choices)}")
-        step = document.get("step")
-        if step is not None and (type(step) is not int or step < 0):
-            raise InputError(f"step must be an integer from 0 on, not {show(step)}")
-        detail = document.get("detail", "")
-        if not isinstance(detail, str):
-            raise InputError(f"detail must be a text, not {show(detail)}")
-        try:
-            transcript = Transcript.from_json(document.get("transcript"))
-        except ValueError as error:
-            raise InputError(str(error)) from None
         return cls(
             explorer,
             law,
             world,
             place_of(world),
-            Rules.from_json(options, world, own_bound(explorer, world.lighthouse.kind)),
-            tuple(choices),
-            transcript,
+            _rules(document, explorer, world),
+            _choices(document),
+            _transcript(document),
             _value(document.get("expected")),
             _value(document.get("seen")),
-            detail,
-            step,
+            _detail(document),
+            _step(document),
             confirmed=document.get("confirmed") is True,
             minimal=document.get("minimal") is True,
         )
+
+
+def _explorer_and_law(document: Mapping[str, Any]) -> tuple[str, str]:
+    explorer, law = document.get("explorer"), document.get("law")
+    if not isinstance(explorer, str):
+        raise InputError(f"a finding names its explorer, not {show(explorer)}")
+    if law not in PRECEDENCE:
+        raise InputError(f"law {show(law)} is none of {', '.join(PRECEDENCE)}")
+    return explorer, law
+
+
+def _rules(document: Mapping[str, Any], explorer: str, world: World) -> Rules:
+    options = document.get("options", {})
+    if not isinstance(options, Mapping):
+        raise InputError(f"options must be an object, not {show(options)}")
+    return Rules.from_json(options, world, own_bound(explorer, world.lighthouse.kind))
+
+
+def _choices(document: Mapping[str, Any]) -> tuple[int, ...]:
+    choices = document.get("choices", [])
+    if not isinstance(choices, list) or not all(type(i) is int and i >= 0 for i in choices):
+        raise InputError(f"choices must be a list of integers from 0 on, not {show(choices)}")
+    return tuple(choices)
+
+
+def _transcript(document: Mapping[str, Any]) -> Transcript:
+    try:
+        return Transcript.from_json(document.get("transcript"))
+    except ValueError as error:
+        raise InputError(str(error)) from None
+
+
+def _detail(document: Mapping[str, Any]) -> str:
+    detail = document.get("detail", "")
+    if not isinstance(detail, str):
+        raise InputError(f"detail must be a text, not {show(detail)}")
+    return detail
+
+
+def _step(document: Mapping[str, Any]) -> int | None:
+    step = document.get("step")
+    if step is not None and (type(step) is not int or step < 0):
+        raise InputError(f"step must be an integer from 0 on, not {show(step)}")
+    return step
 
 
 def _value(given: Any) -> documents.Value:

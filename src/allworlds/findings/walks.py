@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from allworlds.inputs import InputError
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Drop, Move, Percept, Pick, Transcript
-from allworlds.world import BelievedWalk, IllegalAction, State, World
+from allworlds.world import IllegalAction, State, WalkInAnswer, World
 
 
 def true_trail(world: World, transcript: Transcript) -> list[Dart]:
@@ -75,7 +75,7 @@ def believed_percepts(
 
     The lighthouse stands where the robot must believe it; None where the answer has no such place.
     """
-    walk = BelievedWalk(estimate, trail, transcript.percepts)
+    walk = WalkInAnswer(estimate, trail, transcript.percepts)
     lighthouse = world.lighthouse.believed(world.map, world.start, walk)
     if lighthouse is None:
         return None

@@ -1,4 +1,14 @@
-"""The fuzzer: worlds far beyond the exhaustive bound, and the way back to small ones."""
+"""The fuzzer: worlds far beyond the exhaustive bound, and the way back to small ones.
+
+``sample``
+    the worlds of a run, a function of its seed;
+``drive``
+    a run, from its options to its report;
+``given``
+    the same in maps that somebody has chosen;
+``shrink``
+    from a refuting world to one that no small change makes smaller.
+"""
 
 from allworlds.fuzzer.drive import fuzz
 from allworlds.fuzzer.given import refuted_in

@@ -8,13 +8,12 @@ from typing import Any, Unpack
 from allworlds.checker import ManyRunsOptions, refuse_others, rules_for
 from allworlds.findings import Finding
 from allworlds.fuzzer.drive import shrink_found
-from allworlds.fuzzer.shrink import CHUNK
+from allworlds.fuzzer.shrink import in_chunks, rootings
 from allworlds.isolation import confirmed, subject_of, workers_for
-from allworlds.maps.canonical import rooted_code
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.progress import Silent
-from allworlds.runs import Examination, GivenWorlds, Scope, Tally
+from allworlds.runs import Examination, Scope, Tally
 from allworlds.work import Limits, gather
 from allworlds.world import Lighthouse, World
 
@@ -50,12 +49,9 @@ def refuted_in(
         return None
     largest = max(world.map.edge_count for world, _ in given)
     scope = Scope(Extent(map_class, largest), rules)
-    units = [
-        GivenWorlds(tuple(given[start : start + CHUNK])) for start in range(0, len(given), CHUNK)
-    ]
     tally = Tally(keep=1)
     with workers_for(subject, limits, limits.deadline()) as workers:
-        gather(workers, Examination(scope, tally.keep), units, tally, Silent())
+        gather(workers, Examination(scope, tally.keep), in_chunks(given), tally, Silent())
         shrink_found(workers, scope, tally)
     for found in tally.findings:
         return confirmed(found, subject, limits, scope.schedules)
@@ -66,13 +62,7 @@ def _rooted(
     maps: Iterable[CombinatorialMap], map_class: MapClass, kind: type[Lighthouse]
 ) -> Iterator[tuple[World, int]]:
     """Each rooted map once, smallest first, with every place."""
-    codes = {
-        (map_.edge_count, map_.vertex_count, rooted_code(map_.sigma, map_.alpha, start))
-        for map_ in maps
-        if map_class.includes(map_)
-        for start in map_.darts
-    }
-    for *_, code in sorted(codes):
+    for *_, code in rootings(maps, map_class):
         map_ = CombinatorialMap.trusted(*code)
         for place, lighthouse in enumerate(kind.places(map_, 0)):
             yield World(map_, lighthouse), place

@@ -92,16 +92,20 @@ def glued(map_class: MapClass) -> Generator:
 
 def a_lattice(edges: int, random: Random) -> CombinatorialMap:
     """A lattice with holes, with at most that many edges."""
+
+    def size(rows: int, columns: int) -> int:
+        return rows * (columns - 1) + columns * (rows - 1)
+
     sizes = [
         (r, c)
         for r in range(1, edges + 2)
         for c in range(max(r, 2), edges + 2)
-        if r * (c - 1) + c * (r - 1) <= edges
+        if size(r, c) <= edges
     ]
     rows, columns = random.choice(sizes[-4:])
-    spare = rows * (columns - 1) + columns * (rows - 1) - (rows * columns - 1)
-    total = rows * (columns - 1) + columns * (rows - 1)
-    holes = random.randint(0, spare) / total
+    total = size(rows, columns)
+    # What is left must be connected.
+    holes = random.randint(0, total - (rows * columns - 1)) / total
     return _rerooted(lattice(rows, columns, holes, random.getrandbits(32)), random)
 
 

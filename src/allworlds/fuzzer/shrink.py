@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from allworlds.findings import Finding
-from allworlds.maps.canonical import rooted_code
+from allworlds.maps.canonical import Code, rooted_code
+from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.surgery import contracted, deleted, moved
 from allworlds.runs import GivenWorlds, Scope
@@ -57,16 +58,29 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 def _picked(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
     """Every rooting and place of these maps that is smaller than the finding, ascending."""
     kind, size = scope.rules.kind, finding.key[:4]
-    rooted = {
-        (map_.edge_count, map_.vertex_count, rooted_code(map_.sigma, map_.alpha, start))
-        for map_ in maps
-        if scope.extent.map_class.includes(map_)
-        for start in map_.darts
-    }
     ordered = []
-    for key in sorted(key for key in rooted if key <= size[:3]):
+    for key in rootings(maps, scope.extent.map_class):
+        if key > size[:3]:
+            break
         map_ = CombinatorialMap.trusted(*key[2])
         for place, lighthouse in enumerate(kind.places(map_, 0)):
             if (*key, place) < size:
                 ordered.append((World(map_, lighthouse), place))
-    return [GivenWorlds(tuple(ordered[i : i + CHUNK])) for i in range(0, len(ordered), CHUNK)]
+    return in_chunks(ordered)
+
+
+def rootings(maps: Iterable[CombinatorialMap], map_class: MapClass) -> list[tuple[int, int, Code]]:
+    """Every rooted map of these that is of the class, once: edges, vertices, code; ascending."""
+    return sorted(
+        {
+            (map_.edge_count, map_.vertex_count, rooted_code(map_.sigma, map_.alpha, start))
+            for map_ in maps
+            if map_class.includes(map_)
+            for start in map_.darts
+        }
+    )
+
+
+def in_chunks(worlds: Sequence[tuple[World, int]]) -> list[GivenWorlds]:
+    """Worlds with the numbers of their places, in pieces that one worker tries at a time."""
+    return [GivenWorlds(tuple(worlds[i : i + CHUNK])) for i in range(0, len(worlds), CHUNK)]

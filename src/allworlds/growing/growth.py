@@ -123,8 +123,8 @@ class Growth:
 
     @property
     def exit_code(self) -> Exit:
-        """Of the command."""
-        if isinstance(self.ending, Interrupted) and not self.findings:
+        """That of the verdict; 130 where it was interrupted, whatever was found till then."""
+        if isinstance(self.ending, Interrupted):
             return Exit.INTERRUPTED
         return self.verdict.exit
 

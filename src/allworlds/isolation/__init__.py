@@ -4,16 +4,17 @@ The owner (a check) hands units to **referees**, which judge; each has two **pla
 explorer in them, of which the one plays in worlds and the other against what was sensed there.
 The **guardian** forks them all, and ends them, and all that they have started.
 
-``jobs``
-    what they say to each other;
+``jobs``, ``saying``
+    what they say to each other, and what a player may say: integers and texts;
 ``guardian``, ``roles``, ``process``
     starting, hearing and ending processes;
 ``player``, ``players``
     the process with the foreign code in it, and its referee's side;
 ``referee``, ``workers``
     the process that judges units, and its owner's side: the transport;
-``stretches``
-    many runs of a native explorer at a time, in memory that is shared;
+``stretches``, ``scribe``
+    many runs of a foreign explorer at a time, in memory that is shared, and who writes their logs
+    where the explorer is a generator;
 ``confirm``
     single runs, and findings once more in fresh processes;
 ``looking``

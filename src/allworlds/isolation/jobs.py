@@ -85,7 +85,9 @@ class PlayRecords:
 
 @dataclass(frozen=True, slots=True)
 class PlayStretch:
-    """Play many runs of a native explorer in compiled code; answered by :class:`Stretched`.
+    """Play many runs that stand in shared memory, and leave their logs there.
+
+    Answered by :class:`Stretched`.
 
     Attributes:
         memory: a file that both sides see, laid out by the kernel.

@@ -36,6 +36,7 @@ from allworlds.subjects import Subject, load
 from allworlds.world import State, World
 
 if TYPE_CHECKING:
+    from allworlds.isolation.scribe import Scribe
     from allworlds.isolation.stretches import Actor
 
 T = TypeVar("T")
@@ -63,7 +64,7 @@ class Player:
         self._connection = connection
         self._beat = beat
         self._pid = os.getpid()
-        self._actor: Actor | None = None
+        self._actor: Actor | Scribe | None = None
         self._look_at = 0.0
 
     def run(self) -> None:
@@ -111,11 +112,14 @@ class Player:
                 self._trace(subject, job)
 
     def _stretch(self, subject: Subject, job: PlayStretch) -> Stretched:
+        from allworlds.isolation.scribe import Scribe
         from allworlds.isolation.stretches import Actor
 
         if self._actor is None:
-            assert subject.native is not None
-            self._actor = Actor(subject.native, self._beat)
+            if subject.native is not None:
+                self._actor = Actor(subject.native, self._beat)
+            else:
+                self._actor = Scribe(subject.player(), self._beat, self._intact)
         stretched = self._actor.play(job)
         self._intact()
         return stretched

@@ -108,10 +108,11 @@ def started(hash_seed: int) -> Guardian:
         hash_seed: of the interpreter.  All that it forks have the same, so that an explorer
             that depends on the order of a set does the same in each; another one tells.
     """
+    path = json.dumps(child_path())
     ours, theirs = socket.socketpair()
     environment = {**os.environ, "PYTHONHASHSEED": str(hash_seed)}
     process = subprocess.Popen(  # noqa: S603  # our own module
-        [sys.executable, "-P", "-c", _START, json.dumps(child_path()), str(theirs.fileno())],
+        [sys.executable, "-P", "-c", _START, path, str(theirs.fileno())],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         pass_fds=(theirs.fileno(),),

@@ -1,4 +1,4 @@
-"""Many runs of a native explorer at a time: the memory that a referee shares with each player."""
+"""Many runs of an explorer at a time: the memory that a referee shares with each player."""
 
 from __future__ import annotations
 
@@ -57,8 +57,25 @@ class Shared:
         return None if said is None or said.size < 0 or said.threads else said.size
 
 
+class Shown:
+    """A player's side of the memories that it has been shown."""
+
+    def __init__(self) -> None:
+        self._seen: dict[str, kernel.Stretch] = {}
+
+    def stretch(self, job: PlayStretch) -> kernel.Stretch:
+        """The memory of a job."""
+        from allworlds import kernel
+
+        if job.memory not in self._seen:
+            with Path(job.memory).open("r+b") as file:
+                memory = mmap.mmap(file.fileno(), kernel.Stretch.size(job.edges))
+            self._seen[job.memory] = kernel.Stretch(memory, job.edges)
+        return self._seen[job.memory]
+
+
 class Actor:
-    """The player's side: the explorer with the memories that it has been shown.
+    """A native explorer, which plays stretches in compiled code.
 
     Args:
         explorer: loaded here.
@@ -70,17 +87,13 @@ class Actor:
 
         addresses, state = explorer.library.addresses(), explorer.state()
         self._actors = kernel.Actors(addresses, state, explorer.handed(), beat)
-        self._seen: dict[str, kernel.Stretch] = {}
+        self._shown = Shown()
+        self._threads = threads_now()
 
     def play(self, job: PlayStretch) -> Stretched:
         """All runs of a stretch."""
-        from allworlds import kernel
-
-        threads = threads_now()
-        if job.memory not in self._seen:
-            with Path(job.memory).open("r+b") as file:
-                memory = mmap.mmap(file.fileno(), kernel.Stretch.size(job.edges))
-            self._seen[job.memory] = kernel.Stretch(memory, job.edges)
-        stretch = self._seen[job.memory]
+        stretch = self._shown.stretch(job)
         size = self._actors.play(stretch, job.runs, job.order, job.policy, again=job.again)
-        return Stretched(size, threads_left(threads))
+        left = threads_left(self._threads)
+        self._threads += left
+        return Stretched(size, left)

@@ -3,6 +3,15 @@
 It takes values of :mod:`allworlds.maps` and :mod:`allworlds.protocol` and knows neither the
 inside of a world nor any explorer.  Each law is a function from a :class:`Case` to a
 :class:`Violation` or None; the table :data:`LAWS` names them in the order of precedence.
+
+``case``
+    what every law is given: a finished run with the truth beside it;
+``laws``
+    **the** table of the laws;
+``invariants``, ``folding``, ``bounds``, ``ambiguity``
+    what they rest on: S in the world, the folded log, the bounds, the quotient;
+``second_opinion``
+    another judge of answers, by graph isomorphisms, to be compared with.
 """
 
 from allworlds.judge.ambiguity import ambiguity_law

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from itertools import count
 from operator import ne
 
+from allworlds.inputs import show
 from allworlds.judge.case import Case, Violation
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol import Checkpoint
@@ -91,7 +92,7 @@ def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken
     sigma, alpha = checkpoint.sigma, checkpoint.alpha
     size, here = len(sigma), checkpoint.here
     if len(alpha) != size or not 0 <= here < size:
-        return Broken(f"here = {here}, with {size} darts in sigma and {len(alpha)} in alpha")
+        return Broken(f"here = {show(here)}, with {size} darts in sigma and {len(alpha)} in alpha")
     image, free = [-1] * size, [True] * len(case.map.sigma)
     image[here], free[dart] = dart, False
     claims = {e: d for d, e in enumerate(alpha) if e != d and 0 <= e < size and alpha[e] == e}
@@ -103,7 +104,7 @@ def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken
             if y == x and way is partners:
                 continue  # An open dart leads nowhere yet.
             if not 0 <= y < size:
-                return Broken(f"{name}({x}) = {y} is no dart of S")
+                return Broken(f"{name}({x}) = {show(y)} is no dart of S")
             if image[y] == -1 and free[true]:
                 image[y], free[true] = true, False
                 queue.append(y)

@@ -11,9 +11,9 @@ lock only to start and to end, so that threads share the work.
     what is judged: maps, finished one after the other, as worlds with every lighthouse;
 ``algorithm1``, ``two_vertices``
     explorers, each behind the C interface of all explorers;
-``native``, ``logs``, ``batches``
-    explorers in shared libraries, played in processes of their own, many runs at a time;
-``walk``, ``ways``, ``tally``
+``native``, ``logs``, ``writing``, ``batches``
+    foreign explorers, played in processes of their own, many runs at a time;
+``demand_driven``, ``ways``, ``tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``dearest``
     the worst and the best cost of a world over all schedules, and its door;
@@ -40,6 +40,7 @@ from allworlds.kernel.batches import (
 )
 from allworlds.kernel.compiling import is_compiled
 from allworlds.kernel.dearest import Dearest, dearest_of_unit
+from allworlds.kernel.demand_driven import explore
 from allworlds.kernel.engine import (
     COMPILING,
     EXPLORERS,
@@ -55,12 +56,12 @@ from allworlds.kernel.engine import (
     walk,
 )
 from allworlds.kernel.laws import CHECKED
-from allworlds.kernel.native import RUN_TOLD, play_worlds
+from allworlds.kernel.native import RUN_NUMBER, RUN_TOLD, play_worlds
 from allworlds.kernel.rows import Bounds, Broken, Counts, Level, Listed, Rows, walk_number
 from allworlds.kernel.runs import examine
 from allworlds.kernel.schedules import search
 from allworlds.kernel.tables import MOST_EDGES, Tables, tables
-from allworlds.kernel.walk import explore
+from allworlds.kernel.writing import End, Written, answer_entry, read_log, shown_entry
 
 __all__ = [
     "CHECKED",
@@ -71,6 +72,7 @@ __all__ = [
     "MOST_BUDGET",
     "MOST_EARLIER",
     "MOST_EDGES",
+    "RUN_NUMBER",
     "RUN_TOLD",
     "UNDEFINED",
     "Actors",
@@ -78,6 +80,7 @@ __all__ = [
     "Broken",
     "Counts",
     "Dearest",
+    "End",
     "Kept",
     "Laid",
     "Level",
@@ -86,6 +89,8 @@ __all__ = [
     "Stretch",
     "Tables",
     "UnitJudge",
+    "Written",
+    "answer_entry",
     "by_vertices_and_faces",
     "compile_apart",
     "costs",
@@ -98,7 +103,9 @@ __all__ = [
     "load_judge",
     "load_native",
     "play_worlds",
+    "read_log",
     "search",
+    "shown_entry",
     "tables",
     "walk",
     "walk_number",

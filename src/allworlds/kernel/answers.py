@@ -9,7 +9,7 @@ from numpy import int64
 
 from allworlds.kernel.calls import entry_of
 from allworlds.kernel.compiling import inlined, inner
-from allworlds.kernel.embedding import grown
+from allworlds.kernel.embedding import grown, spell_out
 from allworlds.kernel.laws import MAP, NO_ESTIMATE, POSE
 from allworlds.kernel.records import LONG, NONE
 
@@ -26,9 +26,10 @@ def answer_law(published, world, dart, scratch):
     """
     size, here = int64(published.darts), int64(published.here)
     fits = size == world.darts and 0 <= here < size
-    if fits and (
-        _goes_on(published, world, dart, scratch) or _carries(published, world, dart, scratch)
-    ):
+    if fits and _goes_on(published, world, dart, scratch):
+        return 0
+    spell_out(published)
+    if fits and _carries(published, world, dart, scratch):
         return 0
     if here < 0 or here >= size or not _is_map(published, scratch):
         return NO_ESTIMATE

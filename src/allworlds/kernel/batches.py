@@ -13,8 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from numpy import array, asarray, concatenate, frombuffer, int32, int64, uint8, zeros
-from numpy.random import default_rng
+from numpy import arange, array, asarray, frombuffer, int32, int64, uint8, zeros
 
 from allworlds.kernel import logs, native, runs
 from allworlds.kernel.compiling import uncollected
@@ -35,6 +34,10 @@ MOST_EARLIER = 16
 
 LOG_BYTES = 1 << 20
 """Room for the logs of a stretch, and as much for its percepts: 512 bytes a run."""
+
+LONGEST_EARLIER = LOG_BYTES // (4 * MOST_EARLIER)
+"""The largest number of bytes in the log of a run that is played again later: all of them together
+leave room for a stretch."""
 
 
 class Stretch:
@@ -67,6 +70,14 @@ class Stretch:
         """The number of bytes."""
         rows = ROWS
         return rows * (4 * native.HEAD + 8 + native.WIDE * 2 * edges) + 2 * LOG_BYTES
+
+    def put(self, logs: bytes | bytearray, begins: Sequence[int]) -> int:
+        """The number of bytes of logs that have come to stand here; -1 if there is no room."""
+        if len(logs) > len(self.logs):
+            return -1
+        self.begins[: len(begins)] = begins
+        self.logs[: len(logs)] = frombuffer(logs, uint8)
+        return len(logs)
 
     def _array(self, kind: Any, *shape: int) -> Any:
         count = 1
@@ -109,7 +120,6 @@ class UnitJudge:
         self._level, self._stretch, self._records = level, stretch, records
         self._ahead, self._job, robot = _room()
         self._reader = new(READER)
-        self._logs, self._percepts = _READ
         for job in (self._ahead, self._job):
             set_up(job, robot, level)
         self._robot = robot
@@ -145,13 +155,16 @@ class UnitJudge:
         """
         reader, job, asked = self._reader, self._job, self._asked
         stretch, size = self._stretch, max(0, min(size, LOG_BYTES))
-        kept, begins = self._logs, stretch.begins[: laid.runs].copy()
+        kept, percepts = _FIRST_LOGS, _PERCEPTS
         kept[:size] = stretch.logs[:size]
         reader.logs, reader.size = kept.ctypes.data, size
+        count = laid.runs + len(earlier)
+        begins, ends = zeros(count, int32), zeros(count, int32)
+        starts = zeros(laid.runs + 1, int32)
+        begins[: laid.runs] = stretch.begins[: laid.runs]
         reader.begins = begins.ctypes.data
-        percepts = self._percepts
-        starts, ends = zeros(laid.runs + 1, int32), zeros(laid.runs, int32)
-        reader.percepts, reader.room = percepts.ctypes.data, LOG_BYTES
+        reader.percepts = percepts.ctypes.data
+        reader.room = LOG_BYTES - sum(len(each.percepts) for each in earlier)
         reader.starts, reader.ends, reader.noted = starts.ctypes.data, ends.ctypes.data, 0
         reader.run = reader.strange = 0
         job.until = laid.until
@@ -159,6 +172,10 @@ class UnitJudge:
         runs.examine(job, reader, *asked.arguments, self._never)
         starts[laid.runs] = reader.noted
         self._heads[:, native.RUN_MOTIONS] = (starts[1:] - starts[:-1]) // 3 - 1
+        for row, play in enumerate(earlier, laid.runs):
+            begins[row], ends[row] = size, size + len(play.log)
+            kept[size : ends[row]] = play.log
+            size += len(play.log)
         self._first = _Logs(self._heads, percepts, starts, kept[:size], begins, ends)
         self._hand_over(laid, earlier)
         good = reader.strange == 0 and reader.run == laid.runs and job.undefined == 0
@@ -166,7 +183,8 @@ class UnitJudge:
 
     def _hand_over(self, laid: Laid, earlier: Sequence[Kept]) -> None:
         """What was sensed, here and earlier, to the second player."""
-        records, first, end = self._records, self._first, int(self._first.starts[laid.runs])
+        records, first = self._records, self._first
+        end = min(int(first.starts[laid.runs]), int(self._reader.room))
         records.percepts[:end] = first.percepts[:end]
         records.starts[: laid.runs] = first.starts[: laid.runs]
         records.heads[: laid.runs] = first.heads
@@ -175,6 +193,8 @@ class UnitJudge:
             records.percepts[end : end + length] = kept.percepts
             records.starts[row], records.heads[row] = end, kept.head
             end += length
+        # Who plays again is not to know which runs these are.
+        records.heads[: laid.runs + len(earlier), native.RUN_NUMBER] = 0
 
     def differing(self, laid: Laid, size: int, earlier: Sequence[Kept] = ()) -> list[int]:
         """Which runs have second logs that are not as their first ones.
@@ -182,20 +202,12 @@ class UnitJudge:
         Those of the stretch, and behind them those of earlier ones, are numbered as they were laid
         out.
         """
-        records, count = self._records, laid.runs + len(earlier)
+        records, first, count = self._records, self._first, laid.runs + len(earlier)
         size = max(0, min(size, LOG_BYTES))
-        first, found = self._first, zeros(count, int64)
-        lengths = array([0, *(len(kept.log) for kept in earlier)], int32)
-        begins = len(first.logs) + lengths.cumsum(dtype=int32)
-        differ = logs.differing(
-            concatenate([first.logs, *(kept.log for kept in earlier)]),
-            concatenate([first.begins, begins[:-1]]),
-            concatenate([first.ends, begins[1:]]),
-            records.logs[:size].copy(),
-            records.begins[:count].copy(),
-            count,
-            found,
-        )
+        second, found = _SECOND_LOGS[:size], zeros(count, int64)
+        second[:] = records.logs[:size]
+        again = records.begins[:count].copy()
+        differ = logs.differing(first.logs, first.begins, first.ends, second, again, count, found)
         different: list[int] = found[:differ].tolist()
         return different
 
@@ -218,9 +230,14 @@ class Kept(NamedTuple):
     percepts: Any
     log: Any
 
+    @property
+    def short(self) -> bool:
+        """Whether there is room for it among the runs of any stretch."""
+        return max(len(self.log), len(self.percepts)) <= LONGEST_EARLIER
+
 
 class _Logs(NamedTuple):
-    """A stretch as it was played first."""
+    """A stretch as it was played first; the logs are followed by those of earlier runs."""
 
     heads: Any
     percepts: Any
@@ -230,8 +247,14 @@ class _Logs(NamedTuple):
     ends: Any
 
 
-_READ = zeros(LOG_BYTES + logs.SLACK, uint8), zeros(LOG_BYTES, uint8)
-"""This process's copy of the logs of a stretch, and what is sensed on reading them."""
+_FIRST_LOGS = zeros(LOG_BYTES + MOST_EARLIER * LONGEST_EARLIER + logs.SLACK, uint8)
+"""This process's copy of the logs of a stretch, and behind them those of earlier runs."""
+
+_SECOND_LOGS = zeros(LOG_BYTES, uint8)
+"""The same of the second play."""
+
+_PERCEPTS = zeros(LOG_BYTES, uint8)
+"""What is sensed on following the first logs."""
 
 _ROOMS: list[tuple[Any, Any, Any]] = []
 
@@ -249,7 +272,7 @@ class Actors:
     Args:
         addresses: of ``start``, ``step``, ``answer`` and ``choose`` (0: none), by name.
         state: the address of its state.
-        arrays: percept, action, here, sigma and alpha: what is handed to it.
+        arrays: percept, action, here, and twice sigma and alpha: what is handed to it.
         beat: the number of the current run, and the explorer's turns in it.
     """
 
@@ -259,13 +282,14 @@ class Actors:
         self._asked = new(POLICY)
         self._memory = arrays  # what is handed to the explorer must stay
         self._arrays = tuple(_view(each) for each in arrays)
-        percept, action, here, sigma, alpha = (each.ctypes.data for each in self._arrays)
+        percept, action, here, *rooms = (each.ctypes.data for each in self._arrays)
         self._beat = frombuffer(beat, int64)
         self._explorer = array(
             [
                 *(addresses[name] for name in ("start", "step", "answer", "choose")),
-                *(state, percept, action, sigma, alpha, here),
+                *(state, percept, action, here),
                 *(native.pick_address(), asarray(self._asked).ctypes.data),
+                *rooms,
             ],
             int64,
         )
@@ -281,8 +305,10 @@ class Actors:
             again: against records.
         """
         self._asked.policy = POLICIES[policy]
-        every = default_rng(order).permutation(laid).astype(int64)
-        common = (self._explorer, *self._arrays, self._asked, stretch.heads)
+        every = arange(laid)
+        native.shuffle(every, order)
+        percept, action, here, sigma, *_ = self._arrays
+        common = (self._explorer, percept, action, here, len(sigma), self._asked, stretch.heads)
         if again:
             said = (stretch.percepts, stretch.starts, every, stretch.logs, stretch.begins)
             return int(native.play_records(*common, *said, self._beat))
@@ -319,7 +345,7 @@ def load_native() -> None:
         unit.judge(laid, 0)
         unit.differing(laid, 0)
         nothing = dict.fromkeys(("start", "step", "answer", "choose"), 0)
-        handed = [(ctypes.c_int32 * length)() for length in (3, 2, 1, 1, 1)]
+        handed = [(ctypes.c_int32 * length)() for length in (3, 2, 1, 1, 1, 1, 1)]
         actors = Actors(nothing, 0, handed, bytearray(16))
         for again in (False, True):
             actors.play(stretch, 0, 0, "fifo", again=again)

@@ -111,27 +111,14 @@ def byte_of(_context, address, index):
 
 
 @intrinsic
-def put_byte(_context, address, index, value):
-    """Makes it the byte number ``index`` of what begins at the address."""
-
-    def generate(target, builder, _signature, values):
-        start = builder.inttoptr(values[0], _POINTER)
-        byte = builder.trunc(values[2], ir.IntType(8))
-        builder.store(byte, builder.gep(start, [values[1]]))
-        return target.get_dummy_value()
-
-    return types.void(types.int64, types.int64, types.int64), generate
-
-
-@intrinsic
 def put_entry(_context, address, index, value):
-    """Makes it the 32-bit integer number ``index`` of the array at the address."""
+    """Makes it the 32-bit integer number ``index`` of what begins at the address."""
 
     def generate(target, builder, _signature, values):
         integer = ir.IntType(32)
         start = builder.inttoptr(values[0], integer.as_pointer())
         entry = builder.trunc(values[2], integer)
-        builder.store(entry, builder.gep(start, [values[1]]))
+        builder.store(entry, builder.gep(start, [values[1]]), align=1)
         return target.get_dummy_value()
 
     return types.void(types.int64, types.int64, types.int64), generate
@@ -160,6 +147,18 @@ def word_of(_context, address, index):
     return types.int64(types.int64, types.int64), generate
 
 
+@intrinsic
+def put_word(_context, address, value):
+    """Makes the value the eight bytes at the address, the lowest first."""
+
+    def generate(target, builder, _signature, values):
+        start = builder.inttoptr(values[0], ir.IntType(64).as_pointer())
+        builder.store(values[1], start, align=1)
+        return target.get_dummy_value()
+
+    return types.void(types.int64, types.int64), generate
+
+
 LANES = 16
 """So many entries are made bytes at a time, or bytes entries."""
 
@@ -169,26 +168,26 @@ _ENTRIES = ir.VectorType(ir.IntType(32), LANES)
 
 @intrinsic
 def narrow(_context, target, source, count):
-    """Copies ``LANES`` 32-bit integers to as many bytes.
+    """Copies the first ``count`` of ``LANES`` 32-bit integers to bytes, and makes the others 0.
 
-    What is returned is not 0 if one of the first ``count`` is no byte.
+    What is returned is not 0 if one of them is no byte.
     """
 
     def generate(_target, builder, _signature, values):
         to, origin, count = values
         entries = builder.load(builder.inttoptr(origin, _ENTRIES.as_pointer()), align=4)
-        builder.store(
-            builder.trunc(entries, _BYTES), builder.inttoptr(to, _BYTES.as_pointer()), align=1
-        )
-        largest = ir.Constant(_ENTRIES, [255] * LANES)
-        odd = builder.icmp_unsigned(">", entries, largest)
-        bits = builder.zext(builder.bitcast(odd, ir.IntType(LANES)), ir.IntType(64))
+        lanes = ir.IntType(LANES)
         one = ir.Constant(ir.IntType(64), 1)
         all_ = builder.icmp_signed(">=", count, ir.Constant(ir.IntType(64), LANES))
-        asked = builder.select(
-            all_, ir.Constant(ir.IntType(64), -1), builder.sub(builder.shl(one, count), one)
+        some = builder.sub(builder.shl(one, count), one)
+        asked = builder.select(all_, ir.Constant(ir.IntType(64), -1), some)
+        among = builder.bitcast(builder.trunc(asked, lanes), ir.VectorType(ir.IntType(1), LANES))
+        wanted = builder.select(among, entries, ir.Constant(_ENTRIES, [0] * LANES))
+        builder.store(
+            builder.trunc(wanted, _BYTES), builder.inttoptr(to, _BYTES.as_pointer()), align=1
         )
-        return builder.and_(bits, asked)
+        odd = builder.icmp_unsigned(">", wanted, ir.Constant(_ENTRIES, [255] * LANES))
+        return builder.zext(builder.bitcast(odd, lanes), ir.IntType(64))
 
     return types.int64(types.int64, types.int64, types.int64), generate
 
@@ -203,6 +202,56 @@ def widen(_context, target, source):
         builder.store(
             builder.zext(bytes_, _ENTRIES), builder.inttoptr(to, _ENTRIES.as_pointer()), align=4
         )
+        return context.get_dummy_value()
+
+    return types.void(types.int64, types.int64), generate
+
+
+WIDE_LANES = 32
+"""So many bytes are compared, or copied, at a time."""
+
+_WIDE = ir.VectorType(ir.IntType(8), WIDE_LANES)
+
+
+def _wide(builder: Any, address: Any) -> Any:
+    """The bytes there."""
+    return builder.load(builder.inttoptr(address, _WIDE.as_pointer()), align=1)
+
+
+def _where_unlike(builder: Any, one: Any, other: Any) -> Any:
+    """The places where the two vectors differ, as a set."""
+    differ = builder.icmp_unsigned("!=", one, other)
+    return builder.zext(builder.bitcast(differ, ir.IntType(WIDE_LANES)), ir.IntType(64))
+
+
+@intrinsic
+def unlike(_context, one, other):
+    """Which of the bytes at the two addresses differ, as a set."""
+
+    def generate(_target, builder, _signature, values):
+        return _where_unlike(builder, *(_wide(builder, value) for value in values))
+
+    return types.int64(types.int64, types.int64), generate
+
+
+@intrinsic
+def moved(_context, address):
+    """Which of the bytes at the address are not their own places, as a set."""
+
+    def generate(_target, builder, _signature, values):
+        places = ir.Constant(_WIDE, list(range(WIDE_LANES)))
+        return _where_unlike(builder, _wide(builder, values[0]), places)
+
+    return types.int64(types.int64), generate
+
+
+@intrinsic
+def copy_bytes(_context, target, source):
+    """Copies ``WIDE_LANES`` bytes."""
+
+    def generate(context, builder, _signature, values):
+        to = builder.inttoptr(values[0], _WIDE.as_pointer())
+        builder.store(_wide(builder, values[1]), to, align=1)
         return context.get_dummy_value()
 
     return types.void(types.int64, types.int64), generate

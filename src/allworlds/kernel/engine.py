@@ -17,11 +17,11 @@ from typing import Any
 from numpy import argwhere, array, asarray, full, int8, int64, zeros
 
 from allworlds.kernel import runs, tally
-from allworlds.kernel import walk as walks
 from allworlds.kernel.algorithm1 import algorithm1_addresses
 from allworlds.kernel.classes import rule_address
 from allworlds.kernel.compiling import uncollected
 from allworlds.kernel.counting import count
+from allworlds.kernel.demand_driven import explore
 from allworlds.kernel.laws import LAWS
 from allworlds.kernel.lighthouses import KINDS, lighthouse_address
 from allworlds.kernel.names import EVENTS, POLICIES
@@ -274,7 +274,7 @@ def _walked(level: Level, prefix: Sequence[int], least: Any, listed: Any, halt: 
     w.viable[:owed, :opened] = tables.viable
     w.sensed[: len(tables.sensed)] = tables.sensed
     w.counts[:] = 0
-    walks.explore(w, array(prefix, int64), least, zeros(least.shape[1], int64), listed, halt)
+    explore(w, array(prefix, int64), least, zeros(least.shape[1], int64), listed, halt)
     return w
 
 

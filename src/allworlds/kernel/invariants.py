@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from allworlds.kernel.calls import entry_of
 from allworlds.kernel.compiling import inlined, inner
-from allworlds.kernel.embedding import grown, remember
+from allworlds.kernel.embedding import grown, remember, spell_out
 from allworlds.kernel.laws import INVARIANT_1, INVARIANT_2, VARIANT
 from allworlds.kernel.records import NONE
 
@@ -28,6 +28,7 @@ def look_at(judged, published, world, dart, walked):
     if grown(judged, published, world, dart, walked):
         explored = judged.explored
     else:
+        spell_out(published)
         explored = _look_anew(judged, published, world, dart, walked)
     t = world.darts // 2 - (explored + 1) // 2
     if judged.shown and t >= judged.t:

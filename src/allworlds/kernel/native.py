@@ -25,8 +25,9 @@ from allworlds.kernel.calls import (
     call_with,
     entry_of,
     narrow,
+    put_word,
 )
-from allworlds.kernel.compiling import RECORD, callback, entry, inlined
+from allworlds.kernel.compiling import RECORD, callback, entry, inlined, inner
 from allworlds.kernel.gluing import advance
 from allworlds.kernel.logs import (
     ANSWERED,
@@ -37,6 +38,7 @@ from allworlds.kernel.logs import (
     SHOWN,
     SHOWN_TOO_OFTEN,
     STRANGE,
+    span,
 )
 from allworlds.kernel.names import AMBIGUOUS, ANSWER_READY, CHECKPOINT, LIFO, MOVE, NEAREST
 from allworlds.kernel.records import NONE, POLICY
@@ -58,9 +60,11 @@ HEAD = 4
 FIRST, PARTNER, DEGREE, MARKS, BEARING = range(5)
 WIDE = 5
 
-# The addresses of an explorer, in their order.
-START, STEP, ANSWER_OF, CHOOSE, STATE, SENSED, ACTED, SIGMA, ALPHA, HERE, PICK, ASKED = range(12)
-ADDRESSES = 12
+# The addresses of an explorer, in their order.  There are two rooms for sigma and alpha, which take
+# turns: who reads what has just been written, in other portions, waits for it to get to memory.
+START, STEP, ANSWER_OF, CHOOSE, STATE, SENSED, ACTED, HERE, PICK, ASKED, SIGMA, ALPHA = range(12)
+ROOMS = 2
+ADDRESSES = SIGMA + 2 * ROOMS
 
 
 @entry
@@ -95,6 +99,21 @@ def lay_out(job, prefix, viable, budgets, heads, worlds):
     return lit
 
 
+@entry
+def shuffle(order, seed):
+    """Brings the entries into an order that the seed determines.
+
+    Source: Fisher and Yates; Marsaglia, Xorshift RNGs (2003), with the shifts 13, 7, 17.
+    """
+    state = seed | 1
+    for i in range(len(order) - 1, 0, -1):
+        state ^= state << 13
+        state ^= state >> 7 & (1 << 57) - 1
+        state ^= state << 17
+        other = (state >> 32 & (1 << 32) - 1) * (i + 1) >> 32
+        order[i], order[other] = order[other], order[i]
+
+
 class Worlds(NamedTuple):
     """Runs that are played in their worlds: at a dart."""
 
@@ -110,16 +129,17 @@ class Records(NamedTuple):
 
 @entry
 def play_worlds(
-    explorer, percept, action, here, sigma, alpha, asked, heads, worlds, order, logs, begins, beat
+    explorer, percept, action, here, room, asked, heads, worlds, order, logs, begins, beat
 ):
     """The number of bytes of the logs; -1 if there is no room for them.
 
-    ``explorer`` holds addresses; what is handed to and fro (``percept`` to ``alpha``) stands in
-    memory of its own; ``asked`` answers choices.  ``heads`` and ``worlds`` have been laid out; the
-    runs are played in the given ``order``.  ``logs`` are written, and in ``begins`` where that of
-    each run begins.  ``beat`` tells the number of the current run, and the explorer's turns in it.
+    ``explorer`` holds addresses; what is handed to and fro (``percept`` to ``here``, and sigma and
+    alpha of ``room`` darts) stands in memory of its own; ``asked`` answers choices.  ``heads`` and
+    ``worlds`` have been laid out; the runs are played in the given ``order``.  ``logs`` are
+    written, and in ``begins`` where that of each run begins.  ``beat`` tells the number of the
+    current run, and the explorer's turns in it.
     """
-    handed = (percept, action, here, len(sigma))
+    handed = (percept, action, here, room)
     return _play(explorer, handed, asked, heads, Worlds(worlds), order, logs, begins, beat)
 
 
@@ -129,8 +149,7 @@ def play_records(
     percept,
     action,
     here,
-    sigma,
-    alpha,
+    room,
     asked,
     heads,
     percepts,
@@ -144,7 +163,7 @@ def play_records(
 
     ``percepts`` are three bytes each, and ``starts`` says where those of a run begin.
     """
-    handed = (percept, action, here, len(sigma))
+    handed = (percept, action, here, room)
     known = Records(percepts, starts)
     return _play(explorer, handed, asked, heads, known, order, logs, begins, beat)
 
@@ -153,7 +172,7 @@ def play_records(
 def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
     """All runs, by what is known of them."""
     percept, action, _, _ = handed
-    at = int64(0)
+    at, due = int64(0), NOTHING_DUE
     for run in order:
         head = heads[run]
         begins[run] = at
@@ -187,16 +206,17 @@ def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
                 cost += 1
             elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
                 shown += 1
-                at = _publish(explorer, handed, logs, at, SHOWN)
-                if logs[at] == STRANGE:
+                at, due = _publish(explorer, handed, logs, at, SHOWN, due)
+                if due[0] < 0:
                     break
             else:
-                at = _end(explorer, handed, kind, logs, at)
+                at, due = _end(explorer, handed, kind, logs, at, due)
                 break
             action[0] = action[1] = 0
             call_step(explorer[STEP], explorer[STATE], explorer[SENSED], explorer[ACTED])
         at += 1
     beat[1] = 0
+    _write(explorer, logs, due)
     return at
 
 
@@ -247,14 +267,15 @@ def _degree(known, run, place):
 
 @overload(_sense, inline="always")
 def _sensing(known, run, place, percept):
+    # Degree and marks are stored at once: who copies both waits for nothing.
     def world(known, run, place, percept):
         row, at = known.rows[run], WIDE * place
-        percept[0], percept[1] = row[at + DEGREE], row[at + MARKS]
+        put_word(address_of(percept), int64(row[at + DEGREE]) | int64(row[at + MARKS]) << 32)
         percept[2] = int32(row[at + BEARING]) - 1
 
     def record(known, run, place, percept):
         sensed = known.percepts
-        percept[0], percept[1] = sensed[place], sensed[place + 1]
+        put_word(address_of(percept), int64(sensed[place]) | int64(sensed[place + 1]) << 32)
         percept[2] = int32(sensed[place + 2]) - 1
 
     return _either(known, world, record)
@@ -294,11 +315,11 @@ def _begin(explorer, action, asked, head, beat):
 
 
 @inlined
-def _end(explorer, handed, kind, logs, at):
-    """Where the log ends: with an answer, or what is none."""
+def _end(explorer, handed, kind, logs, at, due):
+    """Where the log ends, with an answer or what is none; and what is due."""
     if kind == ANSWER_READY:
-        at = _publish(explorer, handed, logs, at, ANSWERED)
-        if logs[at] != STRANGE:
+        at, due = _publish(explorer, handed, logs, at, ANSWERED, due)
+        if due[0] >= 0:
             at -= 1
     elif kind == CHECKPOINT:
         logs[at] = SHOWN_TOO_OFTEN
@@ -307,40 +328,55 @@ def _end(explorer, handed, kind, logs, at):
         logs[at] = STRANGE
     else:
         logs[at] = ILLEGAL
-    return at
+    return at, due
+
+
+# What has been published, and is to be written into the log when the next thing is: where, from
+# which room, and how many darts.
+NOTHING_DUE = (int64(-1), int64(0), int64(0))
 
 
 @inlined
-def _publish(explorer, handed, logs, at, what):
-    """Where the log goes on behind what was published; STRANGE stands there if that is no use."""
+def _publish(explorer, handed, logs, at, what, due):
+    """Where the log goes on behind what is published now, and that this is due.
+
+    If it is no use, STRANGE stands there, and nothing is due.
+    """
     _, _, here, capacity = handed
+    room = 1 - due[1]
     here[0] = NONE
     darts = int64(
         ask_answer(
             explorer[ANSWER_OF],
             explorer[STATE],
             int32(capacity),
-            explorer[SIGMA],
-            explorer[ALPHA],
+            explorer[SIGMA + 2 * room],
+            explorer[ALPHA + 2 * room],
             explorer[HERE],
         )
     )
+    _write(explorer, logs, due)
     if darts < 1 or darts > MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
         logs[at] = STRANGE
-        return at
-    # What is copied too much is written over by what comes next.
+        return at, NOTHING_DUE
+    logs[at], logs[at + 1], logs[at + 2] = what, darts, here[0]
+    return at + 3 + span(darts), (at, room, darts)
+
+
+@inner
+def _write(explorer, logs, due):
+    """Writes the darts of what is due; what has an entry that is no byte is made STRANGE."""
+    at, room, darts = due
+    if at < 0:
+        return
     odd, sigma = int64(0), address_of(logs) + at + 3
+    # What is written too much of sigma is written over.
     for dart in range(0, darts, LANES):
-        odd |= narrow(sigma + dart, explorer[SIGMA] + 4 * dart, darts - dart)
+        odd |= narrow(sigma + dart, explorer[SIGMA + 2 * room] + 4 * dart, darts - dart)
     for dart in range(0, darts, LANES):
-        odd |= narrow(sigma + darts + dart, explorer[ALPHA] + 4 * dart, darts - dart)
+        odd |= narrow(sigma + darts + dart, explorer[ALPHA + 2 * room] + 4 * dart, darts - dart)
     if odd:
         logs[at] = STRANGE
-        return at
-    logs[at], logs[at + 1], logs[at + 2] = what, darts, here[0]
-    at += 3 + 2 * darts
-    logs[at] = 0
-    return at
 
 
 def pick(asked, of, options, cost):  # pragma: no cover  # compiled

@@ -115,9 +115,21 @@ WORLD = dtype(
 
 PERCEPT = dtype([("degree", int32), ("marks", int32), ("bearing", int32)])
 ACTION = dtype([("kind", int32), ("motion", int32)])
-ANSWER = dtype([("sigma", int64), ("alpha", int64), ("darts", int32), ("here", int32)])
-"""``struct allworlds_percept`` and ``allworlds_action`` of the C header, and an answer: ``sigma``
-and ``alpha`` are addresses of 32-bit integers."""
+"""``struct allworlds_percept`` and ``allworlds_action`` of the C header."""
+
+ANSWER = dtype(
+    [
+        # Addresses of 32-bit integers.
+        ("sigma", int64),
+        ("alpha", int64),
+        ("darts", int32),
+        ("here", int32),
+        # The same as bytes: the address of sigma, and behind it alpha; 0 if there are none.  If
+        # there are, the integers need not have been written yet.
+        ("bytes", int64),
+    ]
+)
+"""An answer, or the S that is shown."""
 
 EXPLORER = dtype(
     [
@@ -194,12 +206,9 @@ LOG = dtype(
         # The robot's true dart at the end, and the darts of the edges walked, as a set.
         ("dart", int64),
         ("walked", int64),
-        # Each motion, and what was sensed behind it.
+        # The dart arrived by after each motion.
         ("cost", int64),
-        ("motion", int64, LONG),
-        ("degree", int64, LONG),
-        ("marks", int64, LONG),
-        ("bearing", int64, LONG),
+        ("arrived", int64, LONG),
         # The answer, or the S that is shown.
         ("published", ANSWER),
     ],
@@ -209,14 +218,12 @@ LOG = dtype(
 
 FOLD = dtype(
     [
-        ("nodes", int64),
-        # By nodes: the degree, the set of darts that lead somewhere, and the node that it has
-        # been merged with, by how much turned.
-        ("degree", int64, FOLDED),
+        # How many darts lead nowhere.
+        ("open", int64),
+        # By nodes: the set of darts that lead somewhere, and the node that it has been merged with.
         ("linked", int64, FOLDED),
         ("parent", int64, FOLDED),
-        ("shift", int64, FOLDED),
-        # By darts, ``DARTS`` for each node: where one of that set leads to.
+        # By darts, ``DARTS`` for each node: the node that one of that set leads to.
         ("link", int64, FOLDED * DARTS),
         ("todo", int64, 2 * LONG),
     ]
@@ -235,9 +242,11 @@ JUDGED = dtype(
         # The embedding stands in ``to``.
         ("known", int64),
         ("explored", int64),
-        ("sigma", int64, DARTS),
-        ("alpha", int64, DARTS),
+        ("sigma", uint8, DARTS),
+        ("alpha", uint8, DARTS),
         ("taken", int64),
+        # Room for one that is shown as integers.
+        ("bytes", uint8, 3 * DARTS),
         # Room for images, for what is still to be looked at, and for claims.
         ("to", int64, LONG),
         ("queue", int64, LONG),
@@ -284,20 +293,12 @@ READER = dtype(
         ("noted", int64),
         ("starts", int64),
         ("ends", int64),
-        # The next run, and where its log is read; whether the last action was a motion.
+        # The next run, and how many logs are not to be judged here.
         ("run", int64),
-        ("at", int64),
-        ("moved", int64),
-        # How many logs are not to be judged here.
         ("strange", int64),
-        # The answer, or the S that is shown.
+        # Room for an answer, or the S that is shown.
         ("sigma", int32, 256),
         ("alpha", int32, 256),
-        ("darts", int32),
-        ("here", int32),
-        # What is handed to and fro.
-        ("percept", PERCEPT),
-        ("action", ACTION),
     ],
     align=True,
 )

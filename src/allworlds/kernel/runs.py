@@ -10,7 +10,7 @@ from allworlds.kernel.answers import answer_law
 from allworlds.kernel.calls import call_with
 from allworlds.kernel.code import encode, encode_unrooted, is_greater, keep_least_of_kind
 from allworlds.kernel.compiling import entry, inlined, inner
-from allworlds.kernel.episode import play
+from allworlds.kernel.explorers import play
 from allworlds.kernel.folding import folds
 from allworlds.kernel.gluing import advance
 from allworlds.kernel.invariants import variant_at_the_end
@@ -84,7 +84,7 @@ def examine(
             if law:
                 _blame(world, law, least, row)
             if job.number < len(listed):
-                _list(job.log, law, job.number, listed)
+                _list(world, job.log, law, job.number, listed)
             job.number += 1
             call_with(job.lighthouse, world)
     return False
@@ -163,11 +163,16 @@ def _blame(world, law, least, row):
 
 
 @inner
-def _list(log, law, number, listed):
+def _list(world, log, law, number, listed):
     """What has become of the run, and a number in which its whole walk has part."""
-    walk = 0
+    walk, before = 0, world.start
     for step in range(log.cost):
-        for part in (log.motion[step], log.degree[step], log.marks[step], log.bearing[step]):
+        dart = log.arrived[step]
+        motion = world.spot[world.alpha[dart]] - world.spot[before]
+        if motion < 0:
+            motion += world.degree[before]
+        before = dart
+        for part in (motion, world.degree[dart], world.marks[dart], world.bearing[dart]):
             walk = (walk * 31 + part + 1) % 2147483647
     listed[number, LAW], listed[number, COST] = law, log.cost
     listed[number, SHOWN], listed[number, WALK] = log.checkpoints, walk

@@ -2,6 +2,8 @@
 
 ``claims.toml``, ``manifest``
     what is claimed, in words, and which verdict and which numbers must come out;
+``found``
+    what these functions take and hand back;
 ``model``, ``position``, ``algorithm``, ``correctness``, ``complexity``, ``measured``,
 ``lighthouses``
     what decides the sentences of Sections II to VIII, one small function a claim;

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from importlib.util import find_spec
 from itertools import product
+from typing import NamedTuple
 
 from allworlds.checker import check
 from allworlds.growing import grow
@@ -20,7 +22,7 @@ from allworlds.ledger.found import (
     of_check,
     truth,
 )
-from allworlds.ledger.passes import every_run, pass_bound
+from allworlds.ledger.passes import Pass, every_run, pass_bound
 from allworlds.maps.build import cycle
 from allworlds.maps.classes import MapClass
 from allworlds.maps.enumeration import rooted_maps
@@ -59,46 +61,72 @@ def two_m_is_a_lower_bound(_: Means, *, length: int) -> Found:
     )
 
 
-def _in_every_pass(edges: int, policies: list[str], part: str) -> Found:
-    """A part of each pass beside what the paper allows it."""
+class _Part(NamedTuple):
+    """A part of a pass.
+
+    Attributes:
+        spent: what it took, each time.
+        allowed: by the paper, each time.
+        possible: the most that can be taken, where that is less.
+    """
+
+    spent: Sequence[int]
+    allowed: int
+    possible: int
+
+
+def _in_every_pass(edges: int, policies: list[str], part_of: Callable[[int, Pass], _Part]) -> Found:
+    """A part of each pass, from the edges of the world and the pass, beside what is allowed it."""
     passes = tests = wrong = attained = 0
     for world, met in every_run(edges, policies):
-        m = world.map.edge_count
         for one in met:
-            s = one.vertices
-            spent, allowed = {
-                "walk": ([one.walk], s),
-                "test": (one.tests, 2 * (s - 1)),
-                "hypotheses": ([one.hypotheses], 2 * m - 2 * (s - 1)),
-                "pass": ([one.cost], pass_bound(m, s, one.explored)),
-            }[part]
+            part = part_of(world.map.edge_count, one)
             passes += 1
             tests += len(one.tests)
-            wrong += any(cost > allowed for cost in spent)
-            # The dart that is explored is no hypothesis.
-            attained += allowed - (part == "hypotheses") in spent
+            wrong += any(cost > part.allowed for cost in part.spent)
+            attained += part.possible in part.spent
     witnesses = {"passes": passes, "tests": tests, "passes with as much as can be": attained}
     return Found(truth(wrong == 0), witnesses)
 
 
 def walk_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
     """To the unknown end at most n_s traversals."""
-    return _in_every_pass(edges, policies, "walk")
+
+    def walk(_m: int, one: Pass) -> _Part:
+        return _Part([one.walk], one.vertices, one.vertices)
+
+    return _in_every_pass(edges, policies, walk)
 
 
 def length_of_a_test(_: Means, *, edges: int, policies: list[str]) -> Found:
     """There and back at most 2(n_s - 1)."""
-    return _in_every_pass(edges, policies, "test")
+
+    def tests(_m: int, one: Pass) -> _Part:
+        allowed = 2 * (one.vertices - 1)
+        return _Part(one.tests, allowed, allowed)
+
+    return _in_every_pass(edges, policies, tests)
 
 
 def hypotheses_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
     """At most 2m - 2(n_s - 1)."""
-    return _in_every_pass(edges, policies, "hypotheses")
+
+    def hypotheses(m: int, one: Pass) -> _Part:
+        allowed = 2 * m - 2 * (one.vertices - 1)
+        # The dart that is explored is no hypothesis.
+        return _Part([one.hypotheses], allowed, allowed - 1)
+
+    return _in_every_pass(edges, policies, hypotheses)
 
 
 def cost_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
     """At most s + 2(s-1)(2m-2p), in each pass for itself."""
-    return _in_every_pass(edges, policies, "pass")
+
+    def cost(m: int, one: Pass) -> _Part:
+        allowed = pass_bound(m, one.vertices, one.explored)
+        return _Part([one.cost], allowed, allowed)
+
+    return _in_every_pass(edges, policies, cost)
 
 
 def pass_by_all_schedules(_: Means, *, edges: int) -> Found:

@@ -8,7 +8,6 @@ from itertools import combinations, product
 
 from allworlds.ambiguity import census, sensed, twins
 from allworlds.checker import check
-from allworlds.corpora import own_corpus
 from allworlds.ledger.found import (
     Checks,
     Found,
@@ -25,6 +24,7 @@ from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.enumeration import rooted_maps
 from allworlds.maps.quotient import Labelled, project
+from allworlds.own_corpus import own_corpus
 from allworlds.protocol import Action, Drop, Move, Pick
 from allworlds.world import Compass, Movable, Nothing, Position, World
 

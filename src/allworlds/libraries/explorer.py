@@ -83,8 +83,9 @@ class NativeExplorer:
         return self._state
 
     def handed(self) -> tuple[Any, ...]:
-        """Memory for what is handed to and fro: percept, action, ``here``, sigma and alpha."""
-        return tuple(Guarded(4 * n).as_a(ctypes.c_int32 * n) for n in (3, 2, 1, ROOM, ROOM))
+        """Memory for percept, action and ``here``, and twice for sigma and alpha."""
+        sizes = (3, 2, 1, *(ROOM,) * 4)
+        return tuple(Guarded(4 * size).as_a(ctypes.c_int32 * size) for size in sizes)
 
     def close(self) -> None:
         """Delete the state."""

@@ -32,6 +32,23 @@ canonical code
 class
     Which maps are meant: one of :class:`allworlds.maps.classes.MapClass`.
 
+Modules
+-------
+``combinatorial``, ``canonical``
+    the map itself; codes, automorphisms and isomorphisms;
+``classes``
+    **the** table of the classes of maps;
+``enumeration``, ``bruteforce``, ``counting``
+    every map of a class: glued together, by all permutations, and counted without making one;
+``completions``
+    how many maps a partial gluing can become;
+``build``, ``families``, ``large``
+    maps by hand and by name, and large ones by a text and a seed;
+``surgery``, ``networks``
+    small changes to a map; to networkx and back;
+``refinement``, ``quotient``, ``criterion``
+    which darts nothing tells apart, these taken together, and how many worlds share that.
+
 Inside this package a map in a hot place is a bare pair of tuples or lists; everywhere
 else it is a :class:`CombinatorialMap`.
 

@@ -96,7 +96,7 @@ class Places:
             turned = percept.bearing or 0
             facing = [self._turned_to_pointed(number) for number in there] if turned else there
             found.append(Part(percept, turned, tuple(sorted(facing))))
-        return sorted(found, key=lambda part: (part.percept.degree, part.percept.bearing or -1))
+        return sorted(found, key=_by_percept)
 
     def moved(self, known: Known, k: int) -> list[Part]:
         """What can be known after motion ``k``."""
@@ -129,6 +129,12 @@ class Places:
         """Whether the map and the robot's dart in it are known; the bearing need not be."""
         answer = self.answer
         return all(answer[number] == answer[known[0]] for number in known)
+
+
+def _by_percept(part: Part) -> tuple[int, int]:
+    """By degree, then bearing; where none is sensed first."""
+    degree, bearing = part.percept.degree, part.percept.bearing
+    return degree, -1 if bearing is None else bearing
 
 
 def _percept(place: Place) -> Percept:

@@ -1,9 +1,15 @@
 """Mutants: wrong explorers, weakened judges and broken enumerators that must all be caught.
 
 They are how a green run is believed: :func:`mutants` tries every one of them and says which
-check kills it, at which smallest world.  A new mutant is a class in
-:mod:`allworlds.mutation.explorers`, or a function in ``judges`` or ``enumerators``, and an
-entry of the list at the end of that module.
+check kills it, at which smallest world.  A new mutant is a class or a function in one of the
+four lists, and an entry at the end of its module.
+
+``explorers``, ``learners``, ``judges``, ``enumerators``
+    the four lists: explorers with a direction, explorers with position only, judges, enumerators;
+``unfair``
+    a way of folding explorers that need not end;
+``matrix``
+    which check kills which mutant.
 """
 
 from allworlds.mutation.matrix import Kill, KillMatrix, mutants

@@ -3,6 +3,13 @@
 An explorer is a **generator function** ``explore(first)``.  It gets percepts, yields actions
 and returns an answer; it never holds a world.  Turning is free and has no action of its own:
 it is folded into the next :class:`Move`, or into ``here`` of the answer.
+
+``percept``, ``actions``, ``answers``, ``transcript``
+    what is sensed, what is done, what is said of the world, and the log of it;
+``choices``
+    where an explorer is free: policies, and every answer in turn;
+``faults``
+    what went wrong with an explorer that is no generator.
 """
 
 from allworlds.protocol.actions import Action, Drop, Move, Pick, action_numbered, number_of

@@ -11,6 +11,7 @@ A new report is a module here, and an entry of one of the two tables.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -96,16 +97,14 @@ def finding_in_words(finding: Any, width: int) -> str:
 
 def written(form: str, report: Any) -> str:
     """The content of a file of that format."""
-    made: str = _load(FORMATS[form].home)(report)
-    return made
+    return _fit_for_a_file(_load(FORMATS[form].home)(report))
 
 
 def file_of(verb: str, option: str, result: Any) -> str:
     """The content of the file of a verb's option: a page, or one of :data:`FILES`."""
     if option == "html":
         return page_of(verb, result)
-    made: str = _load(FILES[verb, option])(result)
-    return made
+    return _fit_for_a_file(_load(FILES[verb, option])(result))
 
 
 def page_of(verb: str, result: Any) -> str:
@@ -127,6 +126,15 @@ def ensure_drawable() -> None:
 def _load(home: str) -> Any:
     module, _, function = home.partition(":")
     return getattr(import_module(f"allworlds.reports.{module}"), function)
+
+
+def _fit_for_a_file(text: str) -> str:
+    """The text with a sign in place of what no text file should hold, or can.
+
+    That is control characters, and halves of pairs, which UTF-8 has not: the name of a file that
+    is no UTF-8 holds some, and what an explorer says may hold any.
+    """
+    return re.sub("[\x00-\x08\x0b-\x1f\x7f\ud800-\udfff]", "\N{REPLACEMENT CHARACTER}", text)
 
 
 __all__ = [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from textwrap import wrap
 
 from allworlds.ambiguity import (
     AmbiguityCensus,
@@ -14,6 +15,7 @@ from allworlds.ambiguity import (
 )
 from allworlds.drawing import draw, scene_of
 from allworlds.maps.quotient import Quotient
+from allworlds.reports.check_words import counted
 from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import number, plural
 from allworlds.work import Shard
@@ -32,7 +34,7 @@ def twins_text(comparison: Comparison, width: int) -> str:
     for name, world, (_, classes) in zip("AB", comparison.worlds, projections, strict=True):
         lines += ["", f"world {name}; under each dart its class", ""]
         lines += [_drawing(world, classes, width)]
-    return "\n".join([*lines, "", *_quotient(projections[0].quotient)])
+    return "\n".join([*lines, "", *_quotient(projections[0].quotient, width)])
 
 
 def twins_words(comparison: Comparison) -> tuple[str, str]:
@@ -64,7 +66,7 @@ def class_text(found: AmbiguityClass, width: int) -> str:
         lines += ["", f"and {number(len(found.worlds) - DRAWN)} more: see --json"]
     if found.notice:
         lines += ["", *entry("notice", found.notice, width)]
-    return "\n".join([*lines, "", *_quotient(found.quotient)])
+    return "\n".join([*lines, "", *_quotient(found.quotient, width)])
 
 
 def class_words(found: AmbiguityClass) -> tuple[str, str]:
@@ -87,7 +89,7 @@ def census_text(census: AmbiguityCensus, width: int) -> str:
         ]
         for row in census.rows
     ]
-    lines = table(header, rows, "rrrrr")
+    lines = table(header, rows, "rrrrr", width)
     universe = census.extent.map_class
     text = (
         "maps with one marked vertex, up to isomorphism; ambiguous are those from which no "
@@ -102,7 +104,7 @@ def census_text(census: AmbiguityCensus, width: int) -> str:
         )
         return "\n".join([*lines, *entry("shard", text, width)])
     if census.agrees:
-        text = f"the rooted maps that were met number as in: {census.source}"
+        text = f"no rooted map was forgotten: {counted(census.source)}"
         return "\n".join([*lines, *entry("gate", text, width)])
     for row in census.rows:
         if row.rooted != row.counted:
@@ -132,7 +134,7 @@ def _told_apart(comparison: Comparison, proof: Separation, width: int) -> list[s
         )
     ]
     header = ["step", "motion", "sensed in A", "", "sensed in B"]
-    return [*lines, "", *table(header, rows, "rr")]
+    return [*lines, "", *table(header, rows, "rr", width, keys=2)]
 
 
 def _why_alike(quotients: Sequence[Quotient]) -> str:
@@ -156,10 +158,10 @@ def _drawing(world: World, classes: Sequence[int], width: int) -> str:
     return draw(scene_of(world, labels=[str(q) for q in classes]), width)
 
 
-def _quotient(quotient: Quotient) -> list[str]:
+def _quotient(quotient: Quotient, width: int) -> list[str]:
     header, rows = quotient_table(quotient)
-    lines = ["the quotient (a→b: alpha takes class a to b; a↺: to itself, a semi-edge)", ""]
-    return lines + table(header, rows, "llr")
+    said = "the quotient (a→b: alpha takes class a to b; a↺: to itself, a semi-edge)"
+    return [*wrap(said, width), "", *table(header, rows, "llr", width)]
 
 
 def quotient_table(quotient: Quotient) -> tuple[list[str], list[list[str]]]:

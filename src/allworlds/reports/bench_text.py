@@ -30,7 +30,7 @@ def bench_text(report: BenchReport, width: int) -> str:
             ]
         )
     header = ["name", "edges", "seconds", "worlds/s", f"{reference} is", "spread", "does"]
-    lines = table(header, rows, "lrrrrrl")
+    lines = table(header, rows, "lrrrrrl", width)
     facts = host()
     rounds = len(report.measured[0].seconds)
     lines += [""]

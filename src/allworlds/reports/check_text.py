@@ -5,20 +5,20 @@ from __future__ import annotations
 import sys
 from textwrap import wrap
 
-from allworlds.checker import Estimate, Report
+from allworlds.checker import Report, TimeEstimate
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
 from allworlds.reports.layout import entry, table
 from allworlds.reports.run_text import finding_text
 from allworlds.words import duration, number, plural
 
 
-def check_text(report: Report | Estimate, width: int) -> str:
+def check_text(report: Report | TimeEstimate, width: int) -> str:
     """What was seen, its scope, the findings, and the verdict last; or how long it will take."""
-    if isinstance(report, Estimate):
-        return "\n".join(_guess(report, width) + _larger(report))
+    if isinstance(report, TimeEstimate):
+        return "\n".join(_guess(report, width) + _larger(report, width))
     header, rows = size_table(report)
     scope = [line for name, text in scope_words(report) for line in entry(name, text, width)]
-    blocks = [table(header, rows, "r" * len(header)), scope]
+    blocks = [table(header, rows, "r" * len(header), width, keys=2), scope]
     blocks += [
         [finding_text(finding, width, origin_words(report, finding))] for finding in report.findings
     ]
@@ -27,15 +27,15 @@ def check_text(report: Report | Estimate, width: int) -> str:
     return "\n\n".join("\n".join(block) for block in blocks if block)
 
 
-def verdict_line(report: Report | Estimate, _width: int) -> str:
+def verdict_line(report: Report | TimeEstimate, _width: int) -> str:
     """The verdict, or the estimate, in one line however wide it is."""
-    if isinstance(report, Estimate):
+    if isinstance(report, TimeEstimate):
         return _guess(report, sys.maxsize)[0]
     word, text = verdict_words(report)
     return f"{word}: {text}"
 
 
-def _guess(estimate: Estimate, width: int) -> list[str]:
+def _guess(estimate: TimeEstimate, width: int) -> list[str]:
     guess = estimate.guess
     if guess.seconds is None or guess.rate is None:
         text = "no world of the last level was finished in time: this takes very long"
@@ -45,7 +45,7 @@ def _guess(estimate: Estimate, width: int) -> list[str]:
     return entry("estimate", text, width) + entry("sample", of, width)
 
 
-def _larger(estimate: Estimate) -> list[str]:
+def _larger(estimate: TimeEstimate, width: int) -> list[str]:
     """A table of what the check would take with more edges; nothing if that is not known."""
     if not estimate.larger:
         return []
@@ -62,4 +62,4 @@ def _larger(estimate: Estimate) -> list[str]:
         for guess in (estimate.guess, *estimate.larger)
         if guess.rate is not None and guess.seconds is not None
     ]
-    return ["", *table(header, rows, "rrlrrr")]
+    return ["", *table(header, rows, "rrlrrr", width)]

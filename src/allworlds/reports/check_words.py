@@ -89,9 +89,10 @@ def scope_words(report: Report) -> list[tuple[str, str]]:
         words.append(("symmetry", report.symmetry))
     witnesses = report.tally.witnesses
     seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
-    words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", seen or "none")]
+    met = f"what was met, and how often: {seen}" if seen else "none was met"
+    words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", met)]
     if report.missing:
-        words.append(("MISSING", ", ".join(report.missing)))
+        words.append(("MISSING", f"never met: {', '.join(report.missing)}"))
     if report.corpus:
         past = report.corpus
         words.append(("corpus", f"{past.directory}: {_corpus(past)}"))
@@ -134,7 +135,7 @@ def _corpus(past: UserCorpus) -> str:
 def _schedules(report: Report) -> str:
     if report.scope.schedules == "all":
         return "every sequence of choices"
-    return f"policy {report.scope.rules.policy}, one schedule a run"
+    return f"free choices as policy {report.scope.rules.policy} takes them, one schedule a run"
 
 
 def _laws(report: Report) -> str:
@@ -144,7 +145,7 @@ def _laws(report: Report) -> str:
     note = (
         f"; {plural(published, 'checkpoint')}"
         if published
-        else "; no checkpoint was published, so nothing is said of the invariants"
+        else "; no checkpoint was published, so nothing is said of what it knew on the way"
     )
     return ", ".join(laws) + note
 
@@ -164,4 +165,9 @@ def _gate(report: Report) -> str:
             f"enumerated, but {cell.source} counts {cell.counted}"
         )
     cells = plural(len(report.gate), "cell")
-    return f"in {cells} (edges, vertices) the worlds number as in: {report.gate[0].source}"
+    return f"no world was forgotten: in {cells} (edges, vertices) {counted(report.gate[0].source)}"
+
+
+def counted(source: str) -> str:
+    """That an enumeration met as many as an independent source counts, in plain words."""
+    return f"there are as many as are counted without making one ({source})"

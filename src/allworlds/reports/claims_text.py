@@ -8,8 +8,13 @@ from textwrap import wrap
 
 from allworlds.drawing import draw, scene_of
 from allworlds.ledger import ClaimsReport, Entry, Found
-from allworlds.reports.layout import entry, interruption
+from allworlds.reports.layout import entry, in_lines, interruption
 from allworlds.words import number, plural
+
+NARROWEST_SENTENCE = 30
+"""A sentence that has less room beside its verdict stands below it."""
+
+LEGEND = ("= as expected", "≠ not as expected", "? nothing was met", "- not checked")
 
 SIGNS = {"as-expected": "=", "unexpected": "≠", "vacuous": "?", "not-checked": "-"}
 """Before each claim: whether it is what is expected."""
@@ -31,8 +36,7 @@ def claims_text(report: ClaimsReport, width: int) -> str:
             lines += entry("DIFFERS", f"{one.claim.name}: {'; '.join(one.differences)}", width)
     for name in report.missed:
         lines += entry("REQUIRED", f"{name} was not checked", width)
-    legend = "= as expected   ≠ not as expected   ? nothing was met   - not checked"
-    lines += [legend, claims_line(report, width)]
+    lines += [*in_lines(LEGEND, width), *wrap(claims_line(report, width), width)]
     return "\n".join(lines)
 
 
@@ -69,9 +73,13 @@ def _word(report: ClaimsReport) -> str:
 def _told(one: Entry, name_width: int, width: int, *, at_length: bool) -> Iterator[str]:
     claim = one.claim
     before = f"{SIGNS[one.standing]} {claim.name.ljust(name_width)}  {one.verdict.ljust(11)}  "
-    sentence = wrap(claim.says, max(width - len(before), 30), break_on_hyphens=False)
-    for i, line in enumerate(sentence):
-        yield (before if i == 0 else " " * len(before)) + line
+    if width - len(before) < NARROWEST_SENTENCE:
+        yield before.rstrip()
+        yield from (f"  {line}" for line in wrap(claim.says, width - 2, break_on_hyphens=False))
+    else:
+        sentence = wrap(claim.says, width - len(before), break_on_hyphens=False)
+        for i, line in enumerate(sentence):
+            yield (before if i == 0 else " " * len(before)) + line
     if at_length:
         yield ""
         yield from _drawn(one, width)

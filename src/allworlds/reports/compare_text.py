@@ -7,7 +7,6 @@ import io
 from fractions import Fraction
 
 from allworlds.comparing import ComparedRow, Comparison
-from allworlds.outcome import Verdict
 from allworlds.reports.finding_words import headline
 from allworlds.reports.layout import entry, table
 from allworlds.words import number, plural, size
@@ -16,7 +15,7 @@ from allworlds.words import number, plural, size
 def compare_text(report: Comparison, width: int) -> str:
     """A line for each size, what differs most, and what was compared."""
     header, rows = compare_table(report)
-    lines = [*table(header, rows, "r" * len(header)), ""]
+    lines = [*table(header, rows, "r" * len(header), width, keys=2), ""]
     for name, text in compare_words(report):
         lines += entry(name, text, width)
     return "\n".join(lines)
@@ -47,7 +46,7 @@ def _cells(report: Comparison, row: ComparedRow) -> list[str]:
 
 def compare_words(report: Comparison) -> list[tuple[str, str]]:
     """What is to be said beside the table, each with its name."""
-    words = [(_VERDICTS[report.verdict], _verdict(report))]
+    words = [(report.verdict.value.upper(), _verdict(report))]
     for contestant in report.contestants:
         rules = contestant.rules
         words.append(
@@ -57,7 +56,8 @@ def compare_words(report: Comparison) -> list[tuple[str, str]]:
             )
         )
     words.append(("scope", _scope(report)))
-    words.append(("mean, worst", "traversals: over rooted maps, in each over the places; of a run"))
+    meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
+    words.append(("costs", meant))
     if report.rows:
         words += [("in all", _in_all(report, name)) for name in report.names[1:]]
     most = report.differ_most
@@ -74,8 +74,6 @@ def compare_words(report: Comparison) -> list[tuple[str, str]]:
 
 _SHOWN = 12
 """The edges of the largest world that a text spells out."""
-
-_VERDICTS = {verdict: verdict.name.replace("_", " ") for verdict in Verdict}
 
 
 def _verdict(report: Comparison) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from allworlds.counter import Census
+from allworlds.reports.check_words import counted
 from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import number, plural
 
@@ -18,12 +19,12 @@ def count_text(census: Census, width: int) -> str:
         ]
         for row in census.rows
     ]
-    lines = table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "rrrl")
+    lines = table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "rrrl", width)
     total = sum(row.rooted for row in census.rows)
     lines += ["", f"{plural(total, 'rooted map')} of the class {census.extent.map_class}", ""]
     lines += interruption(complete=census.complete, width=width)
     if all(row.agrees for row in census.rows):
-        lines += entry("gate", f"every count agrees with: {census.source}", width)
+        lines += entry("gate", f"no map was forgotten: {counted(census.source)}", width)
     else:
         for row in census.rows:
             if not row.agrees:

@@ -21,8 +21,8 @@ def explain_text(explanation: Explanation, width: int) -> str:
     lines += ["", "the world", "", draw(walk_in_world(world, transcript), width)]
     if explanation.answer:
         scene = walk_in_answer(world, explanation.answer, transcript)
-        lines += ["", ANSWER, "", draw(scene, width)]
+        lines += ["", *wrap(ANSWER, width), "", draw(scene, width)]
     if explanation.other:
         scene = walk_in_world(explanation.other, transcript)
-        lines += ["", OTHER, "", draw(scene, width)]
+        lines += ["", *wrap(OTHER, width), "", draw(scene, width)]
     return "\n".join(lines)

@@ -6,7 +6,6 @@ import csv
 import io
 
 from allworlds.growing import Growth
-from allworlds.outcome import Verdict
 from allworlds.reports.finding_words import headline
 from allworlds.reports.layout import entry, table
 from allworlds.words import number, plural
@@ -28,13 +27,13 @@ def grow_text(report: Growth, width: int) -> str:
         ]
         for row in report.rows
     ]
-    lines = [*table(header, rows, "lrrlrrrr"), ""]
+    lines = [*table(header, rows, "lrrlrrrr", width, keys=4), ""]
     fitted = [
         [one.family, one.explorer, f"{one.exponent:.2f}", f"{one.last:.2f}"]
         for one in report.exponents
     ]
     if fitted:
-        lines += [*table(["family", "explorer", "exponent", "last"], fitted, "llrr"), ""]
+        lines += [*table(["family", "explorer", "exponent", "last"], fitted, "llrr", width), ""]
     for name, text in _words(report):
         lines += entry(name, text, width)
     return "\n".join(lines)
@@ -47,23 +46,20 @@ def _words(report: Growth) -> list[tuple[str, str]]:
         said = "a run has broken a law"
     elif not report.complete:
         said = f"{report.ending.reason}; {said} of finished families"
-    words = [(_VERDICTS[report.verdict], said)]
+    words = [(report.verdict.value.upper(), said)]
     if report.exponents:
         words += [
             ("exponent", "of the power of the edges that fits the means best, over all sizes"),
             ("last", "the same of the last two sizes"),
         ]
     if report.rows:
-        words.append(("again", f"allworlds run {report.explorers[0]} --family MEMBER, such as"))
-        words.append(("", report.rows[-1].members[-1]))
+        member = report.rows[-1].members[-1]
+        words.append(("again", f"allworlds run {report.explorers[0]} --family {member}"))
     if report.left_out:
         left = plural(report.left_out, "world")
         words.append(("left out", f"{left} without a place for the lighthouse"))
     words += [("finding", headline(finding)) for finding in report.findings]
     return words
-
-
-_VERDICTS = {verdict: verdict.name.replace("_", " ") for verdict in Verdict}
 
 
 def grow_csv(report: Growth) -> str:

@@ -12,7 +12,7 @@ def mutants_text(matrix: KillMatrix, width: int) -> str:
     lines = []
     for kind in ("explorer", "judge", "enumerator"):
         rows = [_row(kill) for kill in matrix.kills if kill.kind == kind and not kill.equivalent]
-        lines += table([f"{kind}s", "killed by", "m", "n", "world"], rows, "llrr")
+        lines += table([f"{kind}s", "killed by", "m", "n", "world"], rows, "llrr", width)
         lines.append("")
     equivalent = [kill for kill in matrix.kills if kill.equivalent]
     for kill in equivalent:

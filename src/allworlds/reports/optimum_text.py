@@ -12,7 +12,7 @@ def optimum_text(report: OptimumReport, width: int) -> str:
     names = [*report.rows[0].explorers] if report.rows else []
     header = ["edges", "runs", "optimum", *names]
     rows = [_row(row) for row in report.rows]
-    lines = [*table(header, rows, "r" * len(header)), ""]
+    lines = [*table(header, rows, "r" * len(header), width), ""]
     lines += interruption(complete=report.complete, width=width)
     lines += entry(
         "optimum",

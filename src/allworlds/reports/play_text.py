@@ -15,6 +15,6 @@ def play_text(play: Play, width: int) -> str:
     if play.path is not None:
         return "\n".join(entry("PAGE", f"{play.path}, to be opened in a web browser", width))
     drawn = draw(walk_in_world(play.world, play.transcript), width)
-    walk = walk_lines(play.world, play.transcript, None)
+    walk = walk_lines(play.world, play.transcript, None, width)
     cost = plural(play.transcript.cost, "traversal")
     return "\n".join(["the world", "", drawn, "", *walk, "", *entry("PLAYED", cost, width)])

@@ -18,7 +18,7 @@ from allworlds.reports.finding_words import (
     seen_words,
     wrong,
 )
-from allworlds.reports.layout import entry, table
+from allworlds.reports.layout import GAP, entry, table
 from allworlds.reports.scenes import ANSWER, walk_in_answer, walk_in_world
 from allworlds.words import plural
 from allworlds.world import World
@@ -38,7 +38,7 @@ def _refutation(finding: Finding, width: int, remarks: list[str]) -> str:
     answer = Estimate.from_json(finding.seen) if isinstance(finding.seen, Mapping) else None
     lines = wrap(f"FINDING: {headline(finding)}", width, break_long_words=False)
     lines += ["", "the world", "", draw(walk_in_world(world, finding.transcript), width)]
-    lines += ["", *walk_lines(world, finding.transcript, answer)]
+    lines += ["", *walk_lines(world, finding.transcript, answer, width)]
     lines += ["", *_broken(finding, answer, width)]
     if finding.choices:
         lines += entry("choices", choices_words(finding), width)
@@ -59,20 +59,40 @@ def run_text(run: SingleRun, width: int) -> str:
     lines = ["the world", "", draw(walk_in_world(world, transcript), width), ""]
     match ending:
         case Answered(estimate):
-            lines += walk_lines(world, transcript, estimate)
-            lines += ["", ANSWER, "", draw(walk_in_answer(world, estimate, transcript), width), ""]
+            lines += walk_lines(world, transcript, estimate, width)
+            lines += [
+                "",
+                *wrap(ANSWER, width),
+                "",
+                draw(walk_in_answer(world, estimate, transcript), width),
+                "",
+            ]
         case Undecided(quotient):
-            lines += [*walk_lines(world, transcript, None), "", *_quotient(quotient), ""]
+            lines += [
+                *walk_lines(world, transcript, None, width),
+                "",
+                *_quotient(quotient, width),
+                "",
+            ]
         case Fault():
             raise AssertionError(ending)
-    bound = "" if run.outcome.bound is None else f" of at most {run.outcome.bound}"
-    cost = plural(transcript.cost, "traversal")
-    laws = ", ".join(run.rules.applying)
-    lines += entry("HOLDS", f"{cost}{bound}; laws: {laws}", width)
+    lines += entry("HOLDS", f"{_cost(run)}; laws: {', '.join(run.rules.applying)}", width)
     return "\n".join(lines)
 
 
-def _quotient(answer: Ambiguous) -> list[str]:
+def run_line(run: SingleRun, _width: int) -> str:
+    """The verdict of one run in one line, however wide it is."""
+    if run.finding:
+        return f"REFUTED: law {run.finding.law} is broken"
+    return f"HOLDS: {_cost(run)}: no law is broken"
+
+
+def _cost(run: SingleRun) -> str:
+    bound = "" if run.outcome.bound is None else f" of at most {run.outcome.bound}"
+    return plural(run.outcome.cost, "traversal") + bound
+
+
+def _quotient(answer: Ambiguous, width: int) -> list[str]:
     """An answer that names no map: what is the same in all worlds that look so."""
     header = ["dart", "sigma", "alpha", "degree", "marks", ""]
     rows = [
@@ -83,43 +103,88 @@ def _quotient(answer: Ambiguous) -> list[str]:
         )
     ]
     said = "the answer: several worlds look alike, and this is their quotient"
-    return [said, "", *table(header, rows, "rrrrr")]
+    return [said, "", *table(header, rows, "rrrrr", width)]
 
 
 def replay_text(replay: Replay, width: int) -> str:
     """Whether a finding still stands."""
+    lines = entry(*_replayed(replay), width)
+    if replay.again.finding:
+        lines += ["", _refutation(replay.again.finding, width, [])]
+    return "\n".join(lines)
+
+
+def replay_line(replay: Replay, _width: int) -> str:
+    """The same in one line, however wide it is."""
+    return ": ".join(_replayed(replay))
+
+
+def _replayed(replay: Replay) -> tuple[str, str]:
     recorded, again = replay.recorded, replay.again.finding
     if again is None:
-        text = f"{replay.again.explorer} now keeps every law in the recorded world"
-        return "\n".join(entry("FIXED", text, width))
-    law = f"law '{again.law}' is broken again"
+        return "FIXED", f"{replay.again.explorer} now keeps every law in the recorded world"
     if again.law != recorded.law:
         law = f"law '{again.law}' is broken now, where '{recorded.law}' was recorded"
-    return "\n".join([*entry("REPRODUCED", law, width), "", _refutation(again, width, [])])
+        return "REPRODUCED", law
+    return "REPRODUCED", f"law '{again.law}' is broken again"
 
 
-def walk_lines(world: World, transcript: Transcript, answer: Estimate | None) -> list[str]:
+def walk_lines(
+    world: World, transcript: Transcript, answer: Estimate | None, width: int
+) -> list[str]:
     """The steps: where the robot came to, what it sensed, and what the answer makes expect."""
-    trail = true_trail(world, transcript)
-    sensed = transcript.percepts
     believed = None
     if answer is not None:
         believed = believed_walk(world, answer, transcript).percepts
-    motions = ["start", *(str(action) for action in transcript.actions)]
-    header = ["step", "motion", "arrives at", "sensed", "", "expected by the answer"]
-    rows = []
-    for i, (dart, percept) in enumerate(zip(trail, sensed, strict=True)):
-        place = f"v{world.map.vertex_of[dart]} dart {dart}"
-        rows.append([str(i), motions[i], place, str(percept), *_expected(i, percept, believed)])
+    rows = _steps(world, transcript, believed)
     if len(rows) > LONGEST_WALK:
         half = LONGEST_WALK // 2
         between = f"({len(rows) - 2 * half} more)"
         rows = [*rows[:half], ["...", between, "", "", "", ""], *rows[-half:]]
-    lines = table(header if believed else header[:4], [r if believed else r[:4] for r in rows], "r")
-    if believed == sensed and answer is not None and len(answer.map.sigma) != len(world.map.sigma):
-        lines += ["", "The answer fits every percept: the walk ended before it could be known."]
+    lines = _walk_table(rows, width) if believed else _walk_table([r[:4] for r in rows], width)
+    fits = believed == transcript.percepts
+    if fits and answer is not None and len(answer.map.sigma) != len(world.map.sigma):
+        said = "The answer fits every percept: the walk ended before it could be known."
+        lines += ["", *wrap(said, width)]
     before = [] if world.told is None else [f"told before the start: {world.told}", ""]
     return ["the walk", "", *before, *lines]
+
+
+def _steps(
+    world: World, transcript: Transcript, believed: Sequence[Percept] | None
+) -> list[list[str]]:
+    """The cells of each step; the last two are empty where nothing is believed."""
+    motions = ["start", *(str(action) for action in transcript.actions)]
+    walk = zip(true_trail(world, transcript), transcript.percepts, strict=True)
+    return [
+        [
+            *(str(i), motions[i], f"v{world.map.vertex_of[dart]} dart {dart}", str(percept)),
+            *_expected(i, percept, believed),
+        ]
+        for i, (dart, percept) in enumerate(walk)
+    ]
+
+
+_STEP = ("step", "motion", "arrives at", "sensed", "", "expected by the answer")
+
+
+def _walk_table(rows: Sequence[Sequence[str]], width: int) -> list[str]:
+    """The steps as a table; where that is too wide what is sensed stands below each motion.
+
+    What the answer makes expect is then told only where it is not what is sensed.
+    """
+    lines = table(_STEP[: len(rows[0])], rows, "r")
+    if max(map(len, lines)) <= width:
+        return lines
+    below = " " * (len(_STEP[0]) + GAP)
+    lines = [(" " * GAP).join(_STEP[:3]), f"{below}sensed"]
+    if len(rows[0]) > 4:
+        lines.append(f"{below}≠ what the answer makes expect")
+    for step, motion, place, sensed, *belief in rows:
+        lines.append(f"{step:>{len(_STEP[0])}}  {motion:6}  {place}".rstrip())
+        told = [sensed, f"≠ {belief[1]}" if belief and belief[0] == "≠" else ""]
+        lines += [below + line for text in told for line in wrap(text, width - len(below))]
+    return lines
 
 
 def _expected(i: int, percept: Percept, believed: Sequence[Percept] | None) -> list[str]:
@@ -137,4 +202,4 @@ def _broken(finding: Finding, answer: Estimate | None, width: int) -> list[str]:
         ]
     lines = entry("law", f"{finding.law}: {wrong(finding)}", width)
     scene = walk_in_answer(finding.world, answer, finding.transcript)
-    return [*lines, "", ANSWER, "", draw(scene, width), ""]
+    return [*lines, "", *wrap(ANSWER, width), "", draw(scene, width), ""]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -145,4 +146,4 @@ def _artifact(place: Place) -> dict[str, Any]:
     name = place.named_from(project_folder())
     if Path(name).is_absolute():
         return {"uri": place.file.as_uri()}
-    return {"uri": quote(name), "uriBaseId": "SRCROOT"}
+    return {"uri": quote(os.fsencode(name)), "uriBaseId": "SRCROOT"}

@@ -16,7 +16,7 @@ def search_text(result: SearchResult, width: int) -> str:
         lines += entry(name, text, width)
     header, rows = search_table(result)
     if rows:
-        lines += ["", *table(header, rows, "llr"), ""]
+        lines += ["", *table(header, rows, "llr", width), ""]
     lines += entry("files", str(result.directory), width)
     return "\n".join(lines)
 

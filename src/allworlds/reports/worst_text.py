@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from allworlds.reports.check_words import counted
 from allworlds.reports.finding_words import headline
 from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import number, plural, size
@@ -12,7 +13,7 @@ from allworlds.worst_case import RunsReport, WorstReport
 def worst_text(report: WorstReport | RunsReport, width: int) -> str:
     """A line for each size, and what the numbers are about."""
     header, rows = worst_table(report)
-    lines = [*table(header, rows, "r" * len(header)), ""]
+    lines = [*table(header, rows, "r" * len(header), width, keys=2), ""]
     lines += interruption(complete=report.complete, width=width)
     for name, text in worst_words(report):
         lines += entry(name, text, width)
@@ -46,11 +47,14 @@ def _of_runs(report: RunsReport) -> list[tuple[str, str]]:
     )
     words = [
         ("scope", scope),
-        ("worst, best", "of all episodes; the largest cost of the cheapest schedule of a run"),
+        (
+            "costs",
+            "worst: of all episodes; best: the largest cost of the cheapest schedule of a run",
+        ),
     ]
     words += [("REFUTED", headline(finding)) for finding in report.findings]
     if report.agrees and not report.findings:
-        words.append(("gate", f"the numbers of worlds are those of: {report.source}"))
+        words.append(("gate", f"no world was forgotten: {counted(report.source)}"))
         words.append(("replay", "every worst cost was attained again"))
     elif not report.agrees:
         row = next(row for row in report.rows if not row.agrees)
@@ -80,17 +84,17 @@ def _paper(report: WorstReport) -> list[tuple[str, str]]:
         f"transit on {_WAYS[report.transit]}"
     )
     costs = (
-        "the dearest schedule of the dearest world; the largest cost of the cheapest schedule "
-        "of a world"
+        "worst: the dearest schedule of the dearest world; best: the largest cost of the cheapest "
+        "schedule of a world"
     )
     words = [
         ("scope", scope),
-        ("worst, best", costs),
+        ("costs", costs),
         ("tests", f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}"),
     ]
     if not report.agrees:
         return [*words, ("MISMATCH", _mismatch(report))]
-    text = f"the numbers of worlds are those of: {report.source}"
+    text = f"no world was forgotten: {counted(report.source)}"
     if isinstance(report.portion, Shard):
         text = f"of the shard {report.portion} alone; the merge of all shards compares counts"
     return [

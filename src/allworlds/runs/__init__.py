@@ -18,6 +18,7 @@
 
 from allworlds.runs.costs import Costing, CostTally, MapKey, RunCost, key_of
 from allworlds.runs.examination import (
+    REPORT_EVERY,
     EnginesDisagree,
     Examination,
     Examines,
@@ -49,6 +50,7 @@ from allworlds.runs.units import GivenWorlds, NumberedRun, Placed, Unit, Worlds,
 __all__ = [
     "DEFAULT_EDGES",
     "LOST",
+    "REPORT_EVERY",
     "AtRun",
     "CostTally",
     "Costing",

@@ -10,12 +10,11 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 from time import monotonic
-from typing import Literal as Name
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 from allworlds.inputs import InputError, show
 
-Status: TypeAlias = Name["sat", "unsat", "unknown"]
+Status: TypeAlias = Literal["sat", "unsat", "unknown"]
 
 OLDEST = 2
 """The first major version of CaDiCaL that writes LRAT."""

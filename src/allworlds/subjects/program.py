@@ -43,6 +43,9 @@ LONGEST_LINE = 1 << 24
 SAYINGS = {"move", "drop", "pick", "checkpoint", "estimate", "ambiguous"}
 """A line of the program has exactly one of these keys."""
 
+SHORT = 64
+"""Lines of fewer bytes, as most are, are parsed once."""
+
 
 class Program:
     """The process behind ``--exec COMMAND``; started at the first episode.
@@ -75,6 +78,7 @@ class Program:
         self._err = bytearray()
         self._out = bytearray()
         self._said = select.poll()
+        self._in_to = self._out_of = -1
 
     def explore(
         self, first: Percept, *, told: int | None = None
@@ -88,7 +92,13 @@ class Program:
         try:
             self._begin(first, told)
             while True:
-                message = self._message()
+                line = self._line()
+                action = _short_action(line) if len(line) < SHORT else None
+                if action is not None:
+                    percept = yield action
+                    self._send(_answering(percept))
+                    continue
+                message = self._message(line)
                 if len(message.keys() & SAYINGS) != 1:
                     raise self._fault("illegal-action", f"the line {_short(message)}")
                 action = action_from_json(message)
@@ -133,10 +143,8 @@ class Program:
             raise self._fault("illegal-action", f"a line before it was asked: {_text(self._out)}")
         self._heard = False
         number = self._numbers.getrandbits(53)
-        opening: dict[str, Any] = {"episode": number, "percept": first.to_json()}
-        if told is not None:
-            opening["told"] = told
-        self._send(json.dumps(opening).encode() + b"\n")
+        heard = b"" if told is None else b'"told": %d, ' % told
+        self._send(b'{"episode": %d, ' % number + heard + _answering(first)[1:])
 
     def _start(self) -> None:
         try:
@@ -150,8 +158,10 @@ class Program:
             )
         except OSError as error:
             raise ExplorerFault("crash", f"the program cannot be started: {error}") from None
+        assert self._process.stdin is not None
         assert self._process.stdout is not None
         assert self._process.stderr is not None
+        self._in_to, self._out_of = self._process.stdin.fileno(), self._process.stdout.fileno()
         self._said = select.poll()
         self._said.register(self._process.stdout, select.POLLIN)
         self._said.register(self._process.stderr, select.POLLIN)
@@ -160,6 +170,7 @@ class Program:
 
     def _kill(self) -> None:
         process, self._process = self._process, None
+        self._in_to = self._out_of = -1
         if process is None:
             return
         with contextlib.suppress(ProcessLookupError, PermissionError):
@@ -171,16 +182,12 @@ class Program:
                     stream.close()
 
     def _send(self, line: bytes) -> None:
-        assert self._process is not None
-        assert self._process.stdin is not None
         try:
-            self._process.stdin.write(line)
+            os.write(self._in_to, line)
         except OSError:
             raise self._ended() from None
 
-    def _message(self) -> dict[str, Any]:
-        line = self._line()
-        self._heard = True
+    def _message(self, line: bytes) -> dict[str, Any]:
         try:
             message = json.loads(line)
         except (ValueError, RecursionError):
@@ -203,6 +210,7 @@ class Program:
                 raise self._ended()
         line = bytes(self._out[:end])
         del self._out[: end + 1]
+        self._heard = True
         return line
 
     def _read(self, wait: float) -> bool:
@@ -210,24 +218,25 @@ class Program:
 
         Of what it writes to stderr only the end is kept, however much it is.
         """
-        process = self._process
-        assert process is not None
-        assert process.stdout is not None
-        assert process.stderr is not None
-        ready = {descriptor for descriptor, _ in self._said.poll(wait * 1000)}
-        if not process.stderr.closed and process.stderr.fileno() in ready:
-            written = process.stderr.read(1 << 16)
-            if written:
-                self._err += written
-                del self._err[:-STDERR_KEPT]
+        goes_on = True
+        for descriptor, _ in self._said.poll(wait * 1000):
+            if descriptor == self._out_of:
+                chunk = os.read(descriptor, 1 << 16)
+                self._out += chunk
+                goes_on = bool(chunk)
             else:
-                self._said.unregister(process.stderr)
-                process.stderr.close()
-        if process.stdout.fileno() not in ready:
-            return True
-        chunk = process.stdout.read(1 << 16) or b""
-        self._out += chunk
-        return bool(chunk)
+                self._read_err()
+        return goes_on
+
+    def _read_err(self) -> None:
+        assert self._process is not None
+        assert self._process.stderr is not None
+        if text := self._process.stderr.read(1 << 16):
+            self._err += text
+            del self._err[:-STDERR_KEPT]
+        else:
+            self._said.unregister(self._process.stderr)
+            self._process.stderr.close()
 
     def _ended(self) -> ExplorerFault:
         assert self._process is not None
@@ -264,6 +273,17 @@ class Program:
         detail = self._err.decode(errors="replace")
         told = f"stderr:\n{detail}" if detail else ""
         return ExplorerFault(law, seen, told, machine=machine)
+
+
+@lru_cache(maxsize=1 << 12)
+def _short_action(line: bytes) -> Action | None:
+    """The action that a short line is; None where it must be looked at more closely."""
+    try:
+        message = json.loads(line)
+    except (ValueError, RecursionError):
+        return None
+    one = isinstance(message, dict) and len(message.keys() & SAYINGS) == 1
+    return action_from_json(message) if one else None
 
 
 @lru_cache(maxsize=1 << 12)

@@ -5,8 +5,8 @@
     that says where, the :class:`Part` of a result that comes back, and where it is :class:`Kept`;
 ``here``, ``threads``
     two transports: this thread, and several;
-``cluster``
-    another one, to the machines of a Dask cluster, which have ``lanes`` for what is sent there;
+``cluster``, ``lanes``
+    another one, to the machines of a Dask cluster, and what these have for what is sent there;
 ``split``
     small levels by one transport, large ones by another;
 ``levels``

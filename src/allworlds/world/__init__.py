@@ -12,7 +12,6 @@
 
 from allworlds.world.lighthouses import (
     LIGHTHOUSES,
-    BelievedWalk,
     Cluster,
     Compass,
     Directional,
@@ -24,6 +23,7 @@ from allworlds.world.lighthouses import (
     Nothing,
     Position,
     Sensing,
+    WalkInAnswer,
     Where,
     lighthouse_from_json,
     lighthouse_named,
@@ -34,7 +34,6 @@ from allworlds.world.world import IllegalAction, World
 
 __all__ = [
     "LIGHTHOUSES",
-    "BelievedWalk",
     "Cluster",
     "Compass",
     "Directional",
@@ -48,6 +47,7 @@ __all__ = [
     "Position",
     "Sensing",
     "State",
+    "WalkInAnswer",
     "Where",
     "World",
     "lighthouse_from_json",

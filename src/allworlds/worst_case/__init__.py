@@ -4,6 +4,8 @@
     one world, readably; also a sequence of choices that attains the worst cost;
 ``search``
     every world of a class, with the compiled engine, and what is reported;
+``dearest``
+    that engine, and what it brings;
 ``of_runs``
     the same of any explorer, by playing its runs.
 """

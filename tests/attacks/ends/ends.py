@@ -19,18 +19,27 @@ verdict of walks_for_ever: refuted budget
 verdict of publishes_for_ever: refuted budget
 verdict of yields_nothing: refuted illegal-action
 verdict of answers_nothing: refuted no-estimate
-verdict of answers_without_end: refuted timeout
+verdict of answers_without_end: refuted no-estimate
+verdict of answers_slowly_without_end: refuted timeout
+verdict of answers_too_much: refuted no-estimate
+verdict of answers_what_cannot_be_written: refuted no-estimate
+verdict of leaves_undecided_what_cannot_be_written: refuted no-estimate
+verdict of publishes_without_end: refuted illegal-action
+verdict of publishes_what_cannot_be_written: refuted invariant-1
 options: --edges 1 --answer-timeout 1
 """
 
 import ctypes
+import itertools
 import os
 import sys
 import time
 
-from allworlds import Checkpoint, CombinatorialMap, Estimate, Move
+from allworlds import Ambiguous, Checkpoint, CombinatorialMap, Estimate, Move
+from allworlds.explorers import algorithm1
 
 EDGE = CombinatorialMap((0, 1), (1, 0))
+HUGE = 10**5000  # more digits than Python turns into text
 
 
 def ending(end):
@@ -62,8 +71,16 @@ def for_ever():
         yield 0
 
 
-class Endless(CombinatorialMap):
+class Slow(CombinatorialMap):
     sigma = property(lambda self: for_ever())
+
+
+class Endless(CombinatorialMap):
+    sigma = property(lambda self: itertools.repeat(0))
+
+
+class Vast(CombinatorialMap):
+    sigma = alpha = (0,) * 10_000_000
 
 
 def deeper():
@@ -90,6 +107,10 @@ silent = ending(lambda: time.sleep(3600))
 silent_in_a_loop = ending(loop)
 answers_nothing = ending(lambda: None)
 answers_without_end = ending(lambda: Estimate(Endless.__new__(Endless), 0))
+answers_slowly_without_end = ending(lambda: Estimate(Slow.__new__(Slow), 0))
+answers_too_much = ending(lambda: Estimate(Vast.__new__(Vast), 0))
+answers_what_cannot_be_written = ending(lambda: Estimate(EDGE, HUGE))
+leaves_undecided_what_cannot_be_written = ending(lambda: Ambiguous((0,), (0,), (HUGE,), (0,), 0))
 
 
 def deep_in_c(first):
@@ -114,6 +135,15 @@ def walks_for_ever(first):
 def publishes_for_ever(first):
     while True:
         yield Checkpoint((0, 1), (1, 0), 0)
+
+
+def publishes_without_end(first):
+    yield Checkpoint(itertools.repeat(0), (1, 0), 0)
+
+
+def publishes_what_cannot_be_written(first):
+    yield Checkpoint((HUGE, 1), (1, 0), 0)
+    return (yield from algorithm1(first))
 
 
 def yields_nothing(first):

@@ -1,6 +1,6 @@
 """Right in its first run of each degree; then it answers what it has answered there before.
 
-verdict: refuted nondeterministic or map or pose
+verdict: refuted nondeterministic or map or pose or folding
 """
 
 from allworlds.explorers import algorithm1

@@ -43,6 +43,7 @@ def root(refuted):
     return read(page(refuted))
 
 
+@pytest.mark.no_cover
 def test_the_page_shows_the_verdict_and_everything_that_check_prints(refuted, root):
     (verdict,) = root.all(class_="verdict refuted")
     assert "REFUTED" in verdict.text
@@ -210,6 +211,7 @@ def test_a_mismatch_of_the_count_gate_is_told():
     assert "counts 99" in read(page(report)).one(class_="scope").text
 
 
+@pytest.mark.no_cover
 def test_a_sample_has_a_page_too():
     root = read(page(fuzz(edges=6, runs=5)))
     assert root.one(class_="verdict not-refuted")

@@ -11,6 +11,7 @@ from allworlds.playing import play
 from allworlds.reports import page_of, text
 from allworlds.reports.play.page import world_data
 from allworlds.world import LIGHTHOUSES
+from html_tree import Reader
 from small import LOLLIPOP
 
 
@@ -58,3 +59,51 @@ def test_nothing_is_seen_of_the_world_before_it_is_uncovered():
     title = re.findall(r"<title>(.*?)</title>|<h1>(.*?)</h1>", page)
     assert "theta" not in str(title)
     assert "theta" not in text("play", play("theta-torus"), 80).partition("the walk")[2]
+
+
+SELECTED = {".walked, .here", "[data-darts]", '[data-dart="${dart}"]', ".frame"}
+"""What the script looks for in the picture of the world; the next test says what it relies on."""
+
+
+def selectors(script):
+    asked = re.findall(
+        r"querySelector(?:All)?\((['`\"])(.*?)\1\)", script.partition("// The page in")[2]
+    )
+    return {selector for _, selector in asked}
+
+
+@pytest.mark.parametrize("name", ["theta-torus", "cube", "fig1-left"])
+def test_the_picture_of_the_world_is_as_the_script_of_the_game_takes_it(name):
+    page = page_of("play", play(name))
+    (script,) = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
+    assert selectors(script) == SELECTED
+    map_ = play(name).world.map
+    drawn, *cut = Reader(page).root.one("div", id="world").all("svg")
+    assert len(cut) == (map_.genus > 0)
+    assert re.fullmatch(r"(-?\d+ ){2}\d+ \d+", drawn.attributes["viewbox"])
+    edges = [n for n in drawn.all("path") if "data-darts" in n.attributes]
+    assert all(edge.attributes["class"] == "edge" for edge in edges)
+    ends = [tuple(map(int, edge.attributes["data-darts"].split(" "))) for edge in edges]
+    assert sorted(ends) == sorted(map_.edges)
+    for picture in (drawn, *cut):
+        edges = [n.attributes for n in picture.all("path") if "data-darts" in n.attributes]
+        ends = {tuple(sorted(map(int, edge["data-darts"].split(" ")))) for edge in edges}
+        assert ends == set(map_.edges)
+        seats = [n for n in picture.all("g") if "data-dart" in n.attributes]
+        assert sorted(int(seat.attributes["data-dart"]) for seat in seats) == [*map_.darts]
+        for seat in seats:
+            assert "here" not in seat.attributes["class"].split()
+            assert seat.one("circle", class_="robot")
+
+
+def test_whatever_the_script_draws_has_a_style():
+    page = page_of("play", play("theta"))
+    (script,) = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
+    (style,) = re.findall(r"<style>(.*?)</style>", page, re.DOTALL)
+    named = re.findall(r"(?:\bclass:|classes = |classes\.push|classList\.add)[^},;]*", script)
+    classes = {one for part in named for one in " ".join(re.findall('"(.*?)"', part)).split()}
+    assert {"exit", "pointed", "note-dart", "chosen", "robot-here", "walked", "here"} <= classes
+    styled = set(re.findall(r"\.([a-z][a-z-]*)", style))
+    assert classes - styled == {"notes"}
+    shown = (".robot { display: none", ".here .robot { display: inline", ".edge.walked { stroke:")
+    assert all(rule in style for rule in shown)

@@ -86,6 +86,7 @@ def worlds_of(kind, most):
                 yield World(map_, place, 0)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("kind", LIGHTHOUSES.values(), ids=LIGHTHOUSES)
 def test_every_step_in_every_world_of_up_to_three_edges_is_that_of_the_world(kind, ask):
     worlds = 0
@@ -146,6 +147,7 @@ def notes_of(ask, world, log, dart):
     )
 
 
+@pytest.mark.no_cover
 def test_notes_with_every_return_concluded_are_the_folded_log(ask):
     for map_ in all_maps(3):
         for place in Directional.places(map_, 0):
@@ -160,6 +162,7 @@ def test_notes_with_every_return_concluded_are_the_folded_log(ask):
                 assert (told["estimate"] is not None) == (told["open"] == 0)
 
 
+@pytest.mark.no_cover
 def test_complete_notes_are_the_world_with_the_robot_in_its_place(ask):
     for map_ in all_maps(3):
         for place in Directional.places(map_, 0):

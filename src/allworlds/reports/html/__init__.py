@@ -9,6 +9,8 @@
 ``findings``, ``viewer``, ``walk``, ``plot``
     parts of pages: a finding, pictures to step through, a walk as a list of steps, and cost
     against bound;
+``beside``, ``known``
+    pictures of two maps side by side, and of what an explorer knows beside its world;
 ``style.css``, ``script.js``
     what a page looks like, and the keys that step along a walk.
 """

@@ -129,8 +129,7 @@ def _section(
     return tag(
         "section",
         tag("h2", "One walk in each" if others else "A walk", id="walk-1-title"),
-        tag("p", about, class_="story"),
-        viewer(figures, steps, "One walk."),
+        viewer(figures, steps, "One walk.", tag("p", about, class_="story")),
         class_="finding",
         id="walk-1",
         aria_labelledby="walk-1-title",

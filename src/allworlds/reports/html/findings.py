@@ -33,7 +33,6 @@ def finding_section(finding: Finding, number: int, origin: str = "") -> ET.Eleme
     return tag(
         "section",
         tag("h2", f"Finding {number}: ", tag("bdi", headline(finding)), id=f"{name}-title"),
-        tag("p", *_sentences(explanation.sentences), class_="story"),
         _viewer(story, belief, explanation, name),
         *([cost_picture(explanation.spent, f"{name}-cost")] if explanation.spent else []),
         tag("dl", *_facts(finding, origin)),
@@ -66,7 +65,8 @@ def _viewer(story: Story, belief: Belief | None, told: Explanation, name: str) -
     else:
         figures = [figure("The world", scene, f"{name}-world", "robot")]
     title = f"The walk of finding {name.rpartition('-')[2]}."
-    return viewer(figures, walk(story, name, belief, told.step, others), title)
+    about = tag("p", *_sentences(told.sentences), class_="story")
+    return viewer(figures, walk(story, name, belief, told.step, others), title, about)
 
 
 def _agreeing(story: Story, other: World, trail: Sequence[Dart], name: str) -> list[ET.Element]:

@@ -15,7 +15,7 @@ from allworlds.version import __version__
 
 
 class Own(NamedTuple):
-    """What a page has of its own: a style beside that of all, and a script in place of theirs."""
+    """What a page has of its own: a style beside that of all, a script instead of that of walks."""
 
     style: str
     script: str
@@ -57,7 +57,7 @@ def framed(page: Page) -> str:
 
 def _framed(page: Page, summary: Mapping[str, Any] | None) -> str:
     style = _own("style.css") + (page.own.style if page.own else "")
-    script = page.own.script if page.own else _own("script.js")
+    script = _own("fit.js") + (page.own.script if page.own else _own("script.js"))
     word, text, name = page.verdict
     policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}"
     head = tag(
@@ -111,10 +111,31 @@ def _hash(text: str) -> str:
     return f"'sha256-{b64encode(sha256(text.encode()).digest()).decode()}'"
 
 
+LONGEST_WORDS = 30
+"""A cell with a longer text may be broken into lines."""
+
+
 def _table(header: list[str], rows: list[list[str]], caption: str) -> ET.Element:
+    kinds = [_kind([row[i] for row in rows]) for i in range(len(header))]
+    names = zip(header, kinds, strict=True)
     return tag(
         "table",
         tag("caption", caption),
-        tag("thead", tag("tr", *(tag("th", name, scope="col") for name in header))),
-        tag("tbody", *(tag("tr", *(tag("td", cell) for cell in row)) for row in rows)),
+        tag(
+            "thead", tag("tr", *(tag("th", name, scope="col", class_=kind) for name, kind in names))
+        ),
+        tag(
+            "tbody",
+            *(
+                tag("tr", *(tag("td", cell, class_=k) for cell, k in zip(row, kinds, strict=True)))
+                for row in rows
+            ),
+        ),
     )
+
+
+def _kind(cells: Sequence[str]) -> str | None:
+    """The class of a column: words are flushed left, sentences are broken too; None of numbers."""
+    if not any(letter.isalpha() for cell in cells for letter in cell):
+        return None
+    return "sentence" if max(map(len, cells)) > LONGEST_WORDS else "words"

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
 from allworlds.checker import SingleRun
 from allworlds.drawing import Layout, Scene
 from allworlds.findings import true_trail
+from allworlds.hypotheses import Hypothesis, embedded
 from allworlds.maps.combinatorial import Dart
 from allworlds.markup import tag
-from allworlds.protocol import Checkpoint
 from allworlds.reports.html.viewer import figure
-from allworlds.world import World
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +36,7 @@ def known(run: SingleRun) -> Known | None:
     trail = true_trail(world, episode.transcript)
     seen = Known({}, {})
     for step, checkpoint in episode.checkpoints:
-        place = _embedded(checkpoint, world, trail[step])
+        place = embedded(checkpoint, world, trail[step])
         if place is None:
             return None
         for dart, other in enumerate(checkpoint.alpha):
@@ -46,25 +46,13 @@ def known(run: SingleRun) -> Known | None:
     return seen
 
 
-def _embedded(checkpoint: Checkpoint, world: World, robot: Dart) -> dict[Dart, Dart] | None:
-    """The dart of the world for each dart of S; None if S does not lie so in the world."""
-    sigma, alpha, map_ = checkpoint.sigma, checkpoint.alpha, world.map
-    place = {checkpoint.here: robot}
-    for dart in (queue := [checkpoint.here]):
-        around = [(sigma[dart], map_.sigma[place[dart]])]
-        if alpha[dart] != dart:
-            around.append((alpha[dart], map_.alpha[place[dart]]))
-        for near, true in around:
-            if near not in place:
-                place[near] = true
-                queue.append(near)
-            elif place[near] != true:
-                return None
-    return place if len(place) == len(sigma) else None
+def known_figure(
+    scene: Scene, seen: Known, name: str, drawn: Layout, tests: Sequence[Hypothesis] = ()
+) -> ET.Element:
+    """S as a part of the world: what is not known yet is faint, and open darts are dashed.
 
-
-def known_figure(scene: Scene, seen: Known, name: str, drawn: Layout) -> ET.Element:
-    """S as a part of the world: what is not known yet is faint, and open darts are dashed."""
+    If there are tests, the legend says how they are shown.
+    """
     told = figure("What the explorer knows (S)", scene, name, "known", drawn)
     map_ = scene.map
     for part in told.iter():
@@ -81,6 +69,9 @@ def known_figure(scene: Scene, seen: Known, name: str, drawn: Layout) -> ET.Elem
             part.set("data-until", str(NEVER if explored is None else explored))
     legend = told[-1]
     legend.append(tag("span", "open: not explored yet", class_="key known-key"))
+    if tests:
+        legend.append(tag("span", "under test: has it come by this dart?", class_="key tested-key"))
+        legend.append(tag("span", "where it is if so", class_="key supposed-key"))
     return told
 
 

@@ -10,6 +10,7 @@ from allworlds.drawing import layout
 from allworlds.episode import Answered
 from allworlds.explaining import Explanation, Walked
 from allworlds.findings import believed_walk
+from allworlds.hypotheses import Hypothesis, hypotheses_in
 from allworlds.maps.combinatorial import Dart
 from allworlds.markup import tag
 from allworlds.reports.finding_words import headline
@@ -18,7 +19,7 @@ from allworlds.reports.html.findings import finding_section
 from allworlds.reports.html.frame import Page
 from allworlds.reports.html.known import known, known_figure
 from allworlds.reports.html.viewer import figure, viewer
-from allworlds.reports.html.walk import LONGEST, walk
+from allworlds.reports.html.walk import LONGEST, tell_tests, walk
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
 from allworlds.words import number, plural
 
@@ -95,12 +96,13 @@ def run_parts(run: SingleRun, name: str) -> Iterator[ET.Element]:
         yield tag("p", f"The first {number(LONGEST - 1)} of {number(steps)} steps are told.")
     walked, scene = Walked(world, transcript), walk_in_world(world, transcript)
     others: dict[str, Sequence[Dart]] = {}
+    tests: Sequence[Hypothesis] = ()
     if (seen := known(run)) is not None:
-        drawn = layout(world.map, world.start)
+        drawn, tests = layout(world.map, world.start), hypotheses_in(run)
         others["known"] = walked.walked
         figures = [
             figure("The world", scene, f"{name}-world", "robot", drawn),
-            known_figure(scene, seen, f"{name}-known", drawn),
+            known_figure(scene, seen, f"{name}-known", drawn, tests),
         ]
     elif isinstance(ending, Answered):
         answer = walk_in_answer(world, ending.estimate, transcript)
@@ -111,4 +113,5 @@ def run_parts(run: SingleRun, name: str) -> Iterator[ET.Element]:
     else:
         figures = [figure("The world", scene, f"{name}-world", "robot")]
     steps_list = walk(walked, name, others=others)
+    tell_tests(steps_list, tests, walked)
     yield viewer(figures, steps_list, f"The walk of {run.explorer}.")

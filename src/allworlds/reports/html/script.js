@@ -1,12 +1,11 @@
-"use strict";
 // Keys and buttons step along a walk; without this script the list of its steps is all there.
 
 const KEYS = {
   ArrowLeft: "back", ArrowRight: "next", Home: "first", End: "last", " ": "play",
   "+": "in", "=": "in", "-": "out",
 };
+const MARKED = ["walked", "trail", "last", "here", "tested", "supposed"]; // Of one step each.
 const TRAIL = 3; // So many steps before the last are shown, too.
-const SMALLEST = 0.6; // A picture is made so small at most, so that its numbers have room.
 
 function element(svg, name, attributes, text = "") {
   const made = document.createElementNS(svg.namespaceURI, name);
@@ -15,29 +14,22 @@ function element(svg, name, attributes, text = "") {
   return made;
 }
 
-// A picture: it follows the robot in one of the worlds, and is as large as there is room for.
+// A picture, which follows the robot in one of the worlds.
 function makePicture(frame) {
   const svg = frame.querySelector("svg");
-  const { width, height } = svg.viewBox.baseVal;
   const arrows = svg.querySelector(".arrows");
   const { follows } = frame.dataset;
+  const cutOpen = svg.classList.contains("polygon");
+  const fit = fitting(frame, SMALLEST);
   const edges = new Map();
   for (const edge of svg.querySelectorAll("[data-darts]")) {
-    for (const dart of edge.dataset.darts.split(" ")) edges.set(dart, edge);
+    for (const dart of edge.dataset.darts.split(" ")) {
+      edges.set(dart, [...(edges.get(dart) || []), edge]);
+    }
   }
   const grown = [...svg.querySelectorAll("[data-since]")];
 
-  function fit(zoom) {
-    if (!frame.clientWidth) return;
-    const room = Math.min(1.25, Math.max(SMALLEST, frame.clientWidth / width));
-    const scale = Math.min(room * zoom, 6);
-    svg.style.width = `${width * scale}px`;
-    svg.style.height = `${height * scale}px`;
-    svg.style.setProperty("--k", 1 / scale);
-  }
-
-  function arrow(dart, step) {
-    const edge = edges.get(dart);
+  function arrow(edge, dart, step) {
     const length = edge.getTotalLength();
     // The dart is the one by which it arrives: the edge is drawn from its first dart to its second.
     const back = edge.dataset.darts.split(" ")[0] === dart;
@@ -48,29 +40,40 @@ function makePicture(frame) {
     const inner = element(svg, "g", { class: "fixed" });
     const turn = `rotate(${(angle * 180) / Math.PI})`;
     inner.append(element(svg, "path", { d: "M10 0 L-7 -7 L-7 7 Z", transform: turn }));
-    const away = { x: -18 * Math.sin(angle), y: 18 * Math.cos(angle) };
+    // Beside the edge; inside of a polygon, whose letters stand outside.
+    const far = cutOpen && at.y * Math.cos(angle) > at.x * Math.sin(angle) ? -18 : 18;
+    const away = { x: -far * Math.sin(angle), y: far * Math.cos(angle) };
     inner.append(element(svg, "text", away, step));
     outer.append(inner);
     arrows.append(outer);
   }
 
   function draw(items, current) {
-    for (const one of svg.querySelectorAll(".walked, .trail, .last, .here")) {
-      one.classList.remove("walked", "trail", "last", "here");
+    for (const one of svg.querySelectorAll(MARKED.map((name) => `.${name}`).join())) {
+      one.classList.remove(...MARKED);
     }
     arrows.replaceChildren();
     for (const [step, item] of items.slice(0, current + 1).entries()) {
       if (!("moved" in item.dataset)) continue;
-      const { classList } = edges.get(item.dataset[follows]);
-      classList.add("walked");
-      if (step > current - TRAIL && step < current) classList.add("trail");
+      for (const { classList } of edges.get(item.dataset[follows])) {
+        classList.add("walked");
+        if (step > current - TRAIL && step < current) classList.add("trail");
+      }
     }
     const { [follows]: dart, moved } = items[current].dataset;
     if (moved !== undefined) {
-      edges.get(dart).classList.add("last");
-      arrow(dart, current);
+      for (const edge of edges.get(dart)) {
+        edge.classList.add("last");
+        arrow(edge, dart, current);
+      }
     }
     svg.querySelector(`[data-dart="${dart}"]`).classList.add("here");
+    if (follows === "known") {
+      for (const name of ["tested", "supposed"]) {
+        const at = svg.querySelector(`[data-dart="${items[current].dataset[name]}"]`);
+        if (at) at.classList.add(name);
+      }
+    }
     for (const part of grown) {
       part.classList.toggle("later", Number(part.dataset.since) > current);
       if ("until" in part.dataset) {
@@ -151,6 +154,28 @@ function makeViewer(viewer) {
     }
   }
 
+  // A surface that is no sphere has two views: with crossings, and cut open.
+  function makeViews(figure) {
+    const views = figure.querySelector(".views");
+    if (!figure.querySelector(".cut")) return;
+    views.hidden = false;
+    const buttons = ["Crossing edges", "Glued polygon"].map((name, chosen) => {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = name;
+      button.addEventListener("click", () => choose(chosen));
+      views.append(button);
+      return button;
+    });
+    function choose(chosen) {
+      figure.classList.toggle("cut-open", chosen === 1);
+      buttons.forEach((button, i) => button.setAttribute("aria-pressed", i === chosen));
+      fit();
+    }
+    figure.classList.add("two-views");
+    choose(0);
+  }
+
   function makeTabs() {
     const figures = [...viewer.querySelectorAll("figure")];
     const tabs = viewer.querySelector(".tabs");
@@ -197,6 +222,7 @@ function makeViewer(viewer) {
     });
   });
   makeTabs();
+  for (const figure of viewer.querySelectorAll("figure")) makeViews(figure);
   new ResizeObserver(fit).observe(viewer);
   fit();
   const parting = items.findIndex((item) => item.classList.contains("parting"));

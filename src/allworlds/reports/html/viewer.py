@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing import Layout, Scene, picture
+from allworlds.drawing import Layout, Scene, has_polygon, picture, polygon_picture
 from allworlds.markup import tag
 
 KEYS = (
@@ -13,14 +13,28 @@ KEYS = (
     "plus and minus zoom."
 )
 
+READING = (
+    "The surface, cut open; nothing crosses. Two sides with the same letter are one edge: glue "
+    "them so that their arrows agree. Corners with the same name are one vertex. A side bears the "
+    "number of the dart by which a walk round the polygon, counterclockwise, leaves along it. At "
+    "each corner the darts follow clockwise from the side that ends there to the side that begins."
+)
+"""How the polygon is read."""
+
 SPEEDS = {"slow": 1600, "medium": 800, "fast": 250}
 """Milliseconds from step to step."""
 
 
-def viewer(figures: Sequence[ET.Element], steps: ET.Element, title: str) -> ET.Element:
-    """Pictures and a walk along which keys step in all of them."""
+def viewer(
+    figures: Sequence[ET.Element], steps: ET.Element, title: str, *about: ET.Element
+) -> ET.Element:
+    """Pictures and a walk along which keys step in all of them.
+
+    What is told about them stands before the pictures, and on a phone behind them.
+    """
     return tag(
         "div",
+        *about,
         tag("div", class_="tabs", role="group", aria_label="Picture", hidden="hidden"),
         tag("div", *figures, class_="pictures"),
         _controls(),
@@ -69,13 +83,17 @@ def _controls() -> ET.Element:
 def figure(
     title: str, scene: Scene, name: str, follows: str, drawn: Layout | None = None
 ) -> ET.Element:
-    """A picture with its caption and its legend; the robot in it is that of ``follows``."""
-    legend = [
-        tag("span", "clockwise: the order of darts", class_="key turn-key"),
-        tag("span", "robot, at the dart by which it came", class_="key robot-key"),
-        tag("span", "walked", class_="key walked-key"),
-        tag("span", "walked just now", class_="key last-key", hidden="hidden"),
-    ]
+    """A picture with its caption and its legend.
+
+    The robot in it is that of ``follows``; where that is empty there is none.
+    """
+    legend = [tag("span", "clockwise: the order of darts", class_="key turn-key")]
+    if follows:
+        legend += [
+            tag("span", "robot, at the dart by which it came", class_="key robot-key"),
+            tag("span", "walked", class_="key walked-key"),
+            tag("span", "walked just now", class_="key last-key", hidden="hidden"),
+        ]
     if scene.marks:
         legend.append(tag("span", "marked", class_="key marked-key"))
     if scene.pointed:
@@ -83,20 +101,31 @@ def figure(
     legend.append(tag("span", "faced at the start", class_="key start-key"))
     if scene.ringed is not None:
         legend.append(tag("span", "the first difference", class_="key ring-key"))
-    genus = scene.map.genus
+    genus, cut = scene.map.genus, []
+    if follows and has_polygon(scene):
+        other = f"{title}, cut open"
+        drawing = polygon_picture(scene, f"{name}-polygon", other)
+        reading = tag("p", READING, class_="legend reading")
+        cut = [tag("div", _frame(drawing, other, follows), reading, class_="cut")]
     about = f"genus {genus}" + ("; edges that cross do not meet" if genus else "")
     return tag(
         "figure",
         tag("figcaption", tag("b", title), f", {about}"),
-        tag(
-            "div",
-            picture(scene, name, title, drawn),
-            class_="frame",
-            data_follows=follows,
-            role="group",
-            tabindex="0",
-            aria_label=f"{title}, which can be scrolled",
-        ),
+        tag("div", class_="views", role="group", aria_label="View", hidden="hidden"),
+        _frame(picture(scene, name, title, drawn), title, follows),
+        *cut,
         tag("p", *legend, class_="legend"),
         data_title=title,
+    )
+
+
+def _frame(drawing: ET.Element, title: str, follows: str) -> ET.Element:
+    return tag(
+        "div",
+        drawing,
+        class_="frame",
+        data_follows=follows,
+        role="group",
+        tabindex="0",
+        aria_label=f"{title}, which can be scrolled",
     )

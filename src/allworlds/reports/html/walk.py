@@ -7,6 +7,7 @@ from types import MappingProxyType
 from xml.etree import ElementTree as ET
 
 from allworlds.explaining import Belief, Walked
+from allworlds.hypotheses import Hypothesis
 from allworlds.maps.combinatorial import Dart
 from allworlds.markup import tag
 from allworlds.protocol import Move, Percept
@@ -50,6 +51,26 @@ def walk(
         role="list",
         aria_label="The walk, step by step",
     )
+
+
+def tell_tests(steps: ET.Element, tests: Sequence[Hypothesis], story: Walked) -> None:
+    """Say at each step of a walk's list which hypothesis is under test, and how it ends."""
+    told: dict[int, list[str]] = {}
+    for test in tests:
+        for step, dart in enumerate(test.supposed, test.first):
+            if step >= len(steps):
+                break
+            steps[step].set("data-tested", str(test.dart))
+            steps[step].set("data-supposed", str(dart))
+            words = told.setdefault(step, [])
+            if step == test.first:
+                words.append(f"has it come by dart {test.dart}?")
+            else:
+                words.append(f"if by dart {test.dart}, it is now at {story.place(dart)}")
+            if step == test.last:
+                words[-1] += ": yes" if test.right else ": no"
+    for step, words in told.items():
+        steps[step].append(tag("span", f"test: {'; '.join(words)}", class_="test"))
 
 
 def _step(story: Walked, belief: Belief | None, i: int, name: str, parts: bool) -> ET.Element:

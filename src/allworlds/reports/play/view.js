@@ -1,4 +1,3 @@
-"use strict";
 // The page in which the reader is the robot: it shows what robot.js says, and passes clicks on.
 
 const world = JSON.parse(document.getElementById("play-json").textContent);
@@ -232,8 +231,15 @@ function drawLog() {
   at("cost").textContent = `Traversals so far: ${moves}.`;
 }
 
+const fits = [...at("world").querySelectorAll(".frame")].map((one) => fitting(one, SMALLEST_STILL));
+function fitWorld() {
+  for (const fit of fits) fit(1);
+}
+new ResizeObserver(fitWorld).observe(at("world"));
+
 function drawWorld() {
   at("world").hidden = !uncovered;
+  fitWorld();
   at("uncover").hidden = uncovered;
   for (const one of at("world").querySelectorAll(".walked, .here")) {
     one.classList.remove("walked", "here");

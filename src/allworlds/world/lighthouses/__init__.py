@@ -11,9 +11,9 @@ from collections.abc import Mapping
 from allworlds.inputs import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
-    BelievedWalk,
     InvalidWorld,
     Lighthouse,
+    WalkInAnswer,
     refuse_other_keys,
 )
 from allworlds.world.lighthouses.cluster import Cluster
@@ -75,7 +75,6 @@ def lighthouse_from_json(
 
 __all__ = [
     "LIGHTHOUSES",
-    "BelievedWalk",
     "Cluster",
     "Compass",
     "Directional",
@@ -87,6 +86,7 @@ __all__ = [
     "Nothing",
     "Position",
     "Sensing",
+    "WalkInAnswer",
     "Where",
     "lighthouse_from_json",
     "lighthouse_named",

@@ -20,7 +20,7 @@ class InvalidWorld(InputError):
     """A map, a start and a lighthouse that do not make a world."""
 
 
-class BelievedWalk(NamedTuple):
+class WalkInAnswer(NamedTuple):
     """The walk of a robot in its own answer.
 
     Attributes:
@@ -103,7 +103,7 @@ class Lighthouse(ABC):
         return next((i for i, place in places if place == self), 0)
 
     def believed(
-        self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk
+        self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer
     ) -> Lighthouse | None:
         """Where a robot must believe that it stands: at the place of the same number.
 

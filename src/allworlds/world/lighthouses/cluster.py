@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from allworlds.inputs import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
-    BelievedWalk,
     InvalidWorld,
     Lighthouse,
+    WalkInAnswer,
     check_leads_away,
     no_place,
 )
@@ -71,7 +71,7 @@ class Cluster(Lighthouse):
         """The two ends of the dart's edge."""
         return (self.dart, map_.alpha[self.dart])
 
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Cluster:
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Cluster:
         """Seen from the start in the same direction, even where the answer breaks what it needs."""
         return Cluster(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
 

@@ -11,9 +11,9 @@ from allworlds.inputs import show
 from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
-    BelievedWalk,
     InvalidWorld,
     Lighthouse,
+    WalkInAnswer,
     check_one_of_each_vertex,
     the_darts,
 )
@@ -68,7 +68,7 @@ class Compass(Lighthouse):
         """The dart of each vertex."""
         return self.darts
 
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Compass:  # noqa: ARG002  # sensed
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Compass:  # noqa: ARG002  # sensed
         """The reference dart that was sensed when the robot first came to a vertex."""
         answer = walk.map
         north = {vertex: darts[0] for vertex, darts in enumerate(answer.vertices)}

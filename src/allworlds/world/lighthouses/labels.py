@@ -11,9 +11,9 @@ from allworlds.maps.canonical import numbering
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import Percept
 from allworlds.world.lighthouses.base import (
-    BelievedWalk,
     InvalidWorld,
     Lighthouse,
+    WalkInAnswer,
     check_one_of_each_vertex,
     the_darts,
 )
@@ -75,7 +75,7 @@ class Labels(Lighthouse):
         """For each dart what is sensed by a robot that has arrived by it."""
         return self.sensing.percepts(map_, self.darts, self.numbers)
 
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Labels:  # noqa: ARG002  # sensed
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
         """At each vertex what was sensed when the robot first came there; else its number is 0."""
         answer = walk.map
         at = {vertex: (darts[0], 0) for vertex, darts in enumerate(answer.vertices)}

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from allworlds.inputs import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
-    BelievedWalk,
     InvalidWorld,
     Lighthouse,
+    WalkInAnswer,
     check_leads_away,
     no_place,
 )
@@ -72,7 +72,7 @@ class Natural(Lighthouse):
         """The degree of v1."""
         return map_.degree_at[map_.alpha[self.dart]]
 
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: BelievedWalk) -> Natural:
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Natural:
         """Seen from the start in the same direction, even where the answer breaks what it needs."""
         return Natural(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
 

@@ -1,0 +1,124 @@
+"""The game as a reader plays it: walk by clicks and keys, conclude, claim, uncover the world."""
+
+import pytest
+
+from allworlds.playing import play
+from allworlds.reports import page_of
+
+pytestmark = [pytest.mark.slow, pytest.mark.no_cover]
+
+# A leaf, where the marker is, and a vertex with two loops that cross.
+WORLD = (
+    '{"sigma":[0,2,3,4,5,1],"alpha":[1,0,4,5,2,3],"start":0,'
+    '"lighthouse":{"kind":"directional","dart":0}}'
+)
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    made = tmp_path_factory.mktemp("play") / "play.html"
+    made.write_text(page_of("play", play(WORLD)), encoding="utf-8")
+    return made
+
+
+@pytest.fixture
+def game(visit, file):
+    with visit(file) as page:
+        yield page
+
+
+def button(page, name):
+    return page.get_by_role("button", name=name, exact=True)
+
+
+def told(page, name):
+    return page.locator(f"#{name}").text_content()
+
+
+def conclude(page, one, other):
+    """Two darts of the notes are one."""
+    for place, dart in (one, other):
+        button(page, f"place {place}, dart {dart}").locator("circle").click()
+
+
+def test_keys_and_clicks_on_darts_walk(game):
+    assert told(game, "sensed-words") == "You sense: degree 1, marked, bearing 0."
+    game.keyboard.press("0")
+    assert told(game, "sensed-words") == "You sense: degree 5."
+    button(game, "move 1").locator("circle").click()
+    button(game, "move 0: back").focus()
+    game.keyboard.press("Enter")
+    assert game.locator("#log li").all_text_contents() == [
+        "start: degree 1, marked, bearing 0",
+        "move 0: degree 5",
+        "move 1: degree 5",
+        "move 0: degree 5",
+    ]
+    assert told(game, "cost") == "Traversals so far: 3."
+    game.keyboard.press("5")  # there are only five darts
+    assert game.locator("#log li").count() == 4
+
+
+def test_what_cannot_be_is_told_and_can_be_taken_back(game):
+    game.keyboard.press("0")
+    assert game.locator("#undo").is_disabled()
+    conclude(game, (0, 0), (1, 0))
+    assert "degrees 1 and 5" in told(game, "notes-words")
+    assert game.locator("#claim").is_disabled()
+    game.locator("#undo").click()
+    assert "4 darts are open" in told(game, "notes-words")
+
+
+def walked_loops(game):
+    for key in "011":
+        game.keyboard.press(key)
+
+
+def test_a_wrong_conclusion_that_fits_is_a_guess(game):
+    walked_loops(game)
+    conclude(game, (2, 0), (1, 2))
+    conclude(game, (3, 0), (1, 4))
+    assert "your map is complete" in told(game, "notes-words")
+    game.locator("#claim").click()
+    assert "it is another world: you have guessed" in told(game, "outcome")
+
+
+def test_the_right_conclusion_is_right_and_tells_what_it_cost(game):
+    walked_loops(game)
+    conclude(game, (2, 0), (1, 3))
+    assert game.locator("#claim").is_disabled()
+    conclude(game, (3, 0), (1, 2))
+    game.locator("#claim").click()
+    assert told(game, "outcome").startswith("Right: this is the world")
+    assert "3 traversals; the bound of this world is " in told(game, "outcome")
+
+
+def test_the_world_is_seen_when_it_is_uncovered_and_not_before(game):
+    assert not game.locator("#played").is_visible()
+    walked_loops(game)
+    game.locator("#uncover").click()
+    picture, room = game.locator("#played"), game.locator("#world .frame").first
+    assert picture.is_visible()
+    assert not game.locator("#uncover").is_visible()
+    assert picture.bounding_box()["width"] <= room.bounding_box()["width"]
+    assert game.locator("#played .edge.walked").count() == 3
+    here = game.locator("#played .here")
+    assert [here.count(), here.get_attribute("data-dart")] == [1, "3"]
+    seen = "all => all.filter((one) => getComputedStyle(one).display !== 'none').length"
+    assert game.eval_on_selector_all("#played .robot", seen) == 1
+    stroke = "one => getComputedStyle(one).stroke"
+    walked = game.eval_on_selector("#played .edge.walked", stroke)
+    game.locator("#restart").click()
+    assert not picture.is_visible()
+    assert game.locator("#log li").count() == 1
+    assert told(game, "cost") == "Traversals so far: 0."
+    game.locator("#uncover").click()
+    assert game.eval_on_selector("#played .edge", stroke) != walked
+    assert game.locator("#played .here").get_attribute("data-dart") == "0"
+
+
+def test_nothing_is_wider_than_a_phone(visit, file):
+    with visit(file, {"width": 390, "height": 844}) as page:
+        walked_loops(page)
+        page.locator("#uncover").click()
+        assert page.evaluate("document.documentElement.scrollWidth") <= 390

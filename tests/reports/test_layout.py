@@ -1,0 +1,77 @@
+"""Tables and paragraphs in every width of a terminal."""
+
+import pytest
+
+from allworlds.checker import check, run
+from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.reports import text
+from allworlds.reports.layout import in_lines, table
+
+HEADER = ["edges", "vertices", "worlds", "does"]
+ROWS = [["1", "2", "1,000", "everything there is"], ["2", "10", "7", ""]]
+
+
+def test_a_table_that_fits_has_a_line_for_each_row():
+    assert table(HEADER, ROWS, "rrr", 45) == [
+        "edges  vertices  worlds  does",
+        "    1         2   1,000  everything there is",
+        "    2        10       7",
+    ]
+
+
+def test_a_last_column_of_text_is_wrapped():
+    assert table(HEADER, ROWS, "rrr", 37) == [
+        "edges  vertices  worlds  does",
+        "    1         2   1,000  everything",
+        "                         there is",
+        "    2        10       7",
+    ]
+
+
+def test_a_table_that_is_too_wide_is_cut_into_tables_that_begin_with_the_same_columns():
+    assert table(HEADER[:3], [row[:3] for row in ROWS], "rrr", 16) == [
+        "edges  vertices",
+        "    1         2",
+        "    2        10",
+        "",
+        "edges  worlds",
+        "    1   1,000",
+        "    2       7",
+    ]
+
+
+@pytest.mark.parametrize("width", range(1, 50))
+def test_no_cell_is_lost_in_any_width(width):
+    told = " ".join(table(HEADER, ROWS, "rrr", width, keys=2)).split()
+    cells = " ".join([*HEADER, *(cell for row in ROWS for cell in row)]).split()
+    assert set(told) == set(cells)
+    for cell in ("1,000", "everything"):
+        assert told.count(cell) == 1
+
+
+def test_items_hold_together():
+    assert in_lines(["= as expected", "≠ not", "? nothing"], 22) == [
+        "= as expected   ≠ not",
+        "? nothing",
+    ]
+
+
+@pytest.mark.parametrize("width", [40, 50, 60, 80, 100])
+def test_every_line_of_a_check_and_of_a_walk_is_within_the_width(width):
+    walk = text("run", run("algorithm1", "theta"), width)
+    told = text("check", check(edges=3), width).splitlines() + walk.splitlines()
+    assert max(map(len, told)) <= width
+    for step in range(9):
+        assert f"\n{step:>4}  " in walk
+
+
+def test_where_the_walk_is_too_wide_what_is_expected_is_told_where_it_differs():
+    mutant = next(m for m in WRONG_EXPLORERS if m.name == "wrong-entry-label")
+    report = check(mutant.explorer(), edges=3)
+    wide, narrow = text("check", report, 100), text("check", report, 50)
+    rows = [line for line in wide.splitlines() if "  ≠  " in line or "  =  " in line]
+    differing = [line.rpartition("≠  ")[2] for line in rows if "≠" in line]
+    assert differing
+    assert [line.strip() for line in narrow.splitlines() if line.startswith("      ≠ degree")] == [
+        f"≠ {expected}" for expected in differing
+    ]
