@@ -12,6 +12,7 @@ import pytest
 
 import processes
 from allworlds import ambiguity, check, worst
+from allworlds.checker import compiled
 from allworlds.inputs import InputError
 from allworlds.progress import Silent
 from allworlds.subjects import content_digest, not_alike, with_content
@@ -32,6 +33,28 @@ def here():
     """The address of a scheduler whose workers are threads of this process."""
     with cluster_here(distributed) as address:
         yield address
+
+
+@pytest.fixture(autouse=True)
+def _nothing_is_too_small_to_be_sent(monkeypatch):
+    monkeypatch.setattr(compiled, "SOON", 0)
+    monkeypatch.setattr(compiled, "SOON_WALKED", 0)
+
+
+def test_small_levels_are_not_sent(here, monkeypatch):
+    sent = set()
+
+    class Noted(Dask):
+        def map(self, engine, units):
+            for part in super().map(engine, units):
+                sent.add(part.unit.edges)
+                yield part
+
+    monkeypatch.setattr("allworlds.checker.engines.Dask", Noted)
+    monkeypatch.setattr(compiled, "SOON", 100)
+    monkeypatch.setattr(compiled, "SOON_WALKED", 200_000)
+    assert check(edges=6, engine="kernel", dask=here).worlds == 119_364
+    assert sent == {4, 5}
 
 
 JOBS = {
@@ -271,7 +294,7 @@ def test_a_task_holds_as_many_units_as_are_worth_sending():
     pace.took(1, 0.01)
     assert pace.units(1000, 2) == 100
     assert pace.units(80, 2) == 20
-    assert pace.units(3, 2) == 10
+    assert pace.units(3, 2) == 4
     assert pace.units(10**6, 1000) == 500
     assert pace.units(10**6, 10_000) == 50
     pace.begin_level()
@@ -280,7 +303,7 @@ def test_a_task_holds_as_many_units_as_are_worth_sending():
     assert pace.units(1000, 2) == 1
     pace.took(10, 0.0)
     assert pace.units(1000, 2) == 1
-    assert cluster.Pace(1e-6).units(1000, 2) == 100_000
+    assert cluster.Pace(1e-6).units(1000, 2) == 40_000
 
 
 # ---------------------------------------------------------------- real processes

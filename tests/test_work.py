@@ -9,7 +9,7 @@ import pytest
 
 from allworlds import work
 from allworlds.progress import Silent
-from allworlds.work import Here, TimeIsUp, gather
+from allworlds.work import Here, Split, Threads, TimeIsUp, gather
 from allworlds.work.cluster import all_well
 from clusters import cluster_here
 
@@ -48,6 +48,7 @@ def made(request):
 def made_of(name, deadline, scheduler):
     known = {"workers": 2, "batch": 3, "deadline": deadline, "scheduler": scheduler}
     known |= {"inside": Here, "probe": all_well, "order": iter}
+    known |= {"soon": bool, "near": Here(deadline), "far": Threads(2, deadline)}
     taken = inspect.signature(TRANSPORTS[name]).parameters
     return TRANSPORTS[name](**{key: known[key] for key in taken})
 
@@ -82,7 +83,7 @@ class Some(Counter):
 
 
 def test_every_transport_is_at_the_door():
-    assert {"Dask", "Here", "Threads"} <= set(TRANSPORTS)
+    assert {"Dask", "Here", "Split", "Threads"} <= set(TRANSPORTS)
     assert set(TRANSPORTS) <= set(work.__all__)
     assert all(getattr(work, name) is found for name, found in TRANSPORTS.items())
 
@@ -106,3 +107,28 @@ def test_a_transport_brings_every_unit_once(name, units, made):
 def test_a_transport_ends_when_the_time_is_up(name, made):
     with made(name, deadline=0.0) as transport, pytest.raises(TimeIsUp):
         list(transport.map(Digits(), map(Number, range(9))))
+
+
+class Notes(Here):
+    """A transport that notes what goes by it; a context that notes its end."""
+
+    def __init__(self):
+        super().__init__()
+        self.went, self.ended = [], 0
+
+    def map(self, engine, units):
+        for part in super().map(engine, units):
+            self.went.append(part.unit)
+            yield part
+
+    def __exit__(self, *_):
+        self.ended += 1
+
+
+def test_the_first_unit_of_a_level_tells_where_all_of_them_are_done():
+    near, far = Notes(), Notes()
+    with Split(lambda unit: unit < 10, near, far) as transport:
+        for units in ([1, 20], [30, 4], []):
+            assert len(list(transport.map(Digits(), map(Number, units)))) == bool(units) * 3
+    assert (near.went, far.went) == ([1, 20, 20], [30, 30, 4])
+    assert (near.ended, far.ended) == (1, 1)

@@ -48,3 +48,16 @@ class Silent:
 
     def notice(self, text: str) -> None:
         """Nothing."""
+
+
+class Once(Silent):
+    """A listener who hands on notices alone, and each of them once."""
+
+    def __init__(self, listener: Listener) -> None:
+        self._listener, self._said = listener, set[str]()
+
+    def notice(self, text: str) -> None:
+        """Something that the user may want to know now."""
+        if text not in self._said:
+            self._said.add(text)
+            self._listener.notice(text)

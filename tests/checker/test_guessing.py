@@ -4,8 +4,9 @@ import random
 
 import pytest
 
-from allworlds import check
+from allworlds import check, kernel
 from allworlds.checker import estimate
+from allworlds.checker.guessing import Guess, worlds_of
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.progress import Silent
 from allworlds.reports.check_text import check_text
@@ -17,12 +18,81 @@ from allworlds.work import drawn_units, level_size
 @pytest.mark.parametrize("engine", ["python", "kernel"])
 def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
     monkeypatch.setattr("allworlds.checker.guessing.SECONDS", 0.05)
-    guess = estimate(edges=4, engine=engine)
+    monkeypatch.setattr("allworlds.checker.exhaustive.one_larger", lambda _: None)
+    said = estimate(edges=4, engine=engine)
+    guess = said.guess
     assert guess.worlds == sum(level_size(Extent(MapClass.MAPS, 4), m) for m in range(1, 5))
     assert guess.sampled > 0
     assert guess.seconds == pytest.approx(guess.worlds / guess.rate)
-    assert "for 792 worlds: a guess" in check_text(guess, 100)
-    assert estimate(edges=4, engine=engine, shard=(0, 4)).worlds == guess.worlds // 4
+    assert "for 792 worlds: a guess" in check_text(said, 100)
+    assert estimate(edges=4, engine=engine, shard=(0, 4)).guess.worlds == guess.worlds // 4
+
+
+def measured(*rates):
+    """What stands in for a sample: rates one after the other."""
+    left = iter(rates)
+
+    def estimated(job, engine):
+        return Guess(job.scope.extent.levels[-1], engine.name, worlds_of(job), 9, next(left))
+
+    return estimated
+
+
+WORLDS = {3: 86, 4: 792, 5: 8_954, 6: 119_364}
+"""Rooted maps with at most so many edges: the sums of OEIS A053979's rows."""
+
+
+@pytest.mark.parametrize(
+    ("asked", "rates", "expected"),
+    [
+        (
+            {"edges": 3, "engine": "python"},
+            (100.0, 50.0),
+            [(3, "python", 9, 100.0), (4, "python", 9, 50.0), (5, "python", 0, 25.0)],
+        ),
+        (
+            {"edges": 4},
+            (100.0, 10_000.0),
+            [(4, "python", 9, 100.0), (5, "kernel", 9, 10_000.0), (6, "kernel", 0, 10_000.0)],
+        ),
+        (
+            {"edges": 4, "engine": "kernel"},
+            (100.0, 300.0),
+            [(4, "kernel", 9, 100.0), (5, "kernel", 9, 300.0), (6, "kernel", 0, 300.0)],
+        ),
+        (
+            {"edges": 3, "engine": "python"},
+            (100.0, None),
+            [(3, "python", 9, 100.0), (4, "python", 9, None)],
+        ),
+        ({"edges": 3, "engine": "python"}, (None,), [(3, "python", 9, None)]),
+    ],
+    ids=["slower", "another engine", "faster", "one alone", "none"],
+)
+def test_what_larger_checks_take_is_told_too(asked, rates, expected, monkeypatch):
+    monkeypatch.setattr("allworlds.checker.exhaustive.estimated", measured(*rates))
+    said = estimate(**asked)
+    guesses = (said.guess, *said.larger)
+    assert guesses == tuple(
+        Guess(edges, engine, WORLDS[edges], sampled, rate)
+        for edges, engine, sampled, rate in expected
+    )
+    table = check_text(said, 100).partition("\n\n")[2].splitlines()
+    known = [guess for guess in guesses if guess.rate]
+    assert len(table) == (1 + len(known) if said.larger else 0)
+    for line, guess in zip(table[1:], known, strict=bool(said.larger)):
+        assert line.split()[:2] == [str(guess.edges), f"{guess.worlds:,}"]
+
+
+def test_nothing_larger_is_told_where_there_is_nothing_or_too_much(monkeypatch):
+    for asked in (
+        {"map_class": "simple", "vertices": 3},
+        {"edges": kernel.MOST_EDGES, "engine": "kernel", "vertices": 2},
+        {"edges": 16},
+        {"map_class": "simple", "vertices": 3, "edges": 3},
+    ):
+        monkeypatch.setattr("allworlds.checker.exhaustive.estimated", measured(1.0, 1.0))
+        assert estimate(**asked).larger == ()
 
 
 def test_where_nothing_is_finished_there_is_no_guess(monkeypatch):
@@ -30,10 +100,11 @@ def test_where_nothing_is_finished_there_is_no_guess(monkeypatch):
         raise EnginesDisagree("they do not agree")
 
     monkeypatch.setattr("allworlds.checker.guessing._pieces", never)
-    guess = estimate(edges=2, engine="kernel")
+    said = estimate(edges=2, engine="kernel")
+    guess = said.guess
     assert (guess.rate, guess.seconds, guess.sampled) == (None, None, 0)
-    assert guess.to_json()["seconds"] is None
-    assert "takes very long" in check_text(guess, 100)
+    assert said.to_json()["seconds"] is None
+    assert "takes very long" in check_text(said, 100)
 
 
 class Hears:

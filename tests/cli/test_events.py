@@ -164,10 +164,19 @@ def test_and_not_the_report(cli):
     assert err == "allworlds: no more events are written: No space left on device\n"
 
 
-def test_an_estimate_is_a_document(cli, monkeypatch):
+@pytest.mark.usefixtures("without_workers")
+def test_an_estimate_is_a_document_and_an_event(cli, tmp_path, monkeypatch):
     monkeypatch.setattr("allworlds.checker.guessing.SECONDS", 0.01)
-    code, out, _ = cli("check", "--edges", 3, "--estimate", "--json")
+    file = tmp_path / "events.ndjson"
+    asked = ("check", "--edges", 3, "--engine", "python", "--shard", "0/1", "--estimate")
+    code, out, _ = cli(*asked, "--json", "--events", file)
     document = json.loads(out)
+    *_, last = [json.loads(line) for line in file.read_text().splitlines()]
+    assert complaints("event.schema.json", last) == []
+    assert complaints("estimate.schema.json", document) == []
+    del document["made_by"]
+    assert last == {"schema": 1, "event": "verdict", "report": document}
+    assert [guess["edges"] for guess in document["larger"]] == [4, 5]
     assert (code, document["worlds"], document["engine"]) == (0, 86, "python")
     assert document["rate"] > 0
     assert document["seconds"] == round(86 / document["rate"], 1)

@@ -19,7 +19,7 @@ from allworlds.maps.quotient import Quotient
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
 from allworlds.protocol import Percept
-from allworlds.store import ENDED, Identity, Records, Shelf, records_in
+from allworlds.store import ENDED, Identity, Records, records_in, shelf
 from allworlds.work import (
     UNMERGEABLE,
     WHOLE,
@@ -215,14 +215,14 @@ class _Task:
         self, transport: Transport[Any], engine: Any, records: Records, listener: Listener
     ) -> AmbiguityCensus:
         extent = self.extent
-        shelf = Shelf(records, Met.from_json)
+        kept = shelf(records, Met.from_json)
 
         def row(edges: int) -> CensusRow:
             size = level_size(extent, edges)
             listener.level(edges, size // shards_of(self.portion))
             met = Met()
             units = units_of_level(extent, edges, self.portion)
-            gather(transport, engine, units, met, listener, shelf)
+            gather(transport, engine, units, met, listener, kept)
             if isinstance(self.portion, Shard):
                 return CensusRow(edges, met.worlds, size, met.marked_worlds, None)
             if extent.map_class is MapClass.MAPS:

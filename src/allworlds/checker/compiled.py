@@ -24,10 +24,15 @@ from allworlds.checker.sizes import WALKED_FROM
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.runs import EnginesDisagree, Examiner, InUnit, Row, Scope, Tally, Unit
 from allworlds.subjects import Subject
+from allworlds.work import level_size
 from allworlds.world import World
 
 BATCH = 8
 """Units that a thread does at a time, so that handing them over costs little."""
+
+SOON, SOON_WALKED = 10_000, 2_000_000
+"""To judge, or to walk, so many worlds takes a tenth of a second: about as long as it takes until
+the workers of a cluster are busy, and then until they all have said what they found."""
 
 SYMMETRY = (
     f"from m = {WALKED_FROM} on each rooted map is walked once, at bearing 0, and counted for "
@@ -65,6 +70,11 @@ class CompiledExamination:
     def halt(self) -> None:
         """Give up."""
         self.flag[0] = 1
+
+    def is_soon_done(self, unit: Unit) -> bool:
+        """Whether the level of a unit is small: sending it away would take longer than doing it."""
+        most = SOON_WALKED if walks(self.scope, self.subject, unit.edges) else SOON
+        return level_size(self.scope.extent, unit.edges) <= most
 
     def parts(self, unit: Unit) -> Iterator[Tally]:
         """The same as the general engine's tally of the unit.

@@ -12,7 +12,7 @@ from allworlds.inputs import InputError, show
 from allworlds.isolation import in_any_order, workers_for
 from allworlds.runs import Examination, Scope
 from allworlds.subjects import NATIVE, Subject, content_digest, not_alike, with_content
-from allworlds.work import Dask, Threads, Transport
+from allworlds.work import Dask, Split, Threads, Transport
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,11 +99,12 @@ class Compiled:
             return ReadyEngine(workers_for(job.subject, job.limits, job.deadline), apart)
         from allworlds.checker.compiled import BATCH, CompiledExamination
 
-        engine = CompiledExamination.ready(job)
-        if job.dask is not None:
-            workers = job.limits.workers
-            return ReadyEngine(Dask(job.dask, workers, job.deadline), engine)
-        return ReadyEngine(Threads(job.limits.workers, job.deadline, BATCH), engine)
+        engine, workers = CompiledExamination.ready(job), job.limits.workers
+        near = Threads(workers, job.deadline, BATCH)
+        if job.dask is None:
+            return ReadyEngine(near, engine)
+        far = Dask(job.dask, workers, job.deadline)
+        return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
 
 
 def _cluster(job: Job, scheduler: str) -> Dask:

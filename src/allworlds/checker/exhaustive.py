@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Unpack
@@ -12,7 +13,15 @@ from allworlds.checker.corpus import UserCorpus
 from allworlds.checker.ending import Completed, Disagreed, Ending, Interrupted, Stopped
 from allworlds.checker.engines import Engine, ReadyEngine, engine_for, why_not_compiled
 from allworlds.checker.gate import Cell, count_gate, missing_witnesses
-from allworlds.checker.guessing import LONG, TimeEstimate, estimated, is_worth_a_guess
+from allworlds.checker.guessing import (
+    LONG,
+    Guess,
+    TimeEstimate,
+    estimated,
+    extrapolated,
+    is_worth_a_guess,
+    one_larger,
+)
 from allworlds.checker.job import Job
 from allworlds.checker.keeping import identity_of, job_of, settled_once, shelf_for
 from allworlds.checker.options import CheckOptions, ManyRunsOptions, refuse_others, rules_for
@@ -22,7 +31,7 @@ from allworlds.inputs import InputError, a_path, an_integer, show
 from allworlds.isolation import Unsettled, confirmed, subject_of
 from allworlds.maps.classes import Extent
 from allworlds.outcome import Verdict
-from allworlds.progress import Listener, Silent
+from allworlds.progress import Listener, Once, Silent
 from allworlds.runs import (
     DEFAULT_EDGES,
     LOST,
@@ -114,14 +123,29 @@ def check(
 
 
 def estimate(
-    explore: str | Callable[..., Any] = "algorithm1", **options: Unpack[CheckOptions]
+    explore: str | Callable[..., Any] = "algorithm1",
+    *,
+    listener: Listener | None = None,
+    **options: Unpack[CheckOptions],
 ) -> TimeEstimate:
     """How long :func:`check` will take with these options, from a sample of some seconds.
+
+    And with more edges: one more is tried as well, by the engine that would do it, and for the
+    next the time goes on growing as it did.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    return estimated(*_asked(explore, options, 1, Silent()))
+    heard = Once(listener or Silent())
+    job, chosen = _asked(explore, options, 1, heard)
+    guess, larger = estimated(job, chosen), tuple[Guess, ...]()
+    if guess.rate and (extent := one_larger(job)):
+        # What an engine cannot do ends the table.
+        with suppress(InputError):
+            job, chosen = _asked(explore, {**options, "edges": extent.edges}, 1, heard)
+            more = estimated(job, chosen)
+            larger = (more, *extrapolated(job, (guess, more)))
+    return TimeEstimate(job.subject.name, guess, larger)
 
 
 def _asked(

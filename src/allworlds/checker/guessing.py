@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from allworlds.checker.engines import Engine
 from allworlds.checker.job import Job
 from allworlds.isolation import Unsettled
+from allworlds.maps.classes import Extent
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.runs import EnginesDisagree, Unit
 from allworlds.subjects import NATIVE
@@ -42,17 +43,18 @@ COUNTABLE = 16
 
 
 @dataclass(frozen=True, slots=True)
-class TimeEstimate:
-    """A guess.
+class Guess:
+    """A guess of how long a check takes.
 
     Attributes:
-        explorer, engine: their names.
+        edges: of the largest worlds.
+        engine: its name.
         worlds: that are to be tried.
-        sampled: that were tried for this, all of the last level.
+        sampled: that were tried for this, all of the last level; 0 where the rate is a guess, too.
         rate: of these a second; None if none was finished in time.
     """
 
-    explorer: str
+    edges: int
     engine: str
     worlds: int
     sampled: int
@@ -63,6 +65,32 @@ class TimeEstimate:
         """For all worlds at this rate; smaller ones take less."""
         return self.worlds / self.rate if self.rate else None
 
+    def to_json(self) -> documents.GuessOfTime:
+        """A row of the document."""
+        return {
+            "edges": self.edges,
+            "engine": self.engine,
+            "worlds": self.worlds,
+            "sampled": self.sampled,
+            "rate": None if self.rate is None else round(self.rate, 3),
+            "seconds": None if self.seconds is None else round(self.seconds, 1),
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class TimeEstimate:
+    """How long a check takes, and larger ones.
+
+    Attributes:
+        explorer: its name.
+        guess: of what was asked.
+        larger: of the same with more edges, ascending.
+    """
+
+    explorer: str
+    guess: Guess
+    larger: tuple[Guess, ...]
+
     @property
     def exit_code(self) -> Exit:
         """0: answered."""
@@ -70,14 +98,17 @@ class TimeEstimate:
 
     def to_json(self) -> documents.EstimateResult:
         """The document of ``check --estimate --json``."""
+        guess = self.guess.to_json()
         return {
             "schema": SCHEMA,
             "explorer": self.explorer,
-            "engine": self.engine,
-            "worlds": self.worlds,
-            "sampled": self.sampled,
-            "rate": None if self.rate is None else round(self.rate, 3),
-            "seconds": None if self.seconds is None else round(self.seconds, 1),
+            "edges": guess["edges"],
+            "engine": guess["engine"],
+            "worlds": guess["worlds"],
+            "sampled": guess["sampled"],
+            "rate": guess["rate"],
+            "seconds": guess["seconds"],
+            "larger": [larger.to_json() for larger in self.larger],
         }
 
 
@@ -100,7 +131,7 @@ def is_worth_a_guess(job: Job, engine: Engine) -> bool:
     return soon and worlds_of(job) > MANY[_plays(job, engine)]
 
 
-def estimated(job: Job, engine: Engine) -> TimeEstimate:
+def estimated(job: Job, engine: Engine) -> Guess:
     """A guess from pieces of the last level, which are drawn like its maps.
 
     What starts workers and compiles is not counted; the sample takes some seconds.
@@ -121,7 +152,34 @@ def estimated(job: Job, engine: Engine) -> TimeEstimate:
     except (TimeIsUp, EnginesDisagree, Lost, Unsettled):
         pass  # the check itself will say so
     rate = sampled / (ended - began) if ended > began and sampled else None
-    return TimeEstimate(job.subject.name, engine.name, worlds_of(job), sampled, rate)
+    return Guess(job.scope.extent.levels[-1], engine.name, worlds_of(job), sampled, rate)
+
+
+def one_larger(job: Job) -> Extent | None:
+    """The extent with one edge more; None where that holds no more worlds, or too many to count."""
+    extent = job.scope.extent
+    if extent.edges is None or extent.edges >= COUNTABLE:
+        return None
+    edges = extent.edges + 1
+    larger = replace(extent, edges=edges)
+    return larger if level_size(larger, edges) else None
+
+
+def extrapolated(job: Job, guesses: tuple[Guess, Guess]) -> tuple[Guess, ...]:
+    """A guess of the job with one edge more, of which nothing was tried; none if there is none.
+
+    A world is thought to take longer by as much as from the first guess to the second.
+
+    Args:
+        job: that of the second guess.
+        guesses: with one edge more each.
+    """
+    extent, (first, second) = one_larger(job), guesses
+    if extent is None or not (first.rate and second.rate):
+        return ()
+    slower = min(1.0, second.rate / first.rate) if first.engine == second.engine else 1.0
+    worlds = worlds_of(replace(job, scope=replace(job.scope, extent=extent)))
+    return (Guess(extent.levels[-1], second.engine, worlds, 0, slower * second.rate),)
 
 
 def _pieces(job: Job, worlds: int) -> Iterator[Any]:

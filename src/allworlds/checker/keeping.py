@@ -14,9 +14,9 @@ from allworlds.findings import Finding, Rules
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.progress import Listener
 from allworlds.runs import Sample, Scope, Tally, finding_kept, kept_finding
-from allworlds.store import Identity, Records, Shelf, canonical
+from allworlds.store import Identity, Records, canonical, shelf
 from allworlds.subjects import Subject, content_digest, subject_known
-from allworlds.work import Here, Limits, Whole
+from allworlds.work import Here, Kept, Limits, Whole
 
 VERB = "check"
 
@@ -94,9 +94,9 @@ class Done:
         return ReadyEngine(Here(), None)
 
 
-def shelf_for(records: Records, job: Job) -> Shelf:
+def shelf_for(records: Records, job: Job) -> Kept:
     """The records of a check as tallies."""
-    return Shelf(records, partial(Tally.from_json, keep=job.keep, rules=job.scope.rules))
+    return shelf(records, partial(Tally.from_json, keep=job.keep, rules=job.scope.rules))
 
 
 def settled_once(

@@ -91,7 +91,9 @@ def check(
         "dask": dask,
     }
     if estimate:
-        guess = allworlds.checker.estimate(explore, **asked)
+        with listening(output) as listener:
+            guess = allworlds.checker.estimate(explore, listener=listener, **asked)
+            listener.verdict(guess)
         return emit(guess, "check", output, workers=effort.count)
     ensure_directory(corpus)
 

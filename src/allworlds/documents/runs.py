@@ -30,6 +30,31 @@ MergeReport: TypeAlias = CheckReport | WorstReport | AmbiguityCensusReport
 """What 'merge' writes: the report of the verb whose shards were joined."""
 
 
+class GuessOfTime(TypedDict):
+    """How long a check with so many edges will take."""
+
+    edges: Annotated[Positive, "of the largest worlds"]
+    engine: Annotated[EngineName, "which would do it"]
+    worlds: Annotated[Natural, "rooted maps that are to be tried"]
+    sampled: Annotated[
+        Natural, "rooted maps of the last level that were tried for this; 0: the rate is a guess"
+    ]
+    rate: Annotated[Figure | None, "of these a second; null: none was finished in time"]
+    seconds: Annotated[Seconds | None, "for all: a guess; null where there is no rate"]
+
+
+class EstimateResult(GuessOfTime):
+    """Estimate.
+
+    How long a check will take: what `check --estimate` writes.
+    """
+
+    schema: Version
+    made_by: NotRequired[Annotated[MadeBy, "in Python; always there on the command line"]]
+    explorer: Annotated[Text, "its name"]
+    larger: Annotated[list[GuessOfTime], "the same check with more edges"]
+
+
 Watched: TypeAlias = (
     CheckReport
     | WorstReport
@@ -43,6 +68,7 @@ Watched: TypeAlias = (
     | BenchReport
     | OptimumReport
     | ClaimsReport
+    | EstimateResult
 )
 """What a verb with `--events` may report."""
 
@@ -150,19 +176,3 @@ Event: TypeAlias = (
     LevelEvent | StageEvent | ProgressEvent | UnitEvent | FindingEvent | NoticeEvent | VerdictEvent
 )
 """One line of what `--events FILE` writes."""
-
-
-class EstimateResult(TypedDict):
-    """Estimate.
-
-    How long a check will take: what `check --estimate` writes.
-    """
-
-    schema: Version
-    made_by: NotRequired[Annotated[MadeBy, "in Python; always there on the command line"]]
-    explorer: Annotated[Text, "its name"]
-    engine: Annotated[EngineName, "which would do it"]
-    worlds: Annotated[Natural, "rooted maps that are to be tried"]
-    sampled: Annotated[Natural, "rooted maps of the last level that were tried for this"]
-    rate: Annotated[Figure | None, "of these a second; null: none was finished in time"]
-    seconds: Annotated[Seconds | None, "for all: a guess; null where there is no rate"]

@@ -15,7 +15,7 @@ from allworlds.words import duration, number, plural
 def check_text(report: Report | TimeEstimate, width: int) -> str:
     """What was seen, its scope, the findings, and the verdict last; or how long it will take."""
     if isinstance(report, TimeEstimate):
-        return "\n".join(_guess(report, width))
+        return "\n".join(_guess(report, width) + _larger(report, width))
     header, rows = size_table(report)
     scope = [line for name, text in scope_words(report) for line in entry(name, text, width)]
     blocks = [table(header, rows, "r" * len(header), width, keys=2), scope]
@@ -36,10 +36,30 @@ def verdict_line(report: Report | TimeEstimate, _width: int) -> str:
 
 
 def _guess(estimate: TimeEstimate, width: int) -> list[str]:
-    seconds, rate = estimate.seconds, estimate.rate
-    if seconds is None or rate is None:
+    guess = estimate.guess
+    if guess.seconds is None or guess.rate is None:
         text = "no world of the last level was finished in time: this takes very long"
         return entry("estimate", text, width)
-    text = f"{duration(seconds)} for {plural(estimate.worlds, 'world')}: a guess"
-    of = f"{plural(estimate.sampled, 'world')} of the last level, {number(round(rate))} a second"
+    text = f"{duration(guess.seconds)} for {plural(guess.worlds, 'world')}: a guess"
+    of = f"{plural(guess.sampled, 'world')} of the last level, {number(round(guess.rate))} a second"
     return entry("estimate", text, width) + entry("sample", of, width)
+
+
+def _larger(estimate: TimeEstimate, width: int) -> list[str]:
+    """A table of what the check would take with more edges; nothing if that is not known."""
+    if not estimate.larger:
+        return []
+    header = ("edges", "worlds", "engine", "sampled", "a second", "takes")
+    rows = [
+        (
+            str(guess.edges),
+            number(guess.worlds),
+            guess.engine,
+            number(guess.sampled) if guess.sampled else "none",
+            number(round(guess.rate)),
+            duration(guess.seconds),
+        )
+        for guess in (estimate.guess, *estimate.larger)
+        if guess.rate is not None and guess.seconds is not None
+    ]
+    return ["", *table(header, rows, "rrlrrr", width)]

@@ -5,7 +5,8 @@ from __future__ import annotations
 from bisect import insort
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import astuple, dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
+from operator import attrgetter
 from typing import Any, NamedTuple, Self
 
 from allworlds.findings import Finding, Rules
@@ -139,7 +140,7 @@ class Tally:
     def to_json(self) -> dict[str, Any]:
         """All of it, as it is kept in a run directory."""
         return {
-            "rows": [[*size, *astuple(row)] for size, row in sorted(self.rows.items())],
+            "rows": [[*size, *_numbers(row)] for size, row in sorted(self.rows.items())],
             "witnesses": dict(sorted(self.witnesses.items())),
             "left_out": self.left_out,
             "checkpoints": self.checkpoints,
@@ -174,6 +175,10 @@ class Tally:
     def traversals(self) -> int:
         """Summed over all episodes."""
         return sum(row.traversals for row in self.rows.values())
+
+
+_numbers = attrgetter(*(column.name for column in fields(Row)))
+"""What :func:`_row` makes a row of."""
 
 
 def _row(numbers: list[Any]) -> Row:

@@ -18,10 +18,10 @@ from allworlds.store.records import (
     Merged,
     NoRecords,
     Records,
-    Shelf,
     in_use,
     merged,
     records_in,
+    shelf,
 )
 
 __all__ = [
@@ -32,10 +32,10 @@ __all__ = [
     "Merged",
     "NoRecords",
     "Records",
-    "Shelf",
     "canonical",
     "in_use",
     "merged",
     "reading",
     "records_in",
+    "shelf",
 ]

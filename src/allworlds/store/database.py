@@ -158,10 +158,12 @@ def created(path: Path, identity: Identity) -> Database:
         connection = _connected(f"file:{_quoted(draft)}?mode=rwc")
         try:
             connection.executescript(
-                f"PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {SCHEMA}; {TABLES}"
+                f"BEGIN; PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {SCHEMA}; "
+                f"{TABLES}"
             )
             row = ("identity", identity.text)
             connection.execute("INSERT INTO meta VALUES (?, ?, ?)", (*row, checksum("", *row)))
+            connection.execute("COMMIT")
         finally:
             connection.close()
         draft.rename(path / FILE)

@@ -93,4 +93,7 @@ class Identity:
 
 def canonical(value: Any) -> str:
     """A JSON value as a text that is the same for equal values."""
-    return json.dumps(value, sort_keys=True, separators=(",", ":"))
+    return _CANONICAL.encode(value)
+
+
+_CANONICAL = json.JSONEncoder(sort_keys=True, separators=(",", ":"))

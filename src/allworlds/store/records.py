@@ -17,7 +17,7 @@ from allworlds.store import database
 from allworlds.store.database import Database
 from allworlds.store.identity import Identity
 from allworlds.words import listed, plural
-from allworlds.work import Sum, Unit
+from allworlds.work import NOTHING_KEPT, Kept, Sum, Unit
 
 LOCK = "lock"
 
@@ -72,15 +72,22 @@ class RunDirectory:
     """The records of a job that goes on after an interruption.
 
     What there is no room for is lost with a word, and nothing else is.
+
+    Attributes:
+        database: its file.
+        notice: takes what the user may want to know now.
+        found: the units that were finished when it was opened; nobody asks twice for one, and
+            nobody else adds to it.
     """
 
     database: Database
     notice: Callable[[str], None]
+    found: frozenset[str]
     _full: bool = False
 
     def result(self, key: str) -> Any:
         """See :class:`Records`."""
-        return self.database.result(key)
+        return self.database.result(key) if key in self.found else None
 
     def keep(self, key: str, worlds: int, result: Any) -> None:
         """See :class:`Records`."""
@@ -176,6 +183,11 @@ class Shelf:
         self.records.keep(unit.key, result.worlds, result.to_json())
 
 
+def shelf(records: Records, read: Callable[[Any], Sum]) -> Kept:
+    """Records as whoever adds up results sees them; ``read`` makes a result of its JSON value."""
+    return NOTHING_KEPT if isinstance(records, NoRecords) else Shelf(records, read)
+
+
 @contextmanager
 def records_in(
     run: str | Path | None, identity: Callable[[], Identity], notice: Callable[[str], None]
@@ -199,7 +211,7 @@ def records_in(
         opened = _opened(path, identity())
         stack.callback(opened.close)
         opened.begin_session(time.time())
-        yield RunDirectory(opened, notice)
+        yield RunDirectory(opened, notice, frozenset(opened.keys()))
 
 
 def _opened(path: Path, identity: Identity) -> Database:

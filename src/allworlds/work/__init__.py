@@ -7,6 +7,8 @@
     two transports: this thread, and several;
 ``cluster``, ``lanes``
     another one, to the machines of a Dask cluster, and what these have for what is sent there;
+``split``
+    small levels by one transport, large ones by another;
 ``levels``
     the units into which all maps with one number of edges are cut;
 ``shards``
@@ -38,12 +40,22 @@ from allworlds.work.levels import (
     units_of_level,
 )
 from allworlds.work.shards import UNMERGEABLE, WHOLE, Portion, Shard, Whole, a_shard, shards_of
+from allworlds.work.split import Split
 from allworlds.work.threads import Threads
-from allworlds.work.work import Engine, Kept, NothingKept, Part, Sum, Transport, Unit
+from allworlds.work.work import (
+    NOTHING_KEPT,
+    Engine,
+    Kept,
+    Part,
+    Sum,
+    Transport,
+    Unit,
+)
 
 __all__ = [
     "LEAST_TIMEOUT",
     "LOCAL",
+    "NOTHING_KEPT",
     "POLL",
     "UNMERGEABLE",
     "WHOLE",
@@ -55,10 +67,10 @@ __all__ = [
     "LevelUnit",
     "Limits",
     "Lost",
-    "NothingKept",
     "Part",
     "Portion",
     "Shard",
+    "Split",
     "Sum",
     "Threads",
     "TimeIsUp",

@@ -35,7 +35,7 @@ TRIES = 3
 AHEAD = 3
 """For each thread of the cluster so many tasks are on their way."""
 
-LEAST, TASK = 0.1, 1.0
+LEAST, TASK = 0.04, 1.0
 """Seconds that a task takes at least and at most, as far as whole units allow: to send one costs
 some thousandths of a second."""
 

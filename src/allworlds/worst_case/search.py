@@ -17,7 +17,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener, Silent
-from allworlds.store import ENDED, Identity, Records, Shelf, records_in
+from allworlds.store import ENDED, Identity, Records, records_in, shelf
 from allworlds.subjects import load
 from allworlds.work import (
     UNMERGEABLE,
@@ -278,7 +278,7 @@ class _Search:
         from allworlds.worst_case.dearest import DearestWorlds
 
         extent = self.extent
-        shelf = Shelf(records, DearestWorlds.from_json)
+        kept = shelf(records, DearestWorlds.from_json)
         missing: list[tuple[int, int]] = []
 
         def level_rows(level: int) -> list[WorstRow]:
@@ -286,7 +286,7 @@ class _Search:
             listener.level(level, sum(cells.values()) // shards_of(self.portion))
             dearest = DearestWorlds()
             units = units_of_level(extent, level, self.portion)
-            gather(transport, engine, units, dearest, listener, shelf)
+            gather(transport, engine, units, dearest, listener, kept)
             found = sorted(dearest.by_vertices.items())
             missing.extend((level, n) for n, count in cells.items() if count and n not in dearest)
             rows = [_row(level, row, cells.get(n, 0)) for n, row in found]
