@@ -115,7 +115,7 @@ def impostor(folding, tmp_path, monkeypatch, lie):
     program = tmp_path / "folding"
     monkeypatch.setattr(folding, "FOLDING", program)
     answers = {
-        folding.line_of(log): lie(folding.folded_by_judge(log)) for _, log in folding.logs(2)
+        folding.line_of(log): lie(folding.folded_by_judge(log)) for _, _, log in folding.logs(2)
     }
     told = tmp_path / "answers.json"
     told.write_text(json.dumps(answers))
