@@ -17,7 +17,7 @@ from mkdocs.structure.pages import Page
 
 ROOT = Path(__file__).parents[1]
 OUTSIDE = "repository/"
-LINK = re.compile(r"(?<!!)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
+LINK = re.compile(r"\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 ADDRESS = re.compile(r"https?://[^\s)>\]`'\"|]+")
 FENCED = re.compile(r"^(```.*?^```$)", re.MULTILINE | re.DOTALL)
 FOLDERS = ("benchmarks", "corpus", "examples", "proofs")
@@ -65,7 +65,8 @@ def _link(found: re.Match[str], page: str) -> str:
     if not path or ":" in path:
         return found[0]
     target = posixpath.normpath(posixpath.join(posixpath.dirname(source(page)), path))
-    for form in (target, f"{target}/README.md"):
+    forms = (f"{target}/README.md",) if (ROOT / target).is_dir() else (target,)
+    for form in forms:
         if there := place(form):
             way = posixpath.relpath(there, posixpath.dirname(page) or ".")
             return f"[{label}]({way}{hash_}{anchor})"

@@ -129,6 +129,9 @@ def test_a_link_out_of_the_folder_leads_to_a_page_of_the_site_or_is_a_name():
     )
     assert rewritten("[`t`](../tests/laws)", "trust.md") == "`t`"
     assert rewritten("[t](../tests/laws)", "trust.md") == "t (`tests/laws` in the repository)"
+    assert rewritten("[o](live/x.html)", "gallery/walks.md") == "[o](live/x.html)"
+    image = "![d](docs/assets/darts.svg)"
+    assert rewritten(image, "repository/README.md") == "![d](../assets/darts.svg)"
     assert rewritten("[x](../nowhere.md)", "trust.md") == "[x](../nowhere.md)"
     assert rewritten("[x](https://a.example)", "trust.md") == "[x](https://a.example)"
 

@@ -96,7 +96,7 @@ def figure(
             tag("span", "walked just before", class_="key trail-key", hidden="hidden"),
             tag(
                 "span",
-                "walked just now, and which step it is",
+                "walked just now, with its step",
                 class_="key last-key",
                 hidden="hidden",
             ),
