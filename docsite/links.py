@@ -33,6 +33,8 @@ def outside() -> list[str]:
 def place(target: str) -> str | None:
     """Where a page of the repository stands in the site; None for what is no page of it."""
     if target.startswith("docs/"):
+        if not (ROOT / target).exists():
+            return None
         return target.removeprefix("docs/") if target.endswith((".md", ".svg", ".png")) else None
     return f"{OUTSIDE}{target}" if target in outside() else None
 
@@ -65,8 +67,7 @@ def _link(found: re.Match[str], page: str) -> str:
     if not path or ":" in path:
         return found[0]
     target = posixpath.normpath(posixpath.join(posixpath.dirname(source(page)), path))
-    forms = (f"{target}/README.md",) if (ROOT / target).is_dir() else (target,)
-    for form in forms:
+    for form in (target, f"{target}/README.md"):
         if there := place(form):
             way = posixpath.relpath(there, posixpath.dirname(page) or ".")
             return f"[{label}]({way}{hash_}{anchor})"
