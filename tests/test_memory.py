@@ -63,7 +63,9 @@ def growth_of(name, **more):
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("name", CHECKS)
+@pytest.mark.parametrize(
+    "name", [pytest.param("python", marks=pytest.mark.slow), "compiled", "worst", "census"]
+)
 def test_memory_does_not_grow_with_the_units(name, tmp_path):
     assert growth_of(name) < MOST
     assert growth_of(name, run=tmp_path / "run") < MOST
