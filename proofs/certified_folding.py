@@ -2,8 +2,8 @@
 
 Every log of Algorithm 1 and of every mutant, in every world, is folded three times: by the
 extracted program, which is proved to compute the least congruence; by the judge, which must find
-the same map, dart by dart; and by the compiled judge, which must say the same of whether a dart is
-open.
+the same map, dart by dart; and by the compiled judge, which names darts as the world does, and must
+say the same of whether one is open.
 """
 
 from __future__ import annotations
@@ -23,18 +23,19 @@ from allworlds.explorers.algorithm1 import Algorithm1
 from allworlds.judge import paper_bound
 from allworlds.judge.folding import fold
 from allworlds.kernel.folding import folds
-from allworlds.kernel.records import FOLD, LOG, NONE, WORLD
+from allworlds.kernel.records import FOLD, LOG, WORLD
 from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
 from allworlds.protocol import Choices, Move, Percept, Transcript
 from allworlds.protocol.choices import policy_named
 from allworlds.subjects import load, subject_here
+from allworlds.world import World
 
 FOLDING = Path(__file__).resolve().parent / "coq" / "folding"
 POLICIES = ("fifo", "lifo", "nearest")
 
 
-def logs(edges: int) -> Iterator[tuple[str, Transcript]]:
-    """Every log, with the name of its explorer; also of runs that end without an answer."""
+def logs(edges: int) -> Iterator[tuple[str, World, Transcript]]:
+    """Every log, with its explorer's name and its world; also of runs without an answer."""
     mutants = (WrongExplorer(Algorithm1), *WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)
     players = [
         *((f"algorithm1 {name}", load("algorithm1").player(), name) for name in POLICIES),
@@ -45,7 +46,8 @@ def logs(edges: int) -> Iterator[tuple[str, Transcript]]:
         m = world.map.edge_count
         budget = paper_bound(world.map.vertex_count, m) + 2 * m
         for name, player, policy in players:
-            yield name, play(world, player, Choices(policy_named(policy)), budget).transcript
+            log = play(world, player, Choices(policy_named(policy)), budget).transcript
+            yield name, world, log
 
 
 def steps_of(log: Transcript) -> list[tuple[int, Percept]]:
@@ -79,38 +81,35 @@ def _folds(world: Any, log: Any, fold: Any) -> bool:
     return folds(world[0], log[0], fold[0])  # type: ignore[no-any-return]  # compiled
 
 
-def folds_compiled(log: Transcript) -> bool:
-    """Whether the compiled judge finds no open dart."""
-    steps = steps_of(log)
-    world, walked, room = (np.zeros(1, record) for record in (WORLD, LOG, FOLD))
-    # Of the world it looks at what was sensed at the start, and nowhere else.
-    world["degree"][0, 0], world["bearing"][0, 0] = log.first.degree, _bearing(log.first)
-    walked["cost"] = len(steps)
-    degree = log.first.degree
+def folds_compiled(world: World, log: Transcript) -> bool:
+    """Whether the compiled judge, which knows the log's world, finds no open dart."""
+    map_, steps = world.map, steps_of(log)
+    laid, walked, room = (np.zeros(1, record) for record in (WORLD, LOG, FOLD))
+    laid["start"], walked["cost"] = world.start, len(steps)
+    for dart in map_.darts:
+        laid["alpha"][0, dart] = map_.alpha[dart]
+        laid["degree"][0, dart] = map_.degree_at[dart]
+    dart = world.start
     for i, (k, percept) in enumerate(steps):
-        walked["motion"][0, i] = k % degree
-        degree = percept.degree
-        walked["degree"][0, i], walked["marks"][0, i] = degree, percept.marks
-        walked["bearing"][0, i] = _bearing(percept)
-    return bool(_folds(world, walked, room))
-
-
-def _bearing(percept: Percept) -> int:
-    return NONE if percept.bearing is None else percept.bearing
+        dart = map_.alpha[map_.turn(dart, k)]
+        walked["arrived"][0, i] = dart
+        laid["marks"][0, dart] = percept.marks
+    return bool(_folds(laid, walked, room))
 
 
 def foldings_agree(edges: int) -> bool:
     """Whether all three fold every log to the same."""
     # An explorer walks in many worlds the same way: each log once.
-    found = {line_of(log): (name, log) for name, log in logs(edges)}
+    found = {line_of(log): (name, world, log) for name, world, log in logs(edges)}
     answered = subprocess.run(
         [str(FOLDING)], input="\n".join(found) + "\n", capture_output=True, text=True, check=True
     )
     answers = [json.loads(line) for line in answered.stdout.splitlines()]
     differ, open_logs = [], 0
-    for (name, log), certified in zip(found.values(), answers, strict=True):
+    for (name, world, log), certified in zip(found.values(), answers, strict=True):
         open_logs += not certified["folds"]
-        if folded_by_judge(log) != certified or folds_compiled(log) != certified["folds"]:
+        compiled = folds_compiled(world, log)
+        if folded_by_judge(log) != certified or compiled != certified["folds"]:
             differ.append((name, log))
     print(
         f"certified folding: {len(found):,} different logs, {open_logs:,} with open darts; "

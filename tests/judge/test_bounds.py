@@ -328,7 +328,7 @@ def test_the_bound_of_two_vertices_has_a_name():
     # n = m = 2, (1)+(2) = 7, two traversals for each of 3 + 1 tests, and v0 of degree 1 or 3.
     assert [bound_named("two-vertices").of(LOLLIPOP, d) for d in (0, 1)] == [17, 21]
     assert pickle.loads(pickle.dumps(bound_named("two-vertices"))).name == "two-vertices"
-    with pytest.raises(InputError, match="none of paper, two-vertices, none or an expression"):
+    with pytest.raises(InputError, match="not one of paper, two-vertices, none or an expression"):
         bound_named("two vertices")
 
 

@@ -150,7 +150,7 @@ def test_a_folding_that_lies_does_not(folding, tmp_path, monkeypatch, lie):
 @pytest.mark.no_cover
 def test_the_compiled_judge_is_asked_too(folding, tmp_path, monkeypatch):
     impostor(folding, tmp_path, monkeypatch, lambda folded: folded)
-    monkeypatch.setattr(folding, "folds_compiled", lambda _log: True)
+    monkeypatch.setattr(folding, "folds_compiled", lambda _world, _log: True)
     assert not folding.foldings_agree(2)
 
 
