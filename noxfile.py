@@ -71,6 +71,14 @@ def exhaustive(session: nox.Session) -> None:
 
 
 @nox.session
+def shards(session: nox.Session) -> None:
+    """Do all worlds with up to 9 edges in eight shards, and compare with the whole check."""
+    session.install(".")
+    directory = session.create_tmp()
+    session.run("python", "benchmarks/shards.py", "--in", directory, *session.posargs)
+
+
+@nox.session
 def bench(session: nox.Session) -> None:
     """Measure; peers are given as --peer 'NAME=COMMAND'."""
     session.install(".")

@@ -17,7 +17,7 @@ from mkdocs.structure.pages import Page
 
 ROOT = Path(__file__).parents[1]
 OUTSIDE = "repository/"
-LINK = re.compile(r"(?<!!)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
+LINK = re.compile(r"\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 ADDRESS = re.compile(r"https?://[^\s)>\]`'\"|]+")
 FENCED = re.compile(r"^(```.*?^```$)", re.MULTILINE | re.DOTALL)
 FOLDERS = ("benchmarks", "corpus", "examples", "proofs")
@@ -33,6 +33,8 @@ def outside() -> list[str]:
 def place(target: str) -> str | None:
     """Where a page of the repository stands in the site; None for what is no page of it."""
     if target.startswith("docs/"):
+        if not (ROOT / target).exists():
+            return None
         return target.removeprefix("docs/") if target.endswith((".md", ".svg", ".png")) else None
     return f"{OUTSIDE}{target}" if target in outside() else None
 

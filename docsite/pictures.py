@@ -32,6 +32,11 @@ from allworlds.mutation.explorers import WRONG_EXPLORERS
 from allworlds.own_corpus import own_corpus
 from allworlds.world import Directional, World, world_named
 
+GENUS_2 = World(
+    CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3)), Directional(0)
+)
+"""One vertex, four loops, each crossing all others: one face."""
+
 FIGURE = re.compile(r"^<!-- figure ([a-z0-9-]+) -->$", re.MULTILINE)
 NOT_RUN = re.compile(r"^<!-- not run: ([^\n]*) -->\n(```.*?^```$)", re.MULTILINE | re.DOTALL)
 _ids = count(1)
@@ -211,14 +216,56 @@ def lives() -> list[Live]:
     ]
 
 
+def walks() -> list[Live]:
+    """The live pages of walks without a finding, in the order of the gallery."""
+    return [
+        Live("be-the-robot", "play theta-torus", "You see what a robot senses, and nothing else."),
+        Live(
+            "algorithm-1",
+            "run algorithm1 k4-torus",
+            "Algorithm 1 in K4 on the torus: its map S grows, and the hypothesis that it tests "
+            "is shown.",
+        ),
+        Live(
+            "genus-2",
+            f"run algorithm1 '{json.dumps(GENUS_2.to_json())}'",
+            "Four loops on a surface of genus 2: with crossings, or as a polygon whose sides are "
+            "glued.",
+        ),
+        Live(
+            "figure-1",
+            "twins fig1-left fig1-right",
+            "The twins of the paper's Fig. 1: one walk in both, and the same is sensed.",
+        ),
+        Live(
+            "ambiguity",
+            "ambiguity class k4 --class simple",
+            "All simple worlds that a robot that senses the marker's position takes for K4.",
+        ),
+        Live(
+            "worst-runs",
+            "worst --edges 3",
+            "The dearest schedules of Algorithm 1, cost against bound.",
+        ),
+    ]
+
+
+LARGEST = 1_000_000
+"""No live page has more bytes."""
+
+
 def on_files(files: Files, config: MkDocsConfig) -> Files:
     """The gallery, and the live pages in it."""
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
-        told = list(pool.map(lambda live: _made(live, Path(folder)), lives()))
+        told = list(pool.map(lambda live: _made(live, Path(folder)), [*lives(), *walks()]))
         for live, _ in told:
             text = (Path(folder) / f"{live.name}.html").read_text(encoding="utf-8")
+            if len(text.encode()) > LARGEST:
+                raise PluginError(f"the page of allworlds {live.command} is larger than 1 MB")
             files.append(File.generated(config, f"gallery/live/{live.name}.html", content=text))
-    files.append(File.generated(config, "gallery/findings.md", content=_findings(told)))
+    findings = told[: len(lives())]
+    files.append(File.generated(config, "gallery/findings.md", content=_findings(findings)))
+    files.append(File.generated(config, "gallery/walks.md", content=_walks(walks())))
     files.append(File.generated(config, "gallery/worlds.md", content=_worlds()))
     return files
 
@@ -240,6 +287,20 @@ def _findings(told: list[tuple[Live, dict[str, Any]]]) -> str:
         "when this site was built. Step along the walk with the arrow keys.\n\n"
         + "".join("\n".join(_card(live, report)) + "\n\n" for live, report in told)
     )
+
+
+def _walks(told: list[Live]) -> str:
+    text = (
+        "# Walks\n\nEach of these pages was written by the command above it when this site was "
+        "built.\n"
+    )
+    for live in told:
+        command = f"allworlds {live.command} --html {live.name}.html"
+        text += (
+            f"\n## {live.name.replace('-', ' ').capitalize()}\n\n{live.told}\n\n"
+            f"```sh\n{command}\n```\n\n[Open the page](live/{live.name}.html)\n"
+        )
+    return text
 
 
 def _card(live: Live, report: dict[str, Any]) -> Iterator[str]:

@@ -2,9 +2,11 @@
 
 import os
 import signal
+import socket
 import subprocess
 import sys
-from contextlib import ExitStack, contextmanager
+import threading
+from contextlib import ExitStack, contextmanager, suppress
 from types import SimpleNamespace
 from typing import ClassVar
 
@@ -132,6 +134,48 @@ def test_no_scheduler_is_refused(refused, monkeypatch):
     for address in ("tcp://127.0.0.1:9", "nonsense://x"):
         said = refused("worst", "--edges", "1", "--dask", address)
         assert f"dask '{address}': no scheduler answers there" in said
+
+
+@contextmanager
+def another_service(words):
+    """The address of one that says these words to whoever comes, and nothing else."""
+    came = []
+    with socket.create_server(("127.0.0.1", 0)) as server:
+
+        def serve():
+            with suppress(OSError):
+                while True:
+                    came.append(server.accept()[0])
+                    came[-1].sendall(words)
+
+        threading.Thread(target=serve, daemon=True).start()
+        yield f"tcp://127.0.0.1:{server.getsockname()[1]}"
+        server.shutdown(socket.SHUT_RDWR)
+    for connection in came:
+        connection.close()
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (b"", "no scheduler answers there (TimeoutError); legal"),
+        (b"HTTP/1.1 400 Bad Request\r\n\r\n", "what answers there is no scheduler"),
+        (b"\0" * 400, "what answers there is no scheduler"),
+    ],
+)
+def test_what_answers_may_be_no_scheduler(refused, monkeypatch, words, told):
+    monkeypatch.setattr(cluster, "PATIENCE", 0.5)
+    with another_service(words) as address:
+        said = refused("worst", "--edges", "1", "--dask", address)
+    assert f"dask '{address}': {told}" in said
+    assert said.count("\n") == 1
+
+
+def test_the_address_of_a_worker_is_refused(refused, here):
+    with distributed.Client(here) as client:
+        worker = next(iter(client.scheduler_info()["workers"]))
+    said = refused("worst", "--edges", "1", "--dask", worker)
+    assert f"dask '{worker}': a worker answers there; give the address of its scheduler" in said
 
 
 def test_without_the_package_it_is_named(refused, monkeypatch):

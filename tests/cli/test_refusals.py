@@ -7,6 +7,7 @@ import typer
 
 from allworlds import check
 from allworlds.cli.app import app
+from allworlds.reports import FORMATS
 from recorded.record import LEAST, least
 
 pytestmark = pytest.mark.usefixtures("without_workers")
@@ -70,6 +71,13 @@ def test_an_empty_argument_is_refused(refused, verb):
         (["run", "theta", "--bound", "n", "--laws", "map"], "bound 'n' has no effect"),
         (["check", "--edges", "1", "--laws", "map,pose,map"], "'map' is named twice"),
         (["run", "theta", "--holes", "10%"], "holes 10% has no effect without --family"),
+        *(
+            (["check", "--edges", "1", "--estimate", f"--{option}", *value], f"{option} {said}has")
+            for option, value, said in (
+                *((form, ["out"], "'out' ") for form in (*FORMATS, "corpus", "run")),
+                ("watch", [], ""),
+            )
+        ),
     ],
 )
 def test_an_option_without_effect_is_refused(refused, arguments, said):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -79,6 +80,8 @@ def check(
     """
     import allworlds.checker
 
+    if estimate:
+        _refuse_beside_estimate({**files.named(), "corpus": corpus, "run": run, "watch": watch})
     files.ensure_writable()
     explore = opt.explorer_name(explorer, command, native)
     asked: CheckOptions = {
@@ -119,3 +122,17 @@ def check(
         )
     with kept_in(corpus) as past:
         return watched(explore, lambda: once(past))
+
+
+def _refuse_beside_estimate(given: Mapping[str, str | bool | None]) -> None:
+    """Nothing, if none of these options of a whole check is given.
+
+    Raises:
+        InputError: naming the first.
+    """
+    for name, value in given.items():
+        if value is not None and value is not False:
+            raise InputError(
+                f"{name} {'' if value is True else show(value) + ' '}has no effect beside "
+                "--estimate, which checks nothing; leave one of them out"
+            )

@@ -26,16 +26,17 @@ class _Files:
         Raises:
             InputError: naming the file and the reason.
         """
-        for path in self._named().values():
+        for path in self.named().values():
             _ensure_writable(path)
 
     def write(self, report: Result) -> None:
         """The report in each file that was named, and where a CI service looks for it."""
-        for form, path in self._named().items():
+        for form, path in self.named().items():
             _write_text(path, written(form, report))
         tell_service(report)
 
-    def _named(self) -> dict[str, str]:
+    def named(self) -> dict[str, str]:
+        """The files that were named, by their formats."""
         given = {form: getattr(self, form) for form in FORMATS}
         return {form: path for form, path in given.items() if path is not None}
 

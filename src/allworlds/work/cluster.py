@@ -7,8 +7,10 @@ job is in :mod:`allworlds.work.lanes`.
 
 from __future__ import annotations
 
+import asyncio
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from itertools import islice
@@ -25,6 +27,8 @@ from allworlds.work.work import Part, Transport
 
 LOCAL = "local"
 """In place of an address: a cluster of this machine alone, which is started and ended."""
+
+_LEGAL = f"legal are the address of one, as tcp://HOST:8786, and {LOCAL}"
 
 PATIENCE = 10.0
 """Seconds in which a scheduler must answer."""
@@ -178,13 +182,38 @@ class Dask:
 
     def _connected(self, address: Any) -> Any:
         try:
+            if self._scheduler != LOCAL:
+                self._greet(address)
             return self._client_of(address)
+        except InputError:
+            raise
         except (OSError, ValueError, TypeError) as error:
             raise InputError(
                 f"dask {show(self._scheduler)}: no scheduler answers there "
-                f"({type(error).__name__}); legal are the address of one, as "
-                f"tcp://HOST:8786, and {LOCAL}"
+                f"({type(error).__name__}); {_LEGAL}"
             ) from None
+
+    def _greet(self, address: str) -> None:
+        """Nothing, if a scheduler answers in time.
+
+        A client itself waits without end for one that is silent, and takes the words of another
+        service, as of the scheduler's own dashboard, for lengths.
+        """
+        with ThreadPoolExecutor(1) as apart:  # a notebook has a loop in this thread
+            try:
+                said = apart.submit(asyncio.run, _identity(address)).result()
+            except (OSError, ValueError, TypeError):
+                raise
+            except Exception as error:  # noqa: BLE001  # whatever others have sent
+                raise InputError(
+                    f"dask {show(address)}: what answers there is no scheduler "
+                    f"({type(error).__name__}); {_LEGAL}"
+                ) from None
+        if (kind := said.get("type")) in ("Worker", "Nanny"):
+            raise InputError(
+                f"dask {show(address)}: a {str(kind).lower()} answers there; give the address of "
+                "its scheduler"
+            )
 
     def _client_of(self, address: Any) -> Any:
         for _ in range(TRIES - 1):
@@ -219,6 +248,20 @@ class Dask:
         except self._distributed.CancelledError:
             raise Lost(f"the Dask scheduler {self._scheduler} is gone") from None
         return came
+
+
+async def _identity(address: str) -> Mapping[str, Any]:
+    """What a server of Dask says that it is.
+
+    Raises:
+        Exception: any; ``TimeoutError`` if it says nothing in time.
+    """
+    from distributed import Security, rpc
+
+    security = Security().get_connection_args("client")  # type: ignore[no-untyped-call]  # as above
+    async with rpc(address, connection_args=security) as server:  # type: ignore[no-untyped-call]
+        said: Mapping[str, Any] = await asyncio.wait_for(server.identity(), PATIENCE)
+    return said
 
 
 def _installed() -> Any:

@@ -154,28 +154,6 @@ function makeViewer(viewer) {
     }
   }
 
-  // A surface that is no sphere has two views: with crossings, and cut open.
-  function makeViews(figure) {
-    const views = figure.querySelector(".views");
-    if (!figure.querySelector(".cut")) return;
-    views.hidden = false;
-    const buttons = ["Crossing edges", "Glued polygon"].map((name, chosen) => {
-      const button = document.createElement("button");
-      button.type = "button";
-      button.textContent = name;
-      button.addEventListener("click", () => choose(chosen));
-      views.append(button);
-      return button;
-    });
-    function choose(chosen) {
-      figure.classList.toggle("cut-open", chosen === 1);
-      buttons.forEach((button, i) => button.setAttribute("aria-pressed", i === chosen));
-      fit();
-    }
-    figure.classList.add("two-views");
-    choose(0);
-  }
-
   function makeTabs() {
     const figures = [...viewer.querySelectorAll("figure")];
     const tabs = viewer.querySelector(".tabs");
@@ -201,7 +179,7 @@ function makeViewer(viewer) {
   }
 
   viewer.classList.add("stepping");
-  for (const part of viewer.querySelectorAll(".controls, .keys, .last-key")) part.hidden = false;
+  for (const part of viewer.querySelectorAll(".controls, .keys, .trail-key, .last-key")) part.hidden = false;
   for (const button of viewer.querySelectorAll("[data-go]")) {
     button.addEventListener("click", () => go(button.dataset.go));
   }
@@ -222,17 +200,44 @@ function makeViewer(viewer) {
     });
   });
   makeTabs();
-  for (const figure of viewer.querySelectorAll("figure")) makeViews(figure);
   new ResizeObserver(fit).observe(viewer);
   fit();
   const parting = items.findIndex((item) => item.classList.contains("parting"));
   const target = items.findIndex((item) => `#${item.id}` === location.hash);
   show(target >= 0 ? target : parting >= 0 ? parting : last);
-  return { viewer, go };
+  return { viewer, go, fit };
 }
 
 const viewers = [...document.querySelectorAll(".viewer")].map(makeViewer);
 let latest = viewers[0];
+
+// A surface that is no sphere has two views, with crossings and cut open: one switch for the page,
+// which stands at every walk with such a surface.
+function makeViews() {
+  const figures = [...document.querySelectorAll("figure")].filter((one) => one.querySelector(".cut"));
+  const names = ["Crossing edges", "Glued polygon"];
+  const buttons = [];
+  function choose(chosen) {
+    for (const figure of figures) figure.classList.toggle("cut-open", chosen === 1);
+    for (const [button, view] of buttons) button.setAttribute("aria-pressed", view === chosen);
+    for (const { fit } of viewers) fit();
+  }
+  for (const { viewer } of viewers.filter(({ viewer }) => viewer.querySelector(".cut"))) {
+    const views = viewer.querySelector(".views");
+    views.hidden = false;
+    for (const [view, name] of names.entries()) {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = name;
+      button.addEventListener("click", () => choose(view));
+      views.append(button);
+      buttons.push([button, view]);
+    }
+  }
+  for (const figure of figures) figure.classList.add("two-views");
+  choose(0);
+}
+makeViews();
 
 document.addEventListener("keydown", (event) => {
   const where = KEYS[event.key];

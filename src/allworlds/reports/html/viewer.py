@@ -36,6 +36,7 @@ def viewer(
         "div",
         *about,
         tag("div", class_="tabs", role="group", aria_label="Picture", hidden="hidden"),
+        tag("div", class_="views", role="group", aria_label="View", hidden="hidden"),
         tag("div", *figures, class_="pictures"),
         _controls(),
         tag("p", KEYS, class_="keys", hidden="hidden"),
@@ -92,7 +93,13 @@ def figure(
         legend += [
             tag("span", "robot, at the dart by which it came", class_="key robot-key"),
             tag("span", "walked", class_="key walked-key"),
-            tag("span", "walked just now", class_="key last-key", hidden="hidden"),
+            tag("span", "walked just before", class_="key trail-key", hidden="hidden"),
+            tag(
+                "span",
+                "walked just now, with its step",
+                class_="key last-key",
+                hidden="hidden",
+            ),
         ]
     if scene.marks:
         legend.append(tag("span", "marked", class_="key marked-key"))
@@ -105,13 +112,13 @@ def figure(
     if follows and has_polygon(scene):
         other = f"{title}, cut open"
         drawing = polygon_picture(scene, f"{name}-polygon", other)
+        name_of_it = tag("p", "The same surface as a glued polygon", class_="legend view-name")
         reading = tag("p", READING, class_="legend reading")
-        cut = [tag("div", _frame(drawing, other, follows), reading, class_="cut")]
+        cut = [tag("div", name_of_it, _frame(drawing, other, follows), reading, class_="cut")]
     about = f"genus {genus}" + ("; edges that cross do not meet" if genus else "")
     return tag(
         "figure",
         tag("figcaption", tag("b", title), f", {about}"),
-        tag("div", class_="views", role="group", aria_label="View", hidden="hidden"),
         _frame(picture(scene, name, title, drawn), title, follows),
         *cut,
         tag("p", *legend, class_="legend"),

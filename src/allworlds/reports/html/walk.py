@@ -64,7 +64,7 @@ def tell_tests(steps: ET.Element, tests: Sequence[Hypothesis], story: Walked) ->
             steps[step].set("data-supposed", str(dart))
             words = told.setdefault(step, [])
             if step == test.first:
-                words.append(f"has it come by dart {test.dart}?")
+                words.append(f"whether it has come by dart {test.dart}")
             else:
                 words.append(f"if by dart {test.dart}, it is now at {story.place(dart)}")
             if step == test.last:
