@@ -60,10 +60,15 @@ class Reference:
         if verbs:
             yield "", ", ".join(verbs), told
             return
-        if {"type", "properties"} & told.keys():
+        if {"type", "properties"} & told.keys() or self.kinds(told):
             yield "", told["title"], told
         for part, inner in told.get("$defs", {}).items():
             yield f"#/$defs/{part}", inner["title"], inner
+
+    def kinds(self, told: Schema) -> list[Schema]:
+        """The kinds of objects that a document is one of; none if it is something else."""
+        kinds = told.get("anyOf", [])
+        return kinds if all("properties" in kind for kind in kinds) else []
 
     def text(self) -> str:
         """All of it."""
@@ -82,6 +87,8 @@ class Reference:
                 elif "properties" in told:
                     own = {k: v for k, v in told["properties"].items() if common.get(k) != v}
                     text += TABLE + self.rows({**told, "properties": own}, name)
+                elif kinds := self.kinds(told):
+                    text += "\n".join(TABLE + self.rows(kind, name) for kind in kinds)
                 else:
                     text += f"{self.value(told, name).capitalize()}.\n"
         return text

@@ -108,7 +108,8 @@ class UnitJudge:
     """The maps of a unit, laid out and judged stretch by stretch.
 
     Args:
-        level, prefix: as for :func:`allworlds.kernel.judge`.
+        level: as for :func:`allworlds.kernel.judge`.
+        prefix: likewise.
         keep: how many broken runs are kept of each stretch.
         stretch: for the first play.
         records: for the second.

@@ -18,7 +18,8 @@ class Split:
 
     Args:
         soon: whether units like this one are better done near.
-        near, far: the transports; both are contexts as long as this one is.
+        near: the transport of such units; a context as long as this one is.
+        far: that of the others, likewise.
     """
 
     def __init__(
