@@ -1,6 +1,7 @@
 """The processes of this machine, as a test has to look at them."""
 
 import time
+from contextlib import suppress
 from pathlib import Path
 
 PATIENCE = 300.0
@@ -30,14 +31,38 @@ def children_of(pid):
 
 def workers_of(pid):
     """What comes from a process and still runs, but for its guardians, which go with it."""
+    below = _below()
+    guardians = {child for child in below.get(pid, []) if is_guardian(child)}
+    return [one for one in _descendants(below, [pid]) if one not in guardians]
+
+
+def guarded_by(pid):
+    """What the guardians of a process have started and still runs."""
+    below = _below()
+    return _descendants(below, [child for child in below.get(pid, []) if is_guardian(child)])
+
+
+def _below():
     below = {}
     for child, parent in running():
         below.setdefault(parent, []).append(child)
-    waiting = [pid]
-    for one in waiting:
-        waiting += below.get(one, [])
-    guardians = {child for child in below.get(pid, []) if is_guardian(child)}
-    return [one for one in waiting[1:] if one not in guardians]
+    return below
+
+
+def _descendants(below, ancestors):
+    found = [child for one in ancestors for child in below.get(one, [])]
+    for one in found:
+        found += below.get(one, [])
+    return found
+
+
+def commands(pids):
+    """What these processes are, as far as they still run."""
+    told = {}
+    for pid in pids:
+        with suppress(OSError):
+            told[pid] = Path(f"/proc/{pid}/cmdline").read_bytes().replace(b"\0", b" ").decode()
+    return told
 
 
 def is_guardian(pid):

@@ -52,9 +52,13 @@ def explorers(monkeypatch):
 @pytest.fixture
 def no_orphans():
     """Nothing that a check has started outlives it."""
-    before = set(processes.workers_of(os.getpid()))
+    before = {*processes.guarded_by(os.getpid())}
     yield
-    assert processes.end(lambda: set(processes.workers_of(os.getpid())) - before)
+
+    def left():
+        return {*processes.guarded_by(os.getpid())} - before
+
+    assert processes.end(left), processes.commands(left())
 
 
 @pytest.fixture

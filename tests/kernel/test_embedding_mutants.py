@@ -17,10 +17,10 @@ TESTS = ROOT / "tests" / "kernel" / "test_embedding.py"
 MUTANTS = {
     "an edge that was never walked": (" or not walked >> true & 1:", ":"),
     "the robot anywhere": ("if judged.to[here] != dart:", "if False:"),
-    "another rotation": ("if entry_of(published.sigma, d) != judged.sigma[d]:", "if False:"),
-    "another degree": ("return met if true == judged.to[first] else published.darts", "return met"),
+    "another rotation": ("if unlike(sigma, address_of(judged.sigma)) & before or ", "if "),
+    "another degree": ("return met if true == judged.to[first] else darts", "return met"),
     "one vertex for two": ("if judged.taken >> true & 1:", "if False:"),
-    "a partner of another": (" or e == d or judged.alpha[e] != d:", ":"),
+    "a partner of another": (" or byte_of(alpha, e) != d:", ":"),
     "edges miscounted": ("judged.explored += size(changed)", "judged.explored += 2"),
 }
 
