@@ -11,7 +11,7 @@ from allworlds.checker.sizes import COMPILED_FROM
 from allworlds.inputs import InputError, show
 from allworlds.isolation import in_any_order, workers_for
 from allworlds.runs import Examination, Scope
-from allworlds.subjects import NATIVE, Subject, content_digest, not_alike, with_content
+from allworlds.subjects import Subject, content_digest, not_alike, with_content
 from allworlds.work import Dask, Split, Threads, Transport
 
 
@@ -131,7 +131,7 @@ ENGINES: dict[str, Engine] = {engine.name: engine for engine in (General(), Comp
 
 def why_not_compiled(scope: Scope, subject: Subject) -> str:
     """Why a native explorer is not judged in compiled code, in a large check; else empty."""
-    if not subject.name.startswith(NATIVE) or scope.extent.levels[-1] < COMPILED_FROM:
+    if not subject.compiled or scope.extent.levels[-1] < COMPILED_FROM:
         return ""
     obstacle = ENGINES["kernel"].obstacle(scope, subject)
     return f"the kernel {obstacle}; the python engine goes on, far slower" if obstacle else ""
@@ -153,7 +153,7 @@ def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = N
         compiled = ENGINES["kernel"]
         small = scope.extent.levels[-1] < COMPILED_FROM
         # Hundreds of MB of address space are the compiled engine's own.
-        small |= memory is not None and subject.foreign and not subject.name.startswith(NATIVE)
+        small |= memory is not None and subject.foreign and not subject.compiled
         return ENGINES["python"] if small or compiled.obstacle(scope, subject) else compiled
     if name not in ENGINES:
         raise InputError(f"engine {show(name)} is not one of auto, {', '.join(ENGINES)}")

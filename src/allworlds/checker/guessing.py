@@ -15,7 +15,6 @@ from allworlds.isolation import Unsettled
 from allworlds.maps.classes import Extent
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.runs import EnginesDisagree, Unit
-from allworlds.subjects import NATIVE
 from allworlds.work import Lost, TimeIsUp, drawn_units, level_size, shards_of
 
 if TYPE_CHECKING:
@@ -114,7 +113,7 @@ class TimeEstimate:
 
 def _plays(job: Job, engine: Engine) -> str:
     """What plays: compiled code, or, whoever judges it, an explorer in Python or behind a pipe."""
-    slow = job.subject.foreign and not job.subject.name.startswith(NATIVE)
+    slow = job.subject.foreign and not job.subject.compiled
     return "python" if slow or engine.name == "python" else "compiled"
 
 

@@ -38,7 +38,7 @@ def content_digest(subject: Subject) -> str:
         )
     if subject.name.startswith(EXEC):
         files = _files_of(subject.name.removeprefix(EXEC))
-    elif subject.name.startswith(NATIVE):
+    elif subject.compiled:
         files = [Path(subject.name.removeprefix(NATIVE))]
     else:
         files = [module_file(_module_of(subject.name))]

@@ -76,6 +76,11 @@ class Subject:
         return self.own is None
 
     @property
+    def compiled(self) -> bool:
+        """It is a shared library; its name tells, here and where it is loaded."""
+        return self.name.startswith(NATIVE)
+
+    @property
     def elsewhere(self) -> bool:
         """It is played in other processes."""
         return self.explore is None

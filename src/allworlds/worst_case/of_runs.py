@@ -15,7 +15,7 @@ from allworlds.maps.counting import source_for
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener
 from allworlds.runs import Costing, CostTally, MapKey, RunCost, Schedule, Scope, Tally
-from allworlds.subjects import NATIVE, Subject
+from allworlds.subjects import Subject
 from allworlds.work import Limits, Transport, cells_of_level, gather
 from allworlds.world import World
 
@@ -163,7 +163,7 @@ def worst_of_runs(
     subject = subject_of(explore, limits)
     _, rules = rules_for(subject, {"map_class": extent.map_class.value, "lighthouse": lighthouse})
     scope = Scope(extent, rules, "all" if subject.takes_choices else "one")
-    if subject.name.startswith(NATIVE):
+    if subject.compiled:
         listener.notice(PLAYED)
     search = _Search(subject, rules, scope, limits, listener)
     finished, complete = until_interrupted(search.levels())
