@@ -228,7 +228,7 @@ class PlayedByStretches:
         """
         scope, keep = self.examination.scope, self.examination.keep
         counted, judged = tally_of(rows, unit, scope, keep), self.examination.tally()
-        for _, one, outcome in self._outcomes(unit, laid, judge, judged):
+        for one, outcome in self._outcomes(unit, laid, judge, judged):
             self.examination.count_outcome(self._referee, one.world, one.place, outcome, judged)
         kernels, pythons = (
             (tally.rows, tally.left_out, tally.checkpoints, +tally.witnesses)
@@ -244,15 +244,15 @@ class PlayedByStretches:
 
     def _outcomes(
         self, unit: Unit, laid: kernel.Laid, judge: kernel.UnitJudge, tally: Tally
-    ) -> Iterator[tuple[int, OneRun, Outcome]]:
-        """Each run of a stretch with its row, judged in Python by its first log."""
+    ) -> Iterator[tuple[OneRun, Outcome]]:
+        """Each run of a stretch, judged in Python by its first log."""
         row = 0
         for run in islice(self.examination.runs(unit, laid.first), laid.until - laid.first):
             world = self.examination.count_run(run, tally)
             if world is not None:
                 episode = retold(_log(judge.kept(row)), world)
                 outcome = self._referee.outcome(world, episode, ())
-                yield row, OneRun(run.number, run.place, world), outcome
+                yield OneRun(run.number, run.place, world), outcome
                 row += 1
 
     def _find(
@@ -298,7 +298,7 @@ class PlayedByStretches:
             EnginesDisagree: where it does not.
         """
         law = ""
-        for _, one, outcome in self._outcomes(unit, laid, judge, self.examination.tally()):
+        for one, outcome in self._outcomes(unit, laid, judge, self.examination.tally()):
             map_ = one.world.map
             if (map_.sigma, map_.alpha, one.place) == (broken.sigma, broken.alpha, broken.place):
                 law = outcome.violation.law if outcome.violation else ""

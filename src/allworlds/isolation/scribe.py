@@ -168,8 +168,8 @@ def _write(
             if not sensed:
                 log.append(End.STRANGE)
                 return
-            degree, marks, bearing = sensed
-            reply = Percept(degree, marks, bearing - 1 if bearing else None)
+            reply = _percept(*sensed)
+            degree = reply.degree
         elif type(message) is Checkpoint:
             if not shown_left:
                 log.append(End.SHOWN_TOO_OFTEN)
