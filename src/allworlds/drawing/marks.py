@@ -26,6 +26,19 @@ def curve(way: Sequence[complex]) -> str:
     return f"{path} L{at(way[-1])}"
 
 
+def edge_along(scene: Scene, dart: Dart, path: str) -> ET.Element:
+    """The edge of a dart, drawn along the path from that dart to the other one."""
+    other = scene.map.alpha[dart]
+    walked = dart in scene.walked or other in scene.walked
+    kind = "edge walked" if walked else "edge"
+    return tag("path", class_=kind, data_darts=f"{dart} {other}", d=path)
+
+
+def stub(dart: Dart, start: complex, end: complex) -> ET.Element:
+    """The straight beginning of a dart."""
+    return tag("path", class_="stub", data_stub=dart, d=f"M{at(start)} L{at(end)}")
+
+
 def vertex_with(
     scene: Scene,
     vertex: int,

@@ -12,7 +12,7 @@ from math import degrees
 from string import ascii_lowercase, ascii_uppercase
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing.marks import COLOURS, at, curve, rounded, vertex_with
+from allworlds.drawing.marks import COLOURS, at, curve, edge_along, rounded, stub, vertex_with
 from allworlds.drawing.polygon import Polygon, polygon
 from allworlds.drawing.scene import Scene
 from allworlds.drawing.svg import in_words
@@ -50,8 +50,8 @@ def polygon_picture(scene: Scene, name: str, title: str) -> ET.Element:
         tag("title", title, id=f"{name}-title"),
         tag("desc", f"{_round_it(scene, cut, letters)} {in_words(scene)}", id=f"{name}-desc"),
         tag("path", class_="region", d=f"M{outline} Z"),
-        *(_edge(scene, dart, curve(cut.ways[dart])) for dart in inside),
-        *(_stub(cut.ways[dart][0], sum(cut.ways[dart][:2]) / 2, dart) for dart in cut.ways),
+        *(edge_along(scene, dart, curve(cut.ways[dart])) for dart in inside),
+        *(stub(dart, way[0], (way[0] + way[1]) / 2) for dart, way in cut.ways.items()),
         *(part for place in range(len(cut.sides)) for part in _side(scene, cut, place, letters)),
         *(_corner(scene, cut, place) for place in range(len(cut.sides))),
         tag("g", class_="arrows"),
@@ -91,17 +91,6 @@ def _forwards(scene: Scene, dart: Dart) -> bool:
     return dart < scene.map.alpha[dart]
 
 
-def _edge(scene: Scene, dart: Dart, path: str) -> ET.Element:
-    other = scene.map.alpha[dart]
-    walked = dart in scene.walked or other in scene.walked
-    kind = "edge walked" if walked else "edge"
-    return tag("path", class_=kind, data_darts=f"{dart} {other}", d=path)
-
-
-def _stub(start: complex, end: complex, dart: Dart) -> ET.Element:
-    return tag("path", class_="stub", data_stub=dart, d=f"M{at(start)} L{at(end)}")
-
-
 def _side(
     scene: Scene, cut: Polygon, place: int, letters: Mapping[Dart, str]
 ) -> tuple[ET.Element, ...]:
@@ -123,8 +112,8 @@ def _side(
         class_="fixed",
     )
     return (
-        _edge(scene, dart, f"M{at(start)} L{at(end)}"),
-        _stub(start, start + (end - start) / 3, dart),
+        edge_along(scene, dart, f"M{at(start)} L{at(end)}"),
+        stub(dart, start, start + (end - start) / 3),
         tag(
             "g",
             sign,

@@ -22,6 +22,12 @@ def crossings_of(way: Sequence[complex]) -> Sequence[complex]:
     return way[5:-1:5]
 
 
+def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
+    """The ends of the straight piece of the curve about each crossing."""
+    around = zip(way[4::5], crossings_of(way), way[6::5], strict=False)
+    return [((before + at) / 2, (at + after) / 2) for before, at, after in around]
+
+
 def least_distance(ways: Sequence[Sequence[complex]]) -> float:
     """How near two edges come to each other, in pixels, but for round vertices and crossings.
 

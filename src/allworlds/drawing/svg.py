@@ -14,8 +14,9 @@ from math import cos, pi, sin, tau
 from xml.etree import ElementTree as ET
 
 from allworlds.drawing.layout import Layout, layout
-from allworlds.drawing.marks import at, curve, vertex_with
+from allworlds.drawing.marks import at, curve, edge_along, stub, vertex_with
 from allworlds.drawing.scene import Scene
+from allworlds.drawing.spline import bridges_of
 from allworlds.maps.combinatorial import Dart
 from allworlds.markup import tag
 
@@ -39,7 +40,7 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
         tag("title", title, id=f"{name}-title"),
         tag("desc", in_words(scene), id=f"{name}-desc"),
         *(part for dart, _ in map_.edges for part in _edge(scene, drawn, dart)),
-        *(_stub(drawn, dart) for dart in map_.darts),
+        *(stub(dart, drawn.ways[dart][0], drawn.stub(dart)) for dart in map_.darts),
         *(_vertex(scene, drawn, vertex) for vertex in range(map_.vertex_count)),
         tag("g", class_="arrows"),
         id=name,
@@ -83,29 +84,10 @@ def in_words(scene: Scene) -> str:
 
 def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
     """The edge, and before it the gaps that it leaves in the edges below."""
-    other, way = scene.map.alpha[dart], drawn.ways[dart]
-    for bridge in _bridges(way):
-        yield tag("path", class_="bridge", d=bridge)
-    walked = dart in scene.walked or other in scene.walked
-    yield tag(
-        "path",
-        class_="edge walked" if walked else "edge",
-        data_darts=f"{dart} {other}",
-        d=curve(way),
-    )
-
-
-def _bridges(way: Sequence[complex]) -> Iterator[str]:
-    """The straight pieces of the curve about its crossings: every fifth point is one."""
-    for k in range(5, len(way) - 1, 5):
-        before, crossing, after = way[k - 1 : k + 2]
-        yield f"M{at((before + crossing) / 2)} L{at((crossing + after) / 2)}"
-
-
-def _stub(drawn: Layout, dart: Dart) -> ET.Element:
-    """The straight beginning of the dart."""
-    d = f"M{at(drawn.ways[dart][0])} L{at(drawn.stub(dart))}"
-    return tag("path", class_="stub", data_stub=dart, d=d)
+    way = drawn.ways[dart]
+    for start, end in bridges_of(way):
+        yield tag("path", class_="bridge", d=f"M{at(start)} L{at(end)}")
+    yield edge_along(scene, dart, curve(way))
 
 
 def _vertex(scene: Scene, drawn: Layout, vertex: int) -> ET.Element:
