@@ -52,15 +52,9 @@ def tell_rounds(story: Walked) -> list[str]:
     if found:
         steps = plural(found.length, "step")
         return [f"From step {found.first} on it went round: {steps}, {found.times} times over."]
-    seen: set[int] = set()
-    last = 0
-    for step, dart in enumerate(story.walked[1:], 1):
-        edge = min(dart, story.map.alpha[dart])
-        if edge not in seen:
-            seen.add(edge)
-            last = step
-    if not last:
+    found_at = story.discoveries
+    if not found_at:
         return []
-    left = story.map.edge_count - len(seen)
+    left = story.map.edge_count - len(found_at)
     rest = f"{plural(left, 'edge')} it never walked" if left else "it had walked every edge"
-    return [f"After step {last} nothing was new to it; {rest}."]
+    return [f"After step {found_at[-1]} nothing was new to it; {rest}."]

@@ -28,19 +28,20 @@ class Spending:
 
 def spending(walked: Walked, bound: int) -> Spending:
     """What the traversals were spent on; linear in the steps."""
-    map_, back, cost = walked.map, 0, 0
+    back, cost, found = 0, 0, []
     path: list[Dart] = []
-    known: dict[Dart, int] = {}
-    for (action, _), before, arrived in zip(
-        walked.transcript.steps, walked.walked, walked.walked[1:], strict=False
+    discoveries = set(walked.discoveries)
+    for step, (action, before, arrived) in enumerate(
+        zip(walked.transcript.actions, walked.walked, walked.walked[1:], strict=False), 1
     ):
         if type(action) is not Move:
             continue
         cost += 1
-        if path and map_.turn(before, action.k) == path[-1]:
+        if path and walked.map.turn(before, action.k) == path[-1]:
             path.pop()
             back += 1
         else:
             path.append(arrived)
-        known.setdefault(min(arrived, map_.alpha[arrived]), cost)
-    return Spending(tuple(sorted(known.values())), back, cost, bound)
+        if step in discoveries:
+            found.append(cost)
+    return Spending(tuple(found), back, cost, bound)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from allworlds.findings import recorded_trail
 from allworlds.maps.combinatorial import Dart
-from allworlds.protocol import Transcript
+from allworlds.protocol import Move, Transcript
 from allworlds.world import World
 
 
@@ -28,6 +28,17 @@ class Walked:
         self.transcript = transcript
         self.sensed = transcript.percepts
         self.walked = recorded_trail(world, transcript)
+
+    @property
+    def discoveries(self) -> tuple[int, ...]:
+        """The steps that first went along an edge, one for each walked edge, numbered from 1."""
+        first: dict[Dart, int] = {}
+        for step, (action, arrived) in enumerate(
+            zip(self.transcript.actions, self.walked[1:], strict=False), 1
+        ):
+            if type(action) is Move:
+                first.setdefault(min(arrived, self.map.alpha[arrived]), step)
+        return (*first.values(),)
 
     def vertex(self, dart: Dart) -> str:
         """The vertex of a dart: ``v1``."""
