@@ -11,7 +11,7 @@ lock only to start and to end, so that threads share the work.
     what is judged: maps, finished one after the other, as worlds with every lighthouse;
 ``algorithm1``, ``two_vertices``
     explorers, each behind the C interface of all explorers;
-``native``, ``logs``, ``writing``, ``batches``
+``native``, ``picking``, ``logs``, ``writing``, ``batches``
     foreign explorers, played in processes of their own, many runs at a time;
 ``demand_driven``, ``ways``, ``tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;

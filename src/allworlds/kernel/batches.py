@@ -19,6 +19,7 @@ from allworlds.kernel import logs, native, runs
 from allworlds.kernel.compiling import uncollected
 from allworlds.kernel.engine import asked_of, rows_of, set_up
 from allworlds.kernel.names import POLICIES
+from allworlds.kernel.picking import pick_address
 from allworlds.kernel.records import JOB, POLICY, READER, ROBOT, new
 from allworlds.kernel.rows import Bounds, Level, Rows
 from allworlds.kernel.tables import tables
@@ -289,7 +290,7 @@ class Actors:
             [
                 *(addresses[name] for name in ("start", "step", "answer", "choose")),
                 *(state, percept, action, here),
-                *(native.pick_address(), asarray(self._asked).ctypes.data),
+                *(pick_address(), asarray(self._asked).ctypes.data),
                 *rooms,
             ],
             int64,

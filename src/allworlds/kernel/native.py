@@ -8,7 +8,6 @@ The twins are :mod:`allworlds.episode` and :mod:`allworlds.libraries.explorer`.
 
 from __future__ import annotations
 
-from functools import cache
 from typing import Any, NamedTuple
 
 from numba import int32, types
@@ -23,11 +22,10 @@ from allworlds.kernel.calls import (
     call_start,
     call_step,
     call_with,
-    entry_of,
     narrow,
     put_word,
 )
-from allworlds.kernel.compiling import RECORD, callback, entry, inlined, inner
+from allworlds.kernel.compiling import entry, inlined, inner
 from allworlds.kernel.gluing import advance
 from allworlds.kernel.logs import (
     ANSWERED,
@@ -40,8 +38,8 @@ from allworlds.kernel.logs import (
     STRANGE,
     span,
 )
-from allworlds.kernel.names import AMBIGUOUS, ANSWER_READY, CHECKPOINT, LIFO, MOVE, NEAREST
-from allworlds.kernel.records import NONE, POLICY
+from allworlds.kernel.names import AMBIGUOUS, ANSWER_READY, CHECKPOINT, MOVE
+from allworlds.kernel.records import NONE
 from allworlds.kernel.worlds import settle
 
 MOST_PLACES = 64
@@ -377,26 +375,3 @@ def _write(explorer, logs, due):
         odd |= narrow(sigma + darts + dart, explorer[ALPHA + 2 * room] + 4 * dart, darts - dart)
     if odd:
         logs[at] = STRANGE
-
-
-def pick(asked, of, options, cost):  # pragma: no cover  # compiled
-    """``allworlds_pick``, as the policies answer."""
-    if options < 1 or of < 0 or of > 3:
-        asked.wrong = 1
-        return int32(0)
-    if of != 0:
-        return int32(0)
-    if asked.policy == LIFO:
-        return int32(options - 1)
-    taken = 0
-    if asked.policy == NEAREST and cost:
-        for i in range(1, options):
-            if entry_of(cost, i) < entry_of(cost, taken):
-                taken = i
-    return int32(taken)
-
-
-@cache
-def pick_address() -> int:
-    """Where the policies are."""
-    return callback(pick, types.int32(RECORD(POLICY), types.int32, types.int32, types.int64))
