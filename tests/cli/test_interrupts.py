@@ -186,9 +186,26 @@ def test_to_be_left_is_to_be_interrupted_unless_it_is_to_be_ignored(monkeypatch,
     monkeypatch.setattr(signal, "signal", handled.__setitem__)
     monkeypatch.setattr(app, "prepare_streams", lambda: None)
     monkeypatch.setattr(app, "call", lambda _: 5)
+    monkeypatch.setattr(threading, "active_count", lambda: 1)  # else it would end this process
     with pytest.raises(SystemExit, match="5"):
         app.main()
     assert handled.get(number) == (None if ignored else signal.default_int_handler)
+
+
+def test_a_thread_that_goes_on_is_not_waited_for(monkeypatch):
+    class Left(BaseException):
+        pass
+
+    def leave(code):
+        raise Left(code)
+
+    monkeypatch.setattr(signal, "signal", lambda *_: None)
+    monkeypatch.setattr(app, "prepare_streams", lambda: None)
+    monkeypatch.setattr(app, "call", lambda _: 5)
+    monkeypatch.setattr(threading, "active_count", lambda: 2)
+    monkeypatch.setattr(app.os, "_exit", leave)
+    with pytest.raises(Left, match="5"):
+        app.main()
 
 
 def test_windows_is_refused(monkeypatch, capsys):

@@ -14,7 +14,7 @@ from allworlds.joining import status
 
 pytestmark = pytest.mark.slow
 EDGES = 4
-UNITS = 66
+UNITS = 20
 CHECK = [sys.executable, "-m", "allworlds", "check", "--edges", str(EDGES), "--engine", "python"]
 
 

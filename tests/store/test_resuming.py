@@ -159,7 +159,7 @@ def killed_often(command, directory, times, seed):
 
 
 LONGER = {
-    "foreign": f"check {EXPLORERS}/wrong.py:right --edges 4 --workers 2",
+    "foreign": f"check {EXPLORERS}/wrong.py:right --edges 6 --class simple --workers 2",
     "compiled": "check --edges 7 --engine kernel",
     "worst": "worst --edges 5",
     "census": "ambiguity census --edges 4",

@@ -45,7 +45,7 @@ class LevelUnit:
         return completions(gluing)
 
 
-DEPTHS = ((4, 1), (9, 2))
+DEPTHS = ((6, 1), (9, 2))
 """Below so many edges the first so many decisions make a unit; a unit is worth some milliseconds
 of the compiled engine, so that to keep its result costs little."""
 
