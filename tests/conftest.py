@@ -4,7 +4,7 @@ import fcntl
 import os
 import subprocess
 import sys
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 
 import pytest
 from coverage import Coverage
@@ -16,6 +16,8 @@ from allworlds.runs import PlayersHere
 from allworlds.subjects import load
 
 COMPILE = """
+import os, sys
+
 import allworlds
 
 from allworlds import kernel
@@ -23,6 +25,7 @@ from allworlds import kernel
 allworlds.worst(edges=1)
 allworlds.bench(edges=4, rounds=1)
 kernel.load_native()
+os.write(int(sys.argv[1]), b"done")
 """
 
 settings.register_profile(
@@ -110,16 +113,55 @@ def without_workers(monkeypatch):
     monkeypatch.setattr("allworlds.isolation.confirm._players", players)
 
 
+def needs_kernel(item):
+    """Whether a test uses compiled code; those that do not are run first."""
+    return "compiled" in item.fixturenames
+
+
+def pytest_collection_modifyitems(items):
+    """What needs no compiled code goes first, beside the compiler."""
+    items.sort(key=needs_kernel)
+
+
 @pytest.fixture(scope="session")
-def compiled(tmp_path_factory):
-    """The kernel, compiled once, by a process that nothing traces, whoever needs it first."""
+def what_is_compiled(tmp_path_factory):
+    """The file that a compiler locks while it is at work, and writes to when it is done."""
     base = tmp_path_factory.getbasetemp()
-    common = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
-    with (common / "compiled").open("a") as done:
-        fcntl.flock(done, fcntl.LOCK_EX)  # the other workers of pytest wait
-        if os.fstat(done.fileno()).st_size == 0:
-            subprocess.run([sys.executable, "-c", COMPILE], check=True)
-            done.write("done")
+    return (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "compiled"
+
+
+@pytest.fixture(scope="session", autouse=True)
+def compiler(request, temporary, what_is_compiled):
+    """A process that compiles the kernel, which nothing traces, if a test will need it.
+
+    Whichever worker of pytest begins first starts it; the tests go on meanwhile.
+    """
+    del temporary
+    if not any(map(needs_kernel, request.session.items)):
+        yield
+        return
+    with what_is_compiled.open("a") as done, ExitStack() as at_the_end:
+        try:
+            fcntl.flock(done, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            pass  # another worker has started it
+        else:
+            if os.fstat(done.fileno()).st_size == 0:
+                process = subprocess.Popen(  # the lock is its own, too: it goes when it ends
+                    [sys.executable, "-c", COMPILE, str(done.fileno())], pass_fds=[done.fileno()]
+                )
+                at_the_end.callback(process.wait)
+        done.close()
+        yield
+
+
+@pytest.fixture(scope="session")
+def compiled(what_is_compiled, compiler):
+    """The kernel has been compiled, and is loaded by whoever needs it."""
+    del compiler
+    with what_is_compiled.open() as done:
+        fcntl.flock(done, fcntl.LOCK_SH)
+        assert done.read() == "done", "compiling has failed; its last words are above"
 
 
 @pytest.fixture(scope="session")

@@ -17,6 +17,7 @@ def report():
     return bench(edges=4, rounds=2, peers=[f"sleeper={SLEEP}", f"early@3={SLEEP}"])
 
 
+@pytest.mark.no_cover
 def test_each_contender_takes_each_turn(report):
     names = [measured.contender.name for measured in report.measured]
     assert names == ["kernel", "kernel-2", "count", "judge", "python", "sleeper", "early"]

@@ -164,6 +164,7 @@ def test_an_explorer_under_a_lighthouse_it_is_not_written_for_is_refuted_not_sto
             assert report.findings[0].law != "crash"
 
 
+@pytest.mark.no_cover
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize("explorer", [pytest.param(CLUSTER, marks=pytest.mark.slow), NATURAL])
 def test_both_engines_do_it_and_say_the_same(explorer):

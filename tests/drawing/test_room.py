@@ -62,6 +62,7 @@ def held(map_, least):
     return len(met)
 
 
+@pytest.mark.no_cover
 def test_edges_of_small_maps_cross_at_a_good_angle_and_else_keep_apart():
     maps = unrooted_maps(3)
     assert len(maps) == 2 + 5 + 20
@@ -76,6 +77,7 @@ def test_so_do_those_of_every_map_with_four_edges():
         held(map_, SMALL_APART)
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "seed"), [(9, 0), *(slow(m, m) for m in (6, 8, 11, 14))])
 def test_and_those_of_larger_maps(edges, seed):
     assert held(family(f"random:{edges}", holes=0, seed=seed), LARGE_APART) >= 0

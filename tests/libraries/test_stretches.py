@@ -83,6 +83,7 @@ def test_algorithm_1_in_c_is_algorithm_1_to_six_edges(policy):
         assert (counts.max_cost, counts.bound) == (told_row["max_cost"], told_row["bound"])
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", ["simple", "planar", "planar-simple"])
 @pytest.mark.parametrize("source", ["c/algorithm1.c", "c/hasty.c"])
 def test_every_class_is_judged_as_in_the_other_engine(map_class, source):
@@ -191,6 +192,7 @@ def test_stretches_count_what_the_other_engine_counts():
     assert (tally.checkpoints, tally.findings) == (whole.checkpoints, [])
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize("which", ["first", "second"])
 def test_a_stretch_over_which_a_player_is_lost_is_played_by_the_general_engine(which):
     library = example("c/algorithm1.c")
@@ -260,6 +262,7 @@ def test_state_that_is_kept_is_found_whatever_it_does():
     assert finding.law == "nondeterministic"
 
 
+@pytest.mark.no_cover
 def test_state_that_shows_late_is_found_by_earlier_plays():
     # Right in each stretch, whatever the order, till so many episodes are over.
     late = attack("", LATE="100")
@@ -267,6 +270,7 @@ def test_state_that_shows_late_is_found_by_earlier_plays():
     assert "nondeterministic" in {found.law for found in tally.findings}
 
 
+@pytest.mark.no_cover
 def test_a_long_run_is_played_again_later_too():
     # Its log has more than 4,096 bytes.
     scope = scope_of(1, bound="none", step_budget=10_000)
@@ -275,6 +279,7 @@ def test_a_long_run_is_played_again_later_too():
     assert "nondeterministic" in {found.law for found in tally.findings}
 
 
+@pytest.mark.no_cover
 @pytest.mark.parametrize(("steps", "kept"), [("5001", 3), ("5501", 0)])
 def test_what_takes_too_much_room_is_not_kept_to_be_played_again(steps, kept):
     scope = scope_of(1, bound="none", step_budget=10_000)

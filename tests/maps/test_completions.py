@@ -49,10 +49,16 @@ def test_eight_shards_of_a_simple_class_are_balanced(map_class):
 @pytest.mark.no_cover
 @pytest.mark.parametrize("wrong", [lambda *_: 1, lambda unit, _: len(unit.key)])
 def test_shards_by_wrong_weights_are_worse(wrong, monkeypatch):
-    extent = Extent(MapClass.MAPS, 5)
-    right = worlds_of_shards(extent, 5, 4)
+    extent = Extent(MapClass.PLANAR, 6)
+    counted = {unit.key: unit.weight(extent) for unit in units_of_level(extent, 6)}
+
+    def unlike():
+        shards = [units_of_level(extent, 6, Shard(k, 4)) for k in range(4)]
+        return spread([sum(counted[unit.key] for unit in shard) for shard in shards])
+
+    right = unlike()
     monkeypatch.setattr(LevelUnit, "weight", wrong)
-    assert spread(worlds_of_shards(extent, 5, 4)) > 5 * spread(right)
+    assert unlike() > 5 * right
 
 
 def worlds_of_shards(extent, edges, count):

@@ -275,6 +275,7 @@ def bound(proofs, monkeypatch):
     return importlib.import_module("bound")
 
 
+@pytest.mark.no_cover
 def test_the_bound_is_the_polynomial_exactly(bound):
     assert bound.difference() == 0
     assert (bound.passes() - bound.POLYNOMIAL).expand() == 0
