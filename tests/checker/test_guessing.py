@@ -14,7 +14,6 @@ from allworlds.runs import EnginesDisagree
 from allworlds.work import drawn_units, level_size
 
 
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("engine", ["python", "kernel"])
 def test_an_estimate_is_about_all_worlds(engine, monkeypatch):

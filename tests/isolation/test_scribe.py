@@ -121,7 +121,6 @@ def throwing(error):
 SAME_TWICE = [mutant for mutant in WRONG_EXPLORERS if mutant.name != "state-kept"]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("mutant", SAME_TWICE, ids=lambda mutant: mutant.name)
 def test_a_log_is_that_of_the_episode_in_a_world_and_against_a_record(mutant):
     explore = mutant.explorer()

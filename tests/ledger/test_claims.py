@@ -168,7 +168,6 @@ SMALL = {
 }
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", SMALL)
 def test_a_claim_holds_in_a_small_scope_too(name):
     assert verdict(name, **SMALL[name]) == "holds"
