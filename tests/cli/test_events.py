@@ -49,6 +49,7 @@ HEARD = {
 LONG = {"count compiled": pytest.mark.slow}
 
 
+@pytest.mark.waits
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", [pytest.param(name, marks=LONG.get(name, ())) for name in HEARD])
 def test_what_is_promised_is_done(name):
