@@ -13,6 +13,8 @@ from allworlds.reports.check_text import check_text
 from allworlds.runs import EnginesDisagree
 from allworlds.work import drawn_units, level_size
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("engine", ["python", "kernel"])

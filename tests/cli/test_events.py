@@ -18,6 +18,8 @@ from kept_jobs import EXPLORERS
 from recorded.record import least
 from schemas.validating import complaints
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 
 class Adds(Silent):
     """What was promised, and what was done."""
@@ -49,7 +51,6 @@ HEARD = {
 LONG = {"count compiled": pytest.mark.slow}
 
 
-@pytest.mark.waits
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", [pytest.param(name, marks=LONG.get(name, ())) for name in HEARD])
 def test_what_is_promised_is_done(name):

@@ -8,6 +8,8 @@ from allworlds.progress import Silent
 from allworlds.store import Gap
 from kept_jobs import EXPLORERS, JOBS
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 WRONG = EXPLORERS / "wrong.py"
 
 

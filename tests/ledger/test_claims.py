@@ -137,7 +137,7 @@ SMALL = {
     "dfs-2m": {"edges": 2},
     "order-reached": {"family": "thick:4", "to": 30, "growing": 0.5},
     "below-bound": {"families": ["lattice:3x3"], "seeds": 1, "share": 1.0},
-    "cluster": {"edges": 5},
+    "cluster": {"edges": 4},
     "natural": {"edges": 4},
     "cluster-multigraphs": {"edges": 2},
     "smallest-twins": {"edges": 2},

@@ -19,6 +19,8 @@ from allworlds.runs import OwnExamination
 from allworlds.worst_case.dearest import ScheduleSearch
 from kept_jobs import EXPLORERS, stable
 
+pytestmark = pytest.mark.usefixtures("compiled")
+
 CENSUS = "allworlds.ambiguity.census"
 
 
