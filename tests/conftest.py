@@ -139,8 +139,8 @@ def needs_kernel(item):
 
 
 def pytest_collection_modifyitems(items):
-    """What needs no compiled code goes first, beside the compiler; what waits before all."""
-    items.sort(key=lambda item: (needs_kernel(item), not item.get_closest_marker("waits")))
+    """What needs no compiled code goes first, beside the compiler; of both the early ones go first."""
+    items.sort(key=lambda item: (needs_kernel(item), not item.get_closest_marker("early")))
 
 
 @pytest.fixture(scope="session")

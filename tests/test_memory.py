@@ -65,6 +65,7 @@ def growth_of(name, **more):
     return watches.growth
 
 
+@pytest.mark.early
 @pytest.mark.no_cover
 @pytest.mark.parametrize(
     "name", [pytest.param("python", marks=pytest.mark.slow), "compiled", "worst", "census"]
@@ -74,6 +75,7 @@ def test_memory_does_not_grow_with_the_units(name, tmp_path):
     assert growth_of(name, run=tmp_path / "run") < MOST
 
 
+@pytest.mark.early
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", ["python", "compiled"])
 def test_a_check_that_keeps_every_result_is_found_out(name, monkeypatch):

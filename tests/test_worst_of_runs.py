@@ -57,7 +57,7 @@ def test_algorithm_1_under_another_lighthouse_is_played():
     assert report.exit_code == 0
 
 
-@pytest.mark.waits
+@pytest.mark.early
 def test_the_least_world_and_the_first_choices_are_told_whoever_was_faster():
     reports = [worst("remembering", edges=3, workers=workers) for workers in (1, 2)]
     assert reports[0] == reports[1]

@@ -114,7 +114,7 @@ def tried():
                 yield pytest.param(attack, function, workers, marks=marks, id=name)
 
 
-@pytest.mark.waits
+@pytest.mark.early
 @pytest.mark.parametrize(("attack", "function", "workers"), [*tried()])
 def test_an_attack_gets_its_verdict_and_leaves_nothing_behind(attack, function, workers, scene):
     words = placed(attack, function, scene)

@@ -32,7 +32,7 @@ def only_finding(name, **options):
     return finding
 
 
-@pytest.mark.waits
+@pytest.mark.early
 @pytest.mark.parametrize(
     ("name", "law", "seen"),
     [
@@ -201,7 +201,7 @@ def test_the_law_that_a_program_breaks(program, kind, law, seen):
     assert len(finding.transcript.steps) == (kind in ("two-estimates", "dies-between"))
 
 
-@pytest.mark.waits
+@pytest.mark.early
 def test_a_program_that_is_silent(program):
     # It never says anything, so whatever it is given is too little on every machine.
     finding = only_finding(program("silent"), answer_timeout=0.2)

@@ -89,7 +89,7 @@ def test_the_enumeration_gives_the_known_numbers(entry, most):
     assert [row.unrooted for row in census.rows][: len(unrooted)] == unrooted
 
 
-@pytest.mark.waits
+@pytest.mark.early
 @pytest.mark.no_cover
 @entries("check")
 def test_an_explorer_gets_its_verdict_at_the_known_cost(entry):

@@ -186,7 +186,7 @@ def test_a_guardian_of_nobody_is_gone():
         Guardian(ours).exit_code(1)
 
 
-@pytest.mark.waits
+@pytest.mark.early
 def test_a_guardian_that_has_been_stopped_is_not_waited_for(monkeypatch):
     monkeypatch.setattr(process, "ANSWERS", 0.5)
     stopped = process.started(hash_seed=0)

@@ -146,7 +146,7 @@ WAITED_FOR = "for (;;) pause()"
 """Is waited for in three processes until the time for its answer is over."""
 
 
-@pytest.mark.waits
+@pytest.mark.early
 @pytest.mark.no_cover
 @pytest.mark.parametrize(
     "code", [small.slow(code) if code == WAITED_FOR else code for code in ATTACKS]
