@@ -139,7 +139,7 @@ def needs_kernel(item):
 
 
 def pytest_collection_modifyitems(items):
-    """What needs no compiled code goes first, beside the compiler; of both the early ones go first."""
+    """What needs no compiled code goes first, beside the compiler; early tests before others."""
     items.sort(key=lambda item: (needs_kernel(item), not item.get_closest_marker("early")))
 
 
