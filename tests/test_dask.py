@@ -20,7 +20,7 @@ from allworlds.progress import Silent
 from allworlds.subjects import content_digest, not_alike, with_content
 from allworlds.subjects.subject import Subject
 from allworlds.version import __version__
-from allworlds.work import Dask, Here, Lost, cluster, lanes
+from allworlds.work import ClusterLost, Dask, Here, cluster, lanes
 from clusters import cluster_here
 from kept_jobs import EXPLORERS
 
@@ -232,13 +232,13 @@ def test_a_unit_that_costs_workers_again_and_again_is_said_to(here):
         ),
         (distributed.CancelledError("task"), "is gone"),
     ):
-        with Dask(here) as transport, pytest.raises(Lost, match=said):
+        with Dask(here) as transport, pytest.raises(ClusterLost, match=said):
             list(transport.map(Loses(error), [Unit(1)]))
 
 
 def test_what_is_lost_is_said_by_the_verbs(cli, monkeypatch, here):
     def lost(*_):
-        raise Lost("three workers were lost")
+        raise ClusterLost("three workers were lost")
 
     monkeypatch.setattr(Dask, "_result", lost)
     code, out, _ = cli("check", "--edges", "1", "--dask", here)
@@ -306,7 +306,7 @@ def test_lanes_that_somebody_uses_are_looked_at_again(monkeypatch, task):
     assert (len(looks), closed) == (2, [])
     lanes.end_job("b")
     assert len(closed) == 1
-    with pytest.raises(Lost, match="has ended"):
+    with pytest.raises(ClusterLost, match="has ended"):
         do("b")
     lanes._close_unused("b")
     assert len(looks) == 2
@@ -316,7 +316,7 @@ def test_what_is_done_when_its_job_ends_is_given_up(task, monkeypatch):
     do, closed = task
     monkeypatch.setattr(Twice, "parts", lambda self, _: iter([lanes.end_job("c"), Tally([1])]))
     monkeypatch.setattr(Tally, "worlds", 1)
-    with pytest.raises(Lost, match="has ended"):
+    with pytest.raises(ClusterLost, match="has ended"):
         do("c")
     assert len(closed) == 1
 

@@ -9,11 +9,10 @@ import pytest
 
 from allworlds.checker.stretches import PlayedByStretches, StretchExamination
 from allworlds.findings import make_rules
-from allworlds.isolation import players
+from allworlds.isolation.cast import Cast, PlayerLost
 from allworlds.isolation.guardian import Prepare, _Guardian
 from allworlds.isolation.jobs import Appointment, Casting, PlayStretch, Stretched
 from allworlds.isolation.player import Player
-from allworlds.isolation.players import Cast, Lost
 from allworlds.isolation.process import address_space
 from allworlds.isolation.referee import RefereeProcess
 from allworlds.isolation.stretches import Shared
@@ -50,7 +49,7 @@ def answering(monkeypatch, answer):
             raise answer
         return answer
 
-    monkeypatch.setattr(players, "hear", hear)
+    monkeypatch.setattr("allworlds.isolation.cast.hear", hear)
     return cast.stretch("first", JOB), deaf.ended
 
 
@@ -58,7 +57,7 @@ def test_a_player_that_has_played_a_stretch_is_believed_and_kept(monkeypatch):
     assert answering(monkeypatch, Stretched(5, 0)) == (Stretched(5, 0), 0)
 
 
-@pytest.mark.parametrize("answer", [Lost("crash", "gone", None, machine=True), [], None])
+@pytest.mark.parametrize("answer", [PlayerLost("crash", "gone", None, machine=True), [], None])
 def test_a_player_that_is_lost_or_says_something_else_is_ended(monkeypatch, answer):
     assert answering(monkeypatch, answer) == (None, 1)
 

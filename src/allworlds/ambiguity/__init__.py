@@ -29,7 +29,7 @@ Modules
 from allworlds.ambiguity.census import AmbiguityCensus, CensusRow, census, merged_census
 from allworlds.ambiguity.comparison import (
     Bisimulation,
-    Comparison,
+    ComparedWorlds,
     Separation,
     sensed,
     twins,
@@ -43,7 +43,7 @@ __all__ = [
     "AmbiguityClass",
     "Bisimulation",
     "CensusRow",
-    "Comparison",
+    "ComparedWorlds",
     "Disagreement",
     "Separation",
     "census",

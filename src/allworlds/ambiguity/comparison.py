@@ -45,7 +45,7 @@ class Bisimulation:
 
 
 @dataclass(frozen=True, slots=True)
-class Comparison:
+class ComparedWorlds:
     """Two worlds, how they are related, and the proof that they can be told apart, or cannot."""
 
     worlds: tuple[World, World]
@@ -85,7 +85,7 @@ class Comparison:
         return document
 
 
-def twins(a: World, b: World) -> Comparison:
+def twins(a: World, b: World) -> ComparedWorlds:
     """Whether any motion can tell the worlds apart, with a proof that has been checked.
 
     Raises:
@@ -123,7 +123,7 @@ def twins(a: World, b: World) -> Comparison:
         wrong = replayed(a, b, proof)
     if wrong:
         raise Disagreement(f"the proof about {a} and {b} is wrong: {wrong}")
-    return Comparison((a, b), _relation(a, b), proof)
+    return ComparedWorlds((a, b), _relation(a, b), proof)
 
 
 def separation(a: World, b: World) -> Separation:

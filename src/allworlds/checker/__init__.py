@@ -1,7 +1,7 @@
 """The check: every world of a class, one explorer, a verdict with its scope.
 
 ``options``
-    the options that ``check``, ``fuzz`` and ``run`` share;
+    the arguments that the functions ``check``, ``fuzz`` and ``run`` share;
 ``exhaustive``
     level by level to a report;
 ``job``

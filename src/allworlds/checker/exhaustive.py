@@ -45,8 +45,8 @@ from allworlds.store import ENDED, Identity, Records, records_in
 from allworlds.words import duration
 from allworlds.work import (
     UNMERGEABLE,
+    ClusterLost,
     Limits,
-    Lost,
     TimeIsUp,
     a_shard,
     gather,
@@ -311,7 +311,7 @@ class _Check:
             return Stopped(f"the time limit of {self._job.limits.time_limit:g} s was reached")
         except EnginesDisagree as error:
             return Disagreed(str(error))
-        except (Unsettled, Lost) as error:
+        except (Unsettled, ClusterLost) as error:
             return Stopped(str(error))
 
     def _all_levels(self, ready: ReadyEngine) -> Ending:

@@ -15,7 +15,7 @@ from allworlds.isolation import Unsettled
 from allworlds.maps.classes import Extent
 from allworlds.outcome import SCHEMA, Exit
 from allworlds.runs import EnginesDisagree, Unit
-from allworlds.work import Lost, TimeIsUp, drawn_units, level_size, shards_of
+from allworlds.work import ClusterLost, TimeIsUp, drawn_units, level_size, shards_of
 
 if TYPE_CHECKING:
     from allworlds import documents
@@ -148,7 +148,7 @@ def estimated(job: Job, engine: Engine) -> Guess:
                 sampled, ended = sampled + part.result.worlds, now
                 if now > began + SECONDS:
                     break
-    except (TimeIsUp, EnginesDisagree, Lost, Unsettled):
+    except (TimeIsUp, EnginesDisagree, ClusterLost, Unsettled):
         pass  # the check itself will say so
     rate = sampled / (ended - began) if ended > began and sampled else None
     return Guess(job.scope.extent.levels[-1], engine.name, worlds_of(job), sampled, rate)

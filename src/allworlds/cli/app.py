@@ -25,7 +25,7 @@ from allworlds.inputs import InputError, show
 from allworlds.outcome import Exit
 from allworlds.store import Gap
 from allworlds.verbs import GROUPS, VERBS, Verb
-from allworlds.work import Lost
+from allworlds.work import ClusterLost
 
 # Typer has its own copy of click, or uses click itself, depending on its version.
 _ClickError: type[Exception] = next(
@@ -127,7 +127,7 @@ def call(arguments: list[str]) -> int:
     except Gap as error:
         complain(str(error))
         return Exit.INCOMPLETE
-    except Lost as error:
+    except ClusterLost as error:
         complain(str(error))
         return Exit.INCONCLUSIVE
     except _ClickError as error:

@@ -9,7 +9,7 @@ from allworlds.explorers.algorithm1 import Walk
 from allworlds.protocol import Move, Percept
 
 
-class Place(NamedTuple):
+class TreeDart(NamedTuple):
     """A dart of the tree: the dart ``turn`` places clockwise of a node's dart of entry."""
 
     node: int
@@ -30,27 +30,27 @@ class Experiments:
     """
 
     def __init__(self, first: Percept) -> None:
-        self.start = self.here = Place(0, 0)
+        self.start = self.here = TreeDart(0, 0)
         self._percept = [first]
         self._beyond: list[dict[int, int]] = [{}]
         # The dart of the parent by which a node was found; the root has none.
         self._from = [self.start]
 
-    def sensed(self, place: Place) -> Percept:
+    def sensed(self, place: TreeDart) -> Percept:
         """What is sensed there."""
         return self._percept[place.node]
 
-    def walk(self, word: Sequence[str], place: Place | None = None) -> Walk[Place]:
+    def walk(self, word: Sequence[str], place: TreeDart | None = None) -> Walk[TreeDart]:
         """Where a word of ``s`` (turn) and ``a`` (go through) leads, by default from the start."""
         at = self.start if place is None else place
         for letter in word:
             if letter == "s":
-                at = Place(at.node, (at.turn + 1) % self.sensed(at).degree)
+                at = TreeDart(at.node, (at.turn + 1) % self.sensed(at).degree)
             else:
                 at = yield from self._through(at)
         return at
 
-    def word_to(self, place: Place) -> tuple[str, ...]:
+    def word_to(self, place: TreeDart) -> tuple[str, ...]:
         """The word that leads from the start to a place along the tree."""
         word: list[str] = []
         while True:
@@ -60,7 +60,7 @@ class Experiments:
             word = ["a", *word]
             place = self._from[place.node]
 
-    def _through(self, at: Place) -> Walk[Place]:
+    def _through(self, at: TreeDart) -> Walk[TreeDart]:
         known = self._known(at)
         if known is not None:
             return known
@@ -71,21 +71,21 @@ class Experiments:
         self._beyond.append({})
         self._from.append(at)
         self._beyond[at.node][at.turn] = node
-        self.here = Place(node, 0)
+        self.here = TreeDart(node, 0)
         return self.here
 
-    def _known(self, at: Place) -> Place | None:
+    def _known(self, at: TreeDart) -> TreeDart | None:
         """The other end, if it was reached; a node's dart of entry leads back to its parent."""
         if at.node and at.turn == 0:
             return self._from[at.node]
         node = self._beyond[at.node].get(at.turn)
-        return None if node is None else Place(node, 0)
+        return None if node is None else TreeDart(node, 0)
 
     def _go(self, goal: int) -> Walk[None]:
         """Walk to a node: up to where the ways from the root part, and down."""
         below = self._line(goal)
         while self.here.node not in below:
-            yield from self._step(Place(self.here.node, 0))
+            yield from self._step(TreeDart(self.here.node, 0))
         for node in reversed(below[: below.index(self.here.node)]):
             yield from self._step(self._from[node])
 
@@ -96,7 +96,7 @@ class Experiments:
             line.append(self._from[line[-1]].node)
         return line
 
-    def _step(self, dart: Place) -> Walk[None]:
+    def _step(self, dart: TreeDart) -> Walk[None]:
         yield Move(dart.turn - self.here.turn)
         other = self._known(dart)
         assert other is not None

@@ -27,7 +27,7 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple, TypeAlias
 
 from allworlds.explorers.algorithm1 import Walk, nobody
-from allworlds.explorers.experiments import Experiments, Place
+from allworlds.explorers.experiments import Experiments, TreeDart
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol import Ambiguous, Choices, Estimate, Percept
 
@@ -180,7 +180,7 @@ class _Learner:
         sensed = tuple(row[0] for row in self._rows)
         self.table = Table(tuple(leads["s"]), tuple(leads["a"]), sensed, 0)
 
-    def _row(self, place: Place) -> Walk[Row]:
+    def _row(self, place: TreeDart) -> Walk[Row]:
         row = []
         for word in self.telling:
             row.append(self.world.sensed((yield from self.world.walk(word, place))))

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from allworlds.ambiguity import Bisimulation, Comparison, twins
+from allworlds.ambiguity import Bisimulation, ComparedWorlds, twins
 from allworlds.figures.canvas import FAINT, INK, PAPER, Canvas
 from allworlds.figures.drawn import Table
 from allworlds.maps.combinatorial import Dart
@@ -33,7 +33,7 @@ PAIR = ("fig1-left", "fig1-right")
 class Twins:
     """The pair, the proof that it is one, and the caption's walk in both."""
 
-    compared: Comparison
+    compared: ComparedWorlds
     walks: tuple[Sequence[tuple[Dart, Percept]], Sequence[tuple[Dart, Percept]]]
 
     @property

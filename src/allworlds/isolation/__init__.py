@@ -8,7 +8,7 @@ The **guardian** forks them all, and ends them, and all that they have started.
     what they say to each other, and what a player may say: integers and texts;
 ``guardian``, ``roles``, ``process``
     starting, hearing and ending processes;
-``player``, ``players``
+``player``, ``cast``
     the process with the foreign code in it, and its referee's side;
 ``referee``, ``workers``
     the process that judges units, and its owner's side: the transport;
@@ -21,10 +21,10 @@ The **guardian** forks them all, and ends them, and all that they have started.
     what an explorer takes, looked at once.
 """
 
+from allworlds.isolation.cast import Cast, PlaysApart, Unsettled
 from allworlds.isolation.confirm import confirmed, examine_apart
 from allworlds.isolation.jobs import HarnessError
 from allworlds.isolation.looking import subject_of
-from allworlds.isolation.players import Cast, PlaysApart, Unsettled
 from allworlds.isolation.process import guardian
 from allworlds.isolation.stretches import Shared
 from allworlds.isolation.workers import Workers, in_any_order, workers_for

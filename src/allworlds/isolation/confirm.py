@@ -11,8 +11,8 @@ from random import Random
 from allworlds.episode import Episode, Fault, Log, Said, SaidAmbiguous
 from allworlds.findings import Finding, Rules, canonical_world, place_of
 from allworlds.inputs import InputError
+from allworlds.isolation.cast import Cast, PlayerLost, hear, started
 from allworlds.isolation.jobs import Casting, PlayRecords, Told, Trace
-from allworlds.isolation.players import Cast, Lost, hear, started
 from allworlds.isolation.process import Process, guardian
 from allworlds.judge import Violation
 from allworlds.maps.classes import Extent, MapClass
@@ -114,7 +114,7 @@ def repeat(finding: Finding, subject: Subject, limits: Limits) -> bool:
         with _fresh(casting) as player:
             player.send(PlayRecords((record,), rules.policy, 0))
             logs = hear(player, casting)
-    except (InputError, Lost):  # what cannot be imported once more has done what it has done
+    except (InputError, PlayerLost):  # what cannot be imported once more has done what it has done
         return False
     assert isinstance(logs, list)
     log: Log = logs[0]
@@ -146,18 +146,18 @@ def trace(finding: Finding, subject: Subject, limits: Limits, schedules: Schedul
     """
     job = Trace(finding.rules, finding.world, schedules)
     (transcript, choices), end = _traced(job, subject, limits)
-    again = isinstance(end, Lost) and end.law == finding.law
+    again = isinstance(end, PlayerLost) and end.law == finding.law
     return replace(finding, choices=choices, transcript=transcript, confirmed=again, traced=True)
 
 
 def _traced(
     job: Trace, subject: Subject, limits: Limits
-) -> tuple[tuple[Transcript, tuple[int, ...]], Lost | None]:
+) -> tuple[tuple[Transcript, tuple[int, ...]], PlayerLost | None]:
     """The walk and the choices, as far as they are known, and how the player was lost."""
     steps: list[tuple[int, Percept]] = []
     choices: list[int] = []
     settled = 0
-    lost: Lost | None = None
+    lost: PlayerLost | None = None
     casting = casting_of(subject, limits)
     try:
         with _fresh(casting) as player:
@@ -173,7 +173,7 @@ def _traced(
                         settled = len(choices)
     except InputError:
         pass  # as in repeat: what is no longer imported has done what it has done
-    except Lost as error:
+    except PlayerLost as error:
         lost = error
     kept = choices if lost is None else choices[: settled + MOST_CHOICES]
     walk = tuple((action_numbered(number), percept) for number, percept in steps)

@@ -8,8 +8,8 @@ from typing import Any
 
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError, show
+from allworlds.isolation.cast import started
 from allworlds.isolation.jobs import Casting
-from allworlds.isolation.players import started
 from allworlds.isolation.process import guardian
 from allworlds.subjects import EXEC, Program, Subject, built_in, source_of, subject_here, whole_name
 from allworlds.work import Limits

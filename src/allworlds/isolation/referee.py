@@ -8,6 +8,7 @@ from multiprocessing.connection import Connection
 from random import Random
 
 from allworlds.inputs import InputError
+from allworlds.isolation.cast import Cast, PlaysApart, Unsettled
 from allworlds.isolation.jobs import (
     Appointment,
     Casting,
@@ -15,7 +16,6 @@ from allworlds.isolation.jobs import (
     Tallied,
     UnitJob,
 )
-from allworlds.isolation.players import Cast, PlaysApart, Unsettled
 from allworlds.isolation.process import Guardian, limit_memory
 from allworlds.runs import (
     Earlier,

@@ -8,8 +8,8 @@ from collections.abc import MutableSequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from allworlds.isolation.cast import Cast
 from allworlds.isolation.jobs import PlayStretch, Stretched
-from allworlds.isolation.players import Cast
 from allworlds.libraries import NativeExplorer, threads_left, threads_now
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from multiprocessing.connection import Connection, wait
 from random import Random
 from typing import Any, Self
 
+from allworlds.isolation.cast import Unsettled
 from allworlds.isolation.jobs import Appointment, Tallied, UnitJob
-from allworlds.isolation.players import Unsettled
 from allworlds.isolation.process import Guardian, Process, close_all, guardian
 from allworlds.runs import (
     EnginesDisagree,

@@ -1,4 +1,4 @@
-"""A finished run beside the truth: what every law is given."""
+"""A finished run beside the truth, whether its answer is right, and all else that laws are given."""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""The laws that a finished run is held to."""
+"""The laws that a finished run is held to.
+
+A new one is a function of a :class:`~allworlds.judge.case.Case` and an entry of ``LAWS``; what ends
+a run before it is finished, such as ``timeout``, stands in ``PRECEDENCE`` alone.
+"""
 
 from __future__ import annotations
 

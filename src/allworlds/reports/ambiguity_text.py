@@ -9,7 +9,7 @@ from textwrap import wrap
 from allworlds.ambiguity import (
     AmbiguityCensus,
     AmbiguityClass,
-    Comparison,
+    ComparedWorlds,
     Separation,
     projection_of,
 )
@@ -25,7 +25,7 @@ DRAWN = 4
 """Of a larger class so many worlds are drawn."""
 
 
-def twins_text(comparison: Comparison, width: int) -> str:
+def twins_text(comparison: ComparedWorlds, width: int) -> str:
     """The verdict, both worlds, and the quotient they share or the walk that separates them."""
     if isinstance(comparison.proof, Separation):
         return "\n".join(_told_apart(comparison, comparison.proof, width))
@@ -37,7 +37,7 @@ def twins_text(comparison: Comparison, width: int) -> str:
     return "\n".join([*lines, "", *_quotient(projections[0].quotient, width)])
 
 
-def twins_words(comparison: Comparison) -> tuple[str, str]:
+def twins_words(comparison: ComparedWorlds) -> tuple[str, str]:
     """The verdict, and why."""
     if isinstance(comparison.proof, Separation):
         motions = ", ".join(map(str, comparison.proof.motions)) or "none: the first percepts differ"
@@ -123,7 +123,7 @@ def _of_classes(sizes: Counter[int]) -> list[str]:
     return [number(members), number(sum(sizes.values())), largest]
 
 
-def _told_apart(comparison: Comparison, proof: Separation, width: int) -> list[str]:
+def _told_apart(comparison: ComparedWorlds, proof: Separation, width: int) -> list[str]:
     lines = entry(*twins_words(comparison), width)
     for name, world in zip("AB", comparison.worlds, strict=True):
         lines += ["", f"world {name}", "", draw(scene_of(world), width)]

@@ -18,7 +18,7 @@ from allworlds.reports.finding_words import headline
 from allworlds.reports.law_words import ASKED
 from allworlds.reports.project import project_folder
 from allworlds.reports.run_text import finding_text
-from allworlds.subjects import Place, place_of_explorer
+from allworlds.subjects import SourceLine, place_of_explorer
 from allworlds.version import __version__
 
 SCHEMA = (
@@ -85,7 +85,7 @@ def _invocation(report: Report) -> dict[str, Any]:
     }
 
 
-def _result(finding: Finding, place: Place | None) -> dict[str, Any]:
+def _result(finding: Finding, place: SourceLine | None) -> dict[str, Any]:
     text = finding_text(finding, WIDTH)
     graph, traversal = _walk(finding)
     return {
@@ -132,7 +132,7 @@ def _walk(finding: Finding) -> tuple[dict[str, Any], dict[str, Any]]:
     return graph, walked
 
 
-def _location(place: Place) -> dict[str, Any]:
+def _location(place: SourceLine) -> dict[str, Any]:
     return {
         "physicalLocation": {
             "artifactLocation": {**_artifact(place), "index": 0},
@@ -141,7 +141,7 @@ def _location(place: Place) -> dict[str, Any]:
     }
 
 
-def _artifact(place: Place) -> dict[str, Any]:
+def _artifact(place: SourceLine) -> dict[str, Any]:
     """Relative to the folder of the project, where that is possible."""
     name = place.named_from(project_folder())
     if Path(name).is_absolute():

@@ -9,7 +9,8 @@
 ``decode``, ``witness``
     a model as two worlds, and what these must be whatever the formula says;
 ``rup``, ``lrat``
-    proofs that there are none, and their checker;
+    checkers of proofs that there are none, our own solver's and another program's; twins that were
+    found are checked by :mod:`allworlds.bisimulation`;
 ``searching``, ``result``
     the search, and what it has found: plain values.
 """

@@ -17,7 +17,7 @@
 from allworlds.subjects.content import content_digest, not_alike, with_content
 from allworlds.subjects.loading import load, source_of
 from allworlds.subjects.naming import whole_name
-from allworlds.subjects.place import Place, files_of_explorer, place_of_explorer
+from allworlds.subjects.place import SourceLine, files_of_explorer, place_of_explorer
 from allworlds.subjects.program import Program
 from allworlds.subjects.subject import (
     EXEC,
@@ -35,9 +35,9 @@ from allworlds.subjects.subject import (
 __all__ = [
     "EXEC",
     "NATIVE",
-    "Place",
     "Program",
     "Source",
+    "SourceLine",
     "Subject",
     "built_in",
     "content_digest",

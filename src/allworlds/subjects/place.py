@@ -18,7 +18,7 @@ SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class SourceLine:
     """A place in a file.
 
     Attributes:
@@ -59,7 +59,7 @@ def files_of_explorer(name: str) -> list[Path]:
     return [file] if file.is_file() else []
 
 
-def place_of_explorer(name: str) -> Place | None:
+def place_of_explorer(name: str) -> SourceLine | None:
     """Where the explorer of that name stands; None for one of ours, and where nobody can say.
 
     No code of the explorer is run.  Of a Python explorer it is the line of its function, of a
@@ -78,23 +78,23 @@ def place_of_explorer(name: str) -> Place | None:
         return None
 
 
-def _of_program(name: str) -> Place | None:
+def _of_program(name: str) -> SourceLine | None:
     files = files_of_explorer(name)
-    return Place(files[-1].resolve()) if files else None
+    return SourceLine(files[-1].resolve()) if files else None
 
 
-def _of_library(library: Path) -> Place | None:
+def _of_library(library: Path) -> SourceLine | None:
     stems = {library.stem, library.stem.removeprefix("lib")}
     beside = [library.with_name(stem + ending) for ending in SOURCES for stem in sorted(stems)]
     found = next((file for file in [*beside, library] if file.is_file()), None)
-    return Place(found.resolve()) if found else None
+    return SourceLine(found.resolve()) if found else None
 
 
-def _of_python(name: str) -> Place | None:
+def _of_python(name: str) -> SourceLine | None:
     file, attributes = _file_and_attributes(name)
     if not file.is_file():
         return None
-    return Place(file, _line(ast.parse(file.read_text(encoding="utf-8")), attributes))
+    return SourceLine(file, _line(ast.parse(file.read_text(encoding="utf-8")), attributes))
 
 
 def _file_and_attributes(name: str) -> tuple[Path, list[str]]:

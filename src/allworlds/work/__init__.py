@@ -30,7 +30,7 @@ from allworlds.work.effort import (
 )
 from allworlds.work.gather import gather
 from allworlds.work.here import Here, with_last
-from allworlds.work.lanes import Lost
+from allworlds.work.lanes import ClusterLost
 from allworlds.work.levels import (
     LevelUnit,
     cells_of_level,
@@ -59,6 +59,7 @@ __all__ = [
     "POLL",
     "UNMERGEABLE",
     "WHOLE",
+    "ClusterLost",
     "Dask",
     "EffortOptions",
     "Engine",
@@ -66,7 +67,6 @@ __all__ = [
     "Kept",
     "LevelUnit",
     "Limits",
-    "Lost",
     "Part",
     "Portion",
     "Shard",

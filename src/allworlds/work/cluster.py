@@ -22,7 +22,7 @@ from allworlds.inputs import InputError, show
 from allworlds.version import __version__
 from allworlds.work.effort import POLL, check_deadline
 from allworlds.work.here import Here
-from allworlds.work.lanes import Done, Errand, Lost, done, end_job
+from allworlds.work.lanes import ClusterLost, Done, Errand, done, end_job
 from allworlds.work.work import Part, Transport
 
 LOCAL = "local"
@@ -151,7 +151,7 @@ class Dask:
 
         Raises:
             TimeIsUp: when the time limit has been reached.
-            Lost: if workers are lost again and again.
+            ClusterLost: if workers are lost again and again.
             InputError: if a worker cannot do it.
         """
         waiting, sight = iter(self._order(units)), deque[Any]()
@@ -244,9 +244,9 @@ class Dask:
         try:
             came: Done = future.result()
         except KilledWorker as error:
-            raise Lost(f"Dask workers were lost over the same units: {error}") from None
+            raise ClusterLost(f"Dask workers were lost over the same units: {error}") from None
         except self._distributed.CancelledError:
-            raise Lost(f"the Dask scheduler {self._scheduler} is gone") from None
+            raise ClusterLost(f"the Dask scheduler {self._scheduler} is gone") from None
         return came
 
 

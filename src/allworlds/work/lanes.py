@@ -21,7 +21,7 @@ IDLE = 120.0
 """Seconds after which a worker closes lanes that nobody uses; their owner may have been killed."""
 
 
-class Lost(Exception):
+class ClusterLost(Exception):
     """Workers were lost again and again, or the scheduler was."""
 
 
@@ -91,7 +91,7 @@ def done(job: str, version: str, packed: bytes, batch: list[Any]) -> Done:
 
     Raises:
         InputError: if this worker cannot do it.
-        Lost: if the job has ended.
+        ClusterLost: if the job has ended.
     """
     errand, lane = _lane(job, version, packed)
     new = lane is None
@@ -127,7 +127,7 @@ def end_job(job: str) -> None:
 
 def _go_on(job: str) -> None:
     if _JOBS[job].ended:
-        raise Lost("the job has ended")
+        raise ClusterLost("the job has ended")
 
 
 def _lane(job: str, version: str, packed: bytes) -> tuple[Errand, Transport[Any] | None]:

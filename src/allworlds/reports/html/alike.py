@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from string import ascii_lowercase
 from xml.etree import ElementTree as ET
 
-from allworlds.ambiguity import AmbiguityClass, Comparison, Separation, projection_of
+from allworlds.ambiguity import AmbiguityClass, ComparedWorlds, Separation, projection_of
 from allworlds.drawing import Scene, scene_of
 from allworlds.explaining import Walked
 from allworlds.findings import true_trail
@@ -26,7 +26,7 @@ DRAWN = 6
 """Of a larger class so many worlds are drawn."""
 
 
-def twins_page(comparison: Comparison) -> Page:
+def twins_page(comparison: ComparedWorlds) -> Page:
     """Both worlds, and the walk that tells them apart or a walk along all their edges."""
     word, text = twins_words(comparison)
     proof = comparison.proof

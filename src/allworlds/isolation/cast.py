@@ -40,7 +40,7 @@ class Unsettled(Exception):
     """Processes are lost again and again, and nothing can be said of the explorer."""
 
 
-class Lost(Exception):
+class PlayerLost(Exception):
     """A player was silent for too long, or has died.
 
     Attributes:
@@ -103,7 +103,7 @@ def hear(process: Process, casting: Casting, alive: Callable[[], None] = lambda:
     ``alive`` is called while there is none.
 
     Raises:
-        Lost: if it is silent for too long, or has died.
+        PlayerLost: if it is silent for too long, or has died.
     """
     patience = casting.answer_timeout + (GRACE if casting.name.startswith(EXEC) else 0.0)
     while True:
@@ -111,7 +111,7 @@ def hear(process: Process, casting: Casting, alive: Callable[[], None] = lambda:
         # What it has told before it fell silent is still heard; but it may tell choices for ever.
         if process.silent_for() > patience + (GRACE if told else 0.0):
             seen = f"silent for {casting.answer_timeout:g} s"
-            raise Lost("timeout", seen, _number(process), machine=True)
+            raise PlayerLost("timeout", seen, _number(process), machine=True)
         if told:
             break
         if process.has_ended():
@@ -120,20 +120,20 @@ def hear(process: Process, casting: Casting, alive: Callable[[], None] = lambda:
     try:
         return process.receive()
     except Garbled as error:
-        raise Lost("crash", str(error), _number(process), machine=False) from None
+        raise PlayerLost("crash", str(error), _number(process), machine=False) from None
     except EOFError:
         raise _died(process) from None
 
 
-def _died(process: Process) -> Lost:
+def _died(process: Process) -> PlayerLost:
     seen, machine = process.death()
-    return Lost("crash", seen, _number(process), machine=machine)
+    return PlayerLost("crash", seen, _number(process), machine=machine)
 
 
-def _interfered(process: Process, error: HarnessError) -> Lost:
+def _interfered(process: Process, error: HarnessError) -> PlayerLost:
     """A player has failed where the explorer has no turn; a signal of it may have come then."""
     last = (str(error).strip().splitlines() or ["an error"])[-1]
-    return Lost("crash", f"{last}, out of its turn", _number(process), machine=True)
+    return PlayerLost("crash", f"{last}, out of its turn", _number(process), machine=True)
 
 
 def _number(process: Process) -> int | None:
@@ -206,7 +206,7 @@ class Cast:
 
     def _attempt(
         self, job: PlayRuns, left: list[int], told: Counter[int], *, last: bool = False
-    ) -> Generator[list[tuple[int, Log]], None, Lost | None]:
+    ) -> Generator[list[tuple[int, Log]], None, PlayerLost | None]:
         """The logs of a job that have not been told before; how it was lost, if it was.
 
         What has no more logs is taken out of ``left``.
@@ -233,7 +233,7 @@ class Cast:
                     left.remove(number)
                 if fresh:
                     yield fresh
-        except Lost as lost:
+        except PlayerLost as lost:
             self._dismiss("first")
             return lost
         except HarnessError as error:
@@ -250,7 +250,7 @@ class Cast:
             player = self._player(which)
             player.send(job)
             said = hear(player, self.casting, self.alive)
-        except (Lost, HarnessError):
+        except (PlayerLost, HarnessError):
             self._dismiss(which)
             return None
         if isinstance(said, Stretched):
@@ -270,7 +270,7 @@ class Cast:
             return []
         try:
             logs = hear(self._player("second"), self.casting, self.alive)
-        except Lost as lost:
+        except PlayerLost as lost:
             self._dismiss("second")
             return self._one_by_one(lost)
         except HarnessError as error:
@@ -280,7 +280,7 @@ class Cast:
         assert isinstance(logs, list)
         return logs
 
-    def _one_by_one(self, lost: Lost) -> list[Log]:
+    def _one_by_one(self, lost: PlayerLost) -> list[Log]:
         """The same, where one of the records has cost the player its life."""
         logs = []
         repeated = False
@@ -291,7 +291,7 @@ class Cast:
                 told = hear(player, self.casting, self.alive)
                 assert isinstance(told, list)
                 log: Log = told[0]
-            except Lost as again:
+            except PlayerLost as again:
                 self._dismiss("second")
                 repeated = True
                 log = again.log(Fault)
@@ -300,7 +300,7 @@ class Cast:
             self._note(lost)
         return logs
 
-    def _note(self, lost: Lost) -> None:
+    def _note(self, lost: PlayerLost) -> None:
         """A loss that a fresh process has not repeated refutes nothing."""
         self.remark(f"a player was lost ({lost.seen}), and a fresh one was not: no refutation")
         self._losses += 1
