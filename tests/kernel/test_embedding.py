@@ -8,7 +8,7 @@ from numba import njit
 
 from allworlds.kernel.answers import answer_law
 from allworlds.kernel.invariants import look_at
-from allworlds.kernel.laws import INVARIANT_1, INVARIANT_2, VARIANT
+from allworlds.kernel.law_numbers import INVARIANT_1, INVARIANT_2, VARIANT
 from allworlds.kernel.records import ANSWER, JUDGED, WORLD, new
 from allworlds.maps.families import random_map
 

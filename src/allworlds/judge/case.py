@@ -1,4 +1,4 @@
-"""A finished run beside the truth, whether its answer is right, and all else that laws are given."""
+"""A finished run beside the truth: whether its answer is right, and what else laws are given."""
 
 from __future__ import annotations
 

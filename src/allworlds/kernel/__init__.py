@@ -19,7 +19,7 @@ lock only to start and to end, so that threads share the work.
     the worst and the best cost of a world over all schedules, and its door;
 ``counting``
     how many maps there are, by vertices and faces;
-``records``, ``walk_records``, ``tables``, ``names``, ``laws``
+``records``, ``walk_records``, ``tables``, ``names``, ``law_numbers``
     what is kept in memory, what is looked up, and the names of small numbers;
 ``compiling``, ``calls``, ``bits``, ``code``
     how it is compiled, C functions called by their addresses, sets as bit masks, codes.
@@ -55,7 +55,7 @@ from allworlds.kernel.engine import (
     load_judge,
     walk,
 )
-from allworlds.kernel.laws import CHECKED
+from allworlds.kernel.law_numbers import CHECKED
 from allworlds.kernel.native import RUN_NUMBER, RUN_TOLD, play_worlds
 from allworlds.kernel.rows import Bounds, Broken, Counts, Level, Listed, Rows, walk_number
 from allworlds.kernel.runs import examine

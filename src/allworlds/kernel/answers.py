@@ -10,7 +10,7 @@ from numpy import int64
 from allworlds.kernel.calls import entry_of
 from allworlds.kernel.compiling import inlined, inner
 from allworlds.kernel.embedding import grown, spell_out
-from allworlds.kernel.laws import MAP, NO_ESTIMATE, POSE
+from allworlds.kernel.law_numbers import MAP, NO_ESTIMATE, POSE
 from allworlds.kernel.records import LONG, NONE
 
 

@@ -22,7 +22,7 @@ from allworlds.kernel.classes import rule_address
 from allworlds.kernel.compiling import uncollected
 from allworlds.kernel.counting import count
 from allworlds.kernel.demand_driven import explore
-from allworlds.kernel.laws import LAWS
+from allworlds.kernel.law_numbers import LAWS
 from allworlds.kernel.lighthouses import KINDS, lighthouse_address
 from allworlds.kernel.names import EVENTS, POLICIES
 from allworlds.kernel.records import COUNTING, JOB, LONG, ROBOT, new

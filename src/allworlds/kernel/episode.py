@@ -7,7 +7,7 @@ from numba import int32
 from allworlds.kernel.calls import call_answer, call_start, call_step
 from allworlds.kernel.compiling import inlined, inner
 from allworlds.kernel.invariants import look_at
-from allworlds.kernel.laws import BUDGET, ILLEGAL_ACTION
+from allworlds.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
 from allworlds.kernel.names import ANSWER_READY, CHECKPOINT, MOVE
 from allworlds.kernel.worlds import arrival
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from allworlds.kernel.calls import entry_of
 from allworlds.kernel.compiling import inlined, inner
 from allworlds.kernel.embedding import grown, remember, spell_out
-from allworlds.kernel.laws import INVARIANT_1, INVARIANT_2, VARIANT
+from allworlds.kernel.law_numbers import INVARIANT_1, INVARIANT_2, VARIANT
 from allworlds.kernel.records import NONE
 
 

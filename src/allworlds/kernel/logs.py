@@ -18,7 +18,7 @@ from allworlds.kernel.calls import (
 )
 from allworlds.kernel.compiling import entry, inlined, inner
 from allworlds.kernel.invariants import look_at
-from allworlds.kernel.laws import BUDGET, ILLEGAL_ACTION
+from allworlds.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
 from allworlds.kernel.records import DARTS, NONE
 from allworlds.kernel.worlds import arrival
 

@@ -14,7 +14,14 @@ from allworlds.kernel.explorers import play
 from allworlds.kernel.folding import folds
 from allworlds.kernel.gluing import advance
 from allworlds.kernel.invariants import variant_at_the_end
-from allworlds.kernel.laws import BOUND, FOLDING, INVARIANT_1, INVARIANT_2, NO_ESTIMATE, VARIANT
+from allworlds.kernel.law_numbers import (
+    BOUND,
+    FOLDING,
+    INVARIANT_1,
+    INVARIANT_2,
+    NO_ESTIMATE,
+    VARIANT,
+)
 from allworlds.kernel.records import NONE
 from allworlds.kernel.worlds import doubled, settle
 
