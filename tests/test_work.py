@@ -1,6 +1,7 @@
 """Work piece by piece: every transport brings what every engine makes of every unit."""
 
 import inspect
+import threading
 from collections import Counter
 from importlib import import_module
 from pkgutil import iter_modules
@@ -132,3 +133,59 @@ def test_the_first_unit_of_a_level_tells_where_all_of_them_are_done():
             assert len(list(transport.map(Digits(), map(Number, units)))) == bool(units) * 3
     assert (near.went, far.went) == ([1, 20, 20], [30, 30, 4])
     assert (near.ended, far.ended) == (1, 1)
+
+
+class Wrong(Exception):
+    """What an engine may raise."""
+
+
+def test_of_several_errors_the_one_in_the_first_unit_is_raised_whichever_comes_first():
+    last_is_wrong = threading.Event()
+
+    class Failing(Digits):
+        def parts(self, unit):
+            if unit < 3:
+                assert last_is_wrong.wait(60)
+                yield Some()
+                if unit < 2:
+                    return
+            last_is_wrong.set()
+            raise Wrong(str(unit))
+
+    seen = []
+    with Threads(4) as threads, pytest.raises(Wrong, match=r"^2$"):
+        seen.extend(part.unit for part in threads.map(Failing(), map(Number, [0, 1, 2, 3])))
+    assert seen == [0, 1]
+
+
+@pytest.mark.parametrize("error", [Wrong, TimeIsUp, KeyboardInterrupt])
+def test_after_an_error_the_unit_at_work_is_waited_for_unless_there_is_no_time(error):
+    at_work, halted, on, left = (threading.Event() for _ in range(4))
+    begun = []
+
+    class Slow(Digits):
+        def parts(self, unit):
+            begun.append(unit)
+            at_work.set()
+            assert halted.wait(60)
+            if error is not Wrong:
+                assert on.wait(60)
+            left.set()
+            yield Some()
+
+        def halt(self):
+            halted.set()
+
+    def fail():
+        with Threads(1, batch=3) as threads:
+            parts = threads.map(Slow(), map(Number, [1, 2, 3]))
+            threading.Thread(target=next, args=(parts, None), daemon=True).start()
+            assert at_work.wait(60)
+            raise error
+
+    with pytest.raises(error):
+        fail()
+    assert left.is_set() == (error is Wrong)
+    on.set()
+    assert left.wait(60)
+    assert begun == [1]

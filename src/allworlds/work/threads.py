@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from itertools import islice
+from itertools import islice, takewhile
+from threading import Event
 from typing import Protocol, Self, TypeVar
 
-from allworlds.work.effort import POLL, check_deadline
+from allworlds.work.effort import POLL, TimeIsUp, check_deadline
 from allworlds.work.here import with_last
 from allworlds.work.work import Engine, Part, R, U, U_contra
 
@@ -37,34 +38,49 @@ class Threads:
     def __init__(self, workers: int, deadline: float | None = None, batch: int = 1) -> None:
         self._workers, self._deadline, self._batch = workers, deadline, batch
         self._pool = ThreadPoolExecutor(workers)
+        self._ended = Event()
         self._engine: Halts | None = None
 
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, *error: object) -> None:
+    def __exit__(self, *raised: object) -> None:
+        _, error, _ = raised
+        self._ended.set()
         if self._engine is not None:
             self._engine.halt()
-        # Whoever interrupts does not wait for what cannot be given up, such as a compiler.
-        self._pool.shutdown(wait=not any(error), cancel_futures=True)
+        # Who is in a hurry does not wait for what cannot be given up, such as a compiler; after
+        # any other error nothing is left that goes on behind the next job's back.
+        patient = isinstance(error, Exception | None) and not isinstance(error, TimeIsUp)
+        self._pool.shutdown(wait=patient, cancel_futures=True)
 
     def map(self, engine: Haltable[U, R], units: Iterable[U]) -> Iterator[Part[U, R]]:
-        """The parts of all units, in the order in which their batches are done."""
+        """The parts of all units, in the order in which their batches are done.
+
+        Raises:
+            Exception: of the engine, in the first unit that has one, whatever was done first.
+        """
         self._engine = engine
         waiting = iter(units)
-        at_work: set[Future[list[Part[U, R]]]] = set()
+        at_work: list[Future[list[Part[U, R]]]] = []
         while True:
             while len(at_work) < 2 * self._workers and (batch := [*islice(waiting, self._batch)]):
-                at_work.add(self._pool.submit(_done, engine, batch))
+                at_work.append(self._pool.submit(_done, engine, batch, self._ended))
             if not at_work:
                 return
-            done, at_work = wait(at_work, POLL, FIRST_COMPLETED)
-            for future in done:
-                yield from future.result()
+            done = wait(at_work, POLL, FIRST_COMPLETED).done
+            wrong = any(future.exception() for future in done)
+            for future in at_work:
+                if wrong or future in done:
+                    yield from future.result()
+            at_work = [future for future in at_work if future not in done]
             check_deadline(self._deadline)
 
 
-def _done(engine: Engine[U, R], batch: Iterable[U]) -> list[Part[U, R]]:
+def _done(engine: Engine[U, R], batch: Iterable[U], ended: Event) -> list[Part[U, R]]:
+    """The parts of some units; of less, and for nobody, once all has ended."""
     return [
-        Part(unit, result, last) for unit in batch for result, last in with_last(engine.parts(unit))
+        Part(unit, result, last)
+        for unit in takewhile(lambda _: not ended.is_set(), batch)
+        for result, last in with_last(engine.parts(unit))
     ]
