@@ -4,6 +4,7 @@ import fcntl
 import importlib
 import os
 import pkgutil
+import signal
 import subprocess
 import sys
 from contextlib import ExitStack, contextmanager
@@ -41,7 +42,10 @@ def pytest_configure(config):
     """In a worker of pytest-xdist coverage is begun twice; only what is begun later is read.
 
     The first would go on wherever the second pauses, and the mark ``no_cover`` would be void.
+
+    Interrupts reach the tests that make them also where they begin ignored, as in the background.
     """
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     begun = Coverage.current()
     if hasattr(config, "workerinput") and begun:
         begun.stop()

@@ -9,7 +9,7 @@ import pytest
 
 import small
 from allworlds import libraries
-from allworlds.checker import check, replay, run
+from allworlds.checker import check, dearest_runs, replay, run
 from allworlds.fuzzer import fuzz
 from allworlds.inputs import InputError
 from allworlds.isolation.player import NATIVE_MEMORY
@@ -20,7 +20,8 @@ from allworlds.libraries.library import CAction, CPercept
 from allworlds.protocol import KINDS, Choices, ExplorerFault, Percept, Schedules
 from allworlds.subjects import load
 from allworlds.world import Directional, Position, World
-from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, example, quotient
+from allworlds.worst_case import worst
+from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, example, quotient
 from processes import PATIENCE, SOON
 
 EDGE = World(small.EDGE, Directional(0))
@@ -107,11 +108,30 @@ def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
     assert again.runs == 0
 
 
-def test_worst_says_that_the_python_engine_plays_a_library(cli):
+def test_worst_says_that_the_python_engine_plays_a_library_that_takes_choices(cli):
     code, out, err = cli("worst", "--native", example("c/algorithm1.c"), "--edges", 1)
     assert code == 0
     assert "every schedule" in out
     assert "the python engine" in err
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("compiled")
+def test_the_worst_of_a_library_without_choices_is_that_of_its_check():
+    library = native(built(EXAMPLES / "c/algorithm1.c", "-Dallworlds_choose=not_exported"))
+    found, engines = worst(library, edges=5), []
+    assert found.exit_code == 0
+    for name, engine in (("algorithm1", "python"), (library, "kernel"), (library, "python")):
+        report = check(name, edges=5, engine=engine)
+        engines.append(
+            [(run.world, run.outcome.cost, run.outcome.choices) for run in dearest_runs(report)]
+        )
+    assert {choices for _, _, choices in engines[1]} == {()}
+    first, *others = [[run[:2] for run in runs] for runs in engines]
+    assert all(first == other for other in others)
+    assert first == [(row.world, row.worst) for row in found.rows]
+    assert all(row.best == row.worst == row.replayed for row in found.rows)
+    assert len(first) == 20
 
 
 def test_it_is_told_what_the_lighthouse_tells():

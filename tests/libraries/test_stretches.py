@@ -226,7 +226,7 @@ def test_a_law_that_the_other_engine_does_not_find_broken_is_a_disagreement(monk
 
     def blames(self, laid, size, earlier=()):
         rows, good = judge(self, laid, size, earlier)
-        return kernel.Rows(rows.counts, {}, rows.met, (world,)), good
+        return kernel.Rows(rows.counts, {}, rows.met, rows.dearest, (world,)), good
 
     monkeypatch.setattr(kernel.UnitJudge, "judge", blames)
     # In small worlds both judges look at everything, in large ones at what is broken.

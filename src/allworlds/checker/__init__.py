@@ -33,7 +33,7 @@
 """
 
 from allworlds.checker.corpus import UserCorpus
-from allworlds.checker.dearest import dearest_runs
+from allworlds.checker.dearest import dearest_runs, world_at
 from allworlds.checker.ending import (
     Completed,
     Disagreed,
@@ -42,7 +42,7 @@ from allworlds.checker.ending import (
     Stopped,
     ending_of,
 )
-from allworlds.checker.engines import ENGINES
+from allworlds.checker.engines import ENGINES, ReadyEngine, engine_for, why_not_compiled
 from allworlds.checker.exhaustive import check, estimate, merged_check
 from allworlds.checker.gate import Cell, count_gate
 from allworlds.checker.guessing import TimeEstimate
@@ -70,6 +70,7 @@ __all__ = [
     "Interrupted",
     "Job",
     "ManyRunsOptions",
+    "ReadyEngine",
     "Replay",
     "Report",
     "RunOptions",
@@ -81,6 +82,7 @@ __all__ = [
     "count_gate",
     "dearest_runs",
     "ending_of",
+    "engine_for",
     "estimate",
     "merged_check",
     "refuse_others",
@@ -88,5 +90,7 @@ __all__ = [
     "rules_for",
     "run",
     "single_run",
+    "why_not_compiled",
+    "world_at",
     "worlds",
 ]

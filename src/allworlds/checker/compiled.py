@@ -22,7 +22,7 @@ from allworlds.checker.job import Job
 from allworlds.checker.questions import level_of, walks
 from allworlds.checker.sizes import WALKED_FROM
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.runs import EnginesDisagree, Examiner, InUnit, Row, Scope, Tally, Unit
+from allworlds.runs import AtRun, EnginesDisagree, Examiner, Row, Scope, Tally, Unit
 from allworlds.subjects import Subject
 from allworlds.work import level_size
 from allworlds.world import World
@@ -122,6 +122,7 @@ class CompiledExamination:
 def tally_of(rows: kernel.Rows, unit: Unit, scope: Scope, keep: int) -> Tally:
     """What the kernel has counted, but for the events and the findings."""
     tally = Tally(keep)
+    dearest = {n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in rows.dearest}
     for counts in rows.counts:
         row = tally.row(unit.edges, counts.vertices)
         row.add(
@@ -132,7 +133,7 @@ def tally_of(rows: kernel.Rows, unit: Unit, scope: Scope, keep: int) -> Tally:
                 counts.traversals,
                 counts.traversals_rooted,
                 counts.largest,
-                dearest=InUnit(unit.prefix),
+                dearest=dearest.get(counts.vertices),
             )
         )
         tally.checkpoints += counts.checkpoints

@@ -231,7 +231,7 @@ class PlayedByStretches:
         for one, outcome in self._outcomes(unit, laid, judge, judged):
             self.examination.count_outcome(self._referee, one.world, one.place, outcome, judged)
         kernels, pythons = (
-            (tally.rows, tally.left_out, tally.checkpoints, +tally.witnesses)
+            (tally.rows, _dearest(tally), tally.left_out, tally.checkpoints, +tally.witnesses)
             for tally in (counted, judged)
         )
         broken = sorted((_key(unit, each), each.law) for each in rows.broken)
@@ -330,6 +330,15 @@ class PlayedByStretches:
 def _one(run: NumberedRun) -> OneRun:
     assert run.lighthouse is not None
     return OneRun(run.number, run.place, World(run.map, run.lighthouse, 0))
+
+
+def _dearest(tally: Tally) -> dict[int, tuple[Code, int]]:
+    """By vertices the least run that costs most, whatever it has chosen."""
+    return {
+        vertices: ((row.dearest.sigma, row.dearest.alpha), row.dearest.place)
+        for (_, vertices), row in sorted(tally.rows.items())
+        if row.dearest
+    }
 
 
 def _key(unit: Unit, broken: kernel.Broken) -> tuple[int, int, Code, int]:

@@ -78,6 +78,21 @@ def keep_least_of_kind(least, row, kind):
     keep_least(least, row)
 
 
+@inner
+def keep_dearest(dearest, row, dearer):
+    """Of the dearest runs of each size the least: in the row of its number of vertices.
+
+    Args:
+        dearest: by vertices, rows as those of :func:`keep_least`.
+        row: a run that is as dear as the one of its size, or the first.
+        dearer: it is dearer.
+    """
+    n = row[0]
+    if dearer or _before(row, dearest, n):
+        for i in range(len(row)):
+            dearest[n, i] = row[i]
+
+
 @inlined
 def _alike(row, least, place, kind):
     """Whether the row agrees with that of this place, from ``kind`` on."""

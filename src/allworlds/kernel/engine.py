@@ -26,7 +26,7 @@ from allworlds.kernel.law_numbers import LAWS
 from allworlds.kernel.lighthouses import KINDS, lighthouse_address
 from allworlds.kernel.names import EVENTS, POLICIES
 from allworlds.kernel.records import COUNTING, JOB, LONG, ROBOT, new
-from allworlds.kernel.rows import Broken, Counts, Level, Listed, Rows
+from allworlds.kernel.rows import At, Broken, Counts, Level, Listed, Rows
 from allworlds.kernel.tables import MOST_EDGES, gluing_rule, packed
 from allworlds.kernel.two_vertices import two_vertices_addresses
 from allworlds.kernel.walk_records import WALK
@@ -82,13 +82,14 @@ def judge(
 
 def rows_of(asked: Asked, job: Any, robot: Any) -> Rows:
     """What the judge has said."""
-    rows = enumerate(asked.counts.tolist())
     met = argwhere(asked.met).tolist()
     darts = 2 * int(job.gluing.edges)
+    rows = enumerate(asked.counts.tolist())
     return Rows(
         tuple(Counts(n, *row) for n, row in rows if row[runs.WORLDS]),
         dict(zip(EVENTS, robot.events.tolist(), strict=False)),
         tuple((n, d0, largest) for n, d0, largest in met),
+        tuple(_at(row, darts) for row in asked.dearest.tolist() if row[0]),
         tuple(_broken(row, darts) for row in asked.least.tolist() if row[0]),
         tuple(Listed(LAWS[law], *rest) for law, *rest in asked.listing[: job.number].tolist()),
     )
@@ -108,6 +109,7 @@ class Asked:
         width = 3 + 8 * level.edges  # n, the rooted code, place and law, the unrooted code
         self.counts = zeros((level.edges + 2, runs.COLUMNS), int64)
         self.met = zeros(bounds.shape, int8)
+        self.dearest = zeros((level.edges + 2, width), int64)
         self.least = zeros((keep, width), int64)
         self.listing = zeros((listed, runs.LISTED), int64)
         self.arguments = (
@@ -117,6 +119,7 @@ class Asked:
             self.met,
             array(level.budgets, int64),
             self.counts,
+            self.dearest,
             self.least,
             zeros(width, int64),
             self.listing,
@@ -125,7 +128,7 @@ class Asked:
 
     def clear(self) -> None:
         """Nothing has been said."""
-        self.counts[:] = self.met[:] = self.least[:] = 0
+        self.counts[:] = self.met[:] = self.dearest[:] = self.least[:] = 0
 
 
 def asked_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0) -> Asked:
@@ -206,9 +209,14 @@ def _bound_table(level: Level) -> Any:
 
 
 def _broken(row: list[int], darts: int) -> Broken:
+    n, sigma, alpha, place = _at(row, darts)
+    return Broken(n, sigma, alpha, place, LAWS[row[2 + 2 * darts]])
+
+
+def _at(row: list[int], darts: int) -> At:
+    """The run of a row."""
     n, *code = row
-    place, law = code[2 * darts : 2 * darts + 2]
-    return Broken(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), place, LAWS[law])
+    return At(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), code[2 * darts])
 
 
 def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Rows:
@@ -226,21 +234,18 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
     Cost: less than 100 ns a world; constant memory.
     """
     edges, darts = level.edges, 2 * level.edges
-    least = zeros((keep, 1 + 4 * darts), int64)
-    w = _walked(level, prefix, least, zeros((0, 1), int64), flag() if halt is None else halt)
+    width = 2 + 4 * darts  # n, the rooted code, place 0, the unrooted code
+    dearest, least = zeros((edges + 2, width), int64), zeros((keep, width), int64)
+    nothing = zeros((0, 1), int64)
+    w = _walked(level, prefix, dearest, least, nothing, flag() if halt is None else halt)
     rows = w.counts[: edges + 2].tolist()
     places = -prefix[0]
     return Rows(
         tuple(_walked_counts(n, row, edges, places) for n, row in enumerate(rows) if row[0]),
         _walked_events(rows, edges, places),
         tuple((n, 0, 0) for n, row in enumerate(rows) if row[0]),
-        tuple(
-            Broken(
-                row[0], tuple(row[1 : 1 + darts]), tuple(row[1 + darts : 1 + 2 * darts]), None, ""
-            )
-            for row in least.tolist()
-            if row[0]
-        ),
+        tuple(_at(row, darts) for row in dearest.tolist() if row[0]),
+        tuple(Broken(*_at(row, darts)[:3], None, "") for row in least.tolist() if row[0]),
     )
 
 
@@ -254,7 +259,8 @@ def costs(
     """
     edges = level.edges
     listed = zeros((worlds, 4 + 3 * edges), int64)
-    w = _walked(level, prefix, zeros((1, 1 + 8 * edges), int64), listed, flag())
+    dearest, least = (zeros((n, 2 + 8 * edges), int64) for n in (edges + 2, 1))
+    w = _walked(level, prefix, dearest, least, listed, flag())
     result = []
     for cost, n, *rest in listed[: w.worlds].tolist():
         if n:
@@ -262,7 +268,9 @@ def costs(
     return result
 
 
-def _walked(level: Level, prefix: Sequence[int], least: Any, listed: Any, halt: Any) -> Any:
+def _walked(
+    level: Level, prefix: Sequence[int], dearest: Any, least: Any, listed: Any, halt: Any
+) -> Any:
     """The record of a walk that has been done."""
     if not hasattr(_OWN, "walk"):
         _OWN.walk = new(WALK)
@@ -274,7 +282,8 @@ def _walked(level: Level, prefix: Sequence[int], least: Any, listed: Any, halt: 
     w.viable[:owed, :opened] = tables.viable
     w.sensed[: len(tables.sensed)] = tables.sensed
     w.counts[:] = 0
-    explore(w, array(prefix, int64), least, zeros(least.shape[1], int64), listed, halt)
+    row = zeros(least.shape[1], int64)
+    explore(w, array(prefix, int64), dearest, least, row, listed, halt)
     return w
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from allworlds.kernel.tables import Tables
 
@@ -81,6 +82,21 @@ class Counts:
     parallels: int
 
 
+class At(NamedTuple):
+    """A run, in canonical numbering.
+
+    Attributes:
+        vertices: n.
+        sigma, alpha: the map, rooted at dart 0.
+        place: the number of the lighthouse's place.
+    """
+
+    vertices: int
+    sigma: tuple[int, ...]
+    alpha: tuple[int, ...]
+    place: int
+
+
 @dataclass(frozen=True, slots=True)
 class Broken:
     """A run that breaks a law, in canonical numbering.
@@ -124,6 +140,7 @@ class Rows:
         counts: for each number of vertices that occurs.
         events: how often each event of Algorithm 1 has occurred.
         met: (n, d0, D) for all runs, with 0 for what the bound does not depend on.
+        dearest: for each number of vertices the least of the runs that cost most.
         broken: the least runs that break a law, ascending.
         listed: the first runs, as many as were asked for.
     """
@@ -131,6 +148,7 @@ class Rows:
     counts: tuple[Counts, ...]
     events: dict[str, int]
     met: tuple[tuple[int, int, int], ...]
+    dearest: tuple[At, ...]
     broken: tuple[Broken, ...]
     listed: tuple[Listed, ...] = ()
 

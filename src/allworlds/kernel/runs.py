@@ -8,7 +8,13 @@ from __future__ import annotations
 
 from allworlds.kernel.answers import answer_law
 from allworlds.kernel.calls import call_with
-from allworlds.kernel.code import encode, encode_unrooted, is_greater, keep_least_of_kind
+from allworlds.kernel.code import (
+    encode,
+    encode_unrooted,
+    is_greater,
+    keep_dearest,
+    keep_least_of_kind,
+)
 from allworlds.kernel.compiling import entry, inlined, inner
 from allworlds.kernel.explorers import play
 from allworlds.kernel.folding import folds
@@ -49,7 +55,20 @@ UNDEFINED = -(1 << 62)
 
 @entry
 def examine(
-    job, explorer, prefix, viable, bounds, met, budgets, counts, least, row, listed, beat, halt
+    job,
+    explorer,
+    prefix,
+    viable,
+    bounds,
+    met,
+    budgets,
+    counts,
+    dearest,
+    least,
+    row,
+    listed,
+    beat,
+    halt,
 ):
     """Whether the unit is done; if not, it was given up, or ``job.until`` is reached.
 
@@ -63,6 +82,7 @@ def examine(
         met: of the same shape; 1 where there was a run.
         budgets: the largest number of traversals, by vertices.
         counts: the tally, added to.
+        dearest: by vertices, the least of the runs that cost most, as the rows of ``least``.
         least: the least runs that break a law, as rows: vertices, canonical code, place, law.
         row: room for one of these.
         listed: each run while there is room for its number.
@@ -87,9 +107,10 @@ def examine(
             if bound == UNDEFINED:
                 return True
             law = _run(job, explorer, budgets[n], bound, beat)
-            _count_run(job, counts)
+            _count_run(job, law, counts, dearest, row)
             if law:
-                _blame(world, law, least, row)
+                _note(world, law, row)
+                _blame(world, least, row)
             if job.number < len(listed):
                 _list(world, job.log, law, job.number, listed)
             job.number += 1
@@ -148,8 +169,11 @@ def _run(job, explorer, budget, bound, beat):
 
 
 @inlined
-def _count_run(job, counts):
+def _count_run(job, law, counts, dearest, row):
     n, log = job.world.vertices, job.log
+    if log.cost >= counts[n, LARGEST]:
+        _note(job.world, law, row)
+        keep_dearest(dearest, row, log.cost > counts[n, LARGEST])
     counts[n, TRAVERSALS] += log.cost
     if job.world.place == 0:
         counts[n, TRAVERSALS_ROOTED] += log.cost
@@ -158,12 +182,17 @@ def _count_run(job, counts):
 
 
 @inner
-def _blame(world, law, least, row):
-    """A run that breaks a law, if it is among the least."""
+def _note(world, law, row):
+    """A run as a row, but for its map's code without a root."""
     row[0] = world.vertices
     encode(world, 0, row, 1)
     row[1 + 2 * world.darts] = world.place
     row[2 + 2 * world.darts] = law
+
+
+@inner
+def _blame(world, least, row):
+    """A run that breaks a law, if it is among the least."""
     if not is_greater(least, row):
         encode_unrooted(world, row, 3 + 2 * world.darts)
         keep_least_of_kind(least, row, 2 + 2 * world.darts)

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from allworlds.kernel.code import encode, encode_unrooted, is_greater, keep_least_of_kind
+from allworlds.kernel.code import (
+    encode,
+    encode_unrooted,
+    is_greater,
+    keep_dearest,
+    keep_least_of_kind,
+)
 from allworlds.kernel.compiling import inlined, inner
 
 # One number holds the cost and the counters of a walk, so that a decision saves one number.
@@ -38,7 +44,7 @@ _FEW = 0xFF
 
 
 @inlined
-def tally(w, s, least, row, listed):
+def tally(w, s, dearest, least, row, listed):
     """One world, and the walk in it."""
     n, cost = s.vertices, s.total & COST
     w.counts[n, WORLDS] += 1
@@ -46,6 +52,9 @@ def tally(w, s, least, row, listed):
         w.counts[n, FAILURES] += 1
         _blame(w, s, least, row)
         return
+    if cost >= w.counts[n, LARGEST]:
+        _note(w, s, row)
+        keep_dearest(dearest, row, cost > w.counts[n, LARGEST])
     w.counts[n, TRAVERSALS] += cost
     w.counts[n, LARGEST] = max(w.counts[n, LARGEST], cost)
     w.counts[n, CASES_1] += s.total >> 20 & _FEW
@@ -61,8 +70,8 @@ def tally(w, s, least, row, listed):
 
 
 @inner
-def _blame(w, s, least, row):
-    w.counts[s.vertices, BROKEN] += 1
+def _note(w, s, row):
+    """The world as a row, but for its map's code without a root."""
     world = w.world
     world.darts = s.darts
     for dart in range(s.darts):
@@ -71,9 +80,15 @@ def _blame(w, s, least, row):
         world.alpha[dart] = w.partner[dart]
     row[0] = s.vertices
     encode(world, 0, row, 1)
+
+
+@inner
+def _blame(w, s, least, row):
+    w.counts[s.vertices, BROKEN] += 1
+    _note(w, s, row)
     if not is_greater(least, row):
-        encode_unrooted(world, row, 1 + 2 * s.darts)
-        keep_least_of_kind(least, row, 1 + 2 * s.darts)
+        encode_unrooted(w.world, row, 2 + 2 * s.darts)
+        keep_least_of_kind(least, row, 2 + 2 * s.darts)
 
 
 @inner

@@ -56,6 +56,8 @@ def _of_runs(report: RunsReport) -> list[tuple[str, str]]:
     if report.agrees and not report.findings:
         words.append(("gate", f"no world was forgotten: {counted(report.source)}"))
         words.append(("replay", "every worst cost was attained again"))
+    elif report.disagreement:
+        words.append(("MISMATCH", report.disagreement))
     elif not report.agrees:
         row = next(row for row in report.rows if not row.agrees)
         text = (

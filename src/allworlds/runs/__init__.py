@@ -43,7 +43,7 @@ from allworlds.runs.scope import (
     Scope,
     a_schedule,
 )
-from allworlds.runs.tally import AtRun, InUnit, Row, Tally, finding_kept, kept_finding
+from allworlds.runs.tally import AtRun, Row, Tally, finding_kept, kept_finding
 from allworlds.runs.twice import Earlier, OneRun, PlayedTwice, Players
 from allworlds.runs.units import GivenWorlds, NumberedRun, Placed, Unit, Worlds, numbered_runs
 
@@ -62,7 +62,6 @@ __all__ = [
     "Examines",
     "GivenWorlds",
     "InParts",
-    "InUnit",
     "MapKey",
     "NumberedRun",
     "OneRun",

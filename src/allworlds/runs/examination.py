@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Any, Protocol
 
+from allworlds.maps.canonical import rooted_code
 from allworlds.runs.examiner import Examiner, Outcome, Referee, name_run
 from allworlds.runs.scope import Scope
 from allworlds.runs.tally import AtRun, Tally
@@ -97,8 +98,8 @@ class Examination:
         if place == 0:
             row.traversals_rooted += cost
         if cost >= row.max_cost:
-            map_ = world.map
-            row.cost_of(cost, AtRun(map_.sigma, map_.alpha, place, outcome.choices))
+            code = rooted_code(world.map.sigma, world.map.alpha, 0)
+            row.cost_of(cost, AtRun(*code, place, outcome.choices))
         row.bound_of(outcome.bound)
         tally.checkpoints += len(outcome.episode.checkpoints)
         if outcome.violation and tally.wants(edges, vertices):

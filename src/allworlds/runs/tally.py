@@ -13,18 +13,15 @@ from allworlds.findings import Finding, Rules
 
 
 class AtRun(NamedTuple):
-    """A run, and the choices of one of its episodes."""
+    """A run in canonical numbering, and the choices of one of its episodes.
+
+    Where the policy makes them, there may be none.
+    """
 
     sigma: tuple[int, ...]
     alpha: tuple[int, ...]
     place: int
     choices: tuple[int, ...]
-
-
-class InUnit(NamedTuple):
-    """Somewhere among the maps whose history begins with ``prefix``."""
-
-    prefix: tuple[int, ...]
 
 
 @dataclass(slots=True)
@@ -39,8 +36,8 @@ class Row:
         traversals_rooted: the same at the first place of each rooted map only.
         max_cost: the largest cost of an episode.
         bound: the largest bound of a run; None without a bound.
-        dearest: the least run that attains the largest cost, or the first unit that has one;
-            None where no unit is known.  Rows that count the same are equal whatever it is.
+        dearest: the least run that attains the largest cost; None without a run.  Rows that
+            count the same are equal whatever it is.
     """
 
     worlds: int = 0
@@ -50,7 +47,7 @@ class Row:
     traversals_rooted: int = 0
     max_cost: int = 0
     bound: int | None = None
-    dearest: AtRun | InUnit | None = field(default=None, compare=False)
+    dearest: AtRun | None = field(default=None, compare=False)
 
     def add(self, other: Row) -> None:
         """Take in what was seen elsewhere."""
@@ -64,7 +61,7 @@ class Row:
         self.max_cost = max(self.max_cost, other.max_cost)
         self.bound_of(other.bound)
 
-    def cost_of(self, cost: int, where: AtRun | InUnit) -> None:
+    def cost_of(self, cost: int, where: AtRun) -> None:
         """Take in the largest cost that there is at that place."""
         if cost > self.max_cost or self.dearest is None:
             self.max_cost, self.dearest = cost, where
@@ -185,11 +182,9 @@ def _row(numbers: list[Any]) -> Row:
     """The row of a document's numbers, of which the last say where the dearest run is."""
     *counts, dearest = numbers
     row = Row(*counts)
-    match dearest:
-        case [prefix]:
-            row.dearest = InUnit(tuple(prefix))
-        case [sigma, alpha, place, choices]:
-            row.dearest = AtRun(tuple(sigma), tuple(alpha), place, tuple(choices))
+    if dearest is not None:
+        sigma, alpha, place, choices = dearest
+        row.dearest = AtRun(tuple(sigma), tuple(alpha), place, tuple(choices))
     return row
 
 

@@ -24,8 +24,8 @@ FILE, DRAFT = "units.sqlite", "draft.sqlite"
 APPLICATION = 0x616C6C77
 """In the header of the file: that it is one of ours."""
 
-SCHEMA = 1
-"""The version of the tables below."""
+SCHEMA = 2
+"""The version of the tables below, and of what is kept in them."""
 
 TABLES = """
 CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL, checksum TEXT NOT NULL) STRICT;

@@ -2,21 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from allworlds.checker import SingleRun, rules_for, single_run
+from allworlds.checker import (
+    Job,
+    ReadyEngine,
+    SingleRun,
+    engine_for,
+    rules_for,
+    single_run,
+    why_not_compiled,
+    world_at,
+)
 from allworlds.findings import Finding, Rules
 from allworlds.isolation import confirmed, subject_of, workers_for
 from allworlds.maps.classes import Extent
-from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.counting import source_for
 from allworlds.outcome import SCHEMA, Exit, until_interrupted
 from allworlds.progress import Listener
-from allworlds.runs import Costing, CostTally, MapKey, RunCost, Schedule, Scope, Tally
+from allworlds.runs import (
+    AtRun,
+    Costing,
+    CostTally,
+    EnginesDisagree,
+    Row,
+    Schedule,
+    Scope,
+    Tally,
+)
 from allworlds.subjects import Subject
-from allworlds.work import Limits, Transport, cells_of_level, gather
+from allworlds.work import Limits, cells_of_level, gather
 from allworlds.world import World
 
 if TYPE_CHECKING:
@@ -24,8 +41,8 @@ if TYPE_CHECKING:
 
 
 PLAYED = (
-    "compiled code tries every schedule of algorithm1 alone; this library is played by the python "
-    "engine, far slower"
+    "compiled code tries every schedule of algorithm1 alone; this library takes choices, and is "
+    "played by the python engine, far slower"
 )
 """The notice for explorers that ``check`` judges in compiled code."""
 
@@ -91,6 +108,7 @@ class RunsReport:
         source: the independent source of the counts.
         rows: ascending by (edges, vertices).
         findings: the smallest, if a run broke a law; its level is the last.
+        disagreement: what two engines say differently of one world, if they do; else empty.
         complete: False if the user has interrupted, and levels are missing.
         subject, rules: who was run, and how.
     """
@@ -102,6 +120,7 @@ class RunsReport:
     source: str
     rows: tuple[RunsRow, ...]
     findings: tuple[Finding, ...]
+    disagreement: str
     complete: bool
     subject: Subject = field(compare=False)
     rules: Rules = field(compare=False)
@@ -113,12 +132,14 @@ class RunsReport:
 
     @property
     def agrees(self) -> bool:
-        """Counts and replays agree with what was played."""
+        """Engines, counts and replays agree with what was played."""
+        if self.disagreement:
+            return False
         return bool(self.findings) or all(row.agrees for row in self.rows)
 
     @property
     def exit_code(self) -> Exit:
-        """0 answered, 1 refuted, 4 no run, 70 a count or a replay disagrees, 130 interrupted."""
+        """0 answered, 1 refuted, 4 no run, 130 interrupted, 70 engines or counts disagree."""
         if not self.agrees:
             return Exit.DISAGREES
         if not self.complete:
@@ -163,8 +184,6 @@ def worst_of_runs(
     subject = subject_of(explore, limits)
     _, rules = rules_for(subject, {"map_class": extent.map_class.value, "lighthouse": lighthouse})
     scope = Scope(extent, rules, "all" if subject.takes_choices else "one")
-    if subject.compiled:
-        listener.notice(PLAYED)
     search = _Search(subject, rules, scope, limits, listener)
     finished, complete = until_interrupted(search.levels())
     return RunsReport(
@@ -175,6 +194,7 @@ def worst_of_runs(
         source_for(extent.map_class).name,
         tuple(row for level in finished for row in level),
         tuple(search.findings),
+        search.disagreement,
         complete,
         subject,
         rules,
@@ -183,24 +203,21 @@ def worst_of_runs(
 
 @dataclass(slots=True)
 class _Dearest(Tally):
-    """A tally with the dearest run of each number of vertices, in place of every run's cost."""
+    """A tally with the cheapest schedules, in place of every run's cost.
 
-    worst: dict[int, tuple[RunCost, MapKey, int]] = field(default_factory=dict)
+    Attributes:
+        best: by vertices the largest, over the runs, of the cost of the cheapest schedule; where
+            there is one schedule, nothing.
+    """
+
     best: dict[int, int] = field(default_factory=dict)
 
     def add(self, other: Tally) -> None:
         """Take in another part."""
-        assert isinstance(other, CostTally)
         Tally.add(self, other)
-        for (key, place), cost in other.costs.items():
-            vertices, found = key[1], (cost, key, place)
-            self.best[vertices] = max(self.best.get(vertices, 0), cost.cheapest)
-            self.worst[vertices] = min(self.worst.get(vertices, found), found, key=_from_the_worst)
-
-
-def _from_the_worst(found: tuple[RunCost, MapKey, int]) -> tuple[int, MapKey, int]:
-    cost, key, place = found
-    return -cost.dearest, key, place
+        if isinstance(other, CostTally):
+            for ((_, vertices, *_), _), cost in other.costs.items():
+                self.best[vertices] = max(self.best.get(vertices, 0), cost.cheapest)
 
 
 @dataclass(slots=True)
@@ -213,45 +230,69 @@ class _Search:
     limits: Limits
     listener: Listener
     findings: list[Finding] = field(default_factory=list)
+    disagreement: str = ""
 
     def levels(self) -> Iterator[list[RunsRow]]:
         """The rows of each level; one with a finding is the last."""
-        with workers_for(self.subject, self.limits) as transport:
-            for level in self.scope.extent.levels:
-                yield self._level(level, transport)
-                if self.findings:
-                    return
+        try:
+            ready = self._ready()
+            with ready.transport:
+                for level in self.scope.extent.levels:
+                    yield self._level(level, ready)
+                    if self.findings:
+                        return
+        except EnginesDisagree as error:
+            self.disagreement = str(error)
+            self.listener.notice(self.disagreement)
 
-    def _level(self, level: int, transport: Transport[Any]) -> list[RunsRow]:
+    def _ready(self) -> ReadyEngine:
+        """That of a check of one schedule; of all of them every run must be told apart."""
+        subject, scope, limits = self.subject, self.scope, self.limits
+        notice = self.listener.notice
+        if scope.schedules == "all":
+            if subject.compiled:
+                notice(PLAYED)
+            return ReadyEngine(workers_for(subject, limits), Costing(scope, 1))
+        if why := why_not_compiled(scope, subject):
+            notice(why)
+        job = Job(scope, subject, limits, 1, None, notice)
+        return engine_for("auto", scope, subject).ready(job)
+
+    def _level(self, level: int, ready: ReadyEngine) -> list[RunsRow]:
         cells = cells_of_level(self.scope.extent, level)
         self.listener.level(level, sum(cells.values()))
         found = _Dearest(keep=1)
-        gather(transport, Costing(self.scope, 1), self.scope.units(level), found, self.listener)
+        gather(ready.transport, ready.engine, self.scope.units(level), found, self.listener)
         self.findings += [
             confirmed(finding, self.subject, self.limits, self.scope.schedules)
             for finding in found.findings
         ]
         return [
-            self._row(level, vertices, found, cells.get(vertices, 0))
-            for vertices in sorted(found.worst)
+            self._row(level, vertices, row, row.dearest, found.best, cells.get(vertices, 0))
+            for (_, vertices), row in sorted(found.rows.items())
+            if row.dearest
         ]
 
-    def _row(self, edges: int, vertices: int, found: _Dearest, counted: int) -> RunsRow:
-        cost, key, place = found.worst[vertices]
-        map_ = CombinatorialMap(key[2], key[3])
-        lighthouse = [*self.rules.kind.places(map_, 0)][place]
-        world = World(map_, lighthouse, 0)
-        again = single_run(self.subject, world, self.rules, cost.choices, self.limits)
-        row = found.row(edges, vertices)
+    def _row(
+        self,
+        edges: int,
+        vertices: int,
+        row: Row,
+        dearest: AtRun,
+        best: Mapping[int, int],
+        counted: int,
+    ) -> RunsRow:
+        world = world_at(dearest, self.rules)
+        again = single_run(self.subject, world, self.rules, dearest.choices, self.limits)
         return RunsRow(
             edges,
             vertices,
             row.worlds,
-            cost.dearest,
-            found.best[vertices],
+            row.max_cost,
+            best.get(vertices, row.max_cost),
             row.bound,
             counted,
             world,
-            cost.choices,
+            dearest.choices,
             again.outcome.cost if again.finding is None else None,
         )

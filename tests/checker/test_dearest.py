@@ -1,0 +1,86 @@
+"""The dearest run of each size: the least of those that cost most, whichever engine looks."""
+
+import pytest
+
+from allworlds import kernel
+from allworlds.checker import check, dearest_runs
+from allworlds.checker.questions import level_of
+from allworlds.findings import Rules
+from allworlds.maps.canonical import rooted_code
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.enumeration import prefixes, rooted_maps
+from allworlds.runs import AtRun, Examiner, Row
+from allworlds.subjects import load
+from allworlds.world import World
+
+
+def dearest(report):
+    """By size the cost, the map and the place; the choices are told by the python engine alone."""
+    return {
+        size: (row.max_cost, row.dearest and row.dearest[:3])
+        for size, row in report.tally.rows.items()
+    }
+
+
+def test_it_is_the_least_of_all_that_cost_most():
+    report, examiner = check(edges=3), Examiner(load("algorithm1"), Rules())
+    found = {}
+    for edges in (1, 2, 3):
+        for map_ in rooted_maps(edges):
+            for place, lighthouse in enumerate(Rules().kind.places(map_, 0)):
+                cost = examiner.examine(World(map_, lighthouse, 0), Rules().choices("")).cost
+                at = (-cost, *rooted_code(map_.sigma, map_.alpha, 0), place)
+                size = edges, map_.vertex_count
+                found[size] = min(found.get(size, at), at)
+    assert dearest(report) == {
+        size: (-cost, (sigma, alpha, place)) for size, (cost, sigma, alpha, place) in found.items()
+    }
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize(
+    ("explorer", "map_class", "edges"),
+    [
+        ("algorithm1", "maps", 4),
+        ("algorithm1-cluster", "maps", 3),
+        ("algorithm1-natural", "simple", 5),
+        ("algorithm1", "planar", 4),
+    ],
+)
+def test_both_engines_find_the_same(explorer, map_class, edges):
+    by_python, by_kernel = (
+        check(explorer, map_class=map_class, edges=edges, engine=engine)
+        for engine in ("python", "kernel")
+    )
+    assert dearest(by_python) == dearest(by_kernel)
+
+
+@pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
+def test_where_worlds_are_walked_once_it_is_the_same_as_where_every_run_is_judged(policy):
+    rules, extent = Rules(policy=policy), Extent(MapClass.MAPS, 5)
+    level = level_of("algorithm1", rules, extent, 5)
+    for prefix in prefixes(5, depth=1):
+        judged, walked = (does(level, prefix) for does in (kernel.judge, kernel.walk))
+        assert judged.dearest == walked.dearest
+        assert [run.vertices for run in walked.dearest] == [row.vertices for row in walked.counts]
+
+
+def test_rows_that_are_added_up_keep_the_least_of_the_dearest():
+    few, first, second = (AtRun((0, 1), (1, 0), place, ()) for place in (0, 1, 2))
+    for rows in ([(3, few), (4, second), (4, first)], [(4, first), (3, few), (4, second)]):
+        total = Row()
+        for cost, run in rows:
+            total.add(Row(max_cost=cost, dearest=run))
+        assert (total.max_cost, total.dearest) == (4, first)
+
+
+def test_each_is_played_again_at_its_cost():
+    report = check("greedy", edges=3)
+    played = [*dearest_runs(report)]
+    rows = sorted(report.tally.rows.items())
+    assert len(rows) == len(played) == 9
+    for (_, row), run in zip(rows, played, strict=True):
+        assert run.outcome.cost == row.max_cost
+        assert (run.world.map.sigma, run.world.map.alpha) == row.dearest[:2]
