@@ -4,6 +4,7 @@ import ast
 import inspect
 import json
 import re
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
@@ -15,7 +16,7 @@ import typer
 
 import allworlds
 from allworlds import documents, explorers, kernel, reports, strategies
-from allworlds.checker import ENGINES, engines, questions
+from allworlds.checker import ENGINES, engines
 from allworlds.checker.options import ManyRunsOptions, RunOptions
 from allworlds.cli import options as opt
 from allworlds.cli.app import app
@@ -25,11 +26,14 @@ from allworlds.figures import FIGURES
 from allworlds.findings import Rules, RulesOptions, make_rules
 from allworlds.fuzzer.sample import GENERATORS, batches
 from allworlds.growing import GROWING
+from allworlds.inputs import InputError
 from allworlds.judge import LAWS, PRECEDENCE
 from allworlds.kernel import CHECKED
+from allworlds.maps import classes
 from allworlds.maps.bruteforce import rooted_maps as all_rooted_maps
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.counting import sources
+from allworlds.maps.enumeration import rooted_maps
 from allworlds.maps.families import FAMILIES
 from allworlds.mutation.judges import WEAK_JUDGES
 from allworlds.outcome import Exit, Verdict
@@ -352,12 +356,32 @@ def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monke
 # ---------------------------------------------------------------- classes of maps
 
 
-def test_a_class_that_the_compiled_engine_does_not_know_is_left_to_the_other(monkeypatch):
-    scope = Scope(Extent(MapClass.PLANAR, 6), Rules())
-    assert engines.engine_for("auto", scope, load("algorithm1")).name == "kernel"
-    monkeypatch.setattr(questions, "CLASSES", questions.CLASSES - {MapClass.PLANAR})
-    assert "class planar" in ENGINES["kernel"].obstacle(scope, load("algorithm1"))
-    assert engines.engine_for("auto", scope, load("algorithm1")).name == "python"
+@pytest.fixture
+def trees(monkeypatch):
+    """The class ``planar``, of which something further is true now: these are trees."""
+    kind = replace(
+        classes._KINDS[MapClass.PLANAR], further=lambda map_: map_.vertex_count > map_.edge_count
+    )
+    monkeypatch.setitem(classes._KINDS, MapClass.PLANAR, kind)
+    return MapClass.PLANAR
+
+
+def test_a_class_that_the_compiled_engine_does_not_know_is_left_to_the_other(trees):
+    simple, other = (Scope(Extent(known, 6), Rules()) for known in (MapClass.SIMPLE, trees))
+    assert engines.engine_for("auto", simple, load("algorithm1")).name == "kernel"
+    assert "class planar" in ENGINES["kernel"].obstacle(other, load("algorithm1"))
+    assert engines.engine_for("auto", other, load("algorithm1")).name == "python"
+
+
+def test_a_class_that_the_search_over_schedules_does_not_know_is_refused(trees):
+    with pytest.raises(InputError, match=r"'planar' is none .* maps, simple, planar-simple"):
+        allworlds.worst(edges=2, map_class=trees)
+
+
+def test_of_a_class_the_maps_are_enumerated_of_which_everything_is_true(trees):
+    # Rooted plane trees are counted by the Catalan numbers.
+    assert [sum(1 for _ in rooted_maps(m, trees)) for m in (1, 2, 3, 4)] == [1, 2, 5, 14]
+    assert trees.promises
 
 
 @pytest.mark.parametrize("map_class", MapClass)

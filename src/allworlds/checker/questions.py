@@ -17,9 +17,6 @@ from allworlds.runs import Scope
 from allworlds.subjects import Subject
 from allworlds.world import LIGHTHOUSES, Lighthouse
 
-CLASSES = frozenset({MapClass.MAPS, MapClass.SIMPLE, MapClass.PLANAR, MapClass.PLANAR_SIMPLE})
-"""The classes that the kernel enumerates: it knows of a class whether it is simple and planar."""
-
 
 def obstacle(scope: Scope, subject: Subject) -> str:
     """Why the kernel cannot do a check; empty if it can."""
@@ -30,7 +27,7 @@ def obstacle(scope: Scope, subject: Subject) -> str:
         return "judges foreign explorers on Linux alone"
     if kind_of(rules.kind) not in kernel.LIGHTHOUSES:
         return f"does not know the lighthouse {show(rules.lighthouse)}"
-    if extent.map_class not in CLASSES:
+    if not extent.map_class.plain:
         return f"does not know the class {extent.map_class}"
     if extent.levels[-1] > kernel.MOST_EDGES:
         return f"has room for {kernel.MOST_EDGES} edges, not for {extent.levels[-1]}"

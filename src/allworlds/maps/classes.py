@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -31,33 +32,61 @@ class MapClass(StrEnum):
     @property
     def summary(self) -> str:
         """Which maps these are, in a few words."""
-        return _SUMMARIES[self]
+        return _KINDS[self].summary
 
     @property
     def simple(self) -> bool:
         """Loops and parallel edges are excluded."""
-        return self in (MapClass.SIMPLE, MapClass.PLANAR_SIMPLE)
+        return _KINDS[self].simple
 
     @property
     def planar(self) -> bool:
         """Only genus 0."""
-        return self in (MapClass.PLANAR, MapClass.PLANAR_SIMPLE)
+        return _KINDS[self].planar
 
     @property
     def promises(self) -> bool:
         """Its maps keep a promise that can make an explorer right without folding its log."""
-        return self.planar
+        return self.planar or not self.plain
+
+    @property
+    def plain(self) -> bool:
+        """It is told by ``simple`` and ``planar`` alone, as compiled code takes a class to be."""
+        return _KINDS[self].further is None
 
     def includes(self, map_: CombinatorialMap) -> bool:
         """Whether a map belongs to the class, by the map's own derived properties."""
-        return (not self.simple or map_.is_simple) and (not self.planar or map_.is_planar)
+        further = _KINDS[self].further
+        return (
+            (not self.simple or map_.is_simple)
+            and (not self.planar or map_.is_planar)
+            and (further is None or further(map_))
+        )
 
 
-_SUMMARIES = {
-    MapClass.MAPS: "loops and parallel edges are allowed, and any genus",
-    MapClass.SIMPLE: "no loop, no two edges with the same ends",
-    MapClass.PLANAR: "of genus 0",
-    MapClass.PLANAR_SIMPLE: "of genus 0, no loop, no two edges with the same ends",
+@dataclass(frozen=True, slots=True)
+class _Kind:
+    """What there is to say of a class.
+
+    Attributes:
+        summary: which maps these are, in a few words.
+        simple, planar: all of them are.
+        further: what else is true of exactly these.
+    """
+
+    summary: str
+    simple: bool = False
+    planar: bool = False
+    further: Callable[[CombinatorialMap], bool] | None = None
+
+
+_KINDS = {
+    MapClass.MAPS: _Kind("loops and parallel edges are allowed, and any genus"),
+    MapClass.SIMPLE: _Kind("no loop, no two edges with the same ends", simple=True),
+    MapClass.PLANAR: _Kind("of genus 0", planar=True),
+    MapClass.PLANAR_SIMPLE: _Kind(
+        "of genus 0, no loop, no two edges with the same ends", simple=True, planar=True
+    ),
 }
 
 

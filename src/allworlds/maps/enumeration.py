@@ -187,7 +187,8 @@ def rooted_maps(
     gluing = Gluing(edges, map_class, vertices)
     for decision in prefix:
         gluing.apply(decision)
-    yield from _completions(gluing)
+    every = _completions(gluing)
+    yield from every if map_class.plain else filter(map_class.includes, every)
 
 
 def _completions(gluing: Gluing) -> Iterator[CombinatorialMap]:

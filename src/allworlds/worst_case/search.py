@@ -220,7 +220,13 @@ def worst(
     from allworlds.kernel import COMPILING
 
     way: Transit = "shortest" if transit == "shortest" else "simple"
-    search = _Search(Extent(MapClass.named(map_class), edges), way, a_shard(shard))
+    extent = Extent(MapClass.named(map_class), edges)
+    if not extent.map_class.plain:
+        raise InputError(
+            f"class {show(extent.map_class.value)} is none of those whose maps the compiled search "
+            f"makes: {', '.join(known for known in MapClass if known.plain)}"
+        )
+    search = _Search(extent, way, a_shard(shard))
     heard = listener or Silent()
     engine = search.engine()
     transport = Threads(workers) if dask is None else Dask(dask, workers)
