@@ -67,6 +67,24 @@ def test_where_worlds_are_walked_once_it_is_the_same_as_where_every_run_is_judge
         assert [run.vertices for run in walked.dearest] == [row.vertices for row in walked.counts]
 
 
+@pytest.mark.usefixtures("compiled")
+def test_what_is_known_to_be_dearer_is_not_looked_for_and_nothing_else_changes():
+    level = level_of("algorithm1", Rules(), Extent(MapClass.MAPS, 5), 5)
+    alone, known, found = {}, kernel.reached_in(5), {}
+    for prefix in prefixes(5, depth=2):
+        own, told = kernel.walk(level, prefix), kernel.walk(level, prefix, reached=known)
+        assert own.counts == told.counts
+        cost = {row.vertices: row.largest for row in own.counts}
+        looked = [run for run in own.dearest if cost[run.vertices] == known[run.vertices]]
+        assert list(told.dearest) == looked
+        for runs, least in ((own.dearest, alone), (told.dearest, found)):
+            for run in runs:
+                at = (-cost[run.vertices], run)
+                least[run.vertices] = min(least.get(run.vertices, at), at)
+    assert alone == found
+    assert known.tolist() == [0, 5, 37, 31, 32, 25, 19]  # as in test_algorithm1.py
+
+
 def test_rows_that_are_added_up_keep_the_least_of_the_dearest():
     few, first, second = (AtRun((0, 1), (1, 0), place, ()) for place in (0, 1, 2))
     for rows in ([(3, few), (4, second), (4, first)], [(4, first), (3, few), (4, second)]):

@@ -48,12 +48,14 @@ class CompiledExamination:
     Attributes:
         scope, subject, keep: as for the general engine.
         flag: its entry 0 tells the kernel to give up.
+        reached: by edges and vertices, what some walk has cost: who costs less is not the dearest.
     """
 
     scope: Scope
     subject: Subject
     keep: int
     flag: Any = field(default_factory=kernel.flag)
+    reached: dict[int, Any] = field(default_factory=dict)
 
     @classmethod
     def ready(cls, job: Job) -> Self:
@@ -85,8 +87,12 @@ class CompiledExamination:
         """
         scope = self.scope
         level = level_of(self.subject.name, scope.rules, scope.extent, unit.edges)
-        does = kernel.walk if walks(scope, self.subject, unit.edges) else kernel.judge
-        yield self._tally(unit, does(level, unit.prefix, keep=self.keep, halt=self.flag))
+        if walks(scope, self.subject, unit.edges):
+            known = self.reached.setdefault(unit.edges, kernel.reached_in(unit.edges))
+            rows = kernel.walk(level, unit.prefix, keep=self.keep, reached=known, halt=self.flag)
+        else:
+            rows = kernel.judge(level, unit.prefix, keep=self.keep, halt=self.flag)
+        yield self._tally(unit, rows)
 
     def _tally(self, unit: Unit, rows: kernel.Rows) -> Tally:
         tally = tally_of(rows, unit, self.scope, self.keep)

@@ -53,6 +53,7 @@ from allworlds.kernel.engine import (
     flag,
     judge,
     load_judge,
+    reached_in,
     walk,
 )
 from allworlds.kernel.law_numbers import CHECKED
@@ -103,6 +104,7 @@ __all__ = [
     "load_judge",
     "load_native",
     "play_worlds",
+    "reached_in",
     "read_log",
     "search",
     "shown_entry",

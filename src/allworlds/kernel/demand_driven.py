@@ -44,14 +44,15 @@ from allworlds.kernel.ways import distance, nearest, ways_home
 
 
 @entry
-def explore(w, prefix, dearest, least, row, listed, halt):
+def explore(w, prefix, reached, dearest, least, row, listed, halt):
     """Every world whose gluing begins with ``prefix``, walked once, tallied.
 
     Args:
         w: a record that is new but for what is asked for; ``w.worlds`` becomes their number.
         prefix: decisions about the oldest open dart, as in the Python enumeration; at least
             the root's degree.
-        dearest: by vertices, the least of the worlds that cost most, as the rows of ``least``.
+        reached: by vertices, a cost that is known to be met; becomes the largest that is.
+        dearest: by vertices, the least of the worlds that cost so much, as the rows of ``least``.
         least: the least worlds that break a law, as rows: vertices, then the canonical code.
         row: room for one of these.
         listed: each world while there is room: cost, vertices, degrees, then partners.
@@ -72,7 +73,7 @@ def explore(w, prefix, dearest, least, row, listed, halt):
             _open_choice(w, s, others)
         else:
             w.worlds += 1
-            tally(w, s, dearest, least, row, listed)
+            tally(w, s, reached, dearest, least, row, listed)
             if w.depth == 0 or halt[0]:
                 return
             _go_back(w, s)

@@ -14,7 +14,7 @@ from functools import lru_cache
 from threading import local
 from typing import Any
 
-from numpy import argwhere, array, asarray, full, int8, int64, zeros
+from numpy import argwhere, array, asarray, full, int8, int64, maximum, zeros
 
 from allworlds.kernel import runs, tally
 from allworlds.kernel.algorithm1 import algorithm1_addresses
@@ -219,7 +219,9 @@ def _at(row: list[int], darts: int) -> At:
     return At(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), code[2 * darts])
 
 
-def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Rows:
+def walk(
+    level: Level, prefix: Sequence[int], *, keep: int = 1, reached: Any = None, halt: Any = None
+) -> Rows:
     """Algorithm 1 walked once in every map whose gluing begins with ``prefix``.
 
     The class is ``maps``, the lighthouse directional, all laws are checked together, and the
@@ -229,6 +231,8 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
         level: as for :func:`judge`, and so are the others.
         prefix: the first decisions.
         keep: how many broken worlds are kept, each the least of its map.
+        reached: an array that knows, by vertices, costs that other pieces have met, and learns
+            those of this one; where this one costs less, it looks for no dearest run.
         halt: tells to give up.
 
     Cost: less than 100 ns a world; constant memory.
@@ -236,8 +240,10 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
     edges, darts = level.edges, 2 * level.edges
     width = 2 + 4 * darts  # n, the rooted code, place 0, the unrooted code
     dearest, least = zeros((edges + 2, width), int64), zeros((keep, width), int64)
-    nothing = zeros((0, 1), int64)
-    w = _walked(level, prefix, dearest, least, nothing, flag() if halt is None else halt)
+    nothing, known = zeros((0, 1), int64), reached_in(edges) if reached is None else reached
+    now = known.copy()  # other threads may learn, too
+    w = _walked(level, prefix, now, dearest, least, nothing, flag() if halt is None else halt)
+    maximum(known, now, out=known)
     rows = w.counts[: edges + 2].tolist()
     places = -prefix[0]
     return Rows(
@@ -260,7 +266,7 @@ def costs(
     edges = level.edges
     listed = zeros((worlds, 4 + 3 * edges), int64)
     dearest, least = (zeros((n, 2 + 8 * edges), int64) for n in (edges + 2, 1))
-    w = _walked(level, prefix, dearest, least, listed, flag())
+    w = _walked(level, prefix, reached_in(level.edges), dearest, least, listed, flag())
     result = []
     for cost, n, *rest in listed[: w.worlds].tolist():
         if n:
@@ -268,8 +274,19 @@ def costs(
     return result
 
 
+def reached_in(edges: int) -> Any:
+    """For :func:`walk`: nothing is known of any number of vertices."""
+    return zeros(edges + 2, int64)
+
+
 def _walked(
-    level: Level, prefix: Sequence[int], dearest: Any, least: Any, listed: Any, halt: Any
+    level: Level,
+    prefix: Sequence[int],
+    reached: Any,
+    dearest: Any,
+    least: Any,
+    listed: Any,
+    halt: Any,
 ) -> Any:
     """The record of a walk that has been done."""
     if not hasattr(_OWN, "walk"):
@@ -283,7 +300,7 @@ def _walked(
     w.sensed[: len(tables.sensed)] = tables.sensed
     w.counts[:] = 0
     row = zeros(least.shape[1], int64)
-    explore(w, array(prefix, int64), dearest, least, row, listed, halt)
+    explore(w, array(prefix, int64), reached, dearest, least, row, listed, halt)
     return w
 
 
