@@ -79,18 +79,31 @@ def keep_least_of_kind(least, row, kind):
 
 
 @inner
-def keep_dearest(dearest, row, dearer):
-    """Of the dearest runs of each size the least: in the row of its number of vertices.
+def is_less(world, rows, place):
+    """Whether the canonical code of the world is less than that of a row, or that is empty.
 
-    Args:
-        dearest: by vertices, rows as those of :func:`keep_least`.
-        row: a run that is as dear as the one of its size, or the first.
-        dearer: it is dearer.
+    It is not written down: the first difference, which is early in most cases, ends it.
     """
-    n = row[0]
-    if dearer or _before(row, dearest, n):
-        for i in range(len(row)):
-            dearest[n, i] = row[i]
+    if rows[place, 0] == 0:
+        return True
+    number, order = world.number, world.order
+    number[0] = order[0] = 0
+    known, seen = 1, 1
+    for i in range(world.darts):
+        x = order[i]
+        for y in (world.sigma[x], world.alpha[x]):
+            if not seen >> y & 1:
+                seen |= 1 << y
+                number[y], order[known] = known, y
+                known += 1
+        y = number[world.sigma[x]]
+        if y != rows[place, 1 + i]:
+            return y < rows[place, 1 + i]
+    for i in range(world.darts):
+        y = number[world.alpha[order[i]]]
+        if y != rows[place, 1 + world.darts + i]:
+            return y < rows[place, 1 + world.darts + i]
+    return False
 
 
 @inlined

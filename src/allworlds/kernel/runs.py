@@ -12,7 +12,7 @@ from allworlds.kernel.code import (
     encode,
     encode_unrooted,
     is_greater,
-    keep_dearest,
+    is_less,
     keep_least_of_kind,
 )
 from allworlds.kernel.compiling import entry, inlined, inner
@@ -107,7 +107,7 @@ def examine(
             if bound == UNDEFINED:
                 return True
             law = _run(job, explorer, budgets[n], bound, beat)
-            _count_run(job, law, counts, dearest, row)
+            _count_run(job, law, counts, dearest)
             if law:
                 _note(world, law, row)
                 _blame(world, least, row)
@@ -169,11 +169,11 @@ def _run(job, explorer, budget, bound, beat):
 
 
 @inlined
-def _count_run(job, law, counts, dearest, row):
+def _count_run(job, law, counts, dearest):
     n, log = job.world.vertices, job.log
-    if log.cost >= counts[n, LARGEST]:
-        _note(job.world, law, row)
-        keep_dearest(dearest, row, log.cost > counts[n, LARGEST])
+    dearer = log.cost > counts[n, LARGEST]
+    if dearer or (log.cost == counts[n, LARGEST] and is_less(job.world, dearest, n)):
+        _note(job.world, law, dearest[n])
     counts[n, TRAVERSALS] += log.cost
     if job.world.place == 0:
         counts[n, TRAVERSALS_ROOTED] += log.cost

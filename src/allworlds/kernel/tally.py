@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.kernel.code import encode, encode_unrooted, is_greater, keep_least_of_kind
+from allworlds.kernel.code import encode, encode_unrooted, is_greater, is_less, keep_least_of_kind
 from allworlds.kernel.compiling import inlined, inner
 
 # One number holds the cost and the counters of a walk, so that a decision saves one number.
@@ -46,9 +46,11 @@ def tally(w, s, reached, dearest, least, row, listed):
         w.counts[n, FAILURES] += 1
         _blame(w, s, least, row)
         return
-    if cost >= reached[n] and (cost > reached[n] or _is_less(w, s.darts, dearest, n)):
-        reached[n] = cost
-        _note(w, s, dearest[n])
+    if cost >= reached[n]:
+        _settle(w, s)
+        if cost > reached[n] or is_less(w.world, dearest, n):
+            reached[n] = cost
+            _note(w, s, dearest[n])
     w.counts[n, TRAVERSALS] += cost
     w.counts[n, LARGEST] = max(w.counts[n, LARGEST], cost)
     w.counts[n, CASES_1] += s.total >> 20 & _FEW
@@ -64,55 +66,27 @@ def tally(w, s, reached, dearest, least, row, listed):
 
 
 @inner
-def _is_less(w, darts, rows, place):
-    """Whether the canonical code of the world is less than that of a row, or that is empty.
-
-    It is not written down: the first difference, which is early in most cases, ends it.
-    """
-    if rows[place, 0] == 0:
-        return True
-    number, order = w.world.number, w.world.order
-    number[0] = order[0] = 0
-    known, seen = 1, 1
-    for i in range(darts):
-        x = order[i]
-        y = x + 1
-        if y == w.end[x]:
-            y -= w.degree[x]
-        if not seen >> y & 1:
-            seen |= 1 << y
-            number[y], order[known] = known, y
-            known += 1
-        if number[y] != rows[place, 1 + i]:
-            return number[y] < rows[place, 1 + i]
-        y = w.partner[x]
-        if not seen >> y & 1:
-            seen |= 1 << y
-            number[y], order[known] = known, y
-            known += 1
-    for i in range(darts):
-        y = number[w.partner[order[i]]]
-        if y != rows[place, 1 + darts + i]:
-            return y < rows[place, 1 + darts + i]
-    return False
-
-
-@inner
-def _note(w, s, row):
-    """The world as a row, but for its map's code without a root."""
+def _settle(w, s):
+    """The world as a whole."""
     world = w.world
     world.darts = s.darts
     for dart in range(s.darts):
         end = w.end[dart]
         world.sigma[dart] = dart + 1 if dart + 1 < end else end - w.degree[dart]
         world.alpha[dart] = w.partner[dart]
+
+
+@inner
+def _note(w, s, row):
+    """The world, settled, as a row, but for its map's code without a root."""
     row[0] = s.vertices
-    encode(world, 0, row, 1)
+    encode(w.world, 0, row, 1)
 
 
 @inner
 def _blame(w, s, least, row):
     w.counts[s.vertices, BROKEN] += 1
+    _settle(w, s)
     _note(w, s, row)
     if not is_greater(least, row):
         encode_unrooted(w.world, row, 2 + 2 * s.darts)
