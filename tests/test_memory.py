@@ -10,7 +10,7 @@ from allworlds.progress import Silent
 from allworlds.runs import Tally
 from allworlds.work import levels
 
-pytestmark = pytest.mark.usefixtures("compiled")
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("compiled")]
 
 MOST = 150
 """Bytes a unit: a result is ten times as much."""

@@ -115,23 +115,34 @@ def test_worst_says_that_the_python_engine_plays_a_library_that_takes_choices(cl
     assert "the python engine" in err
 
 
-@pytest.mark.no_cover
+@pytest.fixture(scope="module")
+def without_choices():
+    """Algorithm 1 in C without ``choose``."""
+    return native(built(EXAMPLES / "c/algorithm1.c", "-Dallworlds_choose=not_exported"))
+
+
 @pytest.mark.usefixtures("compiled")
-def test_the_worst_of_a_library_without_choices_is_that_of_its_check():
-    library = native(built(EXAMPLES / "c/algorithm1.c", "-Dallworlds_choose=not_exported"))
-    found, engines = worst(library, edges=5), []
+def test_the_worst_of_a_library_without_choices_is_that_of_its_check(without_choices):
+    found = worst(without_choices, edges=5)
+    ours = [*dearest_runs(check("algorithm1", edges=5, engine="kernel"))]
     assert found.exit_code == 0
-    for name, engine in (("algorithm1", "python"), (library, "kernel"), (library, "python")):
-        report = check(name, edges=5, engine=engine)
-        engines.append(
-            [(run.world, run.outcome.cost, run.outcome.choices) for run in dearest_runs(report)]
-        )
-    assert {choices for _, _, choices in engines[1]} == {()}
-    first, *others = [[run[:2] for run in runs] for runs in engines]
-    assert all(first == other for other in others)
-    assert first == [(row.world, row.worst) for row in found.rows]
+    assert [(row.world, row.worst) for row in found.rows] == [
+        (run.world, run.outcome.cost) for run in ours
+    ]
     assert all(row.best == row.worst == row.replayed for row in found.rows)
-    assert len(first) == 20
+    assert len(found.rows) == 20
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("compiled")
+def test_both_engines_find_the_same_dearest_runs_of_a_library(without_choices):
+    by_kernel, by_python = (
+        [(run.world, run.outcome.cost) for run in dearest_runs(report)]
+        for report in (
+            check(without_choices, edges=4, engine=engine) for engine in ("kernel", "python")
+        )
+    )
+    assert by_kernel == by_python
 
 
 def test_it_is_told_what_the_lighthouse_tells():
