@@ -43,8 +43,8 @@ def test_it_is_the_least_of_all_that_cost_most():
     ("explorer", "map_class", "edges"),
     [
         ("algorithm1", "maps", 4),
-        ("algorithm1-cluster", "maps", 3),
-        ("algorithm1-natural", "simple", 5),
+        pytest.param("algorithm1-cluster", "maps", 3, marks=pytest.mark.slow),
+        pytest.param("algorithm1-natural", "simple", 5, marks=pytest.mark.slow),
         ("algorithm1", "planar", 4),
     ],
 )
