@@ -120,6 +120,7 @@ def test_the_csv_has_a_line_for_each_run(report):
     assert " - " in grow_text(unbounded, 100) or grow_text(unbounded, 100).count("-")
 
 
+@pytest.mark.slow
 def test_the_plot_is_the_same_for_the_same_report(report):
     pytest.importorskip("matplotlib")
     plot = file_of("grow", "plot", report)

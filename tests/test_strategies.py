@@ -289,7 +289,7 @@ def test_algorithm_1_holds_in_every_world_that_is_drawn(world, choices):
     assert violation(world, choices) is None
 
 
-@pytest.mark.no_cover
+@pytest.mark.slow
 def test_an_explorer_that_is_wrong_after_one_choice_shrinks_to_that_choice():
     class WrongAfterTheLast(Algorithm1):
         def take_from_u(self):

@@ -141,13 +141,10 @@ def tried_in_compiled_code():
         alone = others & {*attack.options} or attack.name == "reaching/trusted_to_be_honest"
         if attack.file.parent.name in kinds and not attack.signal and not alone:
             for function in attack.verdicts:
-                marks = () if attack.name in QUICK_IN_COMPILED_CODE else pytest.mark.slow
-                yield pytest.param(attack, function, marks=marks, id=attack.name)
+                yield pytest.param(attack, function, id=attack.name)
 
 
-QUICK_IN_COMPILED_CODE = ("state/goes_by_pid", "reaching/finds_the_world")
-
-
+@pytest.mark.slow
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize(("attack", "function"), [*tried_in_compiled_code()])
 def test_an_attack_gets_the_same_verdict_where_compiled_code_judges(attack, function, scene):

@@ -17,7 +17,7 @@ pytestmark = pytest.mark.usefixtures("compiled")
 
 
 @pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize("engine", ["python", "kernel"])
+@pytest.mark.parametrize("engine", [pytest.param("python", marks=pytest.mark.slow), "kernel"])
 def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
     monkeypatch.setattr("allworlds.checker.guessing.SECONDS", 0.05)
     monkeypatch.setattr("allworlds.checker.exhaustive.one_larger", lambda _: None)

@@ -36,7 +36,7 @@ def only_finding(name, **options):
 @pytest.mark.parametrize(
     ("name", "law", "seen"),
     [
-        ("hang", "timeout", "silent for 4 s"),
+        pytest.param("hang", "timeout", "silent for 4 s", marks=pytest.mark.slow),
         pytest.param("hang_gil", "timeout", "silent for 4 s", marks=pytest.mark.slow),
         pytest.param("hang_regex", "timeout", "silent for 4 s", marks=pytest.mark.slow),
         ("os_exit", "crash", "exit code 0"),

@@ -173,6 +173,7 @@ def test_nothing_known_is_drawn_as_nothing(cells, monkeypatch, tmp_path):
 # ---------------------------------------------------------------- files
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["1", "2", "3", "bounds"])
 def test_a_figure_is_the_same_each_time_and_its_data_stand_beside_it(
     name, small, cells, monkeypatch, tmp_path

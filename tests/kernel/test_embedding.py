@@ -204,7 +204,7 @@ def grown(random):
     return map_, shown
 
 
-@pytest.mark.no_cover
+@pytest.mark.slow
 def test_a_right_s_is_embedded_step_by_step():
     random = Random(1)
     for _ in range(30):

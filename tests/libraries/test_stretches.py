@@ -270,6 +270,7 @@ def test_state_that_shows_late_is_found_by_earlier_plays():
     assert "nondeterministic" in {found.law for found in tally.findings}
 
 
+@pytest.mark.slow
 def test_a_long_run_is_played_again_later_too(monkeypatch):
     # Its log has more than 4,096 bytes.  All plays of two units are right, and all later ones
     # are wrong in the same way: only what is played again from the first two differs.

@@ -79,10 +79,8 @@ def steps(described):
     return one["steps"]
 
 
-@pytest.mark.parametrize(
-    "lang",
-    ["python", *(pytest.param(lang, marks=pytest.mark.slow) for lang in [*LANGUAGES][1:])],
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("lang", LANGUAGES)
 def test_the_job_of_a_skeleton_fails_and_shows_the_picture(lang, job, tmp_path):
     for program in LANGUAGES[lang].needs:
         if shutil.which(program) is None:

@@ -59,7 +59,7 @@ def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class
     [
         ("position", "maps", 1),
         ("position", "simple", 4),
-        ("position", "planar-simple", 4),
+        slow("position", "planar-simple", 4),
         ("directional", "maps", 3),
         slow("position", "simple", 5),
         slow("position", "planar-simple", 5),
