@@ -164,9 +164,9 @@ def test_an_explorer_under_a_lighthouse_it_is_not_written_for_is_refuted_not_sto
             assert report.findings[0].law != "crash"
 
 
-@pytest.mark.no_cover
+@pytest.mark.slow
 @pytest.mark.usefixtures("compiled")
-@pytest.mark.parametrize("explorer", [pytest.param(CLUSTER, marks=pytest.mark.slow), NATURAL])
+@pytest.mark.parametrize("explorer", [CLUSTER, NATURAL])
 def test_both_engines_do_it_and_say_the_same(explorer):
     options = {"edges": 5, "map_class": "planar-simple", "bound": "two-vertices"}
     played, judged = (check(explorer, engine=name, **options) for name in ("python", "kernel"))

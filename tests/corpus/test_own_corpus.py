@@ -17,8 +17,10 @@ from small import slow
 CORPUS = own_corpus()
 
 
-def entries(kind):
-    return pytest.mark.parametrize("entry", CORPUS.of_kind(kind), ids=lambda entry: entry.name)
+def entries(kind, later=()):
+    """A test of each entry of a kind; these ones are left to ``pytest -m slow``."""
+    found = [slow(e) if e.name in later else e for e in CORPUS.of_kind(kind)]
+    return pytest.mark.parametrize("entry", found, ids=lambda entry: entry.name)
 
 
 @entries("world")
@@ -91,7 +93,7 @@ def test_the_enumeration_gives_the_known_numbers(entry, most):
 
 @pytest.mark.early
 @pytest.mark.no_cover
-@entries("check")
+@entries("check", later=["check-remembering-all-schedules"])
 def test_an_explorer_gets_its_verdict_at_the_known_cost(entry):
     expected = dict(entry.expected)
     report = check(**CORPUS.document(entry), workers=2).to_json()

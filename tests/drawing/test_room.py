@@ -62,7 +62,7 @@ def held(map_, least):
     return len(met)
 
 
-@pytest.mark.no_cover
+@pytest.mark.slow
 def test_edges_of_small_maps_cross_at_a_good_angle_and_else_keep_apart():
     maps = unrooted_maps(3)
     assert len(maps) == 2 + 5 + 20
