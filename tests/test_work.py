@@ -3,6 +3,7 @@
 import inspect
 import threading
 from collections import Counter
+from concurrent import futures
 from importlib import import_module
 from pkgutil import iter_modules
 
@@ -139,18 +140,25 @@ class Wrong(Exception):
     """What an engine may raise."""
 
 
-def test_of_several_errors_the_one_in_the_first_unit_is_raised_whichever_comes_first():
-    last_is_wrong = threading.Event()
+def test_of_several_errors_the_one_in_the_first_unit_is_raised_whichever_comes_first(monkeypatch):
+    last_is_known = threading.Event()
+
+    def waits(*told):
+        result = futures.wait(*told)
+        if result.done:
+            last_is_known.set()
+        return result
 
     class Failing(Digits):
         def parts(self, unit):
             if unit < 3:
-                assert last_is_wrong.wait(60)
+                assert last_is_known.wait(60)
                 yield Some()
                 if unit < 2:
                     return
-            last_is_wrong.set()
             raise Wrong(str(unit))
+
+    monkeypatch.setattr("allworlds.work.threads.wait", waits)
 
     seen = []
     with Threads(4) as threads, pytest.raises(Wrong, match=r"^2$"):
@@ -159,9 +167,16 @@ def test_of_several_errors_the_one_in_the_first_unit_is_raised_whichever_comes_f
 
 
 @pytest.mark.parametrize("error", [Wrong, TimeIsUp, KeyboardInterrupt])
-def test_after_an_error_the_unit_at_work_is_waited_for_unless_there_is_no_time(error):
+def test_after_an_error_the_unit_at_work_is_waited_for_unless_there_is_no_time(error, monkeypatch):
     at_work, halted, on, left = (threading.Event() for _ in range(4))
-    begun = []
+    begun, patient = [], []
+    shutdown = futures.ThreadPoolExecutor.shutdown
+
+    def notes(pool, wait, **more):
+        patient.append(wait)
+        shutdown(pool, wait, **more)
+
+    monkeypatch.setattr(futures.ThreadPoolExecutor, "shutdown", notes)
 
     class Slow(Digits):
         def parts(self, unit):
@@ -185,6 +200,7 @@ def test_after_an_error_the_unit_at_work_is_waited_for_unless_there_is_no_time(e
 
     with pytest.raises(error):
         fail()
+    assert patient == [error is Wrong]
     assert left.is_set() == (error is Wrong)
     on.set()
     assert left.wait(60)

@@ -2,6 +2,7 @@
 
 import json
 from collections import Counter
+from dataclasses import replace
 from random import Random
 
 import numpy as np
@@ -233,6 +234,19 @@ def test_a_law_that_the_other_engine_does_not_find_broken_is_a_disagreement(monk
     said = "count differently" if edges == 1 else "the kernel says that map is broken"
     with pytest.raises(EnginesDisagree, match=said):
         parts(CastHere(example("c/algorithm1.c")), edges, units=[unit])
+
+
+def test_dearest_runs_that_differ_are_a_disagreement(monkeypatch):
+    judge = kernel.UnitJudge.judge
+
+    def misses_the_first_place(self, laid, size, earlier=()):
+        rows, good = judge(self, laid, size, earlier)
+        others = tuple(run._replace(place=run.place + 1) for run in rows.dearest)
+        return replace(rows, dearest=others), good
+
+    monkeypatch.setattr(kernel.UnitJudge, "judge", misses_the_first_place)
+    with pytest.raises(EnginesDisagree, match="count differently"):
+        parts(CastHere(example("c/algorithm1.c")), 2)
 
 
 def test_counts_that_differ_are_a_disagreement(monkeypatch):

@@ -332,13 +332,9 @@ def _one(run: NumberedRun) -> OneRun:
     return OneRun(run.number, run.place, World(run.map, run.lighthouse, 0))
 
 
-def _dearest(tally: Tally) -> dict[int, tuple[Code, int]]:
-    """By vertices the least run that costs most, whatever it has chosen."""
-    return {
-        vertices: ((row.dearest.sigma, row.dearest.alpha), row.dearest.place)
-        for (_, vertices), row in sorted(tally.rows.items())
-        if row.dearest
-    }
+def _dearest(tally: Tally) -> list[object]:
+    """By size the least run that costs most, whatever it has chosen."""
+    return [(size, row.dearest and row.dearest[:3]) for size, row in sorted(tally.rows.items())]
 
 
 def _key(unit: Unit, broken: kernel.Broken) -> tuple[int, int, Code, int]:

@@ -48,7 +48,7 @@ def worst(
 
     The exact worst and best cost of an explorer over all worlds and over every schedule; of
     Algorithm 1 every choice of edge, order of hypotheses and path.  Exit code 0: answered,
-    1: a schedule breaks a law, 70: the replay of a row disagrees.
+    1: a schedule breaks a law, 70: counts, replays or engines disagree.
     """
     import allworlds
 

@@ -140,7 +140,8 @@ class Rows:
         counts: for each number of vertices that occurs.
         events: how often each event of Algorithm 1 has occurred.
         met: (n, d0, D) for all runs, with 0 for what the bound does not depend on.
-        dearest: for each number of vertices the least of the runs that cost most.
+        dearest: for each number of vertices the least of the runs that cost most; none where
+            dearer ones were known elsewhere.
         broken: the least runs that break a law, ascending.
         listed: the first runs, as many as were asked for.
     """

@@ -20,17 +20,14 @@ class RunCost(NamedTuple):
 
     Attributes:
         cheapest, dearest: of its episodes, in traversals.
-        choices: those of the dearest episode; of several the first.
     """
 
     cheapest: int
     dearest: int
-    choices: tuple[int, ...]
 
     def joined(self, other: RunCost) -> RunCost:
         """The costs of both."""
-        dearest = min(self, other, key=lambda cost: (-cost.dearest, cost.choices))
-        return RunCost(min(self.cheapest, other.cheapest), dearest.dearest, dearest.choices)
+        return RunCost(min(self.cheapest, other.cheapest), max(self.dearest, other.dearest))
 
 
 @dataclass(slots=True)
@@ -70,7 +67,7 @@ class Costing(Examination):
         """Add up what one episode of a run has shown."""
         super().count_outcome(referee, world, place, outcome, tally)
         assert isinstance(tally, CostTally)
-        tally.cost(world, place, RunCost(outcome.cost, outcome.cost, outcome.choices))
+        tally.cost(world, place, RunCost(outcome.cost, outcome.cost))
 
 
 def key_of(map_: CombinatorialMap) -> MapKey:

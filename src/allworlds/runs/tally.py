@@ -36,8 +36,8 @@ class Row:
         traversals_rooted: the same at the first place of each rooted map only.
         max_cost: the largest cost of an episode.
         bound: the largest bound of a run; None without a bound.
-        dearest: the least run that attains the largest cost; None without a run.  Rows that
-            count the same are equal whatever it is.
+        dearest: the least run that attains the largest cost; None without a run, and in a part
+            of a whole that has dearer ones.  Rows that count the same are equal whatever it is.
     """
 
     worlds: int = 0

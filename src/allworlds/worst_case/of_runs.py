@@ -44,7 +44,7 @@ PLAYED = (
     "compiled code tries every schedule of algorithm1 alone; this library takes choices, and is "
     "played by the python engine, far slower"
 )
-"""The notice for explorers that ``check`` judges in compiled code."""
+"""The notice for libraries that are played so, where ``check`` judges them in compiled code."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,7 +139,7 @@ class RunsReport:
 
     @property
     def exit_code(self) -> Exit:
-        """0 answered, 1 refuted, 4 no run, 130 interrupted, 70 engines or counts disagree."""
+        """0 answered, 1 refuted, 4 no run, 70 engines or counts disagree, 130 interrupted."""
         if not self.agrees:
             return Exit.DISAGREES
         if not self.complete:

@@ -216,16 +216,15 @@ def worst(
         raise InputError(f"transit {show(transit)} is not one of {', '.join(get_args(Transit))}")
     if an_integer("workers", workers) < 1:
         raise InputError(f"workers {show(workers)} is not positive")
-    edges = _edges(edges, DEFAULT_EDGES)
-    from allworlds.kernel import COMPILING
-
-    way: Transit = "shortest" if transit == "shortest" else "simple"
-    extent = Extent(MapClass.named(map_class), edges)
+    extent = Extent(MapClass.named(map_class), _edges(edges, DEFAULT_EDGES))
     if not extent.map_class.plain:
         raise InputError(
             f"class {show(extent.map_class.value)} is none of those whose maps the compiled search "
             f"makes: {', '.join(known for known in MapClass if known.plain)}"
         )
+    from allworlds.kernel import COMPILING
+
+    way: Transit = "shortest" if transit == "shortest" else "simple"
     search = _Search(extent, way, a_shard(shard))
     heard = listener or Silent()
     engine = search.engine()
