@@ -13,11 +13,8 @@ import time
 from collections.abc import Callable, Hashable, Sequence
 from functools import partial
 
-from allworlds.ambiguity import census, class_of
-from allworlds.maps import named_map
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.families import family
-from allworlds.maps.quotient import Labelled, project
+from allworlds.maps import CombinatorialMap, Labelled, family, named_map, project
+from allworlds.studies.ambiguity import census, class_of
 from allworlds.world import Position, World
 
 # On a cycle the naive refinement takes as many rounds as there are vertices.

@@ -22,7 +22,7 @@ from typing import Any
 import psutil
 
 from allworlds import check
-from allworlds.work import local_cluster
+from allworlds.engines.transports.dask_cluster import local_cluster
 
 WORKERS = 2
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from allworlds.maps.counting import rooted_maps
+from allworlds.maps.counting.any_genus import rooted_maps
 
 TO_EDGES = 12
 

@@ -19,10 +19,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from allworlds.benching import commit
-from allworlds.host import host
-from allworlds.maps.counting import rooted_maps
-from allworlds.version import __version__
+from allworlds.evidence.bench.rounds import commit
+from allworlds.maps.counting.any_genus import rooted_maps
+from allworlds.version import __version__, host
 
 HERE = Path(__file__).resolve().parent
 KINDS = {
@@ -62,7 +61,7 @@ def measure() -> dict[str, Any]:
     """The document."""
     with tempfile.TemporaryDirectory() as folder:
         library, header = Path(folder) / "algorithm1.so", Path(folder) / "allworlds.h"
-        named = [sys.executable, "-m", "allworlds", "native", "--header"]
+        named = [sys.executable, "-m", "allworlds", "init", "--header"]
         header.write_bytes(subprocess.run(named, check=True, capture_output=True).stdout)
         source = HERE.parent / "examples" / "c" / "algorithm1.c"
         build = ["cc", "-O2", "-shared", "-fPIC", "-I", folder, "-o", str(library), str(source)]

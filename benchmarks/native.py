@@ -23,16 +23,17 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from allworlds import kernel
-from allworlds.checker.questions import level_of
-from allworlds.findings import make_rules
-from allworlds.isolation.jobs import PlayStretch
-from allworlds.isolation.stretches import Actor, Shared
-from allworlds.libraries import ROOM, Library, NativeExplorer
-from allworlds.libraries import __file__ as header
-from allworlds.maps.classes import Extent, MapClass
-from allworlds.runs import Examination, Scope
-from allworlds.subjects import load
+import allworlds.explorers.shared_library
+from allworlds.engines import PythonEngine, Scope
+from allworlds.engines.compiled.requests import level_of
+from allworlds.engines.isolation.jobs import PlayStretch
+from allworlds.engines.isolation.shared_logs import Actor, Shared
+from allworlds.engines.kernel.batches import LONGEST_STRETCH, Stretch, UnitJudge, load_native
+from allworlds.engines.kernel.native import RUN_TOLD
+from allworlds.explorers import NativeExplorer, load
+from allworlds.explorers.shared_library.library import ROOM, Library
+from allworlds.judging import make_rules
+from allworlds.maps import Extent, MapClass
 
 PARTS = ("laid out", "first play", "judged", "second play", "compared")
 SECOND = PARTS.index("second play")
@@ -50,7 +51,7 @@ class Bare:
 
     def __init__(self, path: str, folder: str) -> None:
         source, loop = Path(__file__).with_name("bare.c"), Path(folder) / "bare.so"
-        include = str(Path(header).parent)
+        include = str(Path(allworlds.explorers.shared_library.__file__).parent)
         command = ["cc", "-O2", "-shared", "-fPIC", "-I", include, "-o", str(loop), str(source)]
         subprocess.run(command, check=True)
         self._play = ctypes.CDLL(str(loop)).play
@@ -61,11 +62,11 @@ class Bare:
         self._explorer = (ctypes.c_void_p * 5)(*(addresses[name] for name in names), library.new())
         self._room = [(ctypes.c_int32 * ROOM)() for _ in range(2)]
 
-    def play(self, stretch: kernel.Stretch, runs: int) -> int:
+    def play(self, stretch: Stretch, runs: int) -> int:
         """The number of traversals of so many runs that have been laid out."""
         heads, worlds = stretch.heads, stretch.worlds
         sizes = ctypes.c_long(runs), ctypes.c_long(worlds.shape[1])
-        told = ctypes.c_void_p(heads[:, kernel.RUN_TOLD :].ctypes.data)
+        told = ctypes.c_void_p(heads[:, RUN_TOLD:].ctypes.data)
         apart = ctypes.c_long(heads.shape[1])
         tables = ctypes.c_void_p(worlds.ctypes.data)
         return int(self._play(self._explorer, *sizes, tables, told, apart, ROOM, *self._room))
@@ -86,7 +87,7 @@ def main() -> None:
     level = level_of("native:", rules, extent, given.edges)
     memory = [Shared(given.edges) for _ in range(2)]
     actors = [Actor(NativeExplorer(Library(given.library)), bytearray(16)) for _ in range(2)]
-    kernel.load_native()
+    load_native()
     spent, runs = dict.fromkeys((*PARTS, "bare"), 0.0), 0
 
     def timed(part: str, work: Callable[[], Any]) -> Any:
@@ -98,10 +99,10 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         bare = Bare(given.library, folder)
     for unit in units:
-        judge = kernel.UnitJudge(level, unit.prefix, 1, *(each.stretch for each in memory))
+        judge = UnitJudge(level, unit.prefix, 1, *(each.stretch for each in memory))
         laid = None
         while laid is None or not laid.last:
-            laid = timed("laid out", lambda judge=judge: judge.lay_out(kernel.LONGEST_STRETCH))
+            laid = timed("laid out", lambda judge=judge: judge.lay_out(LONGEST_STRETCH))
             jobs = [
                 PlayStretch(each.file, given.edges, laid.runs, again, "fifo", again=bool(again))
                 for again, each in enumerate(memory)
@@ -133,7 +134,7 @@ def main() -> None:
 
 def python_engine(scope: Scope, units: list[Any]) -> float:
     """Microseconds a run of the built-in explorer, in a sample of the units."""
-    examination = Examination(scope, 1).own(load("algorithm1"))
+    examination = PythonEngine(scope, 1).for_built_in(load("algorithm1"))
     start, runs = time.process_time(), 0
     for unit in units[:: -(-len(units) // SAMPLED)]:
         _, tally = next(iter(examination.parts(unit)))

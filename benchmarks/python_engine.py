@@ -17,12 +17,11 @@ from collections import deque
 from collections.abc import Callable
 
 import allworlds
-from allworlds.maps.canonical import rooted_code, unrooted_code
-from allworlds.maps.enumeration import rooted_maps
-from allworlds.maps.families import family
+from allworlds.engines import Examiner
+from allworlds.explorers import load
+from allworlds.judging import make_rules
+from allworlds.maps import family, rooted_code, rooted_maps, unrooted_code
 from allworlds.protocol import Choices
-from allworlds.runs import Examiner, make_scope
-from allworlds.subjects import load
 
 LEVEL = 5
 CODE_EDGES = 20
@@ -38,7 +37,7 @@ def seconds(work: Callable[[], object]) -> float:
 def judged_runs() -> float:
     """Runs a second: Algorithm 1 on every run of the level, judged, in this process alone."""
     worlds = [w for w in allworlds.worlds(edges=LEVEL, places="all") if w.map.edge_count == LEVEL]
-    examiner = Examiner(load("algorithm1"), make_scope(edges=LEVEL).rules)
+    examiner = Examiner(load("algorithm1"), make_rules({}, "directional"))
 
     def work() -> None:
         for world in worlds:

@@ -23,7 +23,7 @@ from typing import Any
 from unittest.mock import patch
 
 from allworlds import check
-from allworlds.store import records
+from allworlds.engines.run_directory import finished_units as records
 
 
 @dataclass(slots=True)

@@ -173,11 +173,11 @@ def _reference(path: str) -> str:
 
 
 def header() -> str:
-    """``allworlds.h`` as it is printed by ``allworlds native --header``."""
-    text = (files("allworlds.libraries") / "allworlds.h").read_text(encoding="utf-8")
+    """``allworlds.h`` as it is printed by ``allworlds init --header``."""
+    text = (files("allworlds.explorers.shared_library") / "allworlds.h").read_text(encoding="utf-8")
     return (
         "# allworlds.h\n\nThe header of [explorers in shared libraries](../native.md), as "
-        f"`allworlds native --header` prints it.\n\n```c\n{text.rstrip()}\n```\n"
+        f"`allworlds init --header` prints it.\n\n```c\n{text.rstrip()}\n```\n"
     )
 
 

@@ -26,11 +26,12 @@ from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
 import allworlds
-from allworlds.drawing import Scene, picture, scene_of
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.maps import CombinatorialMap, Mismatch, isomorphism
-from allworlds.mutation.explorers import WRONG_EXPLORERS
-from allworlds.own_corpus import own_corpus
-from allworlds.world import Directional, World, world_named
+from allworlds.reports import scene_of
+from allworlds.reports.drawing.scene import Scene
+from allworlds.reports.drawing.svg import picture
+from allworlds.world import Directional, World, own_corpus, world_named
 
 GENUS_2 = World(
     CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3)), Directional(0)
@@ -186,7 +187,7 @@ def lives() -> list[Live]:
     wrong = [
         Live(
             name,
-            f"check allworlds.mutation.explorers:{name.replace('-', '_')} --edges 4",
+            f"check allworlds.evidence.mutants.explorers:{name.replace('-', '_')} --edges 4",
             _about(name),
         )
         for name in (
@@ -234,7 +235,7 @@ def walks() -> list[Live]:
         ),
         Live(
             "figure-1",
-            "twins fig1-left fig1-right",
+            "ambiguity twins fig1-left fig1-right",
             "The twins of the paper's Fig. 1: one walk in both, and the same is sensed.",
         ),
         Live(
@@ -245,7 +246,7 @@ def walks() -> list[Live]:
         Live(
             "worst-runs",
             "worst --edges 3",
-            "The dearest schedules of Algorithm 1, cost against bound.",
+            "The most expensive schedules of Algorithm 1, cost against bound.",
         ),
     ]
 
@@ -321,7 +322,7 @@ def _card(live: Live, report: dict[str, Any]) -> Iterator[str]:
 def _worlds() -> str:
     corpus = own_corpus()
     text = (
-        "# Worlds\n\nThe named worlds of the corpus, drawn by `allworlds.drawing`; `allworlds run "
+        "# Worlds\n\nThe named worlds of the corpus, drawn by `reports.drawing`; `allworlds run "
         "NAME` runs Algorithm 1 in one.\n"
     )
     for entry in corpus.of_kind("world"):

@@ -32,14 +32,16 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from allworlds.checker import check, worlds
-from allworlds.episode import Answered, play
-from allworlds.explorers.algorithm1 import Algorithm1
-from allworlds.judge import Case, paper_bound
-from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
-from allworlds.protocol import Choices
-from allworlds.protocol.choices import policy_named
-from allworlds.subjects import load, subject_here
+from allworlds.evidence.mutants.explorers import (
+    EQUIVALENT_EXPLORERS,
+    WRONG_EXPLORERS,
+    WrongExplorer,
+)
+from allworlds.explorers import Algorithm1, in_process_subject, load
+from allworlds.judging import Answered, Case, paper_bound, play
+from allworlds.protocol import Choices, policy_named
+from allworlds.studies.check import check
+from allworlds.world import worlds
 from certified_checker import CHECKER, checkers_agree, judge_program
 from certified_folding import FOLDING, foldings_agree
 
@@ -175,7 +177,7 @@ def judges_agree(edges: int) -> bool:
 def _cases(edges: int) -> Iterator[tuple[str, Case]]:
     """Every answer of every explorer, with the world and the walk it belongs to."""
     everyone = (WrongExplorer(Algorithm1), *WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)
-    players = [(mutant.name, subject_here(mutant.explorer()).player()) for mutant in everyone]
+    players = [(mutant.name, in_process_subject(mutant.explorer()).player()) for mutant in everyone]
     for world in worlds(edges=edges):
         budget = 8 * paper_bound(world.map.vertex_count, world.map.edge_count) + 100
         for name, player in players:

@@ -9,8 +9,8 @@ the function of the percepts that the program's answers are part of.  Trusted is
 between the program and the theorem, and that the program would answer the same percepts in the same
 way again; where it is seen not to, the verdict is ``no function``.
 
-``checkers_agree`` compares: Algorithm 1 and every wrong explorer of ``allworlds.mutation`` get the
-same verdict from both, and are refuted by the same smallest world.
+``checkers_agree`` compares: Algorithm 1 and every wrong explorer of ``allworlds.evidence.mutants``
+get the same verdict from both, and are refuted by the same smallest world.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from __future__ import annotations
 import argparse
 import json
 import shlex
+import signal
 import subprocess
 import sys
 import time
@@ -26,11 +27,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from allworlds.checker import check
+from allworlds.evidence.mutants.explorers import (
+    EQUIVALENT_EXPLORERS,
+    WRONG_EXPLORERS,
+    WrongExplorer,
+)
 from allworlds.inputs import InputError
-from allworlds.judge import bound_named
-from allworlds.maps.canonical import rooted_code
-from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
+from allworlds.judging import bound_named
+from allworlds.maps import rooted_code
+from allworlds.studies.check import check
 
 HERE = Path(__file__).resolve().parent
 CHECKER = HERE / "coq" / "checker"
@@ -38,9 +43,16 @@ SERVER = HERE / "explorer_server.py"
 LAWS = ("map", "pose", "bound")
 """Those that the certified checker decides; a run that gives no answer breaks one before them."""
 POLICIES = ("fifo", "lifo", "nearest")
+VERDICTS = ("holds", "refuted", "no function")
+REFUSED = 2
+"""The exit code with which it has said on stderr why there is no verdict."""
 
 Key = tuple[int, tuple[int, ...], tuple[int, ...], int]
 """The order of findings with equal numbers of edges: vertices, sigma, alpha, place."""
+
+
+class NoVerdict(Exception):
+    """The certified checker has given none; the message says why, unless it has said so itself."""
 
 
 def asked(
@@ -49,13 +61,27 @@ def asked(
     """The certified checker's answer; what it and the program say on stderr goes there.
 
     Raises:
-        subprocess.CalledProcessError: if it refuses the options, or the program cannot be run.
+        NoVerdict: if it refuses the options, or the program cannot be run, or it does not end well.
     """
     named = [word for name, value in options.items() for word in (f"--{name}", str(value))]
     command = [str(CHECKER), str(edges), *named, *explorer]
-    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=stderr, text=True, check=True)
-    answer: dict[str, Any] = json.loads(run.stdout)
-    return answer
+    try:
+        run = subprocess.run(command, stdout=subprocess.PIPE, stderr=stderr, text=True, check=False)
+    except OSError as error:
+        raise NoVerdict(f"{error.filename}: {error.strerror}") from None
+    if run.returncode == REFUSED:
+        raise NoVerdict("")
+    if run.returncode < 0:
+        name = signal.Signals(-run.returncode).name
+        raise NoVerdict(f"the certified checker has ended with {name}: there is no verdict")
+    try:
+        answer = json.loads(run.stdout)
+        if run.returncode == 0 and answer["verdict"] in VERDICTS:
+            return answer
+    except (ValueError, KeyError, TypeError):
+        pass
+    code = run.returncode
+    raise NoVerdict(f"the certified checker has ended with code {code} and no verdict")
 
 
 def limits(text: str, edges: int) -> str:
@@ -112,10 +138,9 @@ def judge_program(arguments: Sequence[str]) -> int:
             lighthouse=options.lighthouse,
             timeout=options.answer_timeout,
         )
-    except (InputError, ValueError) as error:
-        print(error, file=sys.stderr)
-        return 2
-    except subprocess.CalledProcessError:  # the checker has said why
+    except (InputError, ValueError, NoVerdict) as error:
+        if why := str(error):
+            print(why, file=sys.stderr)
         return 2
     print("\n".join(told(answer, options.limit)))
     return 0 if answer["verdict"] == "holds" else 1

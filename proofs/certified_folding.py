@@ -17,18 +17,17 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from allworlds.checker import worlds
-from allworlds.episode import play
-from allworlds.explorers.algorithm1 import Algorithm1
-from allworlds.judge import paper_bound
-from allworlds.judge.folding import fold
-from allworlds.kernel.folding import folds
-from allworlds.kernel.records import FOLD, LOG, WORLD
-from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WrongExplorer
-from allworlds.protocol import Choices, Move, Percept, Transcript
-from allworlds.protocol.choices import policy_named
-from allworlds.subjects import load, subject_here
-from allworlds.world import World
+from allworlds.engines.kernel.folding import folds
+from allworlds.engines.kernel.records import FOLD, LOG, WORLD
+from allworlds.evidence.mutants.explorers import (
+    EQUIVALENT_EXPLORERS,
+    WRONG_EXPLORERS,
+    WrongExplorer,
+)
+from allworlds.explorers import Algorithm1, in_process_subject, load
+from allworlds.judging import fold, paper_bound, play
+from allworlds.protocol import Choices, Move, Percept, Transcript, policy_named
+from allworlds.world import World, worlds
 
 FOLDING = Path(__file__).resolve().parent / "coq" / "folding"
 POLICIES = ("fifo", "lifo", "nearest")
@@ -39,7 +38,10 @@ def logs(edges: int) -> Iterator[tuple[str, World, Transcript]]:
     mutants = (WrongExplorer(Algorithm1), *WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS)
     players = [
         *((f"algorithm1 {name}", load("algorithm1").player(), name) for name in POLICIES),
-        *((mutant.name, subject_here(mutant.explorer()).player(), "fifo") for mutant in mutants),
+        *(
+            (mutant.name, in_process_subject(mutant.explorer()).player(), "fifo")
+            for mutant in mutants
+        ),
     ]
     for world in worlds(edges=edges, places="all"):
         # All that answer within their bound, and the one that then walks every edge both ways.

@@ -2,8 +2,8 @@
 
     python proofs/explorer_server.py NAME [POLICY]
 
-NAME: a built-in explorer, or a wrong one of ``allworlds.mutation`` (``no-retracing``).  POLICY
-answers the choices of a built-in explorer: fifo (default), lifo or nearest.
+NAME: a built-in explorer, or a wrong one of ``allworlds.evidence.mutants`` (``no-retracing``).
+POLICY answers the choices of a built-in explorer: fifo (default), lifo or nearest.
 """
 
 from __future__ import annotations
@@ -13,10 +13,9 @@ import sys
 from collections.abc import Callable, Generator
 from typing import Any
 
-from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
-from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Percept
-from allworlds.protocol.choices import policy_named
-from allworlds.subjects import load
+from allworlds.evidence.mutants.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
+from allworlds.explorers import load
+from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Percept, policy_named
 
 Begin = Callable[[Percept, int | None], Generator[Any, Any, Any]]
 

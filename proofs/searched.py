@@ -1,4 +1,4 @@
-"""Checks what ``allworlds search`` has written, without the package and without a solver.
+"""Checks what ``allworlds ambiguity search`` has written, without the package and without a solver.
 
     python proofs/searched.py DIR --lighthouse position --class simple --vertices 6 --edges 5
 

@@ -15,22 +15,24 @@ from hypothesis import settings
 
 import allworlds
 from allworlds.cli.app import call
-from allworlds.isolation.workers import ThisProcess
-from allworlds.runs import PlayersHere
-from allworlds.subjects import load
+from allworlds.engines.isolation.workers import ThisProcess
+from allworlds.engines.python.in_process import InProcessPlayers
+from allworlds.explorers import load
 
 COMPILE = """
 import os, sys
 
 import allworlds
 
-from allworlds import kernel
+from allworlds.engines.kernel.batches import load_native
 
 allworlds.worst(edges=1)
 allworlds.bench(edges=4, rounds=1)
-kernel.load_native()
+load_native()
 os.write(int(sys.argv[1]), b"done")
 """
+
+pytest_plugins = ["shared_fixtures"]
 
 settings.register_profile(
     "same-every-time", derandomize=True, database=None, deadline=None, max_examples=60
@@ -120,7 +122,7 @@ def without_workers(monkeypatch):
                 self.subject.program.close()
 
     def loaded(subject, limits):
-        if not subject.elsewhere:
+        if not subject.importable:
             return subject
         return load(subject.name, limits.answer_timeout, subject.source)
 
@@ -128,13 +130,13 @@ def without_workers(monkeypatch):
     def players(subject, limits):
         here = loaded(subject, limits)
         with here.running():
-            yield PlayersHere(here)
+            yield InProcessPlayers(here)
 
     monkeypatch.setattr(
-        "allworlds.isolation.workers.Workers",
+        "allworlds.engines.isolation.workers.Workers",
         lambda subject, limits, deadline: Here(loaded(subject, limits), deadline),
     )
-    monkeypatch.setattr("allworlds.isolation.confirm._players", players)
+    monkeypatch.setattr("allworlds.engines.isolation.confirm._players", players)
 
 
 def needs_kernel(item):

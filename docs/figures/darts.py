@@ -10,10 +10,9 @@ from math import degrees, tau
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing import picture, scene_of
-from allworlds.drawing.layout import Layout, layout
 from allworlds.maps import CombinatorialMap
-from allworlds.markup import tag
+from allworlds.reports import Layout, layout, scene_of, tag
+from allworlds.reports.drawing.svg import picture
 from allworlds.world import Directional, World
 
 FILE = Path(__file__).parents[1] / "assets" / "darts.svg"

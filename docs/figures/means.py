@@ -1,6 +1,6 @@
 """Print the means of figure 3's data, a line for each family, size and explorer.
 
-    allworlds figure 3 --out figure-3.svg
+    allworlds paper figure 3 --out figure-3.svg
     python docs/figures/means.py figure-3.csv > docs/figures/figure-3-means.csv
 
 The data themselves have a line for each of 2,520 runs.

@@ -1,6 +1,6 @@
 /* Algorithm 1 in C: mapping with one directional lighthouse.
  *
- *     allworlds native --header > allworlds.h
+ *     allworlds init --header > allworlds.h
  *     cc -O2 -shared -fPIC -I . -o algorithm1.so examples/c/algorithm1.c
  *     allworlds check --native ./algorithm1.so --edges 6
  *

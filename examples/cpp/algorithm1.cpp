@@ -1,6 +1,6 @@
 // Algorithm 1 in C++20: the exploration is one coroutine that reads as the paper does.
 //
-//     allworlds native --header > allworlds.h
+//     allworlds init --header > allworlds.h
 //     c++ -std=c++20 -O2 -shared -fPIC -I . -o algorithm1.so examples/cpp/algorithm1.cpp
 //     allworlds check --native ./algorithm1.so --edges 6
 //

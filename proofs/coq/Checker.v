@@ -111,7 +111,28 @@ Fixpoint run_from fuel s d : seq (nat * O) * option numbered_map * D :=
         ((k, senses d') :: transcript, answer, z)
       else ([::], None, d)
   end.
-Definition episode_of fuel d := run_from fuel (begins r (senses d)) d.
+
+(* the same, in constant space: taken, the steps so far, the last one first *)
+Fixpoint run_onto taken fuel s d : seq (nat * O) * option numbered_map * D :=
+  match decides r s with
+  | Stop answer => (rev taken, Some answer, d)
+  | Move k =>
+      if fuel is fuel'.+1 then
+        let d' := moves k d in
+        run_onto ((k, senses d') :: taken) fuel' (goes_on r s (senses d')) d'
+      else (rev taken, None, d)
+  end.
+Definition episode_of fuel d := run_onto [::] fuel (begins r (senses d)) d.
+
+Lemma run_ontoE taken fuel s d : run_onto taken fuel s d =
+  let: (transcript, answer, z) := run_from fuel s d in (catrev taken transcript, answer, z).
+Proof.
+elim: fuel taken s d => [|fuel IH] taken s d /=; case: (decides r s) => // k.
+by rewrite IH; case: (run_from _ _ _) => [[t a] z].
+Qed.
+
+Lemma episode_ofE fuel d : episode_of fuel d = run_from fuel (begins r (senses d)) d.
+Proof. by rewrite /episode_of run_ontoE; case: (run_from _ _ _) => [[t a] z]. Qed.
 End Run.
 
 Lemma explore_run (M : rooted_map) (senses : carrier M -> O) fuel o seen d :
@@ -124,7 +145,7 @@ Qed.
 
 Theorem episode_resumption (M : rooted_map) (senses : carrier M -> O) fuel :
   episode as_explorer M senses fuel = episode_of (motion_in M) senses fuel (root M).
-Proof. exact: explore_run. Qed.
+Proof. by rewrite episode_ofE; exact: explore_run. Qed.
 End Resumptions.
 
 Definition remembering O (X : explorer O numbered_map) : resumption (seq O) O :=

@@ -12,8 +12,9 @@
                           the folded map.
 
    Trusted here: the extraction itself; ExtrOcamlBasic and ExtrOcamlNatInt (nat becomes int: no
-   number in a run comes near 2^62, the largest is a product of two list lengths); and three
-   hand-written realisations, eqn as (=), modn as (mod) with a mod 0 = a, addition as (+).
+   number in a run comes near 2^62, the largest is a product of two list lengths); three hand-written
+   realisations, eqn as (=), modn as (mod) with a mod 0 = a, addition as (+); and the seven functions on
+   lists of ocaml/tail.ml and OCaml's own List.length, which need no stack.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Percepts RootedMaps Codes Explorers Algorithm Policies.
@@ -25,6 +26,14 @@ Require Import ExtrOcamlBasic ExtrOcamlNatInt.
 Extract Inlined Constant ssrnat.eqn => "(fun (a : int) b -> a = b)".
 Extract Inlined Constant div.modn => "(fun a b -> if b = 0 then a else a mod b)".
 Extract Inlined Constant Nat.add => "(+)".
+Extract Inlined Constant seq.size => "Stdlib.List.length".
+Extract Inlined Constant seq.cat => "Tail.cat".
+Extract Inlined Constant seq.rcons => "Tail.rcons".
+Extract Inlined Constant seq.map => "Tail.map".
+Extract Inlined Constant seq.filter => "Tail.filter".
+Extract Inlined Constant seq.pmap => "Tail.pmap".
+Extract Inlined Constant seq.foldr => "Tail.foldr".
+Extract Inlined Constant seq.iota => "Tail.iota".
 
 Definition algorithm1_starts := set_out directional.
 Definition algorithm1_next := next directional.

@@ -1,82 +1,124 @@
-"""The statements of this folder, without a solver: none is vacuous.  See README.md.
+"""The statements of this folder, without a solver: each is the one that is meant.  See README.md.
 
-For each ``X.smt2`` its ``X.model.smt2`` must define every symbol, have the same hypotheses, and
-make them all true, by the evaluator of ``smtlib.py``.  That the negated conclusion contradicts the
-hypotheses is for the solvers (``check.py`` beside this file).
+Each ``X.smt2`` must have the title, the expected answer and the commands of ``X`` in
+``opinions.py``, and no more.  Its ``X.model.smt2`` must be a legal script, define every symbol as
+the statement declares it, have the same hypotheses, and make them all true, by the evaluator of
+``smtlib.py``; the conclusion must then be true there, too, whatever the values of the constants
+that it alone names.  That the conclusion follows in every other model is for the solvers
+(``check.py`` beside this file).
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
+from itertools import product, zip_longest
 from pathlib import Path
 from typing import Any
 
 from lrat import Refused, read
-from smtlib import Definitions, Term, assertions, commands, definitions
+from opinions import STATEMENTS, Statement
+from smtlib import Definitions, Term, assertions, commands, definitions, require_well_sorted
 
-DECLARING = ("declare-sort", "declare-fun", "declare-const", "define-fun")
 DEFINING = ("declare-datatypes", "define-fun")
 
 
 def check(folder: Path) -> list[str]:
-    """What has been checked, sentence by sentence."""
-    models = {path.name for path in folder.glob("*.model.smt2")}
-    names = sorted(p.stem for p in folder.glob("*.smt2") if p.name not in models)
-    if models != {f"{name}.model.smt2" for name in names}:
-        raise Refused("a statement without a model, or a model without a statement")
-    settled = 0
-    for name in names:
-        try:
-            settled += _require_model(
-                read(folder / f"{name}.smt2"), read(folder / f"{name}.model.smt2")
-            )
-        except Refused as error:
-            raise Refused(f"{name}: {error}") from None
+    """Return what has been checked, sentence by sentence."""
+    wanted = {f"{name}{end}" for name in STATEMENTS for end in (".smt2", ".model.smt2")}
+    there = {path.name for path in folder.glob("*.smt2")}
+    if wanted != there:
+        name = min(wanted ^ there)
+        raise Refused(f"{name} is {'no statement of ours' if name in there else 'missing'}")
+    for name in STATEMENTS:
+        require_statement(
+            name, *(read(folder / f"{name}{end}") for end in (".smt2", ".model.smt2"))
+        )
+    settled = sum(not statement.conclusion for statement in STATEMENTS.values())
+    others = len(STATEMENTS) - settled
     return [
-        f"{len(names)} statements, none vacuous: a model of the hypotheses of each, evaluated",
-        f"{settled} says that something exists, which its model settles",
-        f"the other {len(names) - settled} are for solvers: second-opinions/check.py",
+        f"{len(STATEMENTS)} statements, word for word those that are meant",
+        "none vacuous: a model of each, evaluated, and no conclusion is false there",
+        f"{settled} is settled by its model; for solvers, second-opinions/check.py: {others}",
     ]
 
 
-def _require_model(text: str, model_text: str) -> bool:
-    """Whether the model settles the statement; it is one of the hypotheses in any case.
+def require_statement(name: str, text: str, model_text: str) -> None:
+    """Accept the statement of this name, and its model.
 
     Raises:
-        Refused: if it is not, or a script has not the form that is expected.
+        Refused: if the file says anything else, or its model is none.
     """
-    statement, model = commands(text), commands(model_text)
-    _require_form(statement, DECLARING)
-    _require_form(model, DEFINING)
-    expected = re.search(r"^; Expected: (sat|unsat)$", text, re.MULTILINE)
-    if expected is None:
-        raise Refused("it does not say '; Expected: sat' or 'unsat'")
-    exists = expected[1] == "sat"
-    hypotheses = assertions(statement)[: None if exists else -1]
+    statement = STATEMENTS[name]
+    try:
+        _require_meant(statement, text)
+        _require_model(statement, model_text)
+    except Refused as error:
+        raise Refused(f"{name}: {error}") from None
+
+
+def _require_meant(statement: Statement, text: str) -> None:
+    """Accept the text if title, expected answer and commands are those of the statement."""
+    remarks = [line for line in text.splitlines() if line.startswith(";")]
+    if not text.startswith(f"; {statement.title}\n"):
+        raise Refused(f"it does not begin with its title, {statement.title!r}")
+    if [r for r in remarks if r.startswith("; Expected:")] != [f"; Expected: {statement.expected}"]:
+        raise Refused(f"it does not say '; Expected: {statement.expected}', once")
+    for i, (mine, theirs) in enumerate(zip_longest(commands(statement.script), commands(text)), 1):
+        if mine != theirs:
+            raise Refused(f"command {i} is {_text(theirs)}, and should be {_text(mine)}")
+
+
+def _require_model(statement: Statement, text: str) -> None:
+    """Accept a script that makes the hypotheses true, and the conclusion with them."""
+    model, meant = commands(text), commands(statement.script)
+    _require_form(model)
+    hypotheses = commands(" ".join(statement.hypotheses))
     if assertions(model) != hypotheses:
         raise Refused("the model has other hypotheses")
+    require_well_sorted(model)
     defined = definitions(model)
-    bodies = [body for _, body in definitions(statement).functions.values()]
+    bodies = [body for _, body in definitions(meant).functions.values()]
     # A symbol that only the conclusion names may be left open, but not have another meaning.
     looked_at = {*_words([*hypotheses, *bodies]), *defined.functions}
-    for command in statement:
-        if command[0] in DECLARING and command[1] in looked_at:
+    for command in meant:
+        if command[0] not in ("assert", "set-logic", "check-sat") and command[1] in looked_at:
             _require_defined(command, model, defined)
     for hypothesis in hypotheses:
         if defined.value(hypothesis, {}) is not True:
-            raise Refused(f"the model makes a hypothesis false: {hypothesis}")
-    return exists
+            raise Refused(f"the model makes a hypothesis false: {_text(hypothesis)}")
+    if statement.conclusion:
+        _require_conclusion(statement, meant, defined)
 
 
-def _require_form(script: Sequence[list[Any]], before: tuple[str, ...]) -> None:
-    """A logic, then symbols, then assertions, then one question, and nothing else."""
-    heads = [command[0] for command in script]
+def _require_conclusion(
+    statement: Statement, meant: Sequence[list[Any]], defined: Definitions
+) -> None:
+    """Accept a model in which the conclusion is true for all values of what is left open."""
+    [conclusion] = commands(statement.conclusion)
+    named = set(_words(conclusion))
+    left = [
+        (name, sort)
+        for kind, name, sort in (c for c in meant if c[0] == "declare-const")
+        if name in named
+        and name not in defined.functions
+        and name not in defined.sorts.get(sort, [])
+    ]
+    if numbers := [name for name, sort in left if not defined.sorts.get(sort)]:
+        raise Refused(f"the model leaves {numbers[0]} open")
+    for values in product(*(defined.sorts[sort] for _, sort in left)):
+        point = dict(zip([name for name, _ in left], values, strict=True))
+        if defined.value(conclusion, point) is not True:
+            raise Refused(f"the model makes the conclusion false, at {point}")
+
+
+def _require_form(script: Sequence[list[Any]]) -> None:
+    """Accept a logic, then definitions, then assertions, then one question, and no more."""
+    heads = [command[0] if command else "()" for command in script]
     asserted = heads.count("assert")
     symbols = heads[1 : -asserted - 1]
     form = ["set-logic", *symbols, *["assert"] * asserted, "check-sat"]
-    if asserted == 0 or heads != form or not set(symbols) <= set(before):
-        raise Refused("not a logic, symbols, assertions and one check-sat, in this order")
+    if asserted == 0 or heads != form or not set(symbols) <= set(DEFINING):
+        raise Refused("not a logic, definitions, assertions and one check-sat, in this order")
 
 
 def _words(term: Term) -> Iterator[str]:
@@ -87,8 +129,14 @@ def _words(term: Term) -> Iterator[str]:
             yield from _words(part)
 
 
+def _text(term: Term | None) -> str:
+    if term is None:
+        return "missing"
+    return term if isinstance(term, str) else f"({' '.join(map(_text, term))})"
+
+
 def _require_defined(command: list[Any], model: Sequence[list[Any]], defined: Definitions) -> None:
-    """Nothing, if what the statement declares or defines is defined in the model, as it should."""
+    """Accept a model that defines what the statement declares or defines, as it should."""
     match command:
         case ["declare-sort", sort, "0"]:
             right = sort in defined.sorts
@@ -103,6 +151,6 @@ def _require_defined(command: list[Any], model: Sequence[list[Any]], defined: De
         case ["define-fun", *_]:
             right = command in model
         case _:
-            right = True
+            right = False
     if not right:
         raise Refused(f"the model does not define as it should: {command[1]}")

@@ -10,94 +10,44 @@ and everything that the command line does is a function of the same name, for ex
 importing the package is fast.
 """
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.protocol import (
-    Ambiguous,
-    Checkpoint,
-    Choices,
-    Drop,
-    Estimate,
-    Move,
-    Percept,
-    Pick,
-)
-from allworlds.verbs import GROUPS, VERBS
-from allworlds.version import __version__
+from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds import ambiguity
-    from allworlds.ambiguity import twins
-    from allworlds.benching import bench
-    from allworlds.checker import check, replay, run, worlds
-    from allworlds.comparing import compare
-    from allworlds.counter import count
-    from allworlds.explaining import explain
-    from allworlds.figures import figure
-    from allworlds.fuzzer import fuzz
-    from allworlds.growing import grow
-    from allworlds.joining import merge, status
-    from allworlds.ledger import claims
-    from allworlds.libraries import native
-    from allworlds.minimax import optimum
-    from allworlds.mutation import mutants
-    from allworlds.playing import play
-    from allworlds.skeletons import init
-    from allworlds.smt import search
-    from allworlds.worst_case import worst
+    from allworlds.evidence.bench import bench as bench
+    from allworlds.evidence.claims import claims as claims
+    from allworlds.evidence.figures import figure as figure
+    from allworlds.evidence.mutants import mutants as mutants
+    from allworlds.judging import Finding as Finding, explain as explain
+    from allworlds.maps import CombinatorialMap as CombinatorialMap, InvalidMap as InvalidMap
+    from allworlds.protocol import (
+        Ambiguous as Ambiguous,
+        Checkpoint as Checkpoint,
+        Choices as Choices,
+        Drop as Drop,
+        Estimate as Estimate,
+        Move as Move,
+        Percept as Percept,
+        Pick as Pick,
+    )
+    from allworlds.studies import ambiguity as ambiguity
+    from allworlds.studies.ambiguity import search as search, twins as twins
+    from allworlds.studies.check import check as check
+    from allworlds.studies.compare import compare as compare
+    from allworlds.studies.count import count as count
+    from allworlds.studies.fuzz import fuzz as fuzz
+    from allworlds.studies.init import init as init
+    from allworlds.studies.merge import merge as merge
+    from allworlds.studies.optimum import optimum as optimum
+    from allworlds.studies.play import play as play
+    from allworlds.studies.replay import replay as replay
+    from allworlds.studies.run import run as run
+    from allworlds.studies.status import status as status
+    from allworlds.studies.worst import worst as worst
+    from allworlds.version import __version__ as __version__
+    from allworlds.world import worlds as worlds
+else:
+    from allworlds.verbs import REPLACED
 
-_PACKAGES = set(GROUPS)
-_HOMES = {"worlds": "checker"} | {
-    verb.name: verb.function.partition(":")[0] for verb in VERBS if not verb.group
-}
-
-__all__ = [
-    "Ambiguous",
-    "Checkpoint",
-    "Choices",
-    "CombinatorialMap",
-    "Drop",
-    "Estimate",
-    "InvalidMap",
-    "Move",
-    "Percept",
-    "Pick",
-    "__version__",
-    "ambiguity",
-    "bench",
-    "check",
-    "claims",
-    "compare",
-    "count",
-    "explain",
-    "figure",
-    "fuzz",
-    "grow",
-    "init",
-    "merge",
-    "mutants",
-    "native",
-    "optimum",
-    "play",
-    "replay",
-    "run",
-    "search",
-    "status",
-    "twins",
-    "worlds",
-    "worst",
-]
-
-
-def __getattr__(name: str) -> Any:
-    if name in _PACKAGES:
-        return import_module(f"allworlds.{name}")
-    if name not in _HOMES:
-        raise AttributeError(f"module 'allworlds' has no attribute {name!r}")
-    return getattr(import_module(f"allworlds.{_HOMES[name]}"), name)
-
-
-def __dir__() -> list[str]:
-    return sorted(__all__)
+    open_door(__name__, REPLACED)

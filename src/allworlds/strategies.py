@@ -25,9 +25,7 @@ from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, integers, lists
 
 from allworlds.inputs import InputError, an_integer
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.classes import MapClass
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
+from allworlds.maps import CombinatorialMap, Dart, MapClass, cycles, rooted_code
 from allworlds.protocol import Choices, Kind
 from allworlds.world import Lighthouse, World, lighthouse_named
 

@@ -26,15 +26,14 @@ from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias, cast
 
-from allworlds.checker import ManyRunsOptions, Report, check
-from allworlds.findings import Finding
-from allworlds.fuzzer import refuted_in
-from allworlds.maps.classes import Extent, MapClass
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.judging import Finding
+from allworlds.maps import CombinatorialMap, Extent, MapClass
 from allworlds.outcome import Verdict
-from allworlds.own_corpus import own_corpus
 from allworlds.reports import brief, finding_in_words
+from allworlds.studies.check import ManyRunsOptions, Report, check
+from allworlds.studies.fuzz import refuted_in
 from allworlds.words import plural
+from allworlds.world import own_corpus
 
 __all__ = [
     "AtLevel",

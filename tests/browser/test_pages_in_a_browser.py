@@ -5,11 +5,10 @@ import re
 import pytest
 
 from allworlds import claims, run, twins
-from allworlds.checker import check
-from allworlds.maps import CombinatorialMap
-from allworlds.maps.families import family
-from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.maps import CombinatorialMap, family
 from allworlds.reports import page_of
+from allworlds.studies.check import check
 from allworlds.world import Directional, World, world_named
 
 axe = pytest.importorskip("axe_core_python.sync_playwright", reason="needs the extra 'browser'")
@@ -39,9 +38,10 @@ PAGES = {
     "four findings": lambda: page_of(
         "check", check("algorithm1", lighthouse="position", edges=3, max_findings=4)
     ),
-    "claims": lambda: page_of("claims", claims(only=["cycles", "fig1"])),
+    "claims": lambda: page_of("paper claims", claims(only=["cycles", "fig1"])),
     "twins": lambda: page_of(
-        "twins", twins(*(world_named(f"fig1-{side}", "position") for side in ("left", "right")))
+        "ambiguity twins",
+        twins(*(world_named(f"fig1-{side}", "position") for side in ("left", "right"))),
     ),
 }
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from allworlds.playing import play
 from allworlds.reports import page_of
+from allworlds.studies.play import play
 
 pytestmark = [pytest.mark.slow, pytest.mark.no_cover]
 

@@ -1,22 +1,21 @@
 import json
 
 import pytest
+from printed import without_made_by
 
 import allworlds
-from allworlds.bisimulation import flaw
 from allworlds.maps import named_map
-from allworlds.world import World
-from printed import without_made_by
+from allworlds.world import World, flaw
 
 
 def test_twins_answer_yes_and_no_with_exit_code_zero(cli):
-    code, out, err = cli("twins", "fig1-left", "fig1-right", "--json")
+    code, out, err = cli("ambiguity", "twins", "fig1-left", "fig1-right", "--json")
     document = json.loads(out)
     assert (code, err, document["schema"]) == (0, "", 1)
     assert (document["distinguishable"], document["twins"]) == (False, True)
     worlds = [World.from_json(world) for world in document["worlds"]]
     assert flaw(worlds, document["bisimulation"]) is None
-    code, out, _ = cli("twins", "cycle-3", "cycle-4", "--json")
+    code, out, _ = cli("ambiguity", "twins", "cycle-3", "cycle-4", "--json")
     assert (code, json.loads(out)["motions"]) == (0, [0, 1, 1])
 
 
@@ -24,7 +23,9 @@ def test_twins_answer_yes_and_no_with_exit_code_zero(cli):
     ("lighthouse", "twins"), [("none", True), ("compass", True), ("position", False)]
 )
 def test_the_lighthouse_of_named_maps_is_an_option(cli, lighthouse, twins):
-    _, out, _ = cli("twins", "cycle-3", "cycle-5", "--lighthouse", lighthouse, "--json")
+    _, out, _ = cli(
+        "ambiguity", "twins", "cycle-3", "cycle-5", "--lighthouse", lighthouse, "--json"
+    )
     document = json.loads(out)
     assert document["twins"] is twins
     assert [world["lighthouse"]["kind"] for world in document["worlds"]] == [lighthouse] * 2
@@ -34,9 +35,9 @@ def test_a_world_in_json_keeps_its_own_lighthouse_and_gets_one_if_it_has_none(cl
     file = tmp_path / "k4.json"
     file.write_text(json.dumps(named_map("k4").to_json()))
     own = json.dumps({**named_map("k4").to_json(), "lighthouse": {"kind": "none"}})
-    code, out, _ = cli("twins", f"@{file}", own, "--lighthouse", "none", "--json")
+    code, out, _ = cli("ambiguity", "twins", f"@{file}", own, "--lighthouse", "none", "--json")
     assert (code, json.loads(out)["relation"]) == (0, "same")
-    code, out, err = cli("twins", f"@{file}", own, "--json")
+    code, out, err = cli("ambiguity", "twins", f"@{file}", own, "--json")
     assert (code, out) == (2, "")
     assert err == (
         "allworlds: the worlds have the lighthouses position and none; two worlds are compared "
@@ -45,7 +46,7 @@ def test_a_world_in_json_keeps_its_own_lighthouse_and_gets_one_if_it_has_none(cl
 
 
 def test_worlds_are_drawn_unless_json_is_asked_for(cli):
-    assert cli("twins", "fig1-left", "fig1-right")[1].startswith("TWINS")
+    assert cli("ambiguity", "twins", "fig1-left", "fig1-right")[1].startswith("TWINS")
     assert cli("ambiguity", "class", "k4")[1].startswith("AMBIGUOUS")
     assert cli("ambiguity", "census", "--edges", "2")[1].startswith("edges")
 
@@ -70,10 +71,10 @@ def test_the_census_counts_inside_a_class(cli):
 @pytest.mark.parametrize(
     ("arguments", "named"),
     [
-        (["twins", "k4", "nowhere"], "'nowhere' is neither JSON"),
-        (["twins", "k4", "k4", "--lighthouse", "sun"], "'sun' is not one of"),
-        (["twins", "k4", '{"sigma": [0, 1]}'], "'alpha' must be a list"),
-        (["twins", "k4"], "B"),
+        (["ambiguity", "twins", "k4", "nowhere"], "'nowhere' is neither JSON"),
+        (["ambiguity", "twins", "k4", "k4", "--lighthouse", "sun"], "'sun' is not one of"),
+        (["ambiguity", "twins", "k4", '{"sigma": [0, 1]}'], "'alpha' must be a list"),
+        (["ambiguity", "twins", "k4"], "B"),
         (["ambiguity", "class", "k4", "--limit", "0"], "limit 0"),
         (["ambiguity", "class", "k4", "--limit", "many"], "many"),
         (["ambiguity", "class", "k4", "--lighthouse", "none"], "lighthouse none"),
@@ -93,7 +94,7 @@ def test_two_position_markers_are_refused(refused):
     assert "lighthouse.dart = [0, 3] is not an integer" in err
 
 
-@pytest.mark.parametrize("verb", [["twins"], ["ambiguity"], ["ambiguity", "class"]])
+@pytest.mark.parametrize("verb", [["ambiguity", "twins"], ["ambiguity"], ["ambiguity", "class"]])
 def test_help_begins_with_an_example(cli, verb):
     _, out, _ = cli(*verb, "--help")
     assert f"Example: allworlds {verb[0]}" in out

@@ -9,13 +9,13 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 import processes
-from allworlds.cli.app import call
+import pytest
 from processes import PATIENCE
 
-EXPLORERS = Path(__file__).parents[1] / "explorers_for_tests"
+from allworlds.cli.app import call
+
+EXPLORERS = Path(__file__).parents[1] / "support" / "explorers_for_tests"
 WRONG = f"{EXPLORERS / 'wrong.py'}"
 EDGE = '{"sigma": [0, 1], "alpha": [1, 0]}'
 
@@ -303,7 +303,9 @@ def test_recorded_choices_that_no_longer_fit_are_told_on_stderr(cli, tmp_path):
 
 
 def test_a_terminal_without_the_characters_is_no_error(start):
-    process = start("twins", "two-loops-plane", "two-loops-torus", PYTHONIOENCODING="ascii")
+    process = start(
+        "ambiguity", "twins", "two-loops-plane", "two-loops-torus", PYTHONIOENCODING="ascii"
+    )
     out, err = process.communicate(timeout=PATIENCE)
     assert (process.returncode, err) == (0, "")
     assert out.isascii()
@@ -311,7 +313,7 @@ def test_a_terminal_without_the_characters_is_no_error(start):
 
 
 def test_an_internal_error_has_its_own_exit_code(cli, monkeypatch):
-    from allworlds import counter
+    from allworlds.studies.count import counter
 
     monkeypatch.setattr(counter, "rooted_maps", lambda *_: 1 // 0)
     code, out, err = cli("count", "--edges", "1")
@@ -320,7 +322,7 @@ def test_an_internal_error_has_its_own_exit_code(cli, monkeypatch):
 
 
 def test_a_count_that_its_source_contradicts_is_an_internal_error(cli, monkeypatch):
-    from allworlds import counter
+    from allworlds.studies.count import counter
 
     monkeypatch.setattr(counter, "rooted_maps", lambda *_: iter(()))
     code, out, _ = cli("count", "--edges", "1")

@@ -3,18 +3,17 @@
 import inspect
 import json
 import sys
-from importlib import import_module
 from pathlib import Path
 
 import pytest
+from kept_jobs import EXPLORERS
 
 from allworlds import ambiguity, bench, count, mutants, search
 from allworlds.cli import events, output
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.engines import level_size
+from allworlds.maps import Extent, MapClass
 from allworlds.progress import Silent
-from allworlds.verbs import VERBS
-from allworlds.work import level_size
-from kept_jobs import EXPLORERS
+from allworlds.verbs import VERBS, loaded
 from recorded.record import least
 from schemas.validating import complaints
 
@@ -85,8 +84,7 @@ def test_events_are_lines_of_json(cli, tmp_path):
 
 
 def is_watched(verb):
-    module, _, name = verb.function.partition(":")
-    function = getattr(import_module(f"allworlds.{module}"), name)
+    function = loaded(verb.function)
     return "listener" in inspect.signature(function).parameters
 
 
@@ -94,12 +92,12 @@ WATCHED = {verb.name: verb.name.split() for verb in VERBS if is_watched(verb)}
 TIMED = {"searched", "solver_seconds"}
 """What of a report holds times."""
 
-AT_ONCE = {"merge", "figure"}
+AT_ONCE = {"merge", "paper figure"}
 """Their least commands have nothing to do but to read and to draw."""
 
 
 @pytest.mark.no_cover
-@pytest.mark.parametrize("name", [name for name in WATCHED if name != "bench"])
+@pytest.mark.parametrize("name", [name for name in WATCHED if name != "self bench"])
 def test_every_verb_that_is_watched_writes_events(name, cli, tmp_path, monkeypatch):
     monkeypatch.setattr(events, "EVERY", 0.0)
     file = tmp_path / "events.ndjson"
@@ -168,7 +166,7 @@ def test_and_not_the_report(cli):
 
 @pytest.mark.usefixtures("without_workers")
 def test_an_estimate_is_a_document_and_an_event(cli, tmp_path, monkeypatch):
-    monkeypatch.setattr("allworlds.checker.guessing.SECONDS", 0.01)
+    monkeypatch.setattr("allworlds.studies.check.time_estimate.SECONDS", 0.01)
     file = tmp_path / "events.ndjson"
     asked = ("check", "--edges", 3, "--engine", "python", "--shard", "0/1", "--estimate")
     code, out, _ = cli(*asked, "--json", "--events", file)

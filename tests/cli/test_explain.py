@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from allworlds.checker import check
-from allworlds.explaining import explain
-from allworlds.mutation.explorers import PoseLost, WrongExplorer
+from allworlds.evidence.mutants.explorers import PoseLost, WrongExplorer
+from allworlds.judging import explain
+from allworlds.studies.check import check
 
 FINDING = check(WrongExplorer(PoseLost).explorer(), edges=2).findings[0]
 

@@ -6,11 +6,11 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from allworlds.checker import check
 from allworlds.cli.files import Files
-from allworlds.fuzzer import fuzz
-from allworlds.reports.html import check_page as page
+from allworlds.reports.html.pages import check_page as page
 from allworlds.reports.junit import junit
+from allworlds.studies.check import check
+from allworlds.studies.fuzz import fuzz
 
 WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
 
@@ -73,7 +73,9 @@ def test_a_file_that_cannot_be_written_is_refused_before_the_run(
     option, name, tmp_path, monkeypatch, refused
 ):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("allworlds.checker.check", lambda *_args, **_options: 1 / 0)
+    monkeypatch.setattr(
+        "allworlds.studies.check.exhaustive.check", lambda *_args, **_options: 1 / 0
+    )
     assert "cannot be written" in refused(*QUICK, option, name)
     assert list(tmp_path.iterdir()) == []
 

@@ -45,11 +45,11 @@ def test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch,
         ("check", "check [OPTIONS] [EXPLORER]"),
         ("run", "run [OPTIONS] [EXPLORER] WORLD"),
         ("replay", "replay [OPTIONS] FILE"),
-        ("twins", "twins [OPTIONS] A B"),
+        ("ambiguity twins", "ambiguity twins [OPTIONS] A B"),
     ],
 )
 def test_a_usage_line_shows_the_arguments_as_they_are_told_of(name, usage, monkeypatch, capsys):
-    _, told = help_of([name], 100, monkeypatch, capsys)
+    _, told = help_of(name.split(), 100, monkeypatch, capsys)
     line = next(line for line in told.splitlines() if "Usage" in line)
     assert line.split("allworlds ")[1].strip() == usage
 

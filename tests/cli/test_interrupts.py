@@ -10,18 +10,18 @@ from types import SimpleNamespace
 import pytest
 
 from allworlds.cli import app, main
+from allworlds.engines import Threads
 from allworlds.outcome import until_interrupted
-from allworlds.smt.searching import _Search
-from allworlds.work import Threads
+from allworlds.studies.ambiguity.smt.twin_search import _TwinsSearch
 
 # A verb; what it goes through once for each of its rows; its words; where its rows stand.
 ROWS = {
-    "count": ("allworlds.counter._count_level", "--edges 4", "rows"),
-    "ambiguity census": ("allworlds.ambiguity.census.gather", "--edges 4", "rows"),
-    "worst": ("allworlds.worst_case.search.gather", "--edges 4", "rows"),
-    "mutants": ("allworlds.mutation.matrix._explorer", "--edges 1", "kill_matrix"),
-    "optimum": ("allworlds.minimax.table.minimax", "--edges 3", "rows"),
-    "bench": ("allworlds.benching._round", "--edges 4 --rounds 4", "contenders"),
+    "count": ("allworlds.studies.count.counter._count_level", "--edges 4", "rows"),
+    "ambiguity census": ("allworlds.studies.ambiguity.marked_worlds.gather", "--edges 4", "rows"),
+    "worst": ("allworlds.studies.worst.all_worlds.gather", "--edges 4", "rows"),
+    "self mutants": ("allworlds.evidence.mutants.matrix._explorer", "--edges 1", "kill_matrix"),
+    "optimum": ("allworlds.studies.optimum.optimum_table.minimax", "--edges 3", "rows"),
+    "self bench": ("allworlds.evidence.bench.rounds._round", "--edges 4 --rounds 4", "contenders"),
 }
 
 
@@ -60,7 +60,7 @@ def test_the_rows_before_an_interrupt_are_told(cli, interrupt, verb):
     document = json.loads(out)
     assert (code, err) == (130, "allworlds: interrupted; the report tells what was finished\n")
     assert document["complete"] is False
-    finished = document["rounds"] if verb == "bench" else len(document[rows])
+    finished = document["rounds"] if verb == "self bench" else len(document[rows])
     assert finished == (5 if verb == "worst" else 2)  # of 1 edge 2 sizes, of 2 edges 3
 
 
@@ -76,15 +76,15 @@ def test_the_text_of_what_was_interrupted_says_so(cli, interrupt, verb):
 
 
 def test_before_the_first_round_there_is_nothing_to_tell(cli, interrupt):
-    interrupt("allworlds.benching._round", 0)
-    assert cli("bench", "--edges", 4) == (130, "", "allworlds: interrupted\n")
+    interrupt("allworlds.evidence.bench.rounds._round", 0)
+    assert cli("self", "bench", "--edges", 4) == (130, "", "allworlds: interrupted\n")
 
 
-SEARCH = "search --lighthouse position --class simple --vertices 4 --edges 6 --json --out"
+SEARCH = "ambiguity search --lighthouse position --class simple --vertices 4 --edges 6 --json --out"
 
 
 def test_a_search_that_is_interrupted_is_undecided(cli, interrupt, tmp_path):
-    interrupt("allworlds.smt.searching.pair_formula", 1)
+    interrupt("allworlds.studies.ambiguity.smt.twin_search.pair_formula", 1)
     code, out, err = cli(*SEARCH.split(), tmp_path)
     document = json.loads(out)
     assert (code, document["exit_code"], document["status"]) == (130, 130, "unknown")
@@ -97,7 +97,7 @@ def test_twins_that_were_found_before_an_interrupt_are_told(cli, monkeypatch, tm
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(_Search, "_fewer_vertices", interrupted)
+    monkeypatch.setattr(_TwinsSearch, "_fewer_vertices", interrupted)
     code, out, _ = cli(*SEARCH.split(), tmp_path)
     document = json.loads(out)
     assert (code, document["status"], len(document["pair"])) == (130, "sat", 2)
@@ -119,7 +119,7 @@ def test_an_interrupt_at_once_is_told_in_a_line(capsys, monkeypatch):
     assert capsys.readouterr() == ("", "allworlds: interrupted\n")
 
 
-@pytest.mark.parametrize("words", ["twins k4 k4", "ambiguity class k4"])
+@pytest.mark.parametrize("words", ["ambiguity twins k4 k4", "ambiguity class k4"])
 def test_what_has_one_answer_has_none(cli, monkeypatch, words):
     def interrupted(*_):
         raise KeyboardInterrupt
@@ -222,6 +222,6 @@ def test_a_broken_pipe_is_no_verdict(cli, monkeypatch):
     def broken(*_, **__):
         raise BrokenPipeError(32, "Broken pipe")
 
-    monkeypatch.setattr("allworlds.checker.check", broken)
+    monkeypatch.setattr("allworlds.check", broken)
     code, out, err = cli("check", "--edges", 1)
     assert (code, out, err) == (70, "", "allworlds: Broken pipe\n")

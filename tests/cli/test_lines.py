@@ -6,11 +6,11 @@ import sys
 import pytest
 
 from allworlds.cli.output import LONGEST, complain
-from allworlds.counter import count
+from allworlds.engines import tell_of_size
 from allworlds.inputs import InputError, show
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps import Extent, MapClass
 from allworlds.progress import Silent
-from allworlds.work import tell_of_size
+from allworlds.studies.count import count
 
 LONG = "y" * 5000
 
@@ -41,8 +41,8 @@ LONG = "y" * 5000
         ["run", "algorithm1", LONG, LONG],
         ["replay", LONG],
         ["worst", "--transit", LONG],
-        ["search", "--lighthouse", LONG, "--edges", "1", "--vertices", "1"],
-        ["bench", "--peer", LONG],
+        ["ambiguity", "search", "--lighthouse", LONG, "--edges", "1", "--vertices", "1"],
+        ["self", "bench", "--peer", LONG],
         [LONG],
         ["ambiguity", LONG],
     ],

@@ -3,7 +3,6 @@
 import json
 
 import pytest
-
 from printed import without_made_by
 
 pytestmark = pytest.mark.usefixtures("without_workers")
@@ -79,15 +78,15 @@ def test_fuzz_takes_a_lighthouse(cli):
 def test_the_pair_with_two_edges_cannot_be_told_apart(cli, kind):
     # Half a turn round v1 and the exchange of v0's darts make darts alike in pairs.
     pair = [json.dumps({**map_, "lighthouse": {"kind": kind, "dart": 0}}) for map_ in PAIR]
-    code, out, _ = cli("twins", *pair, "--json")
+    code, out, _ = cli("ambiguity", "twins", *pair, "--json")
     report = json.loads(out)
     assert (code, report["twins"], report["distinguishable"]) == (0, True, False)
     assert [world["lighthouse"]["kind"] for world in report["worlds"]] == [kind, kind]
     bare = [json.dumps(map_) for map_ in PAIR]
-    code, again, err = cli("twins", *bare, "--lighthouse", kind, "--json")
+    code, again, err = cli("ambiguity", "twins", *bare, "--lighthouse", kind, "--json")
     assert (code, err) == (0, "")
     assert without_made_by(again) == without_made_by(out)
-    code, out, _ = cli("twins", *bare, "--lighthouse", "directional", "--json")
+    code, out, _ = cli("ambiguity", "twins", *bare, "--lighthouse", "directional", "--json")
     assert json.loads(out)["distinguishable"]
 
 
@@ -104,10 +103,14 @@ BAD = [
     (["run", LOLLIPOP + ',"lighthouse":{"kind":"cluster","singel":true}}'], "'singel'"),
     (["run", LOLLIPOP + ',"lighthouse":{"kind":"cluster","single":"yes"}}'], "'yes'"),
     (["check", "algorithm1-cluster", "--engine", "kernel", "--policy", "random:1"], "'random:1'"),
-    (["search", "--lighthouse", "cluster", "--vertices", "2", "--edges", "2"], "'cluster'"),
+    (
+        ["ambiguity", "search", "--lighthouse", "cluster", "--vertices", "2", "--edges", "2"],
+        "'cluster'",
+    ),
     (["ambiguity", "class", "edge", "--lighthouse", "cluster"], "cluster"),
     (
         [
+            "ambiguity",
             "twins",
             # v0 of degree 2 between vertices of degrees 1 and 3: the robot is told which is v1.
             *(

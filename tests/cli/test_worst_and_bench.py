@@ -2,7 +2,7 @@ import json
 
 import pytest
 
-from allworlds.runs import EnginesDisagree, Tally
+from allworlds.engines import EnginesDisagree, Tally
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -13,7 +13,7 @@ def test_worst_prints_one_document(cli):
     assert code == 0
     document = json.loads(out)
     assert document["transit"] == "shortest"
-    # The dearest schedule over all worlds with 3 edges, by an independent program: 11.
+    # The most expensive schedule over all worlds with 3 edges, by an independent program: 11.
     assert max(row["worst"] for row in document["rows"]) == 11
     assert all(row["replayed"] == row["worst"] for row in document["rows"])
 
@@ -54,7 +54,7 @@ def test_check_refuses_what_the_kernel_cannot_do(refused):
 
 @pytest.mark.slow
 def test_bench_prints_a_table_or_one_document(cli):
-    arguments = ["bench", "--edges", 4, "--rounds", 1, "--peer", "nothing=true"]
+    arguments = ["self", "bench", "--edges", 4, "--rounds", 1, "--peer", "nothing=true"]
     code, out, _ = cli(*arguments)
     assert code == 0
     assert "nothing" in out
@@ -66,7 +66,7 @@ def test_bench_prints_a_table_or_one_document(cli):
 @pytest.mark.slow
 def test_bench_refuses_a_peer_that_fails(refused):
     peer = ["--peer", "culprit=false"]
-    assert "'culprit'" in refused("bench", "--edges", 4, "--rounds", 1, *peer)
+    assert "'culprit'" in refused("self", "bench", "--edges", 4, "--rounds", 1, *peer)
 
 
 @pytest.mark.usefixtures("without_workers")
@@ -75,7 +75,7 @@ def test_engines_that_disagree_end_worst_with_70(monkeypatch, cli):
         yield 1, Tally(1)
         raise EnginesDisagree("of two engines one is wrong")
 
-    monkeypatch.setattr("allworlds.runs.examination.OwnExamination.parts", parts)
+    monkeypatch.setattr("allworlds.engines.python.python_engine.BoundPythonEngine.parts", parts)
     code, out, _ = cli("worst", "dfs", "--edges", 1)
     assert code == 70
     assert "MISMATCH   of two engines one is wrong" in out

@@ -5,7 +5,6 @@ import shutil
 from pathlib import Path
 
 import pytest
-
 from page_blocks import blocks, commands, shows, write
 from shells import shell_in
 
@@ -35,8 +34,8 @@ SLOW = {
 """Pages whose commands take more than some seconds, or a compiler."""
 
 ELSEWHERE = {
-    "README.md": ("sh", "tests/test_readme.py compares these lines with what CI runs"),
-    "docs/strategies.md": ("python", "tests/test_strategies.py runs them as tests"),
+    "README.md": ("sh", "tests/project/test_readme.py compares these lines with what CI runs"),
+    "docs/strategies.md": ("python", "tests/doors/test_strategies.py runs them as tests"),
 }
 """Languages of a page whose blocks others look after."""
 

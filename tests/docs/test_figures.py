@@ -10,7 +10,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from allworlds.drawing.layout import layout
+from allworlds.reports import layout
 
 ROOT = Path(__file__).parents[2]
 

@@ -2,17 +2,22 @@ from fractions import Fraction
 
 import networkx as nx
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from allworlds.explorers import BUILT_IN, algorithm1
-from allworlds.explorers.partial_map import PartialMap
-from allworlds.explorers.paths import simple_path
-from allworlds.maps.build import cycle, dense, from_cycles, from_rotation, lattice
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.classes import MapClass
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.explorers.builtin.partial_map import PartialMap
+from allworlds.explorers.builtin.paths import simple_path
+from allworlds.maps import (
+    CombinatorialMap,
+    MapClass,
+    cycle,
+    dense,
+    from_cycles,
+    from_rotation,
+    lattice,
+    rooted_code,
+    rooted_maps,
+)
 from allworlds.protocol import Checkpoint, Choices, Move, Percept, Schedules, policy_named
 from small import EDGE, LOOP, maps, slow
 
@@ -89,17 +94,19 @@ def bound(m, n):
 def test_all_worlds_with_the_bearing_on_the_root_cost_as_much_as_counted_elsewhere(
     edges, traversals
 ):
-    # Source of the totals and of the dearest worlds: an independent C program.
-    dearest = {}
+    # Source of the totals and of the most expensive worlds: an independent C program.
+    most_expensive = {}
     total = 0
     for world in rooted_maps(edges):
         run = Run(world)
         assert run.right
         total += run.cost
-        dearest[world.vertex_count] = max(run.cost, dearest.get(world.vertex_count, 0))
+        most_expensive[world.vertex_count] = max(
+            run.cost, most_expensive.get(world.vertex_count, 0)
+        )
     assert total == traversals
     if edges == 5:
-        assert dearest == {6: 19, 5: 25, 4: 32, 3: 31, 2: 37, 1: 5}
+        assert most_expensive == {6: 19, 5: 25, 4: 32, 3: 31, 2: 37, 1: 5}
 
 
 @pytest.mark.no_cover
@@ -112,7 +119,7 @@ def test_every_world_is_mapped_pose_included_within_the_bound_under_every_policy
         assert edges <= run.cost <= bound(edges, world.vertex_count)
 
 
-# The dearest schedule of the dearest world: from an independent program.
+# The most expensive schedule of the most expensive world: from an independent program.
 @pytest.mark.parametrize(("edges", "worst"), [(1, 1), (2, 4)])
 def test_every_schedule_of_every_world_is_right_and_the_worst_costs_what_is_known(edges, worst):
     costs = set()
@@ -253,7 +260,7 @@ def test_worlds_made_by_hand_are_walked_as_by_hand(world, bearing, policy, motio
     assert motions is None or run.motions == motions
 
 
-def test_the_dearest_edge_is_no_dearer_than_an_edge():
+def test_the_most_expensive_edge_is_no_dearer_than_an_edge():
     assert Run(EDGE).cost == Run(LOOP).cost == 1
 
 

@@ -5,13 +5,10 @@ from collections import Counter
 import pytest
 
 import allworlds
-from allworlds.ambiguity import class_of
 from allworlds.explorers import BUILT_IN
-from allworlds.maps import named_map
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.classes import MapClass
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps import MapClass, named_map, rooted_code, rooted_maps
 from allworlds.protocol import Ambiguous, Drop, Estimate, Move, Pick
+from allworlds.studies.ambiguity import class_of
 from allworlds.world import Position, World, lighthouse_named
 from small import EDGE, LOOP, all_maps, slow
 
@@ -148,6 +145,6 @@ def test_the_two_ways_are_two_and_going_home_is_not_the_cheaper_one():
 
 
 def test_an_unfair_way_never_ends():
-    report = allworlds.check("allworlds.mutation.explorers:nearest_only", edges=3)
+    report = allworlds.check("allworlds.evidence.mutants.explorers:nearest_only", edges=3)
     assert report.findings[0].law == "budget"
     assert report.findings[0].world.map.edge_count == 3

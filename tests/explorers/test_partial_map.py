@@ -1,11 +1,9 @@
 import networkx as nx
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
-from allworlds.explorers.partial_map import PartialMap
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.explorers.builtin.partial_map import PartialMap
+from allworlds.maps import CombinatorialMap, rooted_code
 from allworlds.protocol import Checkpoint, Percept
 from small import maps
 

@@ -3,14 +3,11 @@
 from collections import Counter
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
-from allworlds.explorers import BUILT_IN, algorithm1_cluster, algorithm1_natural
-from allworlds.maps.build import cycle, from_cycles, from_rotation
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.classes import MapClass
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.explorers import BUILT_IN
+from allworlds.explorers.builtin.undirected import algorithm1_cluster, algorithm1_natural
+from allworlds.maps import MapClass, cycle, from_cycles, from_rotation, rooted_code, rooted_maps
 from allworlds.protocol import Checkpoint, Choices, Move, Percept, Schedules, policy_named
 from allworlds.strategies import maps
 from small import EDGE

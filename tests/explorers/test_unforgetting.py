@@ -4,16 +4,15 @@ from collections import Counter
 from itertools import pairwise
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
-from allworlds.explorers import BUILT_IN, algorithm1, greedy, prudent, remembering
-from allworlds.explorers.folded_log import FoldedLog
-from allworlds.explorers.unforgetting import Spread
-from allworlds.judge import paper_bound
-from allworlds.maps.build import dense, from_cycles, lattice
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.explorers import BUILT_IN, FoldedLog, algorithm1
+from allworlds.explorers.builtin.greedy import greedy
+from allworlds.explorers.builtin.prudent import prudent
+from allworlds.explorers.builtin.remembering import remembering
+from allworlds.explorers.builtin.unforgetting import Spread
+from allworlds.judging import paper_bound
+from allworlds.maps import dense, from_cycles, lattice, rooted_code, rooted_maps
 from allworlds.protocol import Checkpoint, Choices, Percept, policy_named
 from small import maps, slow
 

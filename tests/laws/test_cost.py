@@ -4,11 +4,9 @@ import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import tuples
 
-from allworlds.episode import play
+from allworlds.evidence.mutants.judges import retracing_not_counted
 from allworlds.explorers import algorithm1
-from allworlds.judge import Case
-from allworlds.judge.laws import bound_law
-from allworlds.mutation.judges import retracing_not_counted
+from allworlds.judging import Case, bound_law, play
 from allworlds.protocol import Checkpoint, Choices, Estimate, Move
 from allworlds.strategies import choices, maps, motions, worlds
 from allworlds.world import World

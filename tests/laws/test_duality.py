@@ -5,12 +5,9 @@ from collections import Counter
 import pytest
 from hypothesis import find, given, settings
 
+from allworlds.maps import MapClass, automorphisms, rooted_maps, unrooted_code
 from allworlds.maps.bruteforce import unrooted_maps
-from allworlds.maps.canonical import automorphisms, unrooted_code
-from allworlds.maps.classes import MapClass
-from allworlds.maps.counting import rooted_maps as counted_maps
-from allworlds.maps.counting import rooted_planar
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps.counting.any_genus import rooted_maps as counted_maps, rooted_planar
 from allworlds.strategies import maps, planar_maps
 
 MANY = settings(max_examples=2000)

@@ -14,7 +14,7 @@ from hypothesis.stateful import (
 )
 from hypothesis.strategies import integers, sampled_from
 
-from allworlds.episode import Answered, play
+from allworlds.judging import Answered, play
 from allworlds.protocol import Checkpoint, Choices, Drop, Estimate, Move, Pick
 from allworlds.strategies import maps, worlds
 

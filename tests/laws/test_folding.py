@@ -6,13 +6,11 @@ from random import Random
 from hypothesis import find, given, settings
 from hypothesis.strategies import integers, tuples
 
-from allworlds.episode import play
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import algorithm1
-from allworlds.judge import Case
-from allworlds.judge.folding import Contradiction, fold
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.judging import Case, fold, play
+from allworlds.judging.laws.folding import Contradiction
+from allworlds.maps import CombinatorialMap, rooted_code
 from allworlds.protocol import Choices, Estimate, Move, Transcript
 from allworlds.strategies import choices, maps, motions, worlds
 

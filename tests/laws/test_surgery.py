@@ -4,8 +4,7 @@ import pytest
 from hypothesis import assume, find, given, settings
 from hypothesis.strategies import data, integers, tuples
 
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.surgery import contracted, deleted, moved
+from allworlds.maps import CombinatorialMap, contracted, deleted, moved
 from allworlds.strategies import maps, planar_maps
 
 MANY = settings(max_examples=2000)

@@ -6,12 +6,10 @@ import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import data, integers, permutations, tuples
 
-from allworlds.episode import Answered, play
+from allworlds.evidence.mutants.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from allworlds.explorers import algorithm1
-from allworlds.judge.folding import fold
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.enumeration import rooted_maps
-from allworlds.mutation.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
+from allworlds.judging import Answered, fold, play
+from allworlds.maps import rooted_code, rooted_maps
 from allworlds.protocol import Checkpoint, Choices, Estimate, Move, Transcript
 from allworlds.strategies import choices, maps, motions, worlds
 

@@ -7,14 +7,10 @@ import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import composite, data, integers, permutations, sampled_from
 
-from allworlds.judge import Case
-from allworlds.judge.second_opinion import verdict
-from allworlds.maps import bruteforce
-from allworlds.maps.canonical import isomorphism, rooted_code
-from allworlds.maps.classes import MapClass
-from allworlds.maps.enumeration import rooted_maps
-from allworlds.maps.surgery import moved
-from allworlds.mutation.enumerators import BROKEN_ENUMERATORS
+from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS
+from allworlds.judging import Case
+from allworlds.judging.laws.second_opinion import verdict
+from allworlds.maps import MapClass, bruteforce, isomorphism, moved, rooted_code, rooted_maps
 from allworlds.protocol import Estimate, Percept, Transcript
 from allworlds.strategies import maps
 
@@ -86,7 +82,10 @@ def test_both_enumerators_have_every_rooting_of_a_drawn_map_once_or_not_at_all(m
     for map_class in MapClass:
         expected = int(map_class.includes(map_))
         assert level(rooted_maps, map_.edge_count, map_class)[code] == expected
-        assert level(bruteforce.rooted_maps, map_.edge_count, map_class)[code] == expected
+        assert (
+            level(bruteforce.rooted_maps_by_permutations, map_.edge_count, map_class)[code]
+            == expected
+        )
 
 
 @pytest.mark.parametrize("broken", BROKEN_ENUMERATORS, ids=lambda broken: broken.name)

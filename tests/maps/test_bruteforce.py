@@ -2,8 +2,8 @@ from itertools import combinations, permutations
 
 import pytest
 
-from allworlds.maps.bruteforce import rooted_maps, unrooted_maps
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps import CombinatorialMap
+from allworlds.maps.bruteforce import rooted_maps_by_permutations as rooted_maps, unrooted_maps
 
 CLASSES = ["maps", "simple", "planar", "planar-simple"]
 

@@ -5,17 +5,20 @@ import time
 import networkx as nx
 import pytest
 
-from allworlds.maps.build import (
+from allworlds.maps import (
+    CombinatorialMap,
+    InvalidMap,
+    Mismatch,
+    automorphisms,
     cycle,
     dense,
     from_cycles,
     from_rotation,
+    isomorphism,
     lattice,
     named_map,
     named_maps,
 )
-from allworlds.maps.canonical import Mismatch, automorphisms, isomorphism
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 
 # Vertices, edges and face lengths of well-known embedded graphs: the Platonic solids K4 and
 # cube and the wheels from any textbook; the others counted by hand with Euler's formula.

@@ -1,9 +1,7 @@
 import pytest
 
 from allworlds.inputs import InputError
-from allworlds.maps import bruteforce
-from allworlds.maps.build import cycle, dense, named_map
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps import Extent, MapClass, bruteforce, cycle, dense, named_map
 
 SIMPLE = [MapClass.SIMPLE, MapClass.PLANAR_SIMPLE]
 NOT_SIMPLE = [MapClass.MAPS, MapClass.PLANAR]
@@ -27,8 +25,10 @@ def test_each_class_says_what_it_excludes():
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])
 @pytest.mark.parametrize("map_class", MapClass)
 def test_a_map_is_in_the_class_exactly_if_trying_all_permutations_finds_it_there(map_class, edges):
-    found = {map_ for map_ in bruteforce.rooted_maps(edges) if map_class.includes(map_)}
-    assert found == set(bruteforce.rooted_maps(edges, map_class.value))
+    found = {
+        map_ for map_ in bruteforce.rooted_maps_by_permutations(edges) if map_class.includes(map_)
+    }
+    assert found == set(bruteforce.rooted_maps_by_permutations(edges, map_class.value))
 
 
 @pytest.mark.parametrize(
@@ -97,6 +97,6 @@ def test_the_vertex_limit_is_that_of_trees_or_the_bound_if_it_is_lower():
 @pytest.mark.parametrize("vertices", [None, 2, 3, 4, 9])
 def test_the_vertex_limit_is_met_and_not_passed_by_the_maps_within_the_bounds(edges, vertices):
     bounds = Extent(MapClass.MAPS, 4, vertices)
-    counts = {map_.vertex_count for map_ in bruteforce.rooted_maps(edges)}
+    counts = {map_.vertex_count for map_ in bruteforce.rooted_maps_by_permutations(edges)}
     within = {n for n in counts if vertices is None or n <= vertices}
     assert bounds.vertex_limit(edges) == max(within)

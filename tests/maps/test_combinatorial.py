@@ -5,11 +5,10 @@ from itertools import product
 import networkx as nx
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from allworlds.inputs import InputError, integer
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles
+from allworlds.maps import CombinatorialMap, InvalidMap, cycles
 from small import EDGE, LOOP, joined, labelled_pairs, maps
 
 HUGE = 10**5000  # more digits than Python turns into text by default

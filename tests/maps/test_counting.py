@@ -7,23 +7,19 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.maps import counting
-from allworlds.maps.counting import (
-    ROTATIONS_LIMIT,
-    arithmetic,
-    atlas,
+from allworlds.maps import counting, source_for
+from allworlds.maps.counting import arithmetic, atlas
+from allworlds.maps.counting.any_genus import (
     catalan,
     rooted_maps,
     rooted_of_genus,
     rooted_of_genus_by_contraction,
     rooted_planar,
-    rooted_planar_simple,
-    rooted_planar_simple_by_substitution,
-    rooted_simple,
-    rooted_simple_by_degrees,
-    source_for,
-    sources,
 )
+from allworlds.maps.counting.atlas import ROTATIONS_LIMIT, rooted_planar_simple, rooted_simple
+from allworlds.maps.counting.degrees import rooted_simple_by_degrees
+from allworlds.maps.counting.sources import sources
+from allworlds.maps.counting.substitution import rooted_planar_simple_by_substitution
 
 CLASSES = ["maps", "simple", "planar", "planar-simple"]
 

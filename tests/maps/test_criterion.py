@@ -6,16 +6,23 @@ from math import factorial, gcd
 
 import pytest
 
-from allworlds.ambiguity import class_of, class_size, is_ambiguous, pose_count, projection_of
-from allworlds.ambiguity.lifting import lifts, uniform_permutations
-from allworlds.ambiguity.marked import is_least_rooting, least_rooting
-from allworlds.maps import CombinatorialMap, cycle, named_map
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.combinatorial import cycles
+from allworlds.maps import (
+    CombinatorialMap,
+    Quotient,
+    class_size,
+    cycle,
+    cycles,
+    is_ambiguous,
+    named_map,
+    pose_count,
+    rooted_code,
+    rooted_maps,
+)
 from allworlds.maps.criterion import _uniform
-from allworlds.maps.enumeration import rooted_maps
-from allworlds.maps.quotient import Quotient
 from allworlds.protocol import Percept
+from allworlds.studies.ambiguity import class_of, projection_of
+from allworlds.studies.ambiguity.lifting import lifts, uniform_permutations
+from allworlds.studies.ambiguity.marked_code import is_least_rooting, least_rooting
 from allworlds.world import Position, World
 from small import slow
 

@@ -5,9 +5,8 @@ from random import Random
 import pytest
 
 from allworlds.inputs import InputError
-from allworlds.maps.build import lattice
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.families import FAMILIES, family, random_map
+from allworlds.maps import family, lattice, random_map, rooted_code
+from allworlds.maps.families import FAMILIES
 
 
 @pytest.mark.parametrize(

@@ -1,10 +1,15 @@
 import networkx as nx
 import pytest
 
-from allworlds.maps.build import from_cycles, lattice, named_map
-from allworlds.maps.canonical import isomorphism
-from allworlds.maps.combinatorial import InvalidMap
-from allworlds.maps.networks import from_planar_embedding, to_networkx
+from allworlds.maps import (
+    InvalidMap,
+    from_cycles,
+    from_planar_embedding,
+    isomorphism,
+    lattice,
+    named_map,
+    to_networkx,
+)
 
 
 @pytest.mark.parametrize("name", ["edge", "loop", "theta", "k4-torus", "bouquet-3", "wheel-4"])

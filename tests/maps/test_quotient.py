@@ -5,11 +5,19 @@ from random import Random
 
 import pytest
 
-from allworlds.maps import CombinatorialMap, cycle, lattice, named_map, refinement
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.enumeration import rooted_maps
-from allworlds.maps.families import random_map
-from allworlds.maps.quotient import Labelled, classes_of_union, project
+from allworlds.maps import (
+    CombinatorialMap,
+    Labelled,
+    classes_of_union,
+    cycle,
+    lattice,
+    named_map,
+    project,
+    random_map,
+    refinement,
+    rooted_code,
+    rooted_maps,
+)
 from allworlds.maps.refinement import coarsest_partition
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-IMPOSTOR = Path(__file__).parents[1] / "explorers_for_tests" / "impostor.py"
+IMPOSTOR = Path(__file__).parents[1] / "support" / "explorers_for_tests" / "impostor.py"
 
 
 @pytest.fixture

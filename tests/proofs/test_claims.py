@@ -17,6 +17,7 @@ DEEP = "[" * 100_000
 # one produces, the others compare
 OF_THE_PACKAGE = {"produce.py", "explorer_server.py"}
 OF_THE_PACKAGE |= {"certified.py", "certified_checker.py", "certified_folding.py"}
+OF_THE_PACKAGE |= {"certified_lines.py", "odd_program.py"}
 
 
 def check(folder, *claims):
@@ -87,7 +88,8 @@ def test_the_manifest_names_every_certificate(proofs):
     named = set(json.loads((proofs / "manifest.json").read_text()))
     kinds = (".xz", ".json", ".smt2")
     there = {str(p.relative_to(proofs)) for p in proofs.glob("*/*") if p.suffix in kinds}
-    assert named == there
+    # digests of theorems are no certificate: coqc and statements.py look at them
+    assert named == there - {"coq/statements.json"}
     assert sum(name.startswith("second-opinions/") for name in named) == 62
 
 
@@ -172,7 +174,7 @@ def test_a_formula_that_says_nothing_is_refused_whatever_the_manifest_says(copie
         ("natural-lighthouse", "pair.json", '"start": 0', '"start": -8', "start is -8, but"),
         ("natural-lighthouse", "pair.json", "{", "[" * 100_000, "nested too deeply"),
         ("natural-lighthouse", "pair.json", '"natural"', '"xyz"', "is 'xyz', not 'natural'"),
-        ("second-opinions", "exit-closed.smt2", "(walked (alpha d))", "(walked d)", "other hyp"),
+        ("second-opinions", "exit-closed.smt2", "(walked (alpha d))", "(walked d)", "15 is "),
     ],
 )
 def test_a_file_that_says_something_else_is_refused_whatever_the_manifest_says(

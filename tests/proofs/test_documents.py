@@ -97,29 +97,37 @@ def opinions(checker_of, proofs):
 
 def test_every_model_is_evaluated_and_one_statement_is_settled_by_it(opinions):
     module, folder = opinions
-    assert module.check(folder)[0].startswith("31 statements, none vacuous")
-    assert module.check(folder)[1].startswith("1 says that something exists")
+    statements, models, others = module.check(folder)
+    assert statements.startswith("31 statements, word for word")
+    assert models.startswith("none vacuous")
+    assert others.startswith("1 is settled by its model")
+    assert others.endswith(": 30")
 
 
 @pytest.mark.parametrize(
     ("file", "old", "new", "message"),
     [
         ("model", "(assert (home x))\n", "", "the model has other hypotheses"),
-        ("model", "(define-fun x () Dart a1)", "(declare-const x Dart)", "not a logic, symbols"),
-        ("model", "(define-fun x () Dart a1)", "", "does not define as it should: x"),
-        ("model", "(define-fun x () Dart a1)", "(define-fun x () Turn one)", "as it should: x"),
-        ("model", "((x Dart)) Bool", "((x Turn)) Bool", "as it should: home"),
+        (
+            "model",
+            "(define-fun x () Dart a1)",
+            "(declare-const x Dart)",
+            "not a logic, definitions",
+        ),
+        ("model", "(define-fun x () Dart a1)", "", "x is not defined"),
+        ("model", "(define-fun x () Dart a1)", "(define-fun x () Turn one)", "home of ['Turn']"),
+        ("model", "((x Dart)) Bool", "((x Turn)) Bool", "= of ['Turn', 'Dart']"),
         ("model", "(define-fun x () Dart a1)", "(define-fun x () Dart b1)", "a hypothesis false"),
-        ("model", "(check-sat)", "", "not a logic, symbols"),
+        ("model", "(check-sat)", "", "not a logic, definitions"),
         ("model", "(check-sat)", "(check-sat", "a parenthesis is not closed"),
         ("model", "(check-sat)", "(check-sat))", "that was not opened"),
         ("model", "(check-sat)", "(check-sat) sat", "'sat' stands outside"),
         ("model", "Dart a1)", "Dart z9)", "z9 is not defined"),
-        ("statement", "(assert (home x))\n", "", "the model has other hypotheses"),
-        ("statement", "(assert (home x))", "(assert (not (home x)))", "other hypotheses"),
-        ("statement", "(set-logic UF)", "(set-logic UF)\n(push 1)", "not a logic, symbols"),
+        ("statement", "(assert (home x))\n", "", "command 13 is (assert (home y))"),
+        ("statement", "(assert (home x))", "(assert (not (home x)))", "command 13 is"),
+        ("statement", "(set-logic UF)", "(set-logic UF)\n(push 1)", "command 2 is (push 1)"),
         ("statement", "; Expected: unsat", "; Expected: nothing", "does not say '; Expected"),
-        ("statement", "; Expected: unsat", "; Expected: sat", "the model has other hypotheses"),
+        ("statement", "; Expected: unsat", "; Expected: sat", "does not say '; Expected: unsat'"),
     ],
 )
 def test_a_statement_or_model_that_was_damaged_is_refused(
@@ -130,11 +138,11 @@ def test_a_statement_or_model_that_was_damaged_is_refused(
         "statement": (folder / "key-lemma-base.smt2").read_text(),
         "model": (folder / "key-lemma-base.model.smt2").read_text(),
     }
-    module._require_model(*texts.values())
+    module.require_statement("key-lemma-base", *texts.values())
     assert old in texts[file]
     texts[file] = texts[file].replace(old, new, 1)
     with pytest.raises(checkers("lrat").Refused, match=re.escape(message)):
-        module._require_model(*texts.values())
+        module.require_statement("key-lemma-base", *texts.values())
 
 
 def test_a_definition_that_is_another_in_the_model_is_refused(checkers, opinions):
@@ -143,13 +151,22 @@ def test_a_definition_that_is_another_in_the_model_is_refused(checkers, opinions
         (folder / f"bound-pass-grows{kind}.smt2").read_text() for kind in ("", ".model")
     )
     with pytest.raises(checkers("lrat").Refused, match="as it should: pass_bound"):
-        module._require_model(statement, model.replace("(- s 1.0)", "s"))
+        module.require_statement("bound-pass-grows", statement, model.replace("(- s 1.0)", "s"))
 
 
-def test_a_statement_without_a_model_is_refused(checkers, opinions, tmp_path):
+@pytest.mark.parametrize("name", ["bound-terms.smt2", "bound-terms.model.smt2"])
+def test_a_statement_or_model_that_is_missing_or_too_many_is_named(
+    checkers, opinions, tmp_path, name
+):
     module, folder = opinions
-    (tmp_path / "bound-terms.smt2").write_bytes((folder / "bound-terms.smt2").read_bytes())
-    with pytest.raises(checkers("lrat").Refused, match="a statement without a model"):
+    for path in folder.glob("*.smt2"):
+        (tmp_path / path.name).write_bytes(path.read_bytes())
+    module.check(tmp_path)
+    (tmp_path / name).rename(tmp_path / "a-other.smt2")
+    with pytest.raises(checkers("lrat").Refused, match="is no statement of ours"):
+        module.check(tmp_path)
+    (tmp_path / "a-other.smt2").unlink()
+    with pytest.raises(checkers("lrat").Refused, match=f"{name} is missing"):
         module.check(tmp_path)
 
 

@@ -7,8 +7,8 @@ from itertools import product
 
 import pytest
 
-from allworlds.smt.pair import forbid_other_start, pair_formula
-from allworlds.smt.question import question
+from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
+from allworlds.studies.ambiguity.smt.question import question
 
 solvers = pytest.importorskip("pysat.solvers", reason="python-sat is not installed")
 

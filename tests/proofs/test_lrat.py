@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.smt.lrat import check_lrat
-from allworlds.smt.rup import ProofRefused
+from allworlds.studies.ambiguity.smt.lrat import check_lrat
+from allworlds.studies.ambiguity.smt.rup import ProofRefused
 
-DATA = Path(__file__).parents[1] / "data"
+DATA = Path(__file__).parents[1] / "support" / "data"
 FORMULA = [[1, 2], [1, -2], [-1, 2], [-1, -2]]
 PROOF = ["5 1 0 1 2 0", "6 0 5 3 4 0"]
 
@@ -112,6 +112,36 @@ def test_a_proof_of_another_formula_is_refused(checkers):
     ],
 )
 def test_a_damaged_formula_is_refused(checkers, text):
+    lrat = checkers("lrat")
+    with pytest.raises(lrat.Refused):
+        lrat.read_formula(text)
+
+
+def test_a_formula_without_variables_is_read_and_refuted_by_its_empty_clause(checkers):
+    lrat = checkers("lrat")
+    assert lrat.read_formula("p cnf 0 0\n") == (0, [])
+    assert lrat.read_formula("c none\np cnf 0 1\n0\n") == (0, [[]])
+    assert lrat.check(0, [[]], ["2 0 1 0"]) == 1
+    with pytest.raises(lrat.Refused, match="the empty clause is not derived"):
+        lrat.check(0, [], [])
+    with pytest.raises(lrat.Refused, match="line 1: a literal is no variable"):
+        lrat.check(0, [[]], ["2 1 0 1 0"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "p cnf 0 0\np cnf 0 0\n",  # a second header
+        "p cnf 0 0\n0\n",
+        "p cnf 0 1\n1 0\n",
+        "p cnf -1 0\n",
+        "p cnf 0 -1\n",
+        "p cnf 0 -1\np cnf 0 0\n",
+        "p cnf 0\n",
+        "",
+    ],
+)
+def test_a_damaged_formula_without_variables_is_refused(checkers, text):
     lrat = checkers("lrat")
     with pytest.raises(lrat.Refused):
         lrat.read_formula(text)

@@ -2,8 +2,7 @@
 
 import pytest
 
-from allworlds.maps.classes import MapClass
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps import MapClass, rooted_maps
 
 
 @pytest.mark.no_cover

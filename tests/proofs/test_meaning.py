@@ -272,6 +272,29 @@ def test_a_walk_is_met_by_the_worlds_that_sense_what_it_says(checkers, meant):
     assert tried > 10
 
 
+def test_the_clauses_of_a_walk_are_its_turns_and_traversals_in_their_order(checkers):
+    """Written out for four motions, two of them anticlockwise: a dart's way is a row of ``at``."""
+    walk = ((1, 2, True), (-2, 3, False), (0, 9, True), (-1, 1, False))
+    clauses = formula(checkers, "position", "maps", (2, 2), walk=walk)
+    tables, darts = clauses.tables, range(4)
+    sigma, alpha, at = tables["sigma1"], tables["alpha1"], tables["at"]
+    steps = ["sigma", "alpha", "back", "back", "alpha", "alpha", "back", "alpha"]
+    assert len(at) == len(steps) + 1
+    said = {frozenset([at[0][0]])}
+    for i, step in enumerate(steps):
+        for x, y in product(darts, darts):
+            leads = {"sigma": sigma[x][y], "back": sigma[y][x], "alpha": alpha[x][y]}[step]
+            said.add(frozenset([-at[i][x], -leads, at[i + 1][y]]))
+    for i, degree, at_v0 in ((2, 2, True), (5, 3, False), (6, 9, True), (8, 1, False)):
+        for x in darts:
+            has = [tables["degree1"][x][degree]] if degree < 9 else []
+            said.add(frozenset([-at[i][x], *has]))
+            home = tables["vertex1"][x][0]
+            said.add(frozenset([-at[i][x], home if at_v0 else -home]))
+    written = [c for c, sentence in clauses.sentences.items() if sentence.startswith("the walk ")]
+    assert set(written) == said
+
+
 @pytest.mark.parametrize(
     ("left", "right"),
     [

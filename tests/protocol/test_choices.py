@@ -1,11 +1,10 @@
 from itertools import product
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from allworlds.inputs import InputError
-from allworlds.protocol.choices import KINDS, Choices, Schedules, policy_named
+from allworlds.protocol import KINDS, Choices, Schedules, policy_named
 
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:7"]
 widths = st.lists(st.integers(1, 5), max_size=12)

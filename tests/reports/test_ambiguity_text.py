@@ -3,10 +3,10 @@ from dataclasses import replace
 
 import pytest
 
-from allworlds.ambiguity import AmbiguityCensus, CensusRow, census, class_of, twins
-from allworlds.maps import named_map
-from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps import Extent, MapClass, named_map
 from allworlds.reports.ambiguity_text import census_text, class_text, twins_text
+from allworlds.studies.ambiguity import AmbiguityCensus, census, class_of, twins
+from allworlds.studies.ambiguity.marked_worlds import CensusRow
 from allworlds.world import Position, World
 
 

@@ -5,7 +5,9 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import allworlds
-from allworlds.ledger import ClaimsReport, Entry, Found, NotChecked, manifest
+from allworlds.evidence.claims.claim_types import Found, NotChecked
+from allworlds.evidence.claims.ledger import CheckedClaim, ClaimsReport
+from allworlds.evidence.claims.manifest import manifest
 from allworlds.reports import brief, file_of, text
 
 BY_NAME = {claim.name: claim for claim in manifest()}
@@ -13,7 +15,7 @@ BY_NAME = {claim.name: claim for claim in manifest()}
 
 def entry(name, found):
     claim = BY_NAME[name]
-    return Entry(claim, claim.scopes["quick"], found, 0.0)
+    return CheckedClaim(claim, claim.scopes["quick"], found, 0.0)
 
 
 @pytest.fixture(scope="module")
@@ -33,41 +35,42 @@ def mixed():
 
 
 def test_each_standing_has_its_sign_and_what_differs_is_told(mixed):
-    told = text("claims", mixed, 100)
+    told = text("paper claims", mixed, 100)
     signs = [line[0] for line in told.splitlines() if line[:1] in "=≠?-" and line[1:2] == " "]
     assert signs[:5] == ["=", "=", "≠", "?", "-"]
     assert "DIFFERS    bound: verdict: holds expected, refuted found;" in told
     assert "REQUIRED   coq-2m was not checked" in told
-    assert told.endswith(brief("claims", mixed, 100))
-    assert brief("claims", mixed, 100) == (
+    assert told.endswith(brief("paper claims", mixed, 100))
+    assert brief("paper claims", mixed, 100) == (
         "REFUTED: 5 claims: 1 holds, 1 is refuted, as must be, 1 not as expected, 1 vacuous, "
         "1 not checked"
     )
 
 
 def test_one_claim_is_told_at_length_and_drawn():
-    told = text("claims", allworlds.claims(only=["position-not-enough"]), 100)
+    told = text("paper claims", allworlds.claims(only=["position-not-enough"]), 100)
     assert "pair-two-loops, the one" in told
     assert "witnesses  pairs 4" in told
-    figures = text("claims", allworlds.claims(only=["printed-3"]), 100)
+    figures = text("paper claims", allworlds.claims(only=["printed-3"]), 100)
     assert "figures    first edges and vertices [1, 1]" in figures
-    reason = text("claims", allworlds.claims(only=["coq-2m"]), 100)
+    reason = text("paper claims", allworlds.claims(only=["coq-2m"]), 100)
     assert "reason     name the folder" in reason
 
 
 def test_the_cases_of_junit_are_the_claims(mixed):
-    suite = ET.fromstring(file_of("claims", "junit", mixed))
+    suite = ET.fromstring(file_of("paper claims", "junit", mixed))
     assert suite.attrib == {
-        "name": "allworlds claims", "tests": "5", "failures": "3", "errors": "0", "skipped": "0",
+        "name": "allworlds claims",
+        "tests": "5", "failures": "3", "errors": "0", "skipped": "0",
     }  # fmt: skip
     kinds = [case.find("failure").get("type") for case in suite.iter("testcase") if len(case)]
     assert kinds == ["unexpected", "vacuous", "required"]
     free = ClaimsReport("quick", mixed.entries)
-    assert ET.fromstring(file_of("claims", "junit", free)).get("skipped") == "1"
+    assert ET.fromstring(file_of("paper claims", "junit", free)).get("skipped") == "1"
 
 
 def test_the_page_has_every_claim_and_draws_its_worlds(mixed):
-    page = file_of("claims", "html", mixed)
+    page = file_of("paper claims", "html", mixed)
     assert page.count("<figure") == 2
     for one in mixed.entries:
         assert f'id="{one.claim.name}"' in page

@@ -3,12 +3,13 @@
 import pytest
 
 from allworlds import CombinatorialMap, Estimate
-from allworlds.checker import check, run
-from allworlds.drawing import draw
-from allworlds.explaining import explain
-from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.judging import explain
+from allworlds.reports import draw
 from allworlds.reports.explain_text import explain_text
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
+from allworlds.studies.check import check
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}

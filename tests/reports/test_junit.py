@@ -7,12 +7,11 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from allworlds.checker import Completed, Disagreed, Interrupted, Stopped, check
-from allworlds.checker.gate import Cell
-from allworlds.fuzzer import fuzz
-from allworlds.mutation.explorers import WRONG_EXPLORERS
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.reports.junit import junit
 from allworlds.reports.run_text import finding_text
+from allworlds.studies.check import Cell, Completed, Disagreed, Interrupted, Stopped, check
+from allworlds.studies.fuzz import fuzz
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
 SUITE = {"name", "tests", "failures", "errors", "skipped"}

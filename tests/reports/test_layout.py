@@ -2,10 +2,10 @@
 
 import pytest
 
-from allworlds.checker import check, run
-from allworlds.mutation.explorers import WRONG_EXPLORERS
-from allworlds.reports import text
-from allworlds.reports.layout import in_lines, table
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.reports import in_lines, table, text
+from allworlds.studies.check import check
+from allworlds.studies.run import run
 
 HEADER = ["edges", "vertices", "worlds", "does"]
 ROWS = [["1", "2", "1,000", "everything there is"], ["2", "10", "7", ""]]

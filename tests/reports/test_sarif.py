@@ -10,16 +10,15 @@ from pathlib import Path
 import pytest
 from jsonschema import Draft7Validator
 
-from allworlds.checker import Completed, Disagreed, Interrupted, Stopped, check
-from allworlds.findings import Finding
-from allworlds.judge import PRECEDENCE
+from allworlds.judging import PRECEDENCE, Finding
 from allworlds.reports.law_words import ASKED
 from allworlds.reports.run_text import finding_text
 from allworlds.reports.sarif import sarif
+from allworlds.studies.check import Completed, Disagreed, Interrupted, Stopped, check
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
-SCHEMA = Path(__file__).parents[1] / "data" / "sarif-schema-2.1.0.json"
+SCHEMA = Path(__file__).parents[1] / "support" / "data" / "sarif-schema-2.1.0.json"
 EXPLORERS = Path(__file__).parents[1] / "recorded" / "explorers.py"
 VALIDATOR = Draft7Validator(
     json.loads(SCHEMA.read_text(encoding="utf-8")), format_checker=Draft7Validator.FORMAT_CHECKER

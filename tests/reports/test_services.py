@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import pytest
 
-from allworlds.checker import Completed, Interrupted, Stopped, check
 from allworlds.reports import FORMATS, written
 from allworlds.reports.annotations import runner_commands
 from allworlds.reports.markdown import markdown
 from allworlds.reports.run_text import finding_text
+from allworlds.studies.check import Completed, Interrupted, Stopped, check
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 

@@ -3,14 +3,17 @@ from dataclasses import replace
 
 import pytest
 
-from allworlds.checker import check, replay, run
-from allworlds.counter import CountRow, count
-from allworlds.fuzzer import fuzz
-from allworlds.maps.build import named_map
+from allworlds.maps import named_map
 from allworlds.reports import brief
 from allworlds.reports.check_text import check_text
 from allworlds.reports.count_text import count_text
 from allworlds.reports.run_text import finding_text, replay_text, run_text
+from allworlds.studies.check import check
+from allworlds.studies.count import count
+from allworlds.studies.count.counter import CountRow
+from allworlds.studies.fuzz import fuzz
+from allworlds.studies.replay import replay
+from allworlds.studies.run import run
 from allworlds.world import Directional, World
 
 

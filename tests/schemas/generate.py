@@ -9,7 +9,6 @@ names in the tables that these name.
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
@@ -26,9 +25,9 @@ from typing import (
     is_typeddict,
 )
 
-import allworlds
 from allworlds import documents
 from allworlds.documents import MORE_KEYS, PAGES, Begins, Keywords, KindsOf, Named
+from allworlds.verbs import VERBS
 
 ROOT = Path(__file__).parents[2]
 SCHEMAS = ROOT / "src" / "allworlds" / "schemas"
@@ -233,20 +232,18 @@ def schema_text(name: str) -> str:
 
 
 def package_text(source: str) -> str:
-    """The package's module with every verb's name, for those who read it without running it."""
-    homes: dict[str, list[str]] = {"allworlds": sorted(allworlds.GROUPS)}
-    for name, home in sorted(allworlds._HOMES.items()):  # it is for nobody else
-        homes.setdefault(f"allworlds.{home}", []).append(name)
-    verbs = {name for names_ in homes.values() for name in names_}
-    capitals = {name for name in allworlds.__all__ if not name[0].islower()}
-    imports = [f"from {home} import {', '.join(homes[home])}" for home in sorted(homes)]
-    listed = [f'"{name}",' for name in sorted(capitals | verbs)]
-    for heading, lines in (("if TYPE_CHECKING:", imports), ("__all__ = [", listed)):
-        block = "".join(f"    {line}\n" for line in lines)
-        source = re.sub(
-            rf"(?<=^{re.escape(heading)}\n)(    .*\n)+", block, source, flags=re.MULTILINE
-        )
-    return source
+    """The package's door, with the function of every verb that it does not name yet."""
+    lines = source.splitlines(keepends=True)
+    for verb in VERBS:
+        module, _, name = verb.function.partition(":")
+        if verb.python.count(".") == 1 and f" {name} as {name}" not in source:
+            begin = lines.index("if TYPE_CHECKING:\n") + 1
+            line = f"    from allworlds.{module} import {name} as {name}\n"
+            tails = (
+                i for i in range(begin, len(lines)) if lines[i] > line or lines[i] == "else:\n"
+            )
+            lines.insert(next(tails), line)
+    return "".join(lines)
 
 
 # ---------------------------------------------------------------- files

@@ -96,9 +96,8 @@ class Reference:
     def verb_rows(self) -> Iterator[str]:
         """One row a verb."""
         for verb in VERBS:
-            path = ".".join(filter(None, ["allworlds", verb.group, verb.function.split(":")[1]]))
             document = self.link(f"{verb.document}.schema.json")
-            yield f"| `{verb.name}` | `{path}` | {document} | {verb.summary} |\n"
+            yield f"| `{verb.name}` | `{verb.python}` | {document} | {verb.summary} |\n"
 
     def link(self, reference: str) -> str:
         """A link to a section."""

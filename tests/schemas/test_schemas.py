@@ -10,29 +10,28 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from allworlds import Move
-from allworlds.ambiguity import census, class_of, twins
-from allworlds.benching import bench
-from allworlds.checker import Interrupted, check, replay, run, worlds
-from allworlds.comparing import compare
-from allworlds.counter import count
-from allworlds.explaining import explain
-from allworlds.figures import figure
-from allworlds.fuzzer import fuzz
-from allworlds.growing import grow
-from allworlds.joining import merge, status
-from allworlds.ledger import claims
-from allworlds.libraries import native
+from allworlds.evidence.bench import bench
+from allworlds.evidence.claims import claims
+from allworlds.evidence.figures import figure
+from allworlds.evidence.mutants import mutants
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.judging import explain
 from allworlds.maps import named_map
-from allworlds.minimax import optimum
-from allworlds.mutation import mutants
-from allworlds.mutation.explorers import WRONG_EXPLORERS
-from allworlds.own_corpus import own_corpus
-from allworlds.playing import play
-from allworlds.skeletons import init
-from allworlds.smt import search
+from allworlds.studies.ambiguity import census, class_of, search, twins
+from allworlds.studies.check import Interrupted, check
+from allworlds.studies.compare import compare
+from allworlds.studies.count import count
+from allworlds.studies.fuzz import fuzz
+from allworlds.studies.init import init
+from allworlds.studies.merge import merge
+from allworlds.studies.optimum import optimum
+from allworlds.studies.play import play
+from allworlds.studies.replay import replay
+from allworlds.studies.run import run
+from allworlds.studies.status import status
+from allworlds.studies.worst import worst
 from allworlds.verbs import VERBS
-from allworlds.world import LIGHTHOUSES, Directional, Position, World
-from allworlds.worst_case import worst
+from allworlds.world import LIGHTHOUSES, Directional, Position, World, own_corpus, worlds
 from recorded.record import least
 from schemas.rules import RULES, broken
 from schemas.validating import SCHEMAS, complaints
@@ -133,7 +132,7 @@ DOCUMENTS = {
     ),
     "compare": (whole("compare"), lambda: compare("algorithm1", "greedy", edges=2).to_json()),
     "figure": (whole("figure"), drawn),
-    "grow": (whole("grow"), lambda: grow("greedy", families=["strip"], to=30).to_json()),
+    "growth": (whole("growth"), lambda: compare("greedy", family="strip", to=30).to_json()),
     "compare in a family": (
         whole("compare"),
         lambda: compare("algorithm1", "greedy", family="cycle:4").to_json(),
@@ -150,7 +149,7 @@ DOCUMENTS = {
     "count": (whole("count"), lambda: count(edges=3).to_json()),
     "init": (whole("init"), skeleton),
     "play": (whole("play"), lambda: play("theta", player=back_and_forth()).to_json()),
-    "native": (whole("native"), lambda: native(header=True).to_json()),
+    "header": (whole("header"), lambda: init(header=True).to_json()),
     "count simple": (whole("count"), lambda: count(vertices=4, map_class="simple").to_json()),
     "run": (whole("run"), lambda: run("algorithm1", World(THETA, Directional(0))).to_json()),
     "run refuted": (
@@ -353,7 +352,11 @@ WRONG_VALUES = [
     ("twins told apart", {"bisimulation": [[0, 0], [0, 0]]}, "a bisimulation proves that nothing"),
     ("twins alike", {"distinguishable": True}, "motions tell apart what is distinguishable"),
     ("twins alike", {"twins": False}, "twins are different and not distinguishable"),
-    ("twins that are one", {"twins": True}, "twins are different and not distinguishable"),
+    (
+        "twins that are one",
+        {"twins": True},
+        "twins are different and not distinguishable",
+    ),
     ("ambiguity class", {"size": 1}, "ambiguous is a class of two"),
     ("ambiguity class", {"ambiguous": False}, "ambiguous is a class of two"),
     ("ambiguity class", {"sheets": 1}, "a class of two has two sheets"),
@@ -439,7 +442,7 @@ def test_a_transcript_that_is_read_needs_its_actions_and_percepts():
 @pytest.mark.parametrize("verb", VERBS, ids=lambda verb: verb.name)
 def test_what_the_command_line_prints_keeps_its_schema(verb, cli, tmp_path):
     code, out, _ = cli(*least(verb.name, str(tmp_path)), "--json")
-    assert code == (1 if verb.name == "mutants" else 0)
+    assert code == (1 if verb.name == "self mutants" else 0)
     document = json.loads(out)
     assert wrongs(whole(verb.document), document) == []
     assert complaints(whole("made-by"), document["made_by"]) == []

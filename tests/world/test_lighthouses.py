@@ -5,8 +5,7 @@ from random import Random
 
 import pytest
 
-from allworlds.maps import named_map
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps import named_map, rooted_maps
 from allworlds.protocol import Percept
 from allworlds.world import (
     LIGHTHOUSES,

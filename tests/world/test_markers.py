@@ -5,8 +5,7 @@ from random import Random
 
 import pytest
 
-from allworlds.maps.canonical import rooted_code
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps import CombinatorialMap, rooted_code
 from allworlds.protocol import Drop, Move, Percept, Pick
 from allworlds.world import (
     IllegalAction,

@@ -5,8 +5,7 @@ from random import Random
 
 import pytest
 
-from allworlds.maps import named_map
-from allworlds.maps.build import from_cycles
+from allworlds.maps import from_cycles, named_map
 from allworlds.protocol import Drop, Percept
 from allworlds.world import (
     LIGHTHOUSES,

@@ -4,8 +4,7 @@ from random import Random
 import pytest
 
 from allworlds.inputs import show
-from allworlds.maps.combinatorial import InvalidMap
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps import InvalidMap, rooted_maps
 from allworlds.protocol import Drop, Move, Percept, Pick
 from allworlds.world import (
     LIGHTHOUSES,

@@ -3,10 +3,11 @@
 Usage: run.py [--workers N] [NAME ...]   (the unchanged files must have been compiled)
 
 ``mutants.json`` lists them: a file, a text that stands in it exactly once, the text put in its
-place, what that breaks, and what dies of it: ``truth`` (some theorem is then false) or
-``script`` (the statements stay true, only a proof script no longer fits).  ``dies_in``, if it
-is there, names the file that no longer compiles: what is not needed for it is compiled only if it
-does.  Nothing else rests on that name.
+place, what that breaks, and what dies of it: ``truth`` (some theorem is then false), ``script``
+(the statements stay true, only a proof script no longer fits) or ``statement`` (all is true, but a
+theorem no longer says what ``Statements.v`` says, or that says what is not proved).  ``dies_in``,
+if it is there, names the file that no longer compiles: what is not needed for it is compiled only
+if it does.  Nothing else rests on that name.
 Exit 1 if a mutant compiles, does not apply, or runs out of time; exit 2 if there is none of a name.
 """
 

@@ -11,10 +11,14 @@
                                                                      in which it is not
      {"verdict": "no function", "history", "before", "now"}   the program has not always said the same
    and under the directional lighthouse "open": the worlds with at most that many edges whose log, folded,
-   leaves a dart open, so that an explorer that stops there does not find all maps (unfolded_refutes). *)
+   leaves a dart open, so that an explorer that stops there does not find all maps (unfolded_refutes).
+   Exit code 2: no verdict, and one line on stderr that says why. *)
 open Certified
 
-let fail why = prerr_endline why; exit 2
+let fail why = prerr_endline ("checker: " ^ why); exit 2
+let number text =
+  let digits = text <> "" && String.for_all (function '0' .. '9' -> true | _ -> false) text in
+  if digits then int_of_string_opt text else None
 let usage () =
   fail "usage: checker EDGES [--limit paper|two-vertices|N|TABLE] [--universe all|simple]\n\
         \         [--lighthouse directional|cluster|natural] [--timeout SECONDS]\n\
@@ -27,11 +31,13 @@ let limit_named text = match text with
   | "paper" -> fun n m _ -> paper_limit n m
   | "two-vertices" -> two_vertices_limit
   | _ ->
-      match int_of_string_opt text with
-      | Some k when k >= 0 -> fun _ _ _ -> k
-      | Some _ -> usage ()
+      match number text with
+      | Some k -> fun _ _ _ -> k
       | None ->
-          let table = try Json.parse text with Json.Malformed _ | Failure _ -> usage () in
+          let table = match Json.parse text with
+            | exception Json.Malformed why -> fail ("--limit: " ^ why)
+            | Json.Object _ as table -> table
+            | _ -> usage () in
           fun n m d0 ->
             match Json.field (Printf.sprintf "%d %d %d" n m d0) table with
             | Json.Int k when k >= 0 -> k
@@ -48,7 +54,7 @@ let rec read = function
       read rest
   | "--lighthouse" :: name :: rest -> lighthouse := name; read rest
   | "--timeout" :: text :: rest ->
-      timeout := (match float_of_string_opt text with Some s when s > 0. -> s | _ -> usage ());
+      timeout := (match float_of_string_opt text with Some s when s > 0. && s < 1e6 -> s | _ -> usage ());
       read rest
   | "--policy" :: name :: rest ->
       explorer := Some (Policy (match name with
@@ -73,7 +79,7 @@ let world_of (map, place) =
   Printf.sprintf "\"sigma\":%s,\"alpha\":%s,\"place\":%d" (Json.show map.sigma_list)
     (Json.show map.alpha_list) place
 
-let listed show l = "[" ^ String.concat "," (List.map show l) ^ "]"
+let listed show l = "[" ^ String.concat "," (Tail.map show l) ^ "]"
 
 (* folds: for a run's first percept and steps, whether its log leaves no dart open; None: not asked
    fault: how a run through these percepts has broken off *)
@@ -88,11 +94,11 @@ let judge_all r senses admits folds fault =
     | None -> ""
     | Some folds ->
         let is_open w = let first, steps, answer = percepts w in answer <> None && not (folds first steps) in
-        let found = List.concat_map (fun j -> List.filter is_open (worlds admits j)) (up_to m) in
+        let found = List.concat_map (fun j -> Tail.filter is_open (worlds admits j)) (up_to m) in
         Printf.sprintf ",\"open\":%s" (listed (fun w -> "{" ^ world_of w ^ "}") found) in
   let refutation w =
     let first, steps, _ = percepts w in
-    let law = match fault (first :: List.map snd steps) with
+    let law = match fault (first :: Tail.map snd steps) with
       | None -> ""
       | Some (law, how) -> Printf.sprintf ",\"fault\":%s,\"how\":%s" (Json.quote law) (Json.quote how) in
     Printf.sprintf "{%s,\"finding\":%s%s}" (world_of w)
@@ -112,7 +118,8 @@ let under senses admits of_policy words folds =
   match !explorer with
   | Some (Policy policy) -> judge_all (of_policy policy) senses admits folds (fun _ -> None)
   | Some (Program command) ->
-      let t = Pipe.create words ~timeout:!timeout command in
+      let most_darts = 2 * !edges in
+      let t = Pipe.create words ~timeout:!timeout ~most_darts command in
       Fun.protect ~finally:(fun () -> Pipe.stop t) (fun () ->
         try judge_all (Pipe.resumption t) senses admits folds (Pipe.fault t) with
         | Pipe.Not_a_function { history; before; now } ->
@@ -127,7 +134,7 @@ let percept degree marks bearing =
 let () =
   (match Array.to_list Sys.argv with
    | _ :: m :: rest ->
-       (match int_of_string_opt m with Some k when k >= 1 -> edges := k | _ -> usage ());
+       (match number m with Some k when k >= 1 -> edges := k | _ -> usage ());
        read rest
    | _ -> usage ());
   let untold _ = "" in
@@ -146,4 +153,8 @@ let () =
           { Pipe.show = (fun (d, _) -> percept d 0 None);
             told = (fun (_, b) -> Printf.sprintf ",\"told\":%d" b); degree = fst } None
     | _ -> usage ()
-  with Unix.Unix_error (error, _, what) -> fail (Printf.sprintf "%s: %s" what (Unix.error_message error))
+  with
+  | Unix.Unix_error (error, _, what) -> fail (Printf.sprintf "%s: %s" what (Unix.error_message error))
+  | Stack_overflow -> fail "out of stack"
+  | Out_of_memory -> fail "out of memory"
+  | Invalid_argument why | Failure why | Sys_error why -> fail why

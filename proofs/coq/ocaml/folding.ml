@@ -16,7 +16,7 @@ let () =
     while true do
       let line = Json.parse (input_line stdin) in
       let steps = match Json.field "steps" line with
-        | Json.List l -> List.map step l | _ -> raise (Json.Malformed "steps expected") in
+        | Json.List _ as l -> Json.list step l | _ -> raise (Json.Malformed "steps expected") in
       let first = percept (Json.field "first" line) in
       if List.exists (fun (k, (d, _)) -> k < 0 || d < 1) ((0, first) :: steps) then
         raise (Json.Malformed "motions from 0 on and degrees from 1 on expected");

@@ -4,7 +4,11 @@
    What the program has said after each sequence of percepts is kept in a tree.  A sequence that is in
    the tree is never asked for again, so that the answers are those of a function.  When a longer one is
    asked for, the episode is played again from its start, and if the program then says something else
-   than before it is no function: Not_a_function. *)
+   than before it is no function: Not_a_function.
+
+   Its lines are read as Json.parse reads: strictly.  A line that is no JSON, or says none of what an
+   explorer may say, is a fault, with its reason; so is an answer with more darts than any world has
+   that is asked about, which is not looked at further: it is wrong. *)
 open Certified
 
 type said =
@@ -27,6 +31,7 @@ type process = { pid : int; input : Unix.file_descr; output : Unix.file_descr; b
 type 'o t = {
   command : string array;
   timeout : float;
+  most_darts : int;  (* of any world that is asked about *)
   words : 'o words;
   mutable process : process option;
   mutable standing : 'o node option;  (* the node whose motion waits for its percept *)
@@ -36,9 +41,9 @@ type 'o t = {
 let longest_line = 1 lsl 24
 let most_checkpoints = 1_000_000
 
-let create words ~timeout command =
+let create words ~timeout ~most_darts command =
   ignore (Sys.signal Sys.sigpipe Sys.Signal_ignore);
-  { command; timeout; words; process = None; standing = None; first = []; episodes = 0 }
+  { command; timeout; most_darts; words; process = None; standing = None; first = []; episodes = 0 }
 
 let stop t =
   Stdlib.Option.iter (fun p ->
@@ -64,86 +69,127 @@ let send p line =
     if i < Bytes.length bytes then from (i + Unix.write p.input bytes i (Bytes.length bytes - i)) in
   from 0
 
-type line = Line of string | Ended | Silence
+type line = Line of string | Ended | Silence | Too_long
+
+(* one read, within so many seconds: how many bytes, 0 at the end; None: none came *)
+let read_within p chunk seconds =
+  match Unix.select [p.output] [] [] (Float.max seconds 0.) with
+  | [], _, _ -> None
+  | _ -> Some (Unix.read p.output chunk 0 (Bytes.length chunk))
 
 let receive t p =
   let deadline = Unix.gettimeofday () +. t.timeout in
   let chunk = Bytes.create 65536 in
-  let rec go () =
-    let text = Buffer.contents p.buffer in
-    match String.index_opt text '\n' with
+  let rec go searched =
+    let length = Buffer.length p.buffer in
+    let rec line_end i =
+      if i = length then None else if Buffer.nth p.buffer i = '\n' then Some i else line_end (i + 1) in
+    match line_end searched with
     | Some i ->
+        let line = Buffer.sub p.buffer 0 i and rest = Buffer.sub p.buffer (i + 1) (length - i - 1) in
         Buffer.clear p.buffer;
-        Buffer.add_substring p.buffer text (i + 1) (String.length text - i - 1);
-        Line (String.sub text 0 i)
-    | None when String.length text > longest_line -> Line ""
+        Buffer.add_string p.buffer rest;
+        Line line
+    | None when length > longest_line -> Too_long
     | None ->
-        let left = deadline -. Unix.gettimeofday () in
-        match Unix.select [p.output] [] [] (Float.max left 0.) with
-        | [], _, _ -> Silence
-        | _ ->
-            match Unix.read p.output chunk 0 (Bytes.length chunk) with
-            | 0 -> Ended
-            | n -> Buffer.add_subbytes p.buffer chunk 0 n; go () in
-  go ()
+        match read_within p chunk (deadline -. Unix.gettimeofday ()) with
+        | None -> Silence
+        | Some 0 -> Ended
+        | Some n -> Buffer.add_subbytes p.buffer chunk 0 n; go length in
+  go 0
 
 (* ---- What a line says ---- *)
-let sayings = ["move"; "drop"; "pick"; "checkpoint"; "estimate"]
+let sayings = ["move"; "drop"; "pick"; "checkpoint"; "estimate"; "ambiguous"]
 
-let natural = function Json.Int n when n >= 0 -> n | _ -> raise (Json.Malformed "a dart expected")
-let naturals = function Json.List l -> List.map natural l | _ -> raise (Json.Malformed "a list expected")
+let beginning line = String.sub line 0 (min 80 (String.length line))
+let illegal why line = Fault ("illegal-action", Printf.sprintf "%s: %s" why (beginning line))
 
-let estimate e =
-  try
-    Estimate { sigma_list = naturals (Json.field "sigma" e);
-               alpha_list = naturals (Json.field "alpha" e);
-               root_number = natural (Json.field "here" e) }
-  with Json.Malformed why -> Fault ("no-estimate", why)
+let natural = function Json.Int n when n >= 0 -> n | _ -> Json.malformed "a dart expected"
+
+let estimate most_darts e =
+  let naturals key = match Json.field key e with
+    | Json.List _ as l -> Json.list natural l
+    | _ -> Json.malformed (Printf.sprintf "%s: a list expected" key) in
+  match { sigma_list = naturals "sigma"; alpha_list = naturals "alpha";
+          root_number = natural (Json.field "here" e) } with
+  | exception Json.Malformed why -> Fault ("no-estimate", why)
+  | answer ->
+      let darts = max (List.length answer.sigma_list) (List.length answer.alpha_list) in
+      if darts <= most_darts then Estimate answer
+      else Fault ("map", Printf.sprintf "an answer with %d darts; no world here has more than %d" darts most_darts)
+
+let whole = function
+  | Json.Object items -> List.for_all (fun key -> List.mem_assoc key items) ["sigma"; "alpha"; "here"]
+  | _ -> false
 
 (* None: a checkpoint, which has no answer *)
-let meaning degree line =
-  let illegal = Some (Fault ("illegal-action", String.sub line 0 (min 80 (String.length line)))) in
+let meaning most_darts degree line =
   match Json.parse line with
-  | exception (Json.Malformed _ | Failure _) -> illegal
+  | exception Json.Malformed why -> Some (illegal why line)
   | Json.Object items ->
       (match List.filter (fun (key, _) -> List.mem key sayings) items with
-       | ["move", Json.Int k] -> Some (Motion (((k mod degree) + degree) mod degree))
-       | ["estimate", e] -> Some (estimate e)
-       | ["checkpoint", _] -> None
-       | _ -> illegal)
-  | _ -> illegal
+       | ["move", k] ->
+           (match Json.modulo degree k with
+            | Some k -> Some (Motion k)
+            | None -> Some (illegal "a motion that is no integer" line))
+       | ["estimate", e] -> Some (estimate most_darts e)
+       | ["ambiguous", _] -> Some (Fault ("no-estimate", "ambiguous"))
+       | ["checkpoint", c] -> if whole c then None else Some (illegal "no checkpoint" line)
+       | [name, _] -> Some (illegal (name ^ " is not for this lighthouse") line)
+       | [] -> Some (illegal "no action, checkpoint or estimate" line)
+       | _ -> Some (illegal "more than one action, checkpoint or estimate" line))
+  | _ -> Some (illegal "no object" line)
 
 let rec hear t p degree checkpoints =
   match receive t p with
   | Ended -> Fault ("crash", "the output has ended")
   | Silence -> Fault ("timeout", Printf.sprintf "no line in %g s" t.timeout)
+  | Too_long -> Fault ("illegal-action", Printf.sprintf "a line of more than %d bytes" longest_line)
   | Line line ->
-      match meaning degree line with
+      match meaning t.most_darts degree line with
+      | Some (Estimate _) when Buffer.length p.buffer > 0 ->
+          illegal "a line after the answer" (Buffer.contents p.buffer)
       | Some said -> said
       | None when checkpoints = most_checkpoints -> Fault ("budget", "checkpoints without end")
       | None -> hear t p degree (checkpoints + 1)
 
 (* ---- Asking ---- *)
-let say t node line =
-  let p = running t in
-  let degree = t.words.degree (List.hd node.history) in
-  let said =
-    try send p line; hear t p degree 0
-    with Unix.Unix_error (EPIPE, _, _) -> Fault ("crash", "the input is closed") in
+(* what it has said at a node; before, if it has been there, it must have said that *)
+let record t node said =
   (match node.said with
    | Some before when before <> said ->
        raise (Not_a_function
          { history = List.rev_map t.words.show node.history; before; now = said })
    | _ -> node.said <- Some said);
-  (match said with
-   | Motion _ -> t.standing <- Some node
-   | Estimate _ -> t.standing <- None
-   | Fault _ -> stop t)
+  match said with
+  | Motion _ -> t.standing <- Some node
+  | Estimate _ -> t.standing <- None
+  | Fault _ -> stop t
+
+let say t node line =
+  let p = running t in
+  let degree = t.words.degree (List.hd node.history) in
+  record t node
+    (try send p line; hear t p degree 0
+     with Unix.Unix_error (EPIPE, _, _) -> Fault ("crash", "the input is closed"))
+
+(* what was written before it was asked for; a process that has ended is noticed by the next line *)
+let written_ahead t =
+  match t.process with
+  | None -> ""
+  | Some p ->
+      let chunk = Bytes.create 65536 in
+      (match read_within p chunk 0. with Some n -> Buffer.add_subbytes p.buffer chunk 0 n | None -> ());
+      Buffer.contents p.buffer
 
 let begin_episode t node o =
   if t.standing <> None then stop t;
   t.episodes <- t.episodes + 1;
-  say t node (Printf.sprintf "{\"episode\":%d,\"percept\":%s%s}" t.episodes (t.words.show o) (t.words.told o))
+  match written_ahead t with
+  | "" ->
+      say t node
+        (Printf.sprintf "{\"episode\":%d,\"percept\":%s%s}" t.episodes (t.words.show o) (t.words.told o))
+  | text -> record t node (illegal "a line before it was asked" text)
 
 let child of_ o = List.assoc o of_
 

@@ -21,18 +21,17 @@ from allworlds.cli.groups import grouped
 from allworlds.cli.helping import made_helpful
 from allworlds.cli.made_by import beginning
 from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable
+from allworlds.engines import ClusterLost, Gap
 from allworlds.inputs import InputError, show
 from allworlds.outcome import Exit
-from allworlds.store import Gap
-from allworlds.verbs import GROUPS, VERBS, Verb
-from allworlds.work import ClusterLost
+from allworlds.verbs import GROUPS, RENAMED, VERBS, Verb
 
 # Typer has its own copy of click, or uses click itself, depending on its version.
 _ClickError: type[Exception] = next(
     kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException"
 )
 
-RENAMED = {
+RENAMED_OPTIONS = {
     "--info": "--lighthouse",
     "--max-edges": "--edges",
     "--max-vertices": "--vertices",
@@ -72,9 +71,12 @@ def _add_verbs() -> None:
     for verb in VERBS:
         home = groups[verb.group] if verb.group else app
         name = verb.name.rpartition(" ")[2]
-        home.command(name, short_help=verb.summary, context_settings=HELP)(_command(verb))
-    for group in groups.values():
-        app.add_typer(group)
+        panel = verb.panel or None
+        home.command(name, short_help=verb.summary, context_settings=HELP, rich_help_panel=panel)(
+            _command(verb)
+        )
+    for name, group in groups.items():
+        app.add_typer(group, rich_help_panel=GROUPS[name].panel)
 
 
 def _help(context: typer.Context) -> None:
@@ -180,7 +182,10 @@ def _verbs() -> Any:
 def _complaint(error: Exception, arguments: list[str]) -> str:
     """What click says, with the value that it may have left out."""
     said: str = error.format_message() if hasattr(error, "format_message") else str(error)
-    renamed = RENAMED.get(getattr(error, "option_name", ""))
+    words = [word for word in arguments if not word.startswith("-")]
+    if said.startswith("No such command") and words and words[0] in RENAMED:
+        return f"No such command: {words[0]}; it is 'allworlds {RENAMED[words[0]]}'"
+    renamed = RENAMED_OPTIONS.get(getattr(error, "option_name", ""))
     if renamed:
         return f"No such option: {error.option_name}; it is {renamed}"  # type: ignore[attr-defined]
     options = getattr(getattr(error, "param", None), "opts", ())

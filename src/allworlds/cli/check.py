@@ -16,7 +16,7 @@ from allworlds.cli.watch import kept_in, watched
 from allworlds.inputs import InputError, show
 
 if TYPE_CHECKING:
-    from allworlds.checker import CheckOptions
+    from allworlds.studies.check import CheckOptions
 
 
 def check(
@@ -24,7 +24,7 @@ def check(
     *,
     command: opt.Exec = None,
     native: opt.Native = None,
-    bounds: opt.Bounds,
+    bounds: opt.ExtentGroup,
     lighthouse: opt.LighthouseName = None,
     shard: opt.ShardText = "0/1",
     schedules: Annotated[
@@ -35,7 +35,7 @@ def check(
             "all: every sequence of choices, for an explorer that takes choices.",
         ),
     ] = "one",
-    rules: opt.Rules,
+    rules: opt.RulesGroup,
     engine: Annotated[str, opt.option(opt.EFFORT, "auto|python|kernel", "Which engine.")] = "auto",
     max_findings: Annotated[
         int,
@@ -45,7 +45,7 @@ def check(
             "Stop after whole levels with K findings, the smallest of each law and map.",
         ),
     ] = 1,
-    effort: opt.Effort,
+    effort: opt.EffortGroup,
     corpus: Annotated[
         str | None,
         opt.option(
@@ -70,7 +70,7 @@ def check(
         ),
     ] = False,
     files: Files,
-    output: opt.LongOutput,
+    output: opt.LongOutputGroup,
 ) -> int:
     """Example: allworlds check my_explorer.py:explore --edges 4
 
@@ -78,7 +78,8 @@ def check(
     orientation of every map of a class.  Exit code 0: holds, 1: refuted, 3: inconclusive,
     4: vacuous.
     """
-    import allworlds.checker
+    import allworlds
+    from allworlds.studies.check import estimate as estimated
 
     if estimate:
         _refuse_beside_estimate({**files.named(), "corpus": corpus, "run": run, "watch": watch})
@@ -95,7 +96,7 @@ def check(
     }
     if estimate:
         with listening(output) as listener:
-            guess = allworlds.checker.estimate(explore, listener=listener, **asked)
+            guess = estimated(explore, listener=listener, **asked)
             listener.verdict(guess)
         return emit(guess, "check", output, workers=effort.count)
     ensure_directory(corpus)

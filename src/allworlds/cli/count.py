@@ -7,7 +7,7 @@ from allworlds.cli.events import listening
 from allworlds.cli.output import emit
 
 
-def count(*, bounds: opt.Bounds, output: opt.LongOutput) -> int:
+def count(*, bounds: opt.ExtentGroup, output: opt.LongOutputGroup) -> int:
     """Example: allworlds count --edges 6
 
     Enumerate every rooted map of a class, count, and compare the counts with an independent

@@ -8,7 +8,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from time import monotonic
 from typing import TYPE_CHECKING, Any, TextIO
 
-from allworlds.cli.options import LongOutput
+from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import Progress, complain
 from allworlds.inputs import InputError, a_path, show
 from allworlds.outcome import SCHEMA, Result
@@ -81,7 +81,7 @@ class Events:
 
 
 @contextmanager
-def listening(output: LongOutput) -> Iterator[Events]:
+def listening(output: LongOutputGroup) -> Iterator[Events]:
     """The listener of a long job: progress on a terminal, and events in a file, where one is named.
 
     Raises:

@@ -8,15 +8,14 @@ from allworlds.cli.output import emit
 from allworlds.inputs import read_text
 
 
-def explain(file: opt.FindingFile, *, page: PageFile, output: opt.Output) -> int:
+def explain(file: opt.FindingFile, *, page: PageFile, output: opt.OutputGroup) -> int:
     """Example: allworlds explain finding.json
 
     Tell in words what the robot believed, what was true, and the first step where they part.
     """
     import allworlds
-    from allworlds.findings import Finding
 
     page.ensure_writable()
-    explained = allworlds.explain(Finding.from_json(read_text(file)))
+    explained = allworlds.explain(allworlds.Finding.from_json(read_text(file)))
     page.write("explain", explained)
     return emit(explained, "explain", output)

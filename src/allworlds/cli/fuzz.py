@@ -23,10 +23,10 @@ def fuzz(
     native: opt.Native = None,
     map_class: opt.MapClassName = "maps",
     lighthouse: opt.LighthouseName = None,
-    rules: opt.Rules,
-    effort: opt.Effort,
+    rules: opt.RulesGroup,
+    effort: opt.EffortGroup,
     files: Files,
-    output: opt.LongOutput,
+    output: opt.LongOutputGroup,
 ) -> int:
     """Example: allworlds fuzz my_explorer.py:explore --edges 20 --min-edges 6 --runs 1000
 

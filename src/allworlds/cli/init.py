@@ -8,22 +8,44 @@ import typer
 
 from allworlds.cli import options as opt
 from allworlds.cli.output import emit
-from allworlds.skeletons import LANGUAGES
+from allworlds.explorers import LANGUAGES
 
 
 def init(
     directory: Annotated[
-        str, typer.Argument(metavar="DIR", help="Where to; no file in it is overwritten.")
-    ],
+        str | None,
+        typer.Argument(
+            metavar="[DIR]",
+            help="The directory of the skeleton; no file in it is overwritten.",
+            show_default=False,
+        ),
+    ] = None,
     *,
-    lang: Annotated[str, opt.option(opt.OUTPUT, "LANG", f"{opt.one_of(LANGUAGES)}.")] = "python",
-    output: opt.Output,
+    lang: Annotated[
+        str | None,
+        opt.option(
+            opt.OUTPUT,
+            "LANG",
+            f"{opt.one_of(LANGUAGES)} [default: python].",
+            show_default=False,
+        ),
+    ] = None,
+    header: Annotated[
+        bool,
+        opt.flag(
+            opt.OUTPUT,
+            "Print the C header of native explorers instead, which is its own manual.",
+            "--header",
+        ),
+    ] = False,
+    output: opt.OutputGroup,
 ) -> int:
     """Example: allworlds init my-explorer --lang javascript
 
     Write an explorer to begin with, its test, and a workflow for CI. It builds and runs, and a
-    check refutes it, until it is filled in.
+    check refutes it, until it is filled in.  With --header print allworlds.h, for explorers in
+    shared libraries: check --native PATH tries one.
     """
     import allworlds
 
-    return emit(allworlds.init(directory, lang=lang), "init", output)
+    return emit(allworlds.init(directory, lang=lang, header=header), "init", output)

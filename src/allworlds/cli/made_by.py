@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from allworlds import documents
 
 
-class Effort(TypedDict, total=False):
+class MeasuredEffort(TypedDict, total=False):
     """What only the verb knows of its effort.
 
     Attributes:
@@ -31,7 +31,7 @@ class Effort(TypedDict, total=False):
 
 
 @dataclass(frozen=True, slots=True)
-class _Begun:
+class _BegunCommand:
     """A command at its beginning."""
 
     command: tuple[str, ...]
@@ -39,13 +39,13 @@ class _Begun:
     clock: float
 
 
-_COMMAND: ContextVar[_Begun] = ContextVar("command")
+_COMMAND: ContextVar[_BegunCommand] = ContextVar("command")
 
 
 @contextmanager
 def beginning(command: Sequence[str]) -> Iterator[None]:
     """The context of a command, which begins now."""
-    begun = _Begun(tuple(command), datetime.now(UTC), perf_counter())
+    begun = _BegunCommand(tuple(command), datetime.now(UTC), perf_counter())
     token = _COMMAND.set(begun)
     try:
         yield
@@ -53,9 +53,9 @@ def beginning(command: Sequence[str]) -> Iterator[None]:
         _COMMAND.reset(token)
 
 
-def made_by(effort: Effort) -> documents.MadeBy:
+def made_by(effort: MeasuredEffort) -> documents.MadeBy:
     """Who makes a document, if it is written now."""
-    from allworlds.host import host
+    from allworlds.version import host
 
     begun = _COMMAND.get()
     document: documents.MadeBy = {

@@ -14,7 +14,7 @@ from allworlds.cli.output import emit
 def merge(
     runs: Annotated[list[str], typer.Argument(metavar="DIR...", help="One a shard.")],
     *,
-    output: opt.LongOutput,
+    output: opt.LongOutputGroup,
 ) -> int:
     """Example: allworlds merge shard-0 shard-1
 

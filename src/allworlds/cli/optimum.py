@@ -18,7 +18,7 @@ def optimum(
         float | None,
         opt.option(opt.EFFORT, "S", "Seconds for the search of each row.", parser=opt.seconds),
     ] = None,
-    output: opt.LongOutput,
+    output: opt.LongOutputGroup,
 ) -> int:
     """Example: allworlds optimum --edges 4
 

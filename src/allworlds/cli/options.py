@@ -9,17 +9,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from allworlds.cli.values import integer, law_names, seconds, worker_count
+from allworlds.explorers import EXEC, NATIVE
 from allworlds.inputs import InputError, show
-from allworlds.judge import LAWS
-from allworlds.maps.classes import MapClass
-from allworlds.maps.families import FORMS
-from allworlds.protocol import ANSWER_TIMEOUT, DEFAULT_POLICY, POLICIES, SEEDED
-from allworlds.runs import DEFAULT_EDGES
-from allworlds.subjects import EXEC, NATIVE
-from allworlds.world import LIGHTHOUSES
+from allworlds.studies.check import DEFAULTS, LEGAL
 
 if TYPE_CHECKING:
-    from allworlds.checker import ManyRunsOptions, RunOptions
+    from allworlds.studies.check import ManyRunsOptions, RunOptions
+
+ANSWER_TIMEOUT: float = DEFAULTS["answer_timeout"]
+FORMS = ", ".join(LEGAL["family"])
+"""How a world of a family is written."""
 
 SCOPE, RULES, EFFORT, OUTPUT = "What is checked", "How it is judged", "Effort", "Output"
 
@@ -28,6 +27,11 @@ def one_of(names: Iterable[str]) -> str:
     """The names of a table, as a help says them: ``a, b or c``."""
     *others, last = names
     return f"{', '.join(others)} or {last}"
+
+
+def legal(option: str) -> str:
+    """The names that an option may be, likewise."""
+    return one_of(LEGAL[option])
 
 
 def option(panel: str, metavar: str, help_: str, *names: str, **more: Any) -> Any:
@@ -82,14 +86,14 @@ Explorers = Annotated[
     ),
 ]
 Workers = Annotated[str, option(EFFORT, "N|auto", "Processes, or threads.")]
-MapClassName = Annotated[str, option(SCOPE, "CLASS", f"{one_of(MapClass)}.", "--class")]
+MapClassName = Annotated[str, option(SCOPE, "CLASS", f"{one_of(LEGAL['map_class'])}.", "--class")]
 LighthouseName = Annotated[
     str | None,
     option(
         SCOPE,
         "KIND",
-        f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)} (default: directional, or the one that a "
-        "built-in explorer is written for).",
+        f"KIND[:key=value,...]: {one_of(LEGAL['lighthouse'])} (default: directional, or the one "
+        "that a built-in explorer is written for).",
         show_default=False,
     ),
 ]
@@ -98,7 +102,7 @@ LighthouseOfWorld = Annotated[
     option(
         SCOPE,
         "KIND",
-        f"The lighthouse of a WORLD that names none: {one_of(LIGHTHOUSES)}.",
+        f"The lighthouse of a WORLD that names none: {one_of(LEGAL['lighthouse'])}.",
     ),
 ]
 ShardText = Annotated[
@@ -134,8 +138,19 @@ AnswerTimeout = Annotated[
 ]
 
 
+Holes = Annotated[
+    str | None,
+    option(
+        SCOPE,
+        "P%",
+        "Share of a family's edges to remove [default: none].",
+        show_default=False,
+    ),
+]
+
+
 @dataclass(frozen=True, slots=True)
-class Bounds:
+class ExtentGroup:
     """The extent of an exhaustive verb."""
 
     edges: Annotated[
@@ -143,7 +158,7 @@ class Bounds:
         number(
             SCOPE,
             "M",
-            f"At most M edges (default of check, unless --vertices is given: {DEFAULT_EDGES}).",
+            f"At most M edges (default of check, unless --vertices is given: {DEFAULTS['edges']}).",
             show_default=False,
         ),
     ] = None
@@ -155,24 +170,16 @@ class Bounds:
 
 
 @dataclass(frozen=True, slots=True)
-class Family:
+class FamilyGroup:
     """One world of a family, in place of another."""
 
     family: Annotated[str | None, option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
-    holes: Annotated[
-        str | None,
-        option(
-            SCOPE,
-            "P%",
-            "Share of a family's edges to remove [default: none].",
-            show_default=False,
-        ),
-    ] = None
+    holes: Holes = None
     seed: Annotated[int, number(SCOPE, "S", "For whatever is drawn of a family.")] = 0
 
 
 @dataclass(frozen=True, slots=True)
-class Programs:
+class ProgramsGroup:
     """Explorers that are no Python, beside the EXPLORERs."""
 
     command: Annotated[
@@ -206,7 +213,7 @@ class Programs:
 
 
 @dataclass(frozen=True, slots=True)
-class Rules:
+class RulesGroup:
     """How runs are played and judged."""
 
     policy: Annotated[
@@ -214,9 +221,9 @@ class Rules:
         option(
             RULES,
             "POLICY",
-            f"Who answers the explorer's choices: {one_of([*POLICIES, SEEDED])}.",
+            f"Who answers the explorer's choices: {one_of(LEGAL['policy'])}.",
         ),
-    ] = DEFAULT_POLICY
+    ] = DEFAULTS["policy"]
     bound: Annotated[
         str | None,
         option(
@@ -233,7 +240,7 @@ class Rules:
         option(
             RULES,
             "LAWS",
-            f"Of {', '.join(LAWS)}, with commas (default: all that apply).",
+            f"Of {', '.join(LEGAL['laws'])}, with commas (default: all that apply).",
             show_default=False,
         ),
     ] = None
@@ -260,7 +267,7 @@ class Rules:
 
 
 @dataclass(frozen=True, slots=True)
-class Effort:
+class EffortGroup:
     """What bounds the effort of many runs."""
 
     workers: Workers = "auto"
@@ -277,7 +284,7 @@ class Effort:
 
 
 def many_runs(
-    map_class: str, lighthouse: str | None, rules: Rules, effort: Effort
+    map_class: str, lighthouse: str | None, rules: RulesGroup, effort: EffortGroup
 ) -> ManyRunsOptions:
     """As ``check`` and ``fuzz`` take them."""
     return {
@@ -291,7 +298,7 @@ def many_runs(
 
 
 @dataclass(frozen=True, slots=True)
-class Output:
+class OutputGroup:
     """What is printed."""
 
     as_json: Annotated[bool, flag(OUTPUT, "One JSON document on stdout.", "--json")] = False
@@ -301,7 +308,7 @@ class Output:
 
 
 @dataclass(frozen=True, slots=True)
-class LongOutput(Output):
+class LongOutputGroup(OutputGroup):
     """What is printed of a verb that may take long, and what is told of it meanwhile."""
 
     events: Annotated[

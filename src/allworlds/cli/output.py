@@ -12,11 +12,11 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any, Self, Unpack
 
-from allworlds.cli.made_by import Effort, made_by
-from allworlds.cli.options import Output
+from allworlds.cli.made_by import MeasuredEffort, made_by
+from allworlds.cli.options import OutputGroup
+from allworlds.engines import patient_stderr
 from allworlds.outcome import Exit, Result
 from allworlds.reports import brief, text
-from allworlds.streams import patient_stderr
 
 NARROWEST = 40
 
@@ -63,7 +63,7 @@ def coloured(text: str) -> str:
     )
 
 
-def emit(result: Result, verb: str, output: Output, **effort: Unpack[Effort]) -> int:
+def emit(result: Result, verb: str, output: OutputGroup, **effort: Unpack[MeasuredEffort]) -> int:
     """Print a verb's result in the form that was asked for; its exit code.
 
     In a document all that can differ from run to run stands under the key ``made_by``.
@@ -180,12 +180,12 @@ def _bar() -> Any:
     from rich.progress import (
         BarColumn,
         MofNCompleteColumn,
+        Progress as RichProgress,
         ProgressColumn,
         Task,
         TextColumn,
         TimeRemainingColumn,
     )
-    from rich.progress import Progress as RichProgress
     from rich.text import Text
 
     class Rate(ProgressColumn):

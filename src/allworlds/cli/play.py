@@ -7,10 +7,10 @@ import sys
 from dataclasses import replace
 from typing import Annotated
 
+from allworlds import Drop, Move, Percept, Pick
 from allworlds.cli import options as opt
 from allworlds.cli.files import ensure_all_writable, write_files
 from allworlds.cli.output import emit, printable
-from allworlds.protocol import Action, Drop, Move, Percept, Pick
 
 
 def play(
@@ -26,7 +26,7 @@ def play(
             show_default=False,
         ),
     ] = None,
-    output: opt.Output,
+    output: opt.OutputGroup,
 ) -> int:
     """Example: allworlds play theta-torus --html play.html
 
@@ -48,7 +48,7 @@ def play(
 LEGAL = "a number, drop, pick, or an empty line to end"
 
 
-def _asked(percept: Percept, refused: str) -> Action | None:
+def _asked(percept: Percept, refused: str) -> Drop | Move | Pick | None:
     """What the next line of stdin says; the conversation goes to stderr."""
     _say(f"that cannot be done: {refused}\n" if refused else f"you sense: {percept}\n")
     while True:

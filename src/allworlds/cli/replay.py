@@ -8,7 +8,6 @@ from allworlds.cli import options as opt
 from allworlds.cli.files import PageFile
 from allworlds.cli.output import complain, emit
 from allworlds.inputs import read_text
-from allworlds.protocol import ANSWER_TIMEOUT
 
 
 def replay(
@@ -36,9 +35,9 @@ def replay(
             "--native",
         ),
     ] = None,
-    answer_timeout: opt.AnswerTimeout = ANSWER_TIMEOUT,
+    answer_timeout: opt.AnswerTimeout = opt.ANSWER_TIMEOUT,
     page: PageFile,
-    output: opt.Output,
+    output: opt.OutputGroup,
 ) -> int:
     """Example: allworlds replay finding.json --explorer mended.py:explore
 
@@ -46,14 +45,13 @@ def replay(
     repeats the recorded choices as far as they fit.
     """
     import allworlds
-    from allworlds.findings import Finding
 
     page.ensure_writable()
 
     another = None
     if any(given is not None for given in (explorer, command, native)):
         another = opt.explorer_name(explorer, command, native)
-    finding = Finding.from_json(read_text(file))
+    finding = allworlds.Finding.from_json(read_text(file))
     replayed = allworlds.replay(finding, another, answer_timeout=answer_timeout)
     if replayed.notice:
         complain(replayed.notice)

@@ -10,8 +10,8 @@ from allworlds.cli import options as opt
 from allworlds.cli.files import PageFile
 from allworlds.cli.output import emit
 from allworlds.cli.values import index_list
+from allworlds.explorers import names_explorer
 from allworlds.inputs import InputError, show
-from allworlds.subjects import names_explorer
 
 
 def run(
@@ -27,7 +27,7 @@ def run(
     *,
     command: opt.Exec = None,
     native: opt.Native = None,
-    drawn: opt.Family,
+    drawn: opt.FamilyGroup,
     choices: Annotated[
         str | None,
         opt.option(
@@ -36,16 +36,16 @@ def run(
             "Answers to the first choices, by index; then the policy goes on.",
         ),
     ] = None,
-    rules: opt.Rules,
+    rules: opt.RulesGroup,
     page: PageFile,
-    output: opt.Output,
+    output: opt.OutputGroup,
 ) -> int:
     """Example: allworlds run algorithm1 theta
 
     Run an explorer once in one world, tell it step by step, and judge it.
     """
     import allworlds
-    from allworlds.subjects import own_lighthouse
+    from allworlds.explorers import own_lighthouse
     from allworlds.world import World, world_of_family
 
     page.ensure_writable()

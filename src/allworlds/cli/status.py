@@ -13,7 +13,7 @@ from allworlds.cli.output import emit
 def status(
     run: Annotated[str, typer.Argument(metavar="DIR", help="A run directory.")],
     *,
-    output: opt.Output,
+    output: opt.OutputGroup,
 ) -> int:
     """Example: allworlds status shard-0
 

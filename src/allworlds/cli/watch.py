@@ -9,9 +9,9 @@ from tempfile import TemporaryDirectory
 from time import sleep
 
 from allworlds.cli.output import complain
+from allworlds.explorers import files_of_explorer
 from allworlds.inputs import InputError, show
 from allworlds.outcome import Exit
-from allworlds.subjects import files_of_explorer
 
 PAUSE = 0.2
 """Seconds between two looks at the files."""

@@ -42,7 +42,7 @@ def worst(
     run: opt.RunDirectory = None,
     dask: opt.DaskAddress = None,
     page: PageFile,
-    output: opt.LongOutput,
+    output: opt.LongOutputGroup,
 ) -> int:
     """Example: allworlds worst --edges 5
 

@@ -1,6 +1,6 @@
 """Every document that is written or read, described once.
 
-``words``
+``vocabulary``
     what narrows a type, and the narrowed types;
 ``worlds``, ``findings``, ``checks``, ``questions``, ``claims``, ``comparisons``, ``runs``,
 ``common``
@@ -21,12 +21,12 @@ from allworlds.documents.comparisons import *
 from allworlds.documents.findings import *
 from allworlds.documents.questions import *
 from allworlds.documents.runs import *
-from allworlds.documents.words import *
+from allworlds.documents.vocabulary import *
 from allworlds.documents.worlds import *
 from allworlds.verbs import VERBS
 
 
-class Page(NamedTuple):
+class SchemaPage(NamedTuple):
     """One schema.
 
     Attributes:
@@ -38,24 +38,27 @@ class Page(NamedTuple):
     parts: Mapping[str, Any] = {}
 
 
-def _of_verb(document: str) -> Page:
-    """The page of a verb's document: of ``two-words`` the class is ``TwoWordsReport``."""
+def _of_verb(document: str) -> SchemaPage:
+    """The page of a verb's document: of ``two-words`` the class is ``TwoWordsDocument``."""
     name = "".join(word.capitalize() for word in document.split("-"))
-    return Page(globals()[f"{name}Report"])
+    return SchemaPage(globals()[f"{name}Document"])
 
 
 PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
-    "finding": Page(FindingRead, {"written": Finding, "options": Options}),
-    "world": Page(
-        WorldRead, {"written": World, "rooted": Rooted, "rooted_quotient": RootedQuotient}
+    "finding": SchemaPage(FindingRead, {"written": FindingDocument, "options": Options}),
+    "world": SchemaPage(
+        WorldRead, {"written": WorldDocument, "rooted": Rooted, "rooted_quotient": RootedQuotient}
     ),
-    "transcript": Page(
-        Transcript, {"percept": Percept, "read": TranscriptRead, "percept_read": PerceptRead}
+    "transcript": SchemaPage(
+        Transcript,
+        {"percept": PerceptDocument, "read": TranscriptRead, "percept_read": PerceptRead},
     ),
-    "event": Page(Event),
-    "estimate": Page(EstimateResult),
-    "made-by": Page(MadeBy),
-    "names": Page(
+    "event": SchemaPage(Event),
+    "growth": SchemaPage(GrowthDocument),
+    "header": SchemaPage(HeaderDocument),
+    "estimate": SchemaPage(EstimateResult),
+    "made-by": SchemaPage(MadeBy),
+    "names": SchemaPage(
         None,
         {
             "law": LawName,
@@ -65,7 +68,7 @@ PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
             "engine": EngineName,
         },
     ),
-    "manifest": Page(Manifest),
+    "manifest": SchemaPage(Manifest),
 }
 """Every schema by its name: those of the verbs, then what they are built from."""
 

@@ -2,9 +2,9 @@
 
 from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
-from allworlds.documents.common import Extent, InRows, Report
-from allworlds.documents.findings import Finding, Options
-from allworlds.documents.words import (
+from allworlds.documents.common import ExtentDocument, InRows, ReportDocument
+from allworlds.documents.findings import FindingDocument, Options
+from allworlds.documents.vocabulary import (
     Dart,
     Different,
     EngineName,
@@ -19,11 +19,11 @@ from allworlds.documents.words import (
     VerdictName,
     code,
 )
-from allworlds.documents.worlds import Rooted, RootedQuotient, Transcript, World
+from allworlds.documents.worlds import Rooted, RootedQuotient, Transcript, WorldDocument
 from allworlds.outcome import Exit
 
 
-class Sample(TypedDict):
+class SampleDocument(TypedDict):
     """How random worlds were drawn."""
 
     edges: Annotated[Positive, "at most so many"]
@@ -46,7 +46,7 @@ Checked: TypeAlias = list[GateCell] | Literal["absent", "deferred to the merge o
 """What has become of the count gate."""
 
 
-class Scope(Extent):
+class ScopeDocument(ExtentDocument):
     """What a check is about: every option that its counts and its verdict depend on."""
 
     lighthouse: Annotated[Text, "`KIND[:key=value,...]`"]
@@ -56,7 +56,7 @@ class Scope(Extent):
     bound: Annotated[Text, "the bound on the traversals; `none` where the law was not checked"]
     step_budget: Annotated[Positive | None, "the largest legal number of traversals; null: default"]
     shard: Annotated[str, OfShard, "`K/N`; `0/1` is the whole"]
-    sample: Annotated[Sample | None, "of `fuzz`: how the worlds were drawn"]
+    sample: Annotated[SampleDocument | None, "of `fuzz`: how the worlds were drawn"]
     symmetry: Annotated[str | None, "why one run was counted for several, where it was"]
     gate: Annotated[
         Checked,
@@ -81,7 +81,7 @@ class CheckRow(TypedDict):
     bound: Annotated[int | None, "the largest bound of a run; null without a bound"]
 
 
-class Corpus(TypedDict):
+class CorpusDocument(TypedDict):
     """What became of the findings of a corpus."""
 
     directory: Annotated[Text, "where it is"]
@@ -94,7 +94,7 @@ class Corpus(TypedDict):
     written: Annotated[list[Text], "those that this check has added"]
 
 
-class CheckReport(Report):
+class CheckDocument(ReportDocument):
     """Report of 'check' and of 'fuzz'."""
 
     verdict: Annotated[VerdictName, "about the scope, and nothing else"]
@@ -107,7 +107,7 @@ class CheckReport(Report):
     ]
     explorer: Annotated[Text, "its name"]
     engine: Annotated[EngineName, "whichever did it"]
-    scope: Annotated[Scope, "what was checked"]
+    scope: Annotated[ScopeDocument, "what was checked"]
     worlds: Annotated[Natural, "rooted maps"]
     runs: Annotated[Natural, "worlds x places of the lighthouse"]
     episodes: Annotated[Natural, "runs x schedules"]
@@ -122,19 +122,19 @@ class CheckReport(Report):
         list[Text], Different, "those that must have occurred and have not"
     ]
     remarks: Annotated[list[Text], "what happened to processes and refutes nothing, each said once"]
-    corpus: Annotated[Corpus | None, "null without `--corpus`"]
+    corpus: Annotated[CorpusDocument | None, "null without `--corpus`"]
     findings: Annotated[
-        list[Finding], "ascending by (edges, vertices, canonical code, place, choices)"
+        list[FindingDocument], "ascending by (edges, vertices, canonical code, place, choices)"
     ]
 
 
-class RunReport(Report):
+class RunDocument(ReportDocument):
     """Report of 'run'."""
 
     verdict: Annotated[str, Keywords(enum=["holds", "refuted"]), "about this run alone"]
     exit_code: Annotated[int, code(Exit.HOLDS, Exit.REFUTED)]
     explorer: Annotated[Text, "its name"]
-    world: Annotated[World, "as it was given"]
+    world: Annotated[WorldDocument, "as it was given"]
     options: Annotated[Options, "how it was played and judged"]
     choices: Annotated[list[Natural], "the index taken at each choice"]
     cost: Annotated[Natural, "traversals"]
@@ -144,10 +144,10 @@ class RunReport(Report):
         Annotated[RootedQuotient, "the answer that names no map, where there is one"]
     ]
     transcript: Annotated[Transcript, "the log"]
-    finding: Annotated[Finding | None, "null: no law is broken"]
+    finding: Annotated[FindingDocument | None, "null: no law is broken"]
 
 
-class ReplayReport(Report):
+class ReplayDocument(ReportDocument):
     """Report of 'replay'."""
 
     outcome: Annotated[
@@ -157,10 +157,10 @@ class ReplayReport(Report):
     explorer: Annotated[Text, "the one that ran"]
     law: Annotated[LawName, "the recorded one"]
     law_now: Annotated[LawName | None, "the one that is broken now; null: none"]
-    run: Annotated[RunReport, "the run of today"]
+    run: Annotated[RunDocument, "the run of today"]
 
 
-class ExplainReport(Report):
+class ExplainDocument(ReportDocument):
     """Report of 'explain'."""
 
     explorer: Annotated[str, "its name"]
@@ -171,11 +171,11 @@ class ExplainReport(Report):
         "start, null: at none",
     ]
     sentences: Annotated[list[Text], Some, "in plain words"]
-    world: Annotated[World, "that of the finding"]
+    world: Annotated[WorldDocument, "that of the finding"]
     robot: Annotated[Dart, "where the robot is at the end"]
     answer: Annotated[Rooted | None, "the wrong answer; null where the finding holds none"]
     other: Annotated[
-        World | None,
+        WorldDocument | None,
         "under the law `folding` another world that agrees with the log; else null",
     ]
     slip: Annotated[
@@ -189,7 +189,7 @@ MutantKind: TypeAlias = Literal["explorer", "judge", "enumerator"]
 """What is wrong on purpose."""
 
 
-class Kill(TypedDict):
+class KillDocument(TypedDict):
     """What became of one mutant."""
 
     mutant: Annotated[Text, "its name"]
@@ -197,15 +197,16 @@ class Kill(TypedDict):
     breaks: Annotated[Text, "what is wrong with it"]
     killed_by: Annotated[str | None, "the law or the check that caught it; null: it lives"]
     world: Annotated[
-        World | None, "the smallest at which it is caught; null: it lives, or any may show it"
+        WorldDocument | None,
+        "the smallest at which it is caught; null: it lives, or any may show it",
     ]
     equivalent: Annotated[str | None, "why it may live; null: it may not"]
 
 
-class MutantsReport(InRows):
+class MutantsDocument(InRows):
     """Report of 'mutants'."""
 
     edges: Annotated[Positive, "at most so many"]
     mutants: Annotated[Natural, "how many there are"]
-    kill_matrix: Annotated[list[Kill], "one a mutant"]
+    kill_matrix: Annotated[list[KillDocument], "one a mutant"]
     survivors: Annotated[list[Text], Different, "those that live and may not, or may and do not"]

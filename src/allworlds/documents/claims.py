@@ -3,8 +3,8 @@
 from typing import Annotated, Literal, TypeAlias, TypedDict
 
 from allworlds.documents.common import InRows
-from allworlds.documents.words import Positive, Text, code
-from allworlds.documents.worlds import World
+from allworlds.documents.vocabulary import Positive, Text, code
+from allworlds.documents.worlds import WorldDocument
 from allworlds.outcome import Exit
 
 Shown: TypeAlias = int | float | str | list[int] | list[float] | list[str]
@@ -36,10 +36,10 @@ class ClaimEntry(TypedDict):
     expected_figures: Annotated[dict[str, Shown], "and as expected"]
     differences: Annotated[list[str], "what is not as expected, in words"]
     told: Annotated[str, "what refutes it, what is to be seen, or why it was not checked"]
-    worlds: Annotated[list[World], "worlds that show it"]
+    worlds: Annotated[list[WorldDocument], "worlds that show it"]
 
 
-class ClaimsReport(InRows):
+class ClaimsDocument(InRows):
     """Report of 'claims'."""
 
     exit_code: Annotated[

@@ -2,7 +2,15 @@
 
 from typing import Annotated, NotRequired, TypedDict
 
-from allworlds.documents.words import ClassName, Figure, Keywords, Positive, Seconds, Text, Version
+from allworlds.documents.vocabulary import (
+    ClassName,
+    Figure,
+    Keywords,
+    Positive,
+    Seconds,
+    Text,
+    Version,
+)
 
 
 class Host(TypedDict):
@@ -36,14 +44,14 @@ class MadeBy(TypedDict):
     claim_seconds: NotRequired[Annotated[list[Seconds], "of `claims`: for each of them"]]
 
 
-class Report(TypedDict):
+class ReportDocument(TypedDict):
     """What a verb writes."""
 
     schema: Version
     made_by: NotRequired[Annotated[MadeBy, "in Python; always there on the command line"]]
 
 
-class InRows(Report):
+class InRows(ReportDocument):
     """What a verb writes that goes on row by row."""
 
     complete: Annotated[bool, "every row is there; false: the user has interrupted"]
@@ -52,7 +60,7 @@ class InRows(Report):
 OfClass = TypedDict("OfClass", {"class": Annotated[ClassName, "the class of maps"]})
 
 
-class Extent(OfClass):
+class ExtentDocument(OfClass):
     """A class and its bounds."""
 
     edges: Annotated[Positive | None, "at most so many; null: not bounded"]

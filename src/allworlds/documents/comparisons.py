@@ -2,18 +2,10 @@
 
 from typing import Annotated, TypedDict
 
-from allworlds.documents.common import InRows, OfClass, Report
-from allworlds.documents.findings import Finding
-from allworlds.documents.words import (
-    Figure,
-    Natural,
-    Positive,
-    Some,
-    Text,
-    VerdictName,
-    code,
-)
-from allworlds.documents.worlds import World
+from allworlds.documents.common import InRows, OfClass, ReportDocument
+from allworlds.documents.findings import FindingDocument
+from allworlds.documents.vocabulary import Figure, Natural, Positive, Some, Text, VerdictName, code
+from allworlds.documents.worlds import WorldDocument
 from allworlds.outcome import Exit
 
 
@@ -47,14 +39,14 @@ class CompareRow(TypedDict):
     more: Annotated[dict[str, Natural], "in how many it is more"]
 
 
-class DifferMost(TypedDict):
+class DifferMostDocument(TypedDict):
     """The smallest of the worlds in which the first explorer differs most from another."""
 
-    world: Annotated[World, "the rooted map, with the first one's lighthouse"]
+    world: Annotated[WorldDocument, "the rooted map, with the first one's lighthouse"]
     costs: Annotated[dict[str, Figure], "for each explorer its mean over the places"]
 
 
-class CompareReport(InRows, OfClass):
+class CompareDocument(InRows, OfClass):
     """Report of 'compare'."""
 
     verdict: Annotated[VerdictName, "whether a run of any explorer broke a law"]
@@ -70,12 +62,14 @@ class CompareReport(InRows, OfClass):
     edges: Annotated[Positive | None, "at most so many; null: not bounded, or a family"]
     vertices: Annotated[Positive | None, "at most so many; null: not bounded, or a family"]
     rows: Annotated[list[CompareRow], "one for each (edges, vertices) of the finished levels"]
-    differ_most: Annotated[DifferMost | None, "null: nothing was compared, or nothing differs"]
+    differ_most: Annotated[
+        DifferMostDocument | None, "null: nothing was compared, or nothing differs"
+    ]
     stopped: Annotated[str | None, "why it is not complete; null: it is, or by the user"]
-    findings: Annotated[list[Finding], "the smallest of each explorer that broke a law"]
+    findings: Annotated[list[FindingDocument], "the smallest of each explorer that broke a law"]
 
 
-class GrowRow(TypedDict):
+class GrowthRowDocument(TypedDict):
     """What an explorer walks in the members of a family of one size."""
 
     family: Annotated[Text, "as it was asked for"]
@@ -90,7 +84,7 @@ class GrowRow(TypedDict):
     costs: Annotated[list[Natural], Some, "of the runs in them"]
 
 
-class Exponent(TypedDict):
+class ExponentDocument(TypedDict):
     """How an explorer's cost grows in a family: like the edges to this power."""
 
     family: Annotated[Text, "as it was asked for"]
@@ -99,7 +93,7 @@ class Exponent(TypedDict):
     last: Annotated[float, "the same of the last two sizes"]
 
 
-class GrowReport(InRows):
+class GrowthDocument(InRows):
     """Report of 'grow'."""
 
     verdict: Annotated[VerdictName, "whether a run broke a law"]
@@ -108,14 +102,16 @@ class GrowReport(InRows):
     ]
     explorers: Annotated[list[Text], Some, "in the order in which they were named"]
     families: Annotated[list[Text], Some, "likewise"]
-    rows: Annotated[list[GrowRow], "one for each family, size and explorer"]
-    exponents: Annotated[list[Exponent], "one for each family and explorer with two sizes or more"]
+    rows: Annotated[list[GrowthRowDocument], "one for each family, size and explorer"]
+    exponents: Annotated[
+        list[ExponentDocument], "one for each family and explorer with two sizes or more"
+    ]
     left_out: Annotated[Natural, "members in which a lighthouse had no place"]
     stopped: Annotated[str | None, "why it is not complete; null: it is, or by the user"]
-    findings: Annotated[list[Finding], "the smallest of each explorer in each family"]
+    findings: Annotated[list[FindingDocument], "the smallest of each explorer in each family"]
 
 
-class FigureReport(Report):
+class FigureDocument(ReportDocument):
     """Report of 'figure'."""
 
     verdict: Annotated[VerdictName, "whether what is drawn is so"]

@@ -2,8 +2,8 @@
 
 from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
-from allworlds.documents.words import Different, JudgedLaw, LawName, Natural, Positive, Text
-from allworlds.documents.worlds import Rooted, Transcript, TranscriptRead, World, WorldRead
+from allworlds.documents.vocabulary import Different, JudgedLaw, LawName, Natural, Positive, Text
+from allworlds.documents.worlds import Rooted, Transcript, TranscriptRead, WorldDocument, WorldRead
 
 Value: TypeAlias = Rooted | int | str
 """What was expected, or seen: rooted maps for map and pose, integers for bound, else a sentence."""
@@ -30,7 +30,7 @@ class OptionsRead(TypedDict, total=False):
     laws: Annotated[list[JudgedLaw], Different, "else all that apply"]
 
 
-class Finding(TypedDict):
+class FindingDocument(TypedDict):
     """Finding.
 
     A refuting run, as it is written: enough to replay it with nothing else.
@@ -39,7 +39,7 @@ class Finding(TypedDict):
     version: Annotated[Literal[1], "the version of findings"]
     explorer: Annotated[str, "its name"]
     law: Annotated[LawName, "the broken law"]
-    world: Annotated[World, "in canonical numbering: the start is dart 0"]
+    world: Annotated[WorldDocument, "in canonical numbering: the start is dart 0"]
     options: Annotated[Options, "how the run was played and judged"]
     choices: Annotated[
         list[Natural],

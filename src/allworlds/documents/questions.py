@@ -2,9 +2,9 @@
 
 from typing import Annotated, Literal, NotRequired, TypedDict
 
-from allworlds.documents.common import Extent, Gate, InRows, OfClass, Report
-from allworlds.documents.findings import Finding
-from allworlds.documents.words import (
+from allworlds.documents.common import ExtentDocument, Gate, InRows, OfClass, ReportDocument
+from allworlds.documents.findings import FindingDocument
+from allworlds.documents.vocabulary import (
     Dart,
     Figure,
     Keywords,
@@ -20,11 +20,11 @@ from allworlds.documents.words import (
     Version,
     code,
 )
-from allworlds.documents.worlds import Percept, Rooted, Transcript, World
+from allworlds.documents.worlds import PerceptDocument, Rooted, Transcript, WorldDocument
 from allworlds.outcome import Exit
 
 
-class CountRow(TypedDict):
+class CountRowDocument(TypedDict):
     """The maps with one number of edges."""
 
     edges: Positive
@@ -42,40 +42,40 @@ class CountRow(TypedDict):
     ]
 
 
-class CountReport(InRows, Extent):
+class CountDocument(InRows, ExtentDocument):
     """Report of 'count'."""
 
     gate: Annotated[Gate, "the comparison of every row with an independent source"]
-    rows: Annotated[list[CountRow], "one a number of edges, ascending"]
+    rows: Annotated[list[CountRowDocument], "one a number of edges, ascending"]
 
 
-class InitReport(Report):
+class InitDocument(ReportDocument):
     """Report of 'init'."""
 
     directory: Annotated[Text, "as it was named"]
-    lang: Annotated[str, Named("skeletons:LANGUAGES"), "of the explorer"]
+    lang: Annotated[str, Named("explorers:LANGUAGES"), "of the explorer"]
     files: Annotated[list[Text], "that were written, relative to the directory, sorted"]
     explorer: Annotated[Text, "the file to be filled in"]
     check: Annotated[Text, "a shell command that checks it"]
     test: Annotated[Text, "a shell command that runs its test, in the directory"]
 
 
-class PlayReport(Report):
+class PlayDocument(ReportDocument):
     """Report of 'play'."""
 
     path: Annotated[str | None, "the page in which it is played; null where it was played here"]
-    world: World
+    world: WorldDocument
     transcript: Annotated[Transcript, "what was done and sensed; of a page the start alone"]
 
 
-class NativeReport(Report):
+class HeaderDocument(ReportDocument):
     """Report of 'native'."""
 
     version: Annotated[Positive, "of the interface: `ALLWORLDS_VERSION`"]
     header: Annotated[Text, "`allworlds.h`"]
 
 
-class WorstRow(TypedDict):
+class WorstRowDocument(TypedDict):
     """What every schedule can cost in the worlds of one size."""
 
     edges: Positive
@@ -88,7 +88,7 @@ class WorstRow(TypedDict):
         Natural | None, "different tests of false hypotheses; null: not of Algorithm 1"
     ]
     wrong_tests: Annotated[Natural | None, "those that confirmed one; null: not of Algorithm 1"]
-    world: Annotated[World, "the least one that attains `worst`"]
+    world: Annotated[WorldDocument, "the least one that attains `worst`"]
     choices: Annotated[list[Natural], "that attain it there"]
     replayed: Annotated[
         Natural | None,
@@ -96,7 +96,7 @@ class WorstRow(TypedDict):
     ]
 
 
-class WorstReport(InRows, OfClass):
+class WorstDocument(InRows, OfClass):
     """Report of 'worst'."""
 
     exit_code: Annotated[
@@ -115,11 +115,13 @@ class WorstReport(InRows, OfClass):
     ]
     shard: Annotated[str, OfShard, "`K/N`; `0/1` is the whole"]
     gate: Annotated[Gate, "counts, of a shard left to the merge, and replays in the Python engine"]
-    rows: Annotated[list[WorstRow], "one for each (edges, vertices), ascending"]
-    findings: Annotated[list[Finding], "the smallest, if a run of another explorer broke a law"]
+    rows: Annotated[list[WorstRowDocument], "one for each (edges, vertices), ascending"]
+    findings: Annotated[
+        list[FindingDocument], "the smallest, if a run of another explorer broke a law"
+    ]
 
 
-class Quotient(TypedDict):
+class QuotientDocument(TypedDict):
     """A rooted quotient: its dart 0 is that of the start."""
 
     sigma: Annotated[list[Dart], Some, "for each class of darts the next one clockwise"]
@@ -130,7 +132,7 @@ class Quotient(TypedDict):
     marks: Annotated[list[Natural], Some, "what is sensed at each class"]
 
 
-class CensusRow(TypedDict):
+class CensusRowDocument(TypedDict):
     """The marked maps with one number of edges."""
 
     edges: Positive
@@ -146,19 +148,19 @@ class CensusRow(TypedDict):
     ]
 
 
-class AmbiguityCensusReport(InRows, Extent):
+class AmbiguityCensusDocument(InRows, ExtentDocument):
     """Report of 'ambiguity census'."""
 
     lighthouse: Annotated[str, Keywords(const="position")]
     shard: Annotated[str, OfShard, "`K/N`; `0/1` is the whole"]
     gate: Annotated[Gate, "the comparison of the rooted maps with an independent source"]
-    rows: Annotated[list[CensusRow], "one a number of edges, ascending"]
+    rows: Annotated[list[CensusRowDocument], "one a number of edges, ascending"]
 
 
-class AmbiguityClassReport(Report, OfClass):
+class AmbiguityClassDocument(ReportDocument, OfClass):
     """Report of 'ambiguity class'."""
 
-    world: Annotated[World, "as it was understood"]
+    world: Annotated[WorldDocument, "as it was understood"]
     ambiguous: Annotated[bool, "whether there is another one that looks alike"]
     size: Annotated[Positive, "how many worlds there are in the ambiguity class"]
     poses: Annotated[Positive, "how many pairs of a world and a dart where the robot can be"]
@@ -166,17 +168,17 @@ class AmbiguityClassReport(Report, OfClass):
     listed: Annotated[Positive, "how many worlds are listed"]
     notice: Annotated[Text | None, "what is left out, where anything is"]
     worlds: Annotated[
-        list[World],
+        list[WorldDocument],
         Some,
         "the given one first; each with start 0, where the robot could be",
     ]
-    quotient: Annotated[Quotient, "what a robot can know"]
+    quotient: Annotated[QuotientDocument, "what a robot can know"]
 
 
-class TwinsReport(Report):
+class TwinsDocument(ReportDocument):
     """Report of 'twins'."""
 
-    worlds: Annotated[list[World], Two, "the two, as they were understood"]
+    worlds: Annotated[list[WorldDocument], Two, "the two, as they were understood"]
     relation: Annotated[
         Literal["same", "same-map", "different"],
         "`same`: one world; `same-map`: one world entered at two darts; `different`",
@@ -188,7 +190,7 @@ class TwinsReport(Report):
     ]
     percepts: NotRequired[
         Annotated[
-            list[Annotated[list[Percept], Some]],
+            list[Annotated[list[PerceptDocument], Some]],
             Two,
             "with them: for each world what is sensed at the start and after each motion",
         ]
@@ -214,7 +216,7 @@ class SearchLevel(TypedDict):
     proof: Annotated[Text | None, "the path of the LRAT proof; null: there is none"]
 
 
-class SearchReport(Report, OfClass):
+class SearchDocument(ReportDocument, OfClass):
     """Report of 'search'."""
 
     status: Annotated[
@@ -224,7 +226,7 @@ class SearchReport(Report, OfClass):
         int, code(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED)
     ]
     pair: Annotated[
-        Annotated[list[World], Two] | None, "two worlds that look alike; null unless `sat`"
+        Annotated[list[WorldDocument], Two] | None, "two worlds that look alike; null unless `sat`"
     ]
     bisimulation: Annotated[
         Annotated[list[Annotated[list[Natural], Keywords(minItems=2)]], Two] | None,
@@ -234,19 +236,19 @@ class SearchReport(Report, OfClass):
         Text | None, "the path of what proves the answer; null: see [answers](search.md#answers)"
     ]
     vacuous: Annotated[bool, "not even one world exists within the bounds"]
-    lighthouse: Annotated[str, Named("smt:SEARCHED")]
+    lighthouse: Annotated[str, Named("studies.ambiguity.smt.question:SEARCHED")]
     vertices: Annotated[Positive, "at most so many"]
     edges: Annotated[Positive, "at most so many"]
     directory: Annotated[Text, "where the formulas are"]
     levels: Annotated[list[SearchLevel], "in the order of the search"]
     same_map: Annotated[
-        list[Annotated[list[World], Two]],
+        list[Annotated[list[WorldDocument], Two]],
         "pairs that look alike but are one map with two starts",
     ]
     notices: Annotated[list[Text], "sentences for the reader"]
 
 
-class Spread(TypedDict):
+class SpreadDocument(TypedDict):
     """A figure over the rounds."""
 
     median: Figure
@@ -254,7 +256,7 @@ class Spread(TypedDict):
     highest: Figure
 
 
-class Contender(TypedDict):
+class ContenderDocument(TypedDict):
     """A contender and what was measured of it."""
 
     name: Annotated[Text, "what it is called"]
@@ -262,7 +264,7 @@ class Contender(TypedDict):
     edges: Annotated[Positive, "the level that it walks"]
     worlds: Annotated[Positive, "the rooted maps of that level"]
     seconds: Annotated[list[Seconds], Some, "of each round"]
-    worlds_per_second: Annotated[Spread, "over the rounds"]
+    worlds_per_second: Annotated[SpreadDocument, "over the rounds"]
 
 
 class Ratio(TypedDict):
@@ -270,21 +272,21 @@ class Ratio(TypedDict):
 
     of: Annotated[Text, "the kernel on one thread"]
     to: Annotated[Text, "another contender"]
-    ratio: Annotated[Spread, "the rate of the one divided by that of the other"]
+    ratio: Annotated[SpreadDocument, "the rate of the one divided by that of the other"]
 
 
-class BenchReport(InRows):
+class BenchDocument(InRows):
     """Report of 'bench'."""
 
     commit: Annotated[Text | None, "of the sources; null outside a checkout"]
     edges: Annotated[int, Keywords(minimum=4, maximum=10), "the level of the compiled engines"]
     rounds: Positive
     peak_mb: Annotated[Natural, "the largest memory that the process has had"]
-    contenders: Annotated[list[Contender], Some, "the reference first"]
+    contenders: Annotated[list[ContenderDocument], Some, "the reference first"]
     ratios: Annotated[list[Ratio], "the reference to each other one"]
 
 
-class Entry(TypedDict):
+class EntryDocument(TypedDict):
     """One thing that a corpus keeps."""
 
     name: Annotated[Text, "unique in the corpus"]
@@ -299,13 +301,13 @@ class Manifest(TypedDict):
     """Manifest of a corpus."""
 
     schema: Version
-    entries: Annotated[list[Entry], "what is kept, in the order in which it is told"]
+    entries: Annotated[list[EntryDocument], "what is kept, in the order in which it is told"]
 
 
 class Branch(TypedDict):
     """What to do after a percept."""
 
-    percept: Annotated[Percept, "what is sensed"]
+    percept: Annotated[PerceptDocument, "what is sensed"]
     node: Annotated[Natural, "the node to go on with, by its place in `nodes`"]
 
 
@@ -322,14 +324,14 @@ class StrategyLeaf(TypedDict):
     answer: Annotated[Rooted, "the map, and the robot's dart in it"]
 
 
-class Strategy(TypedDict):
+class StrategyDocument(TypedDict):
     """A strategy."""
 
     start: Annotated[list[Branch], Some, "where to begin after the first percept"]
     nodes: Annotated[list[StrategyStep | StrategyLeaf], Some, "what to do"]
 
 
-class OptimumRow(TypedDict):
+class OptimumRowDocument(TypedDict):
     """The worlds with one number of edges, which the explorer knows."""
 
     edges: Positive
@@ -346,10 +348,10 @@ class OptimumRow(TypedDict):
     ]
     states: Annotated[Natural, "how many states of knowledge were looked into"]
     explorers: Annotated[dict[str, Natural], "the worst cost of each built-in explorer"]
-    strategy: Annotated[Strategy | None, "one that attains the optimum"]
+    strategy: Annotated[StrategyDocument | None, "one that attains the optimum"]
 
 
-class OptimumReport(InRows):
+class OptimumDocument(InRows):
     """Report of 'optimum'."""
 
-    rows: Annotated[list[OptimumRow], "by the number of edges"]
+    rows: Annotated[list[OptimumRowDocument], "by the number of edges"]

@@ -2,20 +2,20 @@
 
 from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
-from allworlds.documents.checks import CheckReport, MutantsReport
-from allworlds.documents.claims import ClaimsReport
-from allworlds.documents.common import MadeBy, Report
-from allworlds.documents.comparisons import CompareReport, FigureReport, GrowReport
-from allworlds.documents.findings import Finding
+from allworlds.documents.checks import CheckDocument, MutantsDocument
+from allworlds.documents.claims import ClaimsDocument
+from allworlds.documents.common import MadeBy, ReportDocument
+from allworlds.documents.comparisons import CompareDocument, FigureDocument, GrowthDocument
+from allworlds.documents.findings import FindingDocument
 from allworlds.documents.questions import (
-    AmbiguityCensusReport,
-    BenchReport,
-    CountReport,
-    OptimumReport,
-    SearchReport,
-    WorstReport,
+    AmbiguityCensusDocument,
+    BenchDocument,
+    CountDocument,
+    OptimumDocument,
+    SearchDocument,
+    WorstDocument,
 )
-from allworlds.documents.words import (
+from allworlds.documents.vocabulary import (
     EngineName,
     Figure,
     Natural,
@@ -26,7 +26,7 @@ from allworlds.documents.words import (
     Version,
 )
 
-MergeReport: TypeAlias = CheckReport | WorstReport | AmbiguityCensusReport
+MergeDocument: TypeAlias = CheckDocument | WorstDocument | AmbiguityCensusDocument
 """What 'merge' writes: the report of the verb whose shards were joined."""
 
 
@@ -56,18 +56,18 @@ class EstimateResult(GuessOfTime):
 
 
 Watched: TypeAlias = (
-    CheckReport
-    | WorstReport
-    | AmbiguityCensusReport
-    | CompareReport
-    | GrowReport
-    | FigureReport
-    | MutantsReport
-    | CountReport
-    | SearchReport
-    | BenchReport
-    | OptimumReport
-    | ClaimsReport
+    CheckDocument
+    | WorstDocument
+    | AmbiguityCensusDocument
+    | CompareDocument
+    | GrowthDocument
+    | FigureDocument
+    | MutantsDocument
+    | CountDocument
+    | SearchDocument
+    | BenchDocument
+    | OptimumDocument
+    | ClaimsDocument
     | EstimateResult
 )
 """What a verb with `--events` may report."""
@@ -80,7 +80,7 @@ class DoneOf(TypedDict):
     all: Annotated[Natural, "are to be done"]
 
 
-class DearestSoFar(TypedDict):
+class MostExpensiveSoFar(TypedDict):
     """The largest cost so far."""
 
     edges: Positive
@@ -88,7 +88,7 @@ class DearestSoFar(TypedDict):
     cost: Annotated[Natural, "traversals"]
 
 
-class StatusReport(Report):
+class StatusDocument(ReportDocument):
     """Report of 'status'."""
 
     verb: Annotated[Text, "whose units these are"]
@@ -108,7 +108,7 @@ class StatusReport(Report):
     left_s: Annotated[
         Seconds | None, "until the end at this rate: a guess; null where there is no rate"
     ]
-    worst: Annotated[DearestSoFar | None, "the largest cost so far; null: there is none"]
+    worst: Annotated[MostExpensiveSoFar | None, "the largest cost so far; null: there is none"]
     findings: Annotated[Natural, "in the finished units"]
 
 
@@ -153,7 +153,7 @@ class FindingEvent(TypedDict):
 
     schema: Version
     event: Literal["finding"]
-    finding: Annotated[Finding, "not confirmed yet; the report may hold a smaller one"]
+    finding: Annotated[FindingDocument, "not confirmed yet; the report may hold a smaller one"]
 
 
 class NoticeEvent(TypedDict):

@@ -2,7 +2,16 @@
 
 from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
-from allworlds.documents.words import Begins, Dart, Keywords, KindsOf, Natural, Positive, Some, Text
+from allworlds.documents.vocabulary import (
+    Begins,
+    Dart,
+    Keywords,
+    KindsOf,
+    Natural,
+    Positive,
+    Some,
+    Text,
+)
 
 Permutation = Annotated[list[Dart], Keywords(minItems=2)]
 
@@ -38,19 +47,19 @@ class RootedQuotient(TypedDict):
     here: Annotated[Dart, "the robot's dart"]
 
 
-class Lighthouse(TypedDict):
+class LighthouseDocument(TypedDict):
     """A lighthouse that stands nowhere."""
 
     kind: Annotated[str, "its name"]
 
 
-class AtDart(Lighthouse):
+class AtDart(LighthouseDocument):
     """A lighthouse that stands at one dart."""
 
     dart: Annotated[Dart, "where it stands"]
 
 
-class AtDarts(Lighthouse):
+class AtDarts(LighthouseDocument):
     """A lighthouse that stands at several darts."""
 
     darts: Annotated[
@@ -58,14 +67,14 @@ class AtDarts(Lighthouse):
     ]
 
 
-class InHand(Lighthouse):
+class InHand(LighthouseDocument):
     """A lighthouse in the robot's hand."""
 
     markers: Annotated[Positive, "how many markers"]
     pick: Annotated[bool, "whether one that was dropped may be taken up again"]
 
 
-class World(Map):
+class WorldDocument(Map):
     """World.
 
     A map, a start and a lighthouse, as they are written.
@@ -73,7 +82,7 @@ class World(Map):
 
     start: Annotated[Dart, "the dart that the robot faces"]
     lighthouse: Annotated[
-        Lighthouse,
+        LighthouseDocument,
         KindsOf("world:LIGHTHOUSES"),
         "its `kind`, and where it stands: see [the lighthouses](protocol.md#words)",
     ]
@@ -107,7 +116,7 @@ class WorldRead(Map):
     ]
 
 
-class Percept(TypedDict):
+class PerceptDocument(TypedDict):
     """Percept.
 
     What is sensed at a vertex.
@@ -125,28 +134,28 @@ class Percept(TypedDict):
 class Start(TypedDict):
     """The first row of a transcript."""
 
-    percept: Annotated[Percept, "what was sensed before any motion"]
+    percept: Annotated[PerceptDocument, "what was sensed before any motion"]
 
 
 class Moved(TypedDict):
     """A motion."""
 
     move: Annotated[Natural, "by how many darts clockwise the robot turned before it left"]
-    percept: Annotated[Percept, "what was sensed then"]
+    percept: Annotated[PerceptDocument, "what was sensed then"]
 
 
 class Dropped(TypedDict):
     """A marker laid down."""
 
     drop: Literal[True]
-    percept: Annotated[Percept, "what was sensed then"]
+    percept: Annotated[PerceptDocument, "what was sensed then"]
 
 
 class Picked(TypedDict):
     """A marker taken up."""
 
     pick: Literal[True]
-    percept: Annotated[Percept, "what was sensed then"]
+    percept: Annotated[PerceptDocument, "what was sensed then"]
 
 
 Step: TypeAlias = Moved | Dropped | Picked

@@ -1,206 +1,91 @@
-"""Explorers: generator functions that are written against the protocol alone.
+"""Explorers: the built-in ones, and how the user's are found and called.
 
-A new built-in explorer is a module of this package and an entry of :data:`BUILT_IN`.
-
-``algorithm1``, ``undirected``
-    Algorithm 1 of the paper, and as it does without a direction;
-``partial_map``, ``paths``
-    its S and U, and its ways through S;
-``unforgetting``, ``remembering``, ``greedy``, ``prudent``
-    what never forgets: all that these have in common, and three of them;
-``folded_log``, ``folding``
-    all that was ever seen as one map, and explorers that only fold it;
-``quotient``, ``experiments``
-    position alone: the quotient, learnt by experiments that are never made twice;
-``dudek91``, ``depth_first``
-    one movable marker; a number at every vertex.
+``builtin``
+    the explorers that come with the package, one a module;
+``subject``
+    an explorer as a check speaks of it;
+``loading``
+    its code, found by its name, in a process that may run foreign code;
+``moved``
+    modules of explorers that have moved since 0.1.0;
+``spelling``
+    names that are nearly those of an explorer;
+``digest``
+    the bytes that an explorer is, whatever it is called;
+``source_line``
+    the file and the line where one stands;
+``program``
+    a program in any language behind a pipe;
+``shared_library``
+    explorers in shared libraries: the C interface;
+``skeletons``
+    explorers to begin with, in several languages.
 """
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING
 
-from allworlds.explorers.algorithm1 import Algorithm1, Walk, algorithm1, nobody
-from allworlds.explorers.depth_first import dfs
-from allworlds.explorers.dudek91 import dudek91
-from allworlds.explorers.folded_log import OPEN, FoldedLog
-from allworlds.explorers.folding import explore_folding, folding, folding_oldest, way
-from allworlds.explorers.greedy import greedy
-from allworlds.explorers.prudent import prudent
-from allworlds.explorers.quotient import quotient
-from allworlds.explorers.remembering import remembering
-from allworlds.explorers.undirected import algorithm1_cluster, algorithm1_natural
+from allworlds.lazy import open_door
 
-Size: TypeAlias = tuple[int, int]
-"""Numbers of edges and of vertices."""
-
-
-@dataclass(frozen=True, slots=True)
-class BuiltIn:
-    """An explorer that ships with the package.
-
-    Attributes:
-        explore: the generator function; it takes ``choices`` and ``notice``, and may take
-            ``told``.
-        lighthouse: the one it is written for, as ``KIND[:key=value,...]``.
-        witnesses: the events that a complete check must have seen, each with the least known
-            (edges, vertices) within which every policy meets it, for classes with loops and
-            parallel edges and for simple classes; None where some policy never meets it.
-            An event met later, or never, would mean that a branch of the algorithm has not
-            been tried.
-        bound: the name of the bound that it keeps under that kind of lighthouse, if it is not
-            the lighthouse's own.
-        step_budget: the largest legal number of traversals, where the usual budget is too small
-            for it.
-        about: what it is, in a sentence of the page on the protocol.
-    """
-
-    explore: Callable[..., Any]
-    lighthouse: str
-    witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
-    bound: str | None = None
-    step_budget: int | None = None
-    about: str = ""
-
-
-_NEVER_FORGETS = {
-    "case-1": ((3, 2), (5, 4)),
-    "case-2": ((2, 2), (4, 4)),
-    "empty-H": ((1, 2), (1, 2)),
-    "loop": ((1, 1), (3, 3)),
-    "non-loop": ((1, 2), (1, 2)),
-}
-
-BUILT_IN: dict[str, BuiltIn] = {
-    "algorithm1": BuiltIn(
-        algorithm1,
-        "directional",
-        {
-            "case-1": ((4, 3), (6, 4)),
-            "case-2": ((3, 2), (5, 4)),
-            "case-3": ((1, 1), (3, 3)),
-            "empty-H": ((1, 2), (1, 2)),
-            "loop": ((1, 1), (3, 3)),
-            "non-loop": ((1, 2), (1, 2)),
-            # First in, first out explores every dart of v0 before any other: without loops
-            # no dart of v0 is open when the robot comes back to it.
-            "v0-hypothesis": ((1, 1), None),
-        },
-        about="Algorithm 1 of the paper; the default",
-    ),
-    "algorithm1-cluster": BuiltIn(
-        algorithm1_cluster,
-        "cluster:single=true",
-        {
-            "case-1": ((5, 5), (8, 8)),
-            "case-2": ((4, 3), (6, 5)),
-            "case-3": ((2, 2), (3, 3)),
-            "empty-H": ((1, 2), (1, 2)),
-            "loop": ((2, 2), (3, 3)),
-            "non-loop": ((1, 2), (1, 2)),
-            "v0-hypothesis": ((2, 2), None),
-        },
-        "two-vertices",
-        about="first it tries the darts of v0, there and back, until one leads to v1; a test that "
-        "has come to v0 ends with a *query*: leave by the dart that should lead to v1, look, come "
-        "back",
-    ),
-    "algorithm1-natural": BuiltIn(
-        algorithm1_natural,
-        "natural",
-        # A rejected test cannot be asked for: no world is known in which it is unavoidable.
-        {
-            "case-3": ((2, 2), (4, 4)),
-            "empty-H": ((2, 2), (4, 4)),
-            "loop": ((2, 2), (4, 4)),
-            "non-loop": ((2, 2), (4, 4)),
-            "v0-hypothesis": ((2, 2), None),
-        },
-        "two-vertices",
-        about="as `algorithm1-cluster`, with the degrees of v0 and v1 for marks",
-    ),
-    "remembering": BuiltIn(
-        remembering,
-        "directional",
-        _NEVER_FORGETS,
-        about="Algorithm 1 on the folded log of its whole walk: what contradicts anything that "
-        "was ever seen is not tested; oldest dart, oldest hypothesis",
-    ),
-    "greedy": BuiltIn(
-        greedy,
-        "directional",
-        _NEVER_FORGETS,
-        about="as `remembering`, but the nearest dart, and the test that is finished first",
-    ),
-    "prudent": BuiltIn(
-        prudent,
-        "directional",
-        _NEVER_FORGETS,
-        about="as `greedy` while the settled part is round, nearest to v0 first while it is long",
-    ),
-    "dudek91": BuiltIn(
-        dudek91,
-        "movable",
-        {"new-vertex": ((1, 2), (1, 2)), "back-link": ((1, 1), (3, 3))},
-        "3*n*(n-1)//2 + (m-n+1)*(5*n+2*D-4)",
-        about="one marker that points nowhere, dropped and taken up again (Dudek, Jenkin, Milios, "
-        "Wilkes 1991): right in simple worlds, and not where edges are parallel or a vertex has "
-        "two loops",
-    ),
-    "dfs": BuiltIn(
-        dfs,
-        "labels",
-        {"known": ((1, 1), (3, 3)), "unknown": ((1, 2), (1, 2))},
-        "2*m",
-        about="depth first, where every vertex has a number and a direction: the baseline of 2m",
-    ),
-    "folding": BuiltIn(
-        folding,
-        "directional",
-        {"merged": ((1, 1), (3, 3))},
-        "none",
-        100_000,
-        about="only folds its log, and stops where no dart of it is open: home to v0, then to the "
-        "open dart that is nearest to v0",
-    ),
-    "folding-oldest": BuiltIn(
-        folding_oldest,
-        "directional",
-        {"merged": ((1, 1), (3, 3))},
-        "none",
-        about="as `folding`, but a shortest way to the dart that is open for the longest time",
-    ),
-    "quotient": BuiltIn(
-        quotient,
-        "position",
-        {"map": ((1, 1), (1, 2)), "ambiguous": ((2, 1), (6, 4))},
-        step_budget=100_000,
-        about="learns the quotient of its world by experiments that it can undo, and answers "
-        "with a map where only one looks so, else with `Ambiguous`",
-    ),
-}
-"""The built-in explorers by the names they have on the command line."""
-
-__all__ = [
-    "BUILT_IN",
-    "OPEN",
-    "Algorithm1",
-    "BuiltIn",
-    "FoldedLog",
-    "Size",
-    "Walk",
-    "algorithm1",
-    "algorithm1_cluster",
-    "algorithm1_natural",
-    "dfs",
-    "dudek91",
-    "explore_folding",
-    "folding",
-    "folding_oldest",
-    "greedy",
-    "nobody",
-    "prudent",
-    "quotient",
-    "remembering",
-    "way",
-]
+if TYPE_CHECKING:
+    from allworlds.explorers.builtin.algorithm1 import (
+        Algorithm1 as Algorithm1,
+        Walk as Walk,
+        algorithm1 as algorithm1,
+    )
+    from allworlds.explorers.builtin.depth_first import dfs as dfs
+    from allworlds.explorers.builtin.dudek91 import dudek91 as dudek91
+    from allworlds.explorers.builtin.explorer_table import BUILT_IN as BUILT_IN, BuiltIn as BuiltIn
+    from allworlds.explorers.builtin.folded_log import OPEN as OPEN, FoldedLog as FoldedLog
+    from allworlds.explorers.builtin.folding import (
+        explore_folding as explore_folding,
+        folding as folding,
+        folding_oldest as folding_oldest,
+        way as way,
+    )
+    from allworlds.explorers.builtin.greedy import greedy as greedy
+    from allworlds.explorers.builtin.prudent import prudent as prudent
+    from allworlds.explorers.builtin.quotient import quotient as quotient
+    from allworlds.explorers.builtin.remembering import remembering as remembering
+    from allworlds.explorers.builtin.undirected import (
+        algorithm1_cluster as algorithm1_cluster,
+        algorithm1_natural as algorithm1_natural,
+    )
+    from allworlds.explorers.digest import (
+        content_digest as content_digest,
+        not_alike as not_alike,
+        with_content as with_content,
+    )
+    from allworlds.explorers.loading import load as load, source_of as source_of
+    from allworlds.explorers.program import Program as Program
+    from allworlds.explorers.shared_library.header import header_text as header_text
+    from allworlds.explorers.shared_library.library import INTERFACE_VERSION as INTERFACE_VERSION
+    from allworlds.explorers.shared_library.native import (
+        NativeExplorer as NativeExplorer,
+        threads_left as threads_left,
+        threads_now as threads_now,
+    )
+    from allworlds.explorers.skeletons.languages import (
+        LANGUAGES as LANGUAGES,
+        Language as Language,
+        templates as templates,
+    )
+    from allworlds.explorers.source_line import (
+        SourceLine as SourceLine,
+        files_of_explorer as files_of_explorer,
+        place_of_explorer as place_of_explorer,
+    )
+    from allworlds.explorers.spelling import whole_name as whole_name
+    from allworlds.explorers.subject import (
+        EXEC as EXEC,
+        NATIVE as NATIVE,
+        ExplorerSource as ExplorerSource,
+        Subject as Subject,
+        built_in as built_in,
+        in_process_subject as in_process_subject,
+        names_explorer as names_explorer,
+        own_bound as own_bound,
+        own_lighthouse as own_lighthouse,
+        subject_known as subject_known,
+    )
+else:
+    open_door(__name__)

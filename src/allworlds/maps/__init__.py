@@ -40,9 +40,9 @@ Modules
     **the** table of the classes of maps;
 ``enumeration``, ``bruteforce``, ``counting``
     every map of a class: glued together, by all permutations, and counted without making one;
-``completions``
+``completion_counts``
     how many maps a partial gluing can become;
-``build``, ``families``, ``large``
+``build``, ``families``, ``drawn_families``
     maps by hand and by name, and large ones by a text and a seed;
 ``surgery``, ``networks``
     small changes to a map; to networkx and back;
@@ -52,49 +52,79 @@ Modules
 Inside this package a map in a hot place is a bare pair of tuples or lists; everywhere
 else it is a :class:`CombinatorialMap`.
 
-The names below are for programs of one's own, too: some of them, such as ``dual`` of a map,
-:func:`from_planar_embedding` and :func:`rooted_isomorphism`, this package itself uses nowhere
-but in its tests.
+The names of this package are for programs of one's own, too: some of them, such as ``dual`` of
+a map, :func:`from_planar_embedding` and :func:`rooted_isomorphism`, are used by tests alone.
 """
 
-from allworlds.maps.build import (
-    cycle,
-    dense,
-    from_cycles,
-    from_rotation,
-    lattice,
-    named_map,
-    named_maps,
-)
-from allworlds.maps.canonical import (
-    Code,
-    Mismatch,
-    automorphisms,
-    isomorphism,
-    rooted_code,
-    rooted_isomorphism,
-    unrooted_code,
-)
-from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
-from allworlds.maps.networks import from_planar_embedding, to_networkx
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "Code",
-    "CombinatorialMap",
-    "InvalidMap",
-    "Mismatch",
-    "automorphisms",
-    "cycle",
-    "dense",
-    "from_cycles",
-    "from_planar_embedding",
-    "from_rotation",
-    "isomorphism",
-    "lattice",
-    "named_map",
-    "named_maps",
-    "rooted_code",
-    "rooted_isomorphism",
-    "to_networkx",
-    "unrooted_code",
-]
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.maps.bruteforce import rooted_maps_by_permutations as rooted_maps_by_permutations
+    from allworlds.maps.build import (
+        NoSuchMap as NoSuchMap,
+        cycle as cycle,
+        dense as dense,
+        from_cycles as from_cycles,
+        from_rotation as from_rotation,
+        lattice as lattice,
+        named_map as named_map,
+        named_maps as named_maps,
+    )
+    from allworlds.maps.canonical import (
+        Code as Code,
+        Mismatch as Mismatch,
+        automorphisms as automorphisms,
+        carries as carries,
+        isomorphism as isomorphism,
+        numbering as numbering,
+        rooted_code as rooted_code,
+        rooted_isomorphism as rooted_isomorphism,
+        unrooted_code as unrooted_code,
+    )
+    from allworlds.maps.classes import (
+        DEFAULT_EDGES as DEFAULT_EDGES,
+        Extent as Extent,
+        MapClass as MapClass,
+    )
+    from allworlds.maps.combinatorial import (
+        CombinatorialMap as CombinatorialMap,
+        Dart as Dart,
+        InvalidMap as InvalidMap,
+        Vertex as Vertex,
+        cycles as cycles,
+    )
+    from allworlds.maps.completion_counts import completions as completions
+    from allworlds.maps.counting.sources import source_for as source_for
+    from allworlds.maps.criterion import (
+        Disagreement as Disagreement,
+        class_size as class_size,
+        is_ambiguous as is_ambiguous,
+        pose_count as pose_count,
+    )
+    from allworlds.maps.enumeration import (
+        Gluing as Gluing,
+        prefixes as prefixes,
+        rooted_maps as rooted_maps,
+    )
+    from allworlds.maps.families import (
+        FORMS as FORMS,
+        edges_of as edges_of,
+        family as family,
+        random_map as random_map,
+    )
+    from allworlds.maps.networks import (
+        from_planar_embedding as from_planar_embedding,
+        to_networkx as to_networkx,
+    )
+    from allworlds.maps.quotient import (
+        Labelled as Labelled,
+        Projection as Projection,
+        Quotient as Quotient,
+        classes_of_union as classes_of_union,
+        project as project,
+    )
+    from allworlds.maps.surgery import contracted as contracted, deleted as deleted, moved as moved
+else:
+    open_door(__name__)

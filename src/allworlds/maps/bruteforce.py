@@ -20,7 +20,9 @@ _Code: TypeAlias = tuple[tuple[int, ...], tuple[int, ...]]
 _MOST_EDGES = 5
 
 
-def rooted_maps(edges: int, map_class: str = "maps") -> tuple[CombinatorialMap, ...]:
+def rooted_maps_by_permutations(
+    edges: int, map_class: str = "maps"
+) -> tuple[CombinatorialMap, ...]:
     """Every rooted map with so many edges once, canonically numbered with root 0, by code.
 
     Canonically numbered: the root is 0, and taking the darts in the order of their numbers,
@@ -45,7 +47,7 @@ def unrooted_maps(edges: int, map_class: str = "maps") -> tuple[CombinatorialMap
     Two maps are the same if a bijection of darts commutes with sigma and alpha; mirror
     images are two maps unless they are the same in this sense.
 
-    Args, Raises, Cost: as :func:`rooted_maps`.
+    Args, Raises, Cost: as :func:`rooted_maps_by_permutations`.
     """
     return _as_maps(min(rootings) for rootings in _classes(edges, map_class))
 

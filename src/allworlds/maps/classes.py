@@ -9,6 +9,9 @@ from enum import StrEnum
 from allworlds.inputs import LARGEST_SIZE, InputError, an_integer, at_most, show
 from allworlds.maps.combinatorial import CombinatorialMap
 
+DEFAULT_EDGES = 5
+"""The number of edges up to which a check takes seconds."""
+
 
 class MapClass(StrEnum):
     """Which maps are meant; the value is the name on the command line."""

@@ -32,7 +32,7 @@ class CombinatorialMap:
     from every dart.  Everything else is derived.
 
     Equality is equality of the two permutations.  For 'the same map up to the names of the
-    darts' see :func:`allworlds.maps.isomorphism`.
+    darts' see :func:`allworlds.maps.canonical.isomorphism`.
 
     Raises:
         InvalidMap: naming the first offending entry and what would be legal.

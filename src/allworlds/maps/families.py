@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from random import Random
 
 from allworlds.inputs import InputError, show
-from allworlds.maps import large
+from allworlds.maps import drawn_families as large
 from allworlds.maps.build import cycle, dense, lattice
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
@@ -117,7 +117,7 @@ def _lattice(rows: int, columns: int, holes: float, seed: int) -> CombinatorialM
 def _drawn(
     draw: Callable[..., CombinatorialMap],
 ) -> Callable[[tuple[int, ...], float, int], CombinatorialMap]:
-    """One of :mod:`allworlds.maps.large`; members of different size are drawn independently."""
+    """A family of :mod:`allworlds.maps.drawn_families`; each size is drawn independently."""
 
     def build(sizes: tuple[int, ...], _holes: float, seed: int) -> CombinatorialMap:
         name = "x".join(map(str, sizes))
@@ -159,7 +159,7 @@ FAMILIES = (
 )
 """Every family."""
 
-FORMS = ", ".join(kind.form for kind in FAMILIES)
+FORMS: str = ", ".join(kind.form for kind in FAMILIES)
 """How their members are written."""
 
 _WITH_HOLES = " and ".join(kind.form.partition(":")[0] for kind in FAMILIES if kind.has_holes)

@@ -8,52 +8,52 @@ it is folded into the next :class:`Move`, or into ``here`` of the answer.
     what is sensed, what is done, what is said of the world, and the log of it;
 ``choices``
     where an explorer is free: policies, and every answer in turn;
+``player``
+    an explorer as the harness calls it;
 ``faults``
     what went wrong with an explorer that is no generator.
 """
 
-from allworlds.protocol.actions import Action, Drop, Move, Pick, action_numbered, number_of
-from allworlds.protocol.answers import Ambiguous, Answer, Checkpoint, Estimate
-from allworlds.protocol.choices import (
-    DEFAULT_POLICY,
-    KINDS,
-    POLICIES,
-    SEEDED,
-    Choices,
-    Kind,
-    Policy,
-    Schedules,
-    next_script,
-    policy_named,
-)
-from allworlds.protocol.faults import ANSWER_TIMEOUT, ExplorerFault
-from allworlds.protocol.percept import Percept
-from allworlds.protocol.transcript import Transcript, action_from_json
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "ANSWER_TIMEOUT",
-    "DEFAULT_POLICY",
-    "KINDS",
-    "POLICIES",
-    "SEEDED",
-    "Action",
-    "Ambiguous",
-    "Answer",
-    "Checkpoint",
-    "Choices",
-    "Drop",
-    "Estimate",
-    "ExplorerFault",
-    "Kind",
-    "Move",
-    "Percept",
-    "Pick",
-    "Policy",
-    "Schedules",
-    "Transcript",
-    "action_from_json",
-    "action_numbered",
-    "next_script",
-    "number_of",
-    "policy_named",
-]
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.protocol.actions import (
+        Action as Action,
+        Drop as Drop,
+        Move as Move,
+        Pick as Pick,
+        action_numbered as action_numbered,
+        number_of as number_of,
+    )
+    from allworlds.protocol.answers import (
+        Ambiguous as Ambiguous,
+        Answer as Answer,
+        Checkpoint as Checkpoint,
+        Estimate as Estimate,
+    )
+    from allworlds.protocol.choices import (
+        DEFAULT_POLICY as DEFAULT_POLICY,
+        KINDS as KINDS,
+        POLICIES as POLICIES,
+        SEEDED as SEEDED,
+        Choices as Choices,
+        Kind as Kind,
+        Policy as Policy,
+        Schedules as Schedules,
+        next_script as next_script,
+        policy_named as policy_named,
+    )
+    from allworlds.protocol.faults import (
+        ANSWER_TIMEOUT as ANSWER_TIMEOUT,
+        ExplorerFault as ExplorerFault,
+    )
+    from allworlds.protocol.percept import Percept as Percept
+    from allworlds.protocol.player import Player as Player
+    from allworlds.protocol.transcript import (
+        Transcript as Transcript,
+        action_from_json as action_from_json,
+    )
+else:
+    open_door(__name__)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from allworlds.inputs import InputError, show
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps import CombinatorialMap
 
 if TYPE_CHECKING:
     from allworlds import documents

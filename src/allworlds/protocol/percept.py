@@ -38,6 +38,6 @@ class Percept:
         bearing = "" if self.bearing is None else f", bearing {self.bearing}"
         return f"degree {self.degree}{marks}{bearing}"
 
-    def to_json(self) -> documents.Percept:
+    def to_json(self) -> documents.PerceptDocument:
         """``{"degree", "marks", "bearing"}``."""
         return {"degree": self.degree, "marks": self.marks, "bearing": self.bearing}

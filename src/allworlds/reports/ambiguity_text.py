@@ -6,19 +6,20 @@ from collections import Counter
 from collections.abc import Sequence
 from textwrap import wrap
 
-from allworlds.ambiguity import (
+from allworlds.engines import Shard
+from allworlds.maps import Quotient
+from allworlds.reports.check_words import counted
+from allworlds.reports.drawing.scene import scene_of
+from allworlds.reports.drawing.text import draw
+from allworlds.reports.text_layout import entry, interruption, table
+from allworlds.studies.ambiguity import (
     AmbiguityCensus,
     AmbiguityClass,
     ComparedWorlds,
     Separation,
     projection_of,
 )
-from allworlds.drawing import draw, scene_of
-from allworlds.maps.quotient import Quotient
-from allworlds.reports.check_words import counted
-from allworlds.reports.layout import entry, interruption, table
 from allworlds.words import number, plural
-from allworlds.work import Shard
 from allworlds.world import World
 
 DRAWN = 4

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from allworlds.checker import Report
+from allworlds.explorers import place_of_explorer
 from allworlds.outcome import Verdict
 from allworlds.reports.check_words import verdict_words
 from allworlds.reports.finding_words import headline
 from allworlds.reports.project import project_folder
 from allworlds.reports.run_text import finding_text
-from allworlds.subjects import place_of_explorer
+from allworlds.studies.check import Report
 
 WIDTH = 80
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import sys
 from textwrap import wrap
 
-from allworlds.checker import Report, TimeEstimate
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
-from allworlds.reports.layout import entry, table
 from allworlds.reports.run_text import finding_text
+from allworlds.reports.text_layout import entry, table
+from allworlds.studies.check import Report, TimeEstimate
 from allworlds.words import duration, number, plural
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from allworlds.checker import Report, UserCorpus
-from allworlds.findings import Finding
+from allworlds.engines import Row, Sample, Shard
+from allworlds.judging import Finding
 from allworlds.outcome import Verdict
-from allworlds.runs import Row, Sample
+from allworlds.studies.check import Report, UserCorpus
 from allworlds.words import number, plural, size
-from allworlds.work import Shard
 
 
 def size_table(report: Report) -> tuple[list[str], list[list[str]]]:

@@ -6,14 +6,17 @@ import csv
 import io
 from fractions import Fraction
 
-from allworlds.comparing import ComparedRow, Comparison
 from allworlds.reports.finding_words import headline
-from allworlds.reports.layout import entry, table
+from allworlds.reports.growth_text import growth_csv, growth_text
+from allworlds.reports.text_layout import entry, table
+from allworlds.studies.compare import ComparedRow, Comparison, Growth
 from allworlds.words import number, plural, size
 
 
-def compare_text(report: Comparison, width: int) -> str:
+def compare_text(report: Comparison | Growth, width: int) -> str:
     """A line for each size, what differs most, and what was compared."""
+    if isinstance(report, Growth):
+        return growth_text(report, width)
     header, rows = compare_table(report)
     lines = [*table(header, rows, "r" * len(header), width, keys=2), ""]
     for name, text in compare_words(report):
@@ -117,8 +120,10 @@ def _in_all(report: Comparison, name: str) -> str:
     )
 
 
-def compare_csv(report: Comparison) -> str:
-    """The rows as CSV, one line for each size and explorer."""
+def compare_csv(report: Comparison | Growth) -> str:
+    """The rows as CSV, one line for each size and explorer; of worlds that grow for each run."""
+    if isinstance(report, Growth):
+        return growth_csv(report)
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(

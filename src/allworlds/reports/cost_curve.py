@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from xml.etree import ElementTree as ET
 
-from allworlds.explaining import Spending
-from allworlds.markup import tag
-from allworlds.reports.layout import table
+from allworlds.judging import Spending
+from allworlds.reports.markup import tag
+from allworlds.reports.text_layout import table
 from allworlds.words import plural
 
 LONGEST = 12

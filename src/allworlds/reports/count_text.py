@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from allworlds.counter import Census
 from allworlds.reports.check_words import counted
-from allworlds.reports.layout import entry, interruption, table
+from allworlds.reports.text_layout import entry, interruption, table
+from allworlds.studies.count import Census
 from allworlds.words import number, plural
 
 

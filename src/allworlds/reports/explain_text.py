@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from textwrap import wrap
 
-from allworlds.drawing import draw
-from allworlds.explaining import Explanation
+from allworlds.judging import Explanation
 from allworlds.reports.cost_curve import cost_lines
+from allworlds.reports.drawing.text import draw
 from allworlds.reports.scenes import ANSWER, OTHER, walk_in_answer, walk_in_world
 
 

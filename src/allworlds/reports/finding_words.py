@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from allworlds.findings import Finding
+from allworlds.judging import Finding
 from allworlds.words import number, plural
 
 LONGEST_LIST = 60

@@ -1,13 +1,19 @@
-"""The text of ``init``."""
+"""The texts of ``init``."""
 
 from __future__ import annotations
 
-from allworlds.reports.layout import entry
-from allworlds.skeletons import Skeleton
+from allworlds.reports.text_layout import entry
+from allworlds.studies.init import Header, Skeleton
 
 
-def init_text(skeleton: Skeleton, width: int) -> str:
-    """What was written, and what to do next."""
+def init_text(begun: Skeleton | Header, width: int) -> str:
+    """The header line by line; or what was written, and what to do next."""
+    if isinstance(begun, Header):
+        return begun.text.rstrip("\n")
+    return _skeleton_text(begun, width)
+
+
+def _skeleton_text(skeleton: Skeleton, width: int) -> str:
     lines = entry("written", ", ".join(skeleton.files), width)
     if skeleton.language.needs:
         lines += entry("needs", ", ".join(skeleton.language.needs), width)

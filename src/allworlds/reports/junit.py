@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from typing import Any, Literal
 from xml.etree import ElementTree as ET
 
-from allworlds.checker import Disagreed, Report
-from allworlds.findings import Finding
+from allworlds.engines import Sample
+from allworlds.judging import Finding
 from allworlds.outcome import Verdict
 from allworlds.reports.run_text import finding_text
-from allworlds.runs import Sample
+from allworlds.studies.check import Disagreed, Report
 from allworlds.version import __version__
 from allworlds.words import plural, size
 
@@ -22,7 +22,7 @@ _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class JUnitCase:
     """One test case; ``kind`` tells which list of the sum it is in."""
 
     name: str
@@ -52,7 +52,7 @@ def junit(report: Report) -> str:
 
 
 def junit_text(
-    verb: str, suite: str, properties: Mapping[str, object], cases: Sequence[Case]
+    verb: str, suite: str, properties: Mapping[str, object], cases: Sequence[JUnitCase]
 ) -> str:
     """A document with one suite."""
     totals = {"tests": str(len(cases))}
@@ -89,14 +89,14 @@ def _add_properties(suite: ET.Element, told: Mapping[str, object]) -> None:
         ET.SubElement(properties, "property", {"name": name, "value": _legal(text)})
 
 
-def _past(report: Report) -> Iterator[Case]:
+def _past(report: Report) -> Iterator[JUnitCase]:
     """One case for a user's corpus, if there is one."""
     if report.corpus:
         standing = [finding for finding in report.findings if report.corpus.holds(finding)]
-        yield _failure("past findings", standing) if standing else Case("past findings")
+        yield _failure("past findings", standing) if standing else JUnitCase("past findings")
 
 
-def _levels(report: Report) -> Iterator[Case]:
+def _levels(report: Report) -> Iterator[JUnitCase]:
     """One case a level."""
     past = report.corpus
     new = [finding for finding in report.findings if not (past and past.holds(finding))]
@@ -111,50 +111,50 @@ def _levels(report: Report) -> Iterator[Case]:
                 for cell in wrong
             )
             told = "\n\n".join([text, *(finding_text(finding, WIDTH) for finding in found)])
-            yield Case(name, "error", "count-gate", text.splitlines()[0], told)
+            yield JUnitCase(name, "error", "count-gate", text.splitlines()[0], told)
         elif found:
             yield _failure(name, found)
         elif edges in report.levels:
-            yield Case(name)
+            yield JUnitCase(name)
         else:
-            yield Case(
+            yield JUnitCase(
                 name, "skipped", message=report.ending.reason or "the level was not finished"
             )
 
 
-def _whole(report: Report) -> Iterator[Case]:
+def _whole(report: Report) -> Iterator[JUnitCase]:
     """What is judged about the scope as a whole."""
     gate = all(cell.agrees for cell in report.gate)
     if isinstance(report.ending, Disagreed) and gate:
-        yield Case(
+        yield JUnitCase(
             "engines", "error", "engines-disagree", "two engines disagree", report.ending.reason
         )
     if not report.complete or not report.scope.whole:
         return
     if not report.runs:
-        yield Case("witnesses", "failure", "vacuous", "nothing was checked: there is no run")
+        yield JUnitCase("witnesses", "failure", "vacuous", "nothing was checked: there is no run")
     elif report.missing:
         missing = f"never seen: {', '.join(report.missing)}"
-        yield Case("witnesses", "failure", "vacuous", missing)
+        yield JUnitCase("witnesses", "failure", "vacuous", missing)
     else:
-        yield Case("witnesses")
+        yield JUnitCase("witnesses")
 
 
-def _sample(report: Report, sample: Sample) -> Case:
+def _sample(report: Report, sample: Sample) -> JUnitCase:
     edges = plural(report.scope.extent.levels[-1], "edge")
     least = "up to" if sample.min_edges == 1 else f"{sample.min_edges} to"
     name = f"{plural(sample.runs, 'random world')} with {least} {edges}"
     if report.findings:
         return _failure(name, report.findings)
     if report.verdict is Verdict.NOT_REFUTED:
-        return Case(name)
-    return Case(name, "skipped", message=report.ending.reason or "no world was tried")
+        return JUnitCase(name)
+    return JUnitCase(name, "skipped", message=report.ending.reason or "no world was tried")
 
 
-def _failure(name: str, findings: list[Finding]) -> Case:
+def _failure(name: str, findings: list[Finding]) -> JUnitCase:
     first = findings[0]
     text = "\n\n".join(finding_text(finding, WIDTH) for finding in findings)
-    return Case(name, "failure", first.law, f"law '{first.law}' is broken", text)
+    return JUnitCase(name, "failure", first.law, f"law '{first.law}' is broken", text)
 
 
 def _legal(text: str) -> str:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 
-from allworlds.checker import Report
-from allworlds.findings import Finding
+from allworlds.judging import Finding
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
 from allworlds.reports.finding_words import headline
 from allworlds.reports.law_words import ASKED
 from allworlds.reports.run_text import finding_text
+from allworlds.studies.check import Report
 
 WIDTH = 100
 

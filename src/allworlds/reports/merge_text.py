@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from allworlds.joining import MergedReport, Standing
-from allworlds.reports import brief, text
-from allworlds.reports.layout import entry
+from allworlds.reports.rendering import brief, text
+from allworlds.reports.text_layout import entry
+from allworlds.studies.merge import MergedReport
+from allworlds.studies.status import Standing
 from allworlds.words import duration, number, plural, size
 
 

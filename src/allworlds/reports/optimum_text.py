@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from allworlds.minimax import OptimumReport, OptimumRow
-from allworlds.reports.layout import entry, interruption, table
+from allworlds.reports.text_layout import entry, interruption, table
+from allworlds.studies.optimum import OptimumReport, OptimumRow
 from allworlds.words import number
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from allworlds.drawing import draw
-from allworlds.playing import Play
-from allworlds.reports.layout import entry
+from allworlds.reports.drawing.text import draw
 from allworlds.reports.run_text import walk_lines
 from allworlds.reports.scenes import walk_in_world
+from allworlds.reports.text_layout import entry
+from allworlds.studies.play import Play
 from allworlds.words import plural
 
 

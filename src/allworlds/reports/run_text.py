@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from textwrap import wrap
 
-from allworlds.checker import Replay, SingleRun
-from allworlds.drawing import draw
-from allworlds.episode import Answered, Fault, Undecided
-from allworlds.findings import Finding, believed_walk, true_trail
+from allworlds.engines import SingleRun
+from allworlds.judging import Answered, Fault, Finding, Undecided, believed_walk, true_trail
 from allworlds.protocol import Ambiguous, Estimate, Percept, Transcript
+from allworlds.reports.drawing.text import draw
 from allworlds.reports.finding_words import (
     choices_words,
     expected_words,
@@ -18,8 +17,9 @@ from allworlds.reports.finding_words import (
     seen_words,
     wrong,
 )
-from allworlds.reports.layout import GAP, entry, table
 from allworlds.reports.scenes import ANSWER, walk_in_answer, walk_in_world
+from allworlds.reports.text_layout import GAP, entry, table
+from allworlds.studies.replay import Replay
 from allworlds.words import plural
 from allworlds.world import World
 

@@ -8,9 +8,8 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from allworlds.checker import Report
-from allworlds.findings import Finding, true_trail
-from allworlds.findings import file_name as name_of_finding
+from allworlds.explorers import SourceLine, place_of_explorer
+from allworlds.judging import Finding, file_name as name_of_finding, true_trail
 from allworlds.outcome import Verdict
 from allworlds.protocol import Move
 from allworlds.reports.check_words import verdict_words
@@ -18,7 +17,7 @@ from allworlds.reports.finding_words import headline
 from allworlds.reports.law_words import ASKED
 from allworlds.reports.project import project_folder
 from allworlds.reports.run_text import finding_text
-from allworlds.subjects import SourceLine, place_of_explorer
+from allworlds.studies.check import Report
 from allworlds.version import __version__
 
 SCHEMA = (

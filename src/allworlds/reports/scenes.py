@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from allworlds.drawing import Scene, scene_of
-from allworlds.findings import believed_walk, true_walk
-from allworlds.maps.combinatorial import Dart
+from allworlds.judging import believed_walk, true_walk
+from allworlds.maps import Dart
 from allworlds.protocol import Estimate, Move, Transcript
+from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.world import World
 
 ANSWER = "the answer (R: where it says that the robot is)"

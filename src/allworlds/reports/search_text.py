@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from allworlds.drawing import draw, scene_of
-from allworlds.reports.layout import entry, table
-from allworlds.smt import SearchResult
+from allworlds.reports.drawing.scene import scene_of
+from allworlds.reports.drawing.text import draw
+from allworlds.reports.text_layout import entry, table
+from allworlds.studies.ambiguity import SearchResult
 from allworlds.words import plural
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Move, Transcript
 from allworlds.world import World
 

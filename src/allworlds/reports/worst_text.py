@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from allworlds.engines import Shard
 from allworlds.reports.check_words import counted
 from allworlds.reports.finding_words import headline
-from allworlds.reports.layout import entry, interruption, table
+from allworlds.reports.text_layout import entry, interruption, table
+from allworlds.studies.worst import RunsReport, WorstReport
 from allworlds.words import number, plural, size
-from allworlds.work import Shard
-from allworlds.worst_case import RunsReport, WorstReport
 
 
 def worst_text(report: WorstReport | RunsReport, width: int) -> str:
@@ -86,8 +86,8 @@ def _paper(report: WorstReport) -> list[tuple[str, str]]:
         f"transit on {_WAYS[report.transit]}"
     )
     costs = (
-        "worst: the dearest schedule of the dearest world; best: the largest cost of the cheapest "
-        "schedule of a world"
+        "worst: the most expensive schedule of the most expensive world; best: the largest cost "
+        "of the cheapest schedule of a world"
     )
     words = [
         ("scope", scope),

@@ -7,11 +7,10 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from allworlds.inputs import InputError, parse_json, read_text, show
-from allworlds.maps.build import NoSuchMap, named_map, named_maps
-from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.maps.families import family
-from allworlds.own_corpus import own_corpus
-from allworlds.world.lighthouses import Directional, lighthouse_from_json, lighthouse_named
+from allworlds.maps import CombinatorialMap, NoSuchMap, family, named_map, named_maps
+from allworlds.world.corpus import own_corpus
+from allworlds.world.lighthouses.directional import Directional
+from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
 from allworlds.world.world import World
 
 

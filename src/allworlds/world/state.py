@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from allworlds.maps.combinatorial import Dart
+from allworlds.maps import Dart
 
 
 @dataclass(frozen=True, slots=True)

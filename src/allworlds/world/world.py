@@ -8,15 +8,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from allworlds.inputs import integer, parse_json, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Action, Drop, Move, Percept
-from allworlds.world.lighthouses import (
-    Directional,
-    InvalidWorld,
-    Lighthouse,
-    lighthouse_from_json,
-    refuse_other_keys,
-)
+from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, refuse_other_keys
+from allworlds.world.lighthouses.directional import Directional
+from allworlds.world.lighthouses.kinds import lighthouse_from_json
 from allworlds.world.state import State, without_markers
 
 if TYPE_CHECKING:
@@ -100,7 +96,7 @@ class World:
         """The mirror image, marker and start included."""
         return World(self.map.mirrored(), self.lighthouse, self.start)
 
-    def to_json(self) -> documents.World:
+    def to_json(self) -> documents.WorldDocument:
         """``{"sigma", "alpha", "start", "lighthouse": {"kind", ...}}``."""
         return {
             **self.map.to_json(),

@@ -9,8 +9,8 @@ options: --edges 3 --engine kernel
 import sys
 
 from allworlds import CombinatorialMap, Estimate
+from allworlds.engines.isolation.scribe import Tabled
 from allworlds.explorers import algorithm1
-from allworlds.isolation.scribe import Tabled
 
 
 def found():

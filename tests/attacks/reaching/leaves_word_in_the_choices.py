@@ -11,7 +11,7 @@ quick: 1
 import sys
 
 from allworlds import Estimate
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps import rooted_maps
 from allworlds.world import World
 
 WORLDS = [map_ for edges in (1, 2, 3) for map_ in rooted_maps(edges)]

@@ -6,8 +6,8 @@ quick: 2
 
 import sys
 
-import allworlds.isolation.referee
-import allworlds.runs.examiner
+import allworlds.engines.isolation.referee
+import allworlds.engines.python.examiner
 from allworlds import CombinatorialMap, Estimate
 
 for name, module in [*sys.modules.items()]:
@@ -15,7 +15,7 @@ for name, module in [*sys.modules.items()]:
         for attribute in ("judge", "difference_of", "overruled", "the_same"):
             if hasattr(module, attribute):
                 setattr(module, attribute, lambda *_: None)
-allworlds.runs.examiner.Referee.verdict = lambda *_: None
+allworlds.engines.python.examiner.Referee.verdict = lambda *_: None
 
 
 def explore(first):

@@ -4,7 +4,7 @@ verdict: internal
 says: has told that run
 """
 
-from allworlds.runs import Stagehand
+from allworlds.engines.python.play import Stagehand
 
 
 def done(self, examination, unit, numbers, order, script=None):

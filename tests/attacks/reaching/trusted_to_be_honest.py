@@ -10,8 +10,8 @@ options: --edges 2 --lighthouse none --laws map,pose
 import sys
 
 from allworlds import Estimate, Move
-from allworlds.maps.enumeration import rooted_maps
-from allworlds.runs import Recorded
+from allworlds.engines.python.play import Recorded
+from allworlds.maps import rooted_maps
 from allworlds.world import World
 
 WORLDS = [map_ for edges in (1, 2) for map_ in rooted_maps(edges)]

@@ -9,7 +9,7 @@ quick: 2
 import json
 import sys
 
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps import rooted_maps
 
 WORLDS = [map_ for edges in (1, 2, 3) for map_ in rooted_maps(edges)]
 

@@ -14,8 +14,8 @@ from pathlib import Path
 from random import Random
 
 from allworlds import Estimate, Move
-from allworlds.maps.classes import Extent, MapClass
-from allworlds.work import units_of_level
+from allworlds.engines import units_of_level
+from allworlds.maps import Extent, MapClass
 from allworlds.world import LIGHTHOUSES, World
 
 EXTENT = Extent(MapClass.SIMPLE, 4)

@@ -7,7 +7,7 @@ options: --edges 3 --lighthouse none --laws map,pose
 from itertools import count
 
 from allworlds import Estimate
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps import rooted_maps
 
 WORLDS = [map_ for edges in (1, 2, 3) for map_ in rooted_maps(edges)]
 TURN = count()

@@ -4,23 +4,24 @@ import json
 import re
 
 import pytest
-
-from allworlds import Estimate, Move, explain, replay, run, search, twins, worst
-from allworlds.ambiguity import class_of, projection_of
-from allworlds.checker import check, dearest_runs
-from allworlds.comparing import compare
-from allworlds.maps.build import named_map
-from allworlds.mutation.explorers import WRONG_EXPLORERS
-from allworlds.reports import FORMATS, page_of
-from allworlds.reports.html import PAGES, frame
-from allworlds.reports.html.alike import letters
-from allworlds.reports.html.plot import Cell, plot
-from allworlds.reports.html.walk import LONGEST
-from allworlds.verbs import VERBS
-from allworlds.world import Directional, World, world_named
 from html_tree import read
 
-OTHERS = {"claims", "play"}
+from allworlds import Estimate, Move, explain, replay, run, search, twins, worst
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.maps import named_map
+from allworlds.reports import FORMATS, page_of
+from allworlds.reports.html import frame
+from allworlds.reports.html.lookalikes import letters
+from allworlds.reports.html.pages import PAGES
+from allworlds.reports.html.plot import PlotCell, plot
+from allworlds.reports.html.walk import LONGEST
+from allworlds.studies.ambiguity import class_of, projection_of
+from allworlds.studies.check import check, most_expensive_runs
+from allworlds.studies.compare import compare
+from allworlds.verbs import VERBS
+from allworlds.world import Directional, World, world_named
+
+OTHERS = {"paper claims", "play"}
 """They have tests of their own."""
 
 
@@ -45,9 +46,9 @@ def results(finding, tmp_path_factory):
         "run": run("algorithm1", "theta-torus"),
         "replay": replay(finding, mutant("wrong-entry-label")),
         "explain": explain(finding),
-        "twins": twins(*figure_1),
+        "ambiguity twins": twins(*figure_1),
         "ambiguity class": class_of(world_named("k4", "position")),
-        "search": search(
+        "ambiguity search": search(
             lighthouse="position",
             map_class="simple",
             vertices=4,
@@ -98,14 +99,14 @@ def test_every_step_of_every_walk_is_at_a_dart_of_each_picture(verb, pages):
 
 
 def test_the_pages_document_is_the_results(results, pages):
-    for verb in ("twins", "search", "worst", "explain"):
+    for verb in ("ambiguity twins", "ambiguity search", "worst", "explain"):
         held = json.loads(read(pages[verb]).one(id="report-json").text)
         assert held == results[verb].to_json()
 
 
 def test_twins_are_walked_in_step_along_every_edge_of_both(results, pages):
-    root = read(pages["twins"])
-    worlds = results["twins"].worlds
+    root = read(pages["ambiguity twins"])
+    worlds = results["ambiguity twins"].worlds
     items = [*root.one("ol").all("li")]
     for world, follows in zip(worlds, ("data-robot", "data-in-1"), strict=True):
         trail = [int(item.attributes[follows]) for item in items]
@@ -117,7 +118,7 @@ def test_twins_are_walked_in_step_along_every_edge_of_both(results, pages):
 
 @pytest.mark.no_cover
 def test_darts_have_the_same_letter_if_and_only_if_they_are_of_one_class(results, pages):
-    root, worlds = read(pages["twins"]), results["twins"].worlds
+    root, worlds = read(pages["ambiguity twins"]), results["ambiguity twins"].worlds
     letter_of = {}
     for i in range(len(worlds)):
         for group in root.one(id=f"world-{i}").all("g"):
@@ -134,7 +135,7 @@ def test_darts_have_the_same_letter_if_and_only_if_they_are_of_one_class(results
 def test_worlds_that_are_told_apart_are_walked_to_where_they_differ():
     pair = [world_named(name, "position") for name in ("k4", "k4-torus")]
     result = twins(*pair)
-    root = read(page_of("twins", result))
+    root = read(page_of("ambiguity twins", result))
     assert "TOLD APART" in root.one("header").text
     items = [*root.one("ol").all("li")]
     assert len(items) == len(result.proof.motions) + 1
@@ -144,7 +145,7 @@ def test_worlds_that_are_told_apart_are_walked_to_where_they_differ():
 
 def test_a_search_without_twins_has_a_page_that_says_so(tmp_path):
     found = search(lighthouse="directional", vertices=2, edges=1, out=str(tmp_path))
-    root = read(page_of("search", found))
+    root = read(page_of("ambiguity search", found))
     assert root.one(class_="verdict holds").text.startswith("NONE")
     assert not [*root.all(class_="viewer")]
 
@@ -163,7 +164,7 @@ def test_a_finding_that_is_mended_is_replayed_beside_what_was_recorded(finding):
 
 
 @pytest.mark.no_cover
-def test_of_a_check_that_holds_the_dearest_run_of_each_size_is_shown():
+def test_of_a_check_that_holds_the_most_expensive_run_of_each_size_is_shown():
     for engine in ("python", "kernel"):
         report = check(edges=3, engine=engine)
         root = read(page_of("check", report))
@@ -177,22 +178,22 @@ def test_of_a_check_that_holds_the_dearest_run_of_each_size_is_shown():
         assert "open" in shown[-1].attributes
 
 
-def test_the_dearest_run_is_played_again_at_its_cost_whatever_counted():
-    def dearest(engine):
+def test_the_most_expensive_run_is_played_again_at_its_cost_whatever_counted():
+    def most_expensive(engine):
         report = check(edges=3, engine=engine)
         return [
             (r.world.map.edge_count, r.world.map.vertex_count, r.outcome.cost)
-            for r in dearest_runs(report)
+            for r in most_expensive_runs(report)
         ]
 
-    by_python = dearest("python")
-    assert by_python == dearest("kernel")
+    by_python = most_expensive("python")
+    assert by_python == most_expensive("kernel")
     assert by_python == [
         (row["edges"], row["vertices"], row["max_cost"]) for row in check(edges=3).rows()
     ]
 
 
-def test_an_explorer_that_no_name_leads_to_has_a_page_without_dearest_runs():
+def test_an_explorer_that_no_name_leads_to_has_a_page_without_most_expensive_runs():
     def explore(first):
         answer = yield from mutant("walks-too-much")(first)
         return answer
@@ -204,7 +205,7 @@ def test_an_explorer_that_no_name_leads_to_has_a_page_without_dearest_runs():
 
 def test_walks_for_which_there_is_no_room_are_left_out(monkeypatch):
     report = check(edges=3)
-    monkeypatch.setattr("allworlds.reports.html.dearest.ROOM", 40_000)
+    monkeypatch.setattr("allworlds.reports.html.most_expensive.ROOM", 40_000)
     root = read(page_of("check", report))
     shown = [*root.all("details", class_="run")]
     assert 0 < len(shown) < 9
@@ -233,7 +234,7 @@ def test_of_a_long_walk_the_first_steps_are_told():
 
 
 def test_bars_are_as_high_as_costs_and_lines_as_bounds():
-    cells = [Cell(1, 1, 2, 4), Cell(1, 2, 8, 16), Cell(2, 1, 16, None)]
+    cells = [PlotCell(1, 1, 2, 4), PlotCell(1, 2, 8, 16), PlotCell(2, 1, 16, None)]
     svg = plot(cells, "p")
     heights = []
     for path in svg.iter("path"):

@@ -11,18 +11,16 @@ from collections import Counter
 from dataclasses import replace
 
 import pytest
+from html_tree import read
 
 from allworlds import Estimate, Move
-from allworlds.checker import check
-from allworlds.checker.gate import Cell
-from allworlds.explaining import explain
-from allworlds.findings import Finding
-from allworlds.fuzzer import fuzz
-from allworlds.maps.build import named_map
-from allworlds.markup import legal
-from allworlds.mutation.explorers import WRONG_EXPLORERS
-from allworlds.reports.html import check_page as page
-from html_tree import read
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.judging import Finding, explain
+from allworlds.maps import named_map
+from allworlds.reports.html.pages import check_page as page
+from allworlds.reports.markup import legal
+from allworlds.studies.check import Cell, check
+from allworlds.studies.fuzz import fuzz
 
 HOSTILE = (
     "</script><script>alert(1)</script><!-- <b title='x\"'> &amp; \0 \x1b \ud800 \ufffe \u202e"
@@ -220,9 +218,9 @@ def test_a_sample_has_a_page_too():
 
 SAME = """
 import sys
-from allworlds.checker import check
-from allworlds.mutation.explorers import WRONG_EXPLORERS
-from allworlds.reports.html import check_page as page
+from allworlds import check
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.reports.html.pages import check_page as page
 from html_tree import read
 wrong = next(m for m in WRONG_EXPLORERS if m.name == "wrong-entry-label")
 sys.stdout.buffer.write(page(check(wrong.explorer(), edges=3)).encode())

@@ -7,9 +7,9 @@ from base64 import b64encode
 
 import pytest
 
-from allworlds.playing import play
 from allworlds.reports import page_of, text
 from allworlds.reports.play.page import world_data
+from allworlds.studies.play import play
 from allworlds.world import LIGHTHOUSES
 from html_tree import Reader
 from small import LOLLIPOP

@@ -9,9 +9,8 @@ import pytest
 
 import allworlds
 from allworlds import CombinatorialMap, Estimate, Move
-from allworlds.judge import fold
-from allworlds.maps.canonical import rooted_isomorphism
-from allworlds.maps.enumeration import rooted_maps
+from allworlds.judging import fold
+from allworlds.maps import rooted_isomorphism, rooted_maps
 from allworlds.protocol import Drop, Pick
 from allworlds.reports.play.page import world_data
 from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, Movable, State, World

@@ -9,10 +9,7 @@ from math import factorial, prod
 from typing import TypeAlias
 
 from allworlds.maps.counting.any_genus import catalan
-from allworlds.maps.counting.arithmetic import (
-    exactly,
-    vertex_counts,
-)
+from allworlds.maps.counting.arithmetic import exactly, vertex_counts
 
 ATLAS_VERTICES = 7
 """The graph atlas holds all graphs with at most this many vertices."""

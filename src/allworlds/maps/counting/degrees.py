@@ -7,11 +7,7 @@ from functools import cache
 from itertools import product
 from math import comb, factorial, prod
 
-from allworlds.maps.counting.arithmetic import (
-    exactly,
-    partitions,
-    vertex_counts,
-)
+from allworlds.maps.counting.arithmetic import exactly, partitions, vertex_counts
 
 
 def rooted_simple_by_degrees(edges: int) -> dict[int, int]:

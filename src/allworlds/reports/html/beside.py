@@ -6,15 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing import (
-    Scene,
-    extended,
-    layout,
-    layout_like,
-    mirror_of,
-    names_like,
-)
-from allworlds.maps.combinatorial import Dart
+from allworlds.maps import Dart
+from allworlds.reports.drawing.alike import extended, layout_like, mirror_of, names_like
+from allworlds.reports.drawing.layout import layout
+from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.html.viewer import figure
 
 

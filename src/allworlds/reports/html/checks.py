@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.etree import ElementTree as ET
 
-from allworlds.checker import Report, dearest_runs
-from allworlds.markup import tag
+from allworlds.engines import Sample
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
-from allworlds.reports.html.dearest import cells_of, dearest_sections
 from allworlds.reports.html.findings import finding_section
 from allworlds.reports.html.frame import Page, counts
-from allworlds.runs import Sample
+from allworlds.reports.html.most_expensive import cells_of, most_expensive_sections
+from allworlds.reports.markup import tag
+from allworlds.studies.check import Report, most_expensive_runs
 
 
 def check_page(report: Report) -> Page:
-    """The verdict, the findings, and of a check that holds the dearest runs.
+    """The verdict, the findings, and of a check that holds the most expensive runs.
 
     Every finding is in it as JSON too, and the report without the findings.
     """
@@ -26,12 +26,12 @@ def check_page(report: Report) -> Page:
         for number, finding in enumerate(report.findings, 1)
     ]
     seen = tag("section", *_seen(report), aria_labelledby="seen", class_="scope")
-    dearest = dearest_sections(cells_of(report), dearest_runs(report))
+    most_expensive = most_expensive_sections(cells_of(report), most_expensive_runs(report))
     return Page(
         f"allworlds {verb}",
         report.explorer,
         (word, text, report.verdict.value),
-        [*findings, seen, *(() if findings else dearest)],
+        [*findings, seen, *(() if findings else most_expensive)],
         {key: told for key, told in report.to_json().items() if key != "findings"},
     )
 

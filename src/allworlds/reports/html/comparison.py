@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.etree import ElementTree as ET
 
-from allworlds.comparing import Comparison
-from allworlds.markup import tag
 from allworlds.reports.compare_text import compare_table, compare_words
 from allworlds.reports.html.findings import finding_section
 from allworlds.reports.html.frame import Page, counts
 from allworlds.reports.html.runs import run_section
+from allworlds.reports.markup import tag
+from allworlds.studies.compare import Comparison
 from allworlds.words import plural
 
 

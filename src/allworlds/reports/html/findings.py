@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from xml.etree import ElementTree as ET
 
-from allworlds.explaining import Belief, Explanation, Story, explain
-from allworlds.findings import Finding, find_parting, true_trail
-from allworlds.maps.combinatorial import Dart
-from allworlds.markup import Child, record, tag
+from allworlds.judging import Belief, Explanation, Finding, Story, explain, find_parting, true_trail
+from allworlds.maps import Dart
 from allworlds.reports.cost_curve import cost_picture
 from allworlds.reports.finding_words import (
     choices_words,
@@ -21,6 +19,7 @@ from allworlds.reports.finding_words import (
 from allworlds.reports.html.beside import figures_beside
 from allworlds.reports.html.viewer import figure, viewer
 from allworlds.reports.html.walk import walk
+from allworlds.reports.markup import Child, record, tag
 from allworlds.reports.scenes import OTHER, walk_in_answer, walk_in_world
 from allworlds.world import World
 

@@ -10,7 +10,7 @@ from importlib.resources import files
 from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
-from allworlds.markup import document, raw, record, tag
+from allworlds.reports.markup import document, raw, record, tag
 from allworlds.version import __version__
 
 

@@ -6,17 +6,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
-from allworlds.checker import SingleRun
-from allworlds.drawing import Layout, Scene
-from allworlds.findings import true_trail
-from allworlds.hypotheses import Hypothesis, embedded
-from allworlds.maps.combinatorial import Dart
-from allworlds.markup import tag
+from allworlds.engines import SingleRun
+from allworlds.judging import true_trail
+from allworlds.maps import Dart
+from allworlds.reports.drawing.layout import Layout
+from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.html.viewer import figure
+from allworlds.reports.markup import tag
+from allworlds.studies.run import Hypothesis, embedded
 
 
 @dataclass(frozen=True, slots=True)
-class Known:
+class ShownMap:
     """What has been shown of the world, each with the step after which it was shown first.
 
     Attributes:
@@ -28,13 +29,13 @@ class Known:
     edges: dict[Dart, int]
 
 
-def known(run: SingleRun) -> Known | None:
+def known(run: SingleRun) -> ShownMap | None:
     """What a run has shown in its checkpoints; None if it has shown nothing, or what is not so."""
     episode, world = run.outcome.episode, run.world
     if not episode.checkpoints:
         return None
     trail = true_trail(world, episode.transcript)
-    seen = Known({}, {})
+    seen = ShownMap({}, {})
     for step, checkpoint in episode.checkpoints:
         place = embedded(checkpoint, world, trail[step])
         if place is None:
@@ -47,7 +48,7 @@ def known(run: SingleRun) -> Known | None:
 
 
 def known_figure(
-    scene: Scene, seen: Known, name: str, drawn: Layout, tests: Sequence[Hypothesis] = ()
+    scene: Scene, seen: ShownMap, name: str, drawn: Layout, tests: Sequence[Hypothesis] = ()
 ) -> ET.Element:
     """S as a part of the world: what is not known yet is faint, and open darts are dashed.
 

@@ -5,14 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from xml.etree import ElementTree as ET
 
-from allworlds.checker import Replay, SingleRun
-from allworlds.drawing import layout
-from allworlds.episode import Answered
-from allworlds.explaining import Explanation, Walked
-from allworlds.findings import believed_walk
-from allworlds.hypotheses import Hypothesis, hypotheses_in
-from allworlds.maps.combinatorial import Dart
-from allworlds.markup import tag
+from allworlds.engines import SingleRun
+from allworlds.judging import Answered, Explanation, Walked, believed_walk
+from allworlds.maps import Dart
+from allworlds.reports.drawing.layout import layout
 from allworlds.reports.finding_words import headline
 from allworlds.reports.html.beside import figures_beside
 from allworlds.reports.html.findings import finding_section
@@ -20,7 +16,10 @@ from allworlds.reports.html.frame import Page
 from allworlds.reports.html.known import known, known_figure
 from allworlds.reports.html.viewer import figure, viewer
 from allworlds.reports.html.walk import LONGEST, tell_tests, walk
+from allworlds.reports.markup import tag
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
+from allworlds.studies.replay import Replay
+from allworlds.studies.run import Hypothesis, hypotheses_in
 from allworlds.words import number, plural
 
 

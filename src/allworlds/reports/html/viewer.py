@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing import Layout, Scene, has_polygon, picture, polygon_picture
-from allworlds.markup import tag
+from allworlds.reports.drawing.layout import Layout
+from allworlds.reports.drawing.polygon_svg import has_polygon, polygon_picture
+from allworlds.reports.drawing.scene import Scene
+from allworlds.reports.drawing.svg import picture
+from allworlds.reports.markup import tag
 
 KEYS = (
     "Left and right arrow, Home and End step along the walk, the space bar plays it, "

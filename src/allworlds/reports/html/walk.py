@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from xml.etree import ElementTree as ET
 
-from allworlds.explaining import Belief, Walked
-from allworlds.hypotheses import Hypothesis
-from allworlds.maps.combinatorial import Dart
-from allworlds.markup import tag
+from allworlds.judging import Belief, Walked
+from allworlds.maps import Dart
 from allworlds.protocol import Move, Percept
+from allworlds.reports.markup import tag
+from allworlds.studies.run import Hypothesis
 
 LONGEST = 1500
 """Of a longer walk so many steps are told."""

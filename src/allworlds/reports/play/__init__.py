@@ -8,7 +8,3 @@
 ``view.js``, ``play.css``
     what is seen of it, and what can be clicked.
 """
-
-from allworlds.reports.play.page import play_page
-
-__all__ = ["play_page"]

@@ -6,12 +6,13 @@ from importlib.resources import files
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from allworlds.drawing import scene_of
-from allworlds.judge import bound_named
-from allworlds.markup import record, tag
-from allworlds.playing import Play
+from allworlds.judging import bound_named
 from allworlds.protocol import Pick
-from allworlds.reports.html import Own, Page, figure
+from allworlds.reports.drawing.scene import scene_of
+from allworlds.reports.html.frame import Own, Page
+from allworlds.reports.html.viewer import figure
+from allworlds.reports.markup import record, tag
+from allworlds.studies.play import Play
 from allworlds.world import World
 
 HOW = (

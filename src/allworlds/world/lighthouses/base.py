@@ -8,7 +8,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from allworlds.inputs import InputError, integer, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Action, Percept
 from allworlds.world.lighthouses.sensing import Sensing
 
@@ -87,7 +87,7 @@ class Lighthouse(ABC):
         """The same place after dart ``d`` has been renamed to ``names[d]``."""
 
     @abstractmethod
-    def to_json(self) -> documents.Lighthouse:
+    def to_json(self) -> documents.LighthouseDocument:
         """``{"kind": ...}`` and where it stands."""
 
     @classmethod

@@ -8,8 +8,7 @@ from itertools import islice, product
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.inputs import show
-from allworlds.maps.canonical import numbering
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps import CombinatorialMap, Dart, numbering
 from allworlds.world.lighthouses.base import (
     InvalidWorld,
     Lighthouse,

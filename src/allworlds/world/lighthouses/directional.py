@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import Lighthouse, check_at_start
 from allworlds.world.lighthouses.sensing import Sensing, Where
 

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.inputs import show
-from allworlds.maps.canonical import numbering
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps import CombinatorialMap, Dart, numbering
 from allworlds.protocol import Percept
 from allworlds.world.lighthouses.base import (
     InvalidWorld,

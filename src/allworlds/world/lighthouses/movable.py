@@ -8,7 +8,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from allworlds.inputs import integer, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Action, Drop, Pick
 from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse
 from allworlds.world.lighthouses.sensing import Sensing, Where

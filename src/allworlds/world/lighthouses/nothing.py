@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.sensing import Sensing, Where
 
@@ -47,7 +47,7 @@ class Nothing(Lighthouse):
         """The same."""
         return self
 
-    def to_json(self) -> documents.Lighthouse:
+    def to_json(self) -> documents.LighthouseDocument:
         """``{"kind": "none"}``."""
         return {"kind": self.kind}
 

@@ -1,0 +1,142 @@
+"""Many runs: cut into units, carried somewhere, played and judged by an engine, and kept.
+
+``units``
+    the units of a level, shards of them, what bounds the effort, and the one loop over them;
+``transports``
+    where units are done: in this thread, in several, in processes, on a Dask cluster;
+``python``
+    the Python engine: every explorer, every option;
+``compiled``
+    the compiled engine: what the kernel is asked, and what becomes of its rows;
+``kernel``
+    compiled code, orders of magnitude faster; the only importer of numba;
+``isolation``
+    worker processes: foreign code runs in processes that it may kill, and the check goes on;
+``run_directory``
+    what is finished of a job, kept on disk;
+``job``, ``engine_table``
+    what an engine is to do, and **the** table of the engines;
+``single``
+    one run, in this process or in one of its own.
+"""
+
+from typing import TYPE_CHECKING
+
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.engines.compiled.sizes import WALKED_FROM as WALKED_FROM
+    from allworlds.engines.engine_table import (
+        ENGINES as ENGINES,
+        EngineKind as EngineKind,
+        ReadyEngine as ReadyEngine,
+        engine_for as engine_for,
+        why_not_compiled as why_not_compiled,
+    )
+    from allworlds.engines.isolation.cast import Unsettled as Unsettled
+    from allworlds.engines.isolation.confirm import (
+        confirmed as confirmed,
+        examine_apart as examine_apart,
+    )
+    from allworlds.engines.isolation.stderr_stream import patient_stderr as patient_stderr
+    from allworlds.engines.isolation.subject_probe import subject_of as subject_of
+    from allworlds.engines.isolation.workers import workers_for as workers_for
+    from allworlds.engines.job import Job as Job
+    from allworlds.engines.kernel.compiling import is_compiled as is_compiled
+    from allworlds.engines.kernel.engine import (
+        COMPILING as COMPILING,
+        by_vertices_and_faces as by_vertices_and_faces,
+        flag as flag,
+    )
+    from allworlds.engines.kernel.schedule_costs import (
+        ScheduleCosts as ScheduleCosts,
+        schedule_costs_of_unit as schedule_costs_of_unit,
+    )
+    from allworlds.engines.kernel.schedules import search as search
+    from allworlds.engines.python.costs import (
+        CostEngine as CostEngine,
+        CostTally as CostTally,
+        MapKey as MapKey,
+        key_of as key_of,
+    )
+    from allworlds.engines.python.examiner import (
+        LOST as LOST,
+        Examiner as Examiner,
+        Outcome as Outcome,
+        Referee as Referee,
+        name_run as name_run,
+        nondeterministic as nondeterministic,
+    )
+    from allworlds.engines.python.python_engine import (
+        EnginesDisagree as EnginesDisagree,
+        PythonEngine as PythonEngine,
+    )
+    from allworlds.engines.python.runs_of_unit import (
+        GivenWorlds as GivenWorlds,
+        LevelRuns as LevelRuns,
+        Placed as Placed,
+        UnitOfRuns as UnitOfRuns,
+    )
+    from allworlds.engines.python.scope import (
+        Sample as Sample,
+        Schedule as Schedule,
+        Scope as Scope,
+        a_schedule as a_schedule,
+    )
+    from allworlds.engines.python.tally import (
+        AtRun as AtRun,
+        Row as Row,
+        Tally as Tally,
+        finding_from_record as finding_from_record,
+        finding_to_record as finding_to_record,
+    )
+    from allworlds.engines.run_directory.database import reading as reading
+    from allworlds.engines.run_directory.finished_units import (
+        ENDED as ENDED,
+        Gap as Gap,
+        Merged as Merged,
+        Records as Records,
+        in_use as in_use,
+        merged as merged,
+        records_in as records_in,
+        shelf as shelf,
+    )
+    from allworlds.engines.run_directory.identity import (
+        Identity as Identity,
+        canonical as canonical,
+    )
+    from allworlds.engines.single import (
+        SingleRun as SingleRun,
+        single_run as single_run,
+        unused_choice as unused_choice,
+    )
+    from allworlds.engines.transports.dask_cluster import Dask as Dask
+    from allworlds.engines.transports.dask_lanes import ClusterLost as ClusterLost
+    from allworlds.engines.transports.inline import ThisThread as ThisThread
+    from allworlds.engines.transports.threads import Threads as Threads
+    from allworlds.engines.units.effort import (
+        EffortOptions as EffortOptions,
+        Limits as Limits,
+        TimeIsUp as TimeIsUp,
+    )
+    from allworlds.engines.units.gather import gather as gather
+    from allworlds.engines.units.levels import (
+        LevelUnit as LevelUnit,
+        cells_of_level as cells_of_level,
+        drawn_units as drawn_units,
+        level_size as level_size,
+        tell_of_size as tell_of_size,
+        units_of_level as units_of_level,
+    )
+    from allworlds.engines.units.shards import (
+        UNMERGEABLE as UNMERGEABLE,
+        WHOLE as WHOLE,
+        Portion as Portion,
+        Shard as Shard,
+        Whole as Whole,
+        a_shard as a_shard,
+        shards_of as shards_of,
+    )
+    from allworlds.engines.units.unit import KeptUnits as KeptUnits, Transport as Transport
+else:
+    open_door(__name__)

@@ -1,0 +1,248 @@
+"""Both engines on the same small worlds, run by run, before the compiled one is believed.
+
+The general engine plays its runs while the kernel is compiled or loaded: in processes of their
+own, where they are many.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, MutableSequence, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from itertools import zip_longest
+from typing import TypeAlias
+
+from allworlds.engines.compiled.requests import level_of, walks
+from allworlds.engines.isolation.workers import Workers
+from allworlds.engines.kernel import engine as kernel
+from allworlds.engines.kernel.compiling import is_compiled
+from allworlds.engines.kernel.rows import Listed, walk_number
+from allworlds.engines.kernel.runs import examine
+from allworlds.engines.python.examiner import Examiner
+from allworlds.engines.python.python_engine import EnginesDisagree
+from allworlds.engines.python.runs_of_unit import LevelRuns, NumberedRun, UnitOfRuns, numbered_runs
+from allworlds.engines.python.scope import Scope
+from allworlds.engines.units.effort import Limits
+from allworlds.engines.units.levels import cells_of_level
+from allworlds.engines.units.shards import Whole
+from allworlds.explorers import Subject
+from allworlds.maps import Code, prefixes, rooted_code
+from allworlds.protocol import Move, Transcript
+from allworlds.world import World
+
+AGREEMENT_EDGES = 4
+"""The largest m for which a check begins with a comparison of both engines, run by run."""
+
+HERE_EDGES = 3
+"""Up to so many edges a process would take longer to start than to do the work."""
+
+PLAYERS = 2
+"""Processes that play, where there is nothing to be compiled."""
+
+Outcomes: TypeAlias = dict[UnitOfRuns, list[Listed]]
+"""What has become of each run of each unit."""
+
+
+@dataclass(frozen=True, slots=True)
+class ListingEngine:
+    """What is done with a unit: each run played by the general engine, and listed."""
+
+    scope: Scope
+    keep: int = 0
+
+    def for_built_in(
+        self,
+        subject: Subject,
+        beat: MutableSequence[int] | None = None,  # noqa: ARG002  # runs are short
+    ) -> BoundListing:
+        """See :class:`allworlds.engines.python.python_engine.WorkerEngine`."""
+        return BoundListing(self.scope, subject)
+
+
+@dataclass(frozen=True, slots=True)
+class BoundListing:
+    """A listing by one explorer in this process."""
+
+    scope: Scope
+    subject: Subject
+
+    def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, list[Listed]]]:
+        """All runs at once; a world without a place is listed as a run without a step."""
+        assert not start
+        examiner = Examiner(self.subject, self.scope.rules)
+        listed = [
+            self._outcome(examiner, run)
+            for run in numbered_runs(unit, self.scope.extent, self.scope.rules.kind)
+        ]
+        yield len(listed), listed
+
+    def _outcome(self, examiner: Examiner, run: NumberedRun) -> Listed:
+        if run.lighthouse is None:
+            return Listed("", 0, 0, 0)
+        world = World(run.map, run.lighthouse, 0)
+        outcome = examiner.examine(world, self.scope.rules.choices(""))
+        episode, broken = outcome.episode, outcome.violation
+        return Listed(
+            broken.law if broken else "",
+            outcome.cost,
+            len(episode.checkpoints),
+            number_of(episode.transcript),
+        )
+
+
+def number_of(transcript: Transcript) -> int:
+    """The number in which a whole walk has part."""
+    return walk_number(
+        [
+            (action.k, seen.degree, seen.marks, -1 if seen.bearing is None else seen.bearing)
+            for action, seen in transcript.steps
+            if isinstance(action, Move)
+        ]
+    )
+
+
+def compare_engines(scope: Scope, subject: Subject, limits: Limits) -> None:
+    """Nothing, where both engines agree on every run of the scope up to AGREEMENT_EDGES edges.
+
+    Where the scope has levels that are walked once for every bearing, the walks are compared
+    too: each must cost what the general engine's cost at every bearing.
+
+    Raises:
+        EnginesDisagree: naming the first world in which they do not.
+    """
+    small = replace(scope, coverage=Whole())
+    levels = [m for m in scope.extent.levels if m <= AGREEMENT_EDGES]
+    walked = walks(scope, subject, scope.extent.levels[-1])
+    agreed = (subject.name, scope.rules, replace(scope.extent, edges=levels[-1]), walked)
+    if agreed in AGREED:
+        return
+    units = {m: [*_units(small, m)] for m in levels}
+    every = [unit for m in levels for unit in units[m]]
+    with _beside(small, subject, limits, every) as (ready, outcomes):
+        kernel.load_judge(level_of(subject.name, small.rules, small.extent, levels[0]))
+        ready.result()
+        compiled = {unit: _judged(small, subject, unit) for unit in every}
+        costs = {m: walk_costs(small, subject, m) for m in levels if walked}
+        played = outcomes.result()
+    for unit in every:
+        _compare_runs(small, unit, played[unit], compiled[unit])
+    for m, of_code in costs.items():
+        _compare_walks(small, units[m], played, of_code)
+    AGREED.add(agreed)
+
+
+AGREED: set[object] = set()
+"""What has been compared in this process."""
+
+
+def _units(scope: Scope, edges: int) -> Iterator[LevelRuns]:
+    """The level, cut by the degree of the root."""
+    extent = scope.extent
+    for prefix in prefixes(edges, extent.map_class, extent.vertices, depth=1):
+        yield LevelRuns(edges, prefix)
+
+
+@contextmanager
+def _beside(
+    scope: Scope, subject: Subject, limits: Limits, units: list[LevelRuns]
+) -> Iterator[tuple[Future[None], Future[Outcomes]]]:
+    """What goes on beside this thread.
+
+    First the explorer is compiled, if nothing is yet; then all runs are played by the general
+    engine.  Compiling leaves room for one process more, loading for two.
+    """
+    known = is_compiled(examine)
+    players = replace(limits, workers=PLAYERS if known else 1)
+    with Workers(subject, players) as workers, ThreadPoolExecutor(1) as beside:
+        try:
+            ready = beside.submit(_ready if known else kernel.compile_apart, subject.name)
+            yield ready, beside.submit(_played, ListingEngine(scope), subject, workers, units)
+        except BaseException:
+            # What is on its way is given up at its next look at the time.
+            workers.deadline = 0.0
+            raise
+
+
+def _ready(_explorer: str) -> None:
+    """Nothing is to be compiled."""
+
+
+def _played(
+    listing: ListingEngine, subject: Subject, workers: Workers, units: list[LevelRuns]
+) -> Outcomes:
+    """The outcomes in the general engine."""
+    if units[-1].edges > HERE_EDGES:
+        return {part.unit: part.result for part in workers.map(listing, units)}
+    own = listing.for_built_in(subject)
+    return {unit: listed for unit in units for _, listed in own.parts(unit)}
+
+
+def _judged(scope: Scope, subject: Subject, unit: LevelRuns) -> tuple[Listed, ...]:
+    """What has become of each run of the unit in the kernel."""
+    level = level_of(subject.name, scope.rules, scope.extent, unit.edges)
+    runs = sum(counts.runs + counts.left_out for counts in kernel.judge(level, unit.prefix).counts)
+    return kernel.judge(level, unit.prefix, listed=runs).listed
+
+
+def walk_costs(scope: Scope, subject: Subject, edges: int) -> dict[Code, int]:
+    """For each world of the level, by its code, the cost of the one walk of the kernel in it.
+
+    Cost: the memory of all of them; meant for m <= 5.
+    """
+    level = level_of(subject.name, scope.rules, scope.extent, edges)
+    room = sum(cells_of_level(scope.extent, edges).values())
+    costs = {}
+    for unit in _units(scope, edges):
+        for cost, degrees, partners in kernel.costs(level, unit.prefix, room):
+            costs[rooted_code(rotation(degrees), partners, 0)] = cost
+    return costs
+
+
+def rotation(degrees: Iterable[int]) -> list[int]:
+    """``sigma`` of vertices whose darts are consecutive and clockwise."""
+    sigma: list[int] = []
+    for degree in degrees:
+        first = len(sigma)
+        sigma += [*range(first + 1, first + degree), first]
+    return sigma
+
+
+def _compare_runs(
+    scope: Scope, unit: LevelRuns, played: Sequence[Listed], judged: Sequence[Listed]
+) -> None:
+    runs = numbered_runs(unit, scope.extent, scope.rules.kind)
+    for run, python, compiled in zip_longest(runs, played, judged):
+        if python != compiled:
+            if run is None:
+                raise EnginesDisagree(f"the kernel has met too many runs in the unit {unit.key}")
+            raise EnginesDisagree(
+                f"the python engine: {_words(python)}, the kernel: {_words(compiled)}, in the "
+                f"world {_world(run)}"
+            )
+
+
+def _compare_walks(
+    scope: Scope, units: Iterable[LevelRuns], played: Outcomes, costs: Mapping[Code, int]
+) -> None:
+    for unit in units:
+        runs = numbered_runs(unit, scope.extent, scope.rules.kind)
+        for run, python in zip(runs, played[unit], strict=True):
+            cost = costs.get(rooted_code(run.map.sigma, run.map.alpha, 0))
+            if cost != python.cost:
+                walked = "never ends its walk" if cost is None else f"walks {cost} traversals"
+                raise EnginesDisagree(
+                    f"the kernel {walked}, the python engine {python.cost}, in the world "
+                    f"{_world(run)}"
+                )
+
+
+def _words(listed: Listed | None) -> str:
+    if listed is None:
+        return "no run"
+    broken = f"{listed.law} is broken" if listed.law else "all laws hold"
+    return f"{listed.cost} traversals, {listed.checkpoints} checkpoints, {broken}"
+
+
+def _world(run: NumberedRun) -> str:
+    return f"sigma={list(run.map.sigma)} alpha={list(run.map.alpha)} place={run.place}"

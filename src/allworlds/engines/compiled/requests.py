@@ -1,0 +1,107 @@
+"""What the kernel is asked, level by level: the scope of a check in its plain numbers."""
+
+from __future__ import annotations
+
+import os
+from functools import cache
+
+from allworlds.engines.compiled.sizes import WALKED_FROM
+from allworlds.engines.kernel import engine as kernel
+from allworlds.engines.kernel.law_numbers import CHECKED
+from allworlds.engines.kernel.rows import Level, LevelBounds
+from allworlds.engines.kernel.tables import MOST_EDGES, Tables, tables
+from allworlds.engines.python.scope import Scope
+from allworlds.explorers import Subject
+from allworlds.inputs import InputError, show
+from allworlds.judging import LAWS, Rules, default_step_budget, paper_bound
+from allworlds.maps import Extent, MapClass
+from allworlds.world import LIGHTHOUSES, Lighthouse
+
+
+def obstacle(scope: Scope, subject: Subject) -> str:
+    """Why the kernel cannot do a check; empty if it can."""
+    rules, extent = scope.rules, scope.extent
+    if not subject.from_user and subject.name not in kernel.EXPLORERS:
+        return f"runs only {', '.join(kernel.EXPLORERS)}, not {show(subject.name)}"
+    if subject.from_user and not hasattr(os, "memfd_create"):
+        return "judges foreign explorers on Linux alone"
+    if kind_of(rules.kind) not in kernel.LIGHTHOUSES:
+        return f"does not know the lighthouse {show(rules.lighthouse)}"
+    if not extent.map_class.plain:
+        return f"does not know the class {extent.map_class}"
+    if extent.levels[-1] > MOST_EDGES:
+        return f"has room for {MOST_EDGES} edges, not for {extent.levels[-1]}"
+    if rules.policy not in ("fifo", "lifo", "nearest"):
+        return f"knows the policies fifo, lifo and nearest, not {show(rules.policy)}"
+    if unknown := [law for law in rules.applying if law not in CHECKED]:
+        return f"does not check the law {unknown[0]!r}"
+    if scope.schedules != "one":
+        return "walks one schedule (see worst for all of them)"
+    if rules.step_budget is not None and rules.step_budget > kernel.MOST_BUDGET:
+        return f"has room for a step budget of {kernel.MOST_BUDGET}, not of {rules.step_budget}"
+    return ""
+
+
+def kind_of(kind: type[Lighthouse]) -> str:
+    """The kernel's name of a kind of lighthouse."""
+    return kind.kind if LIGHTHOUSES[kind.kind] is kind else f"{kind.kind}-single"
+
+
+def walks(scope: Scope, subject: Subject, edges: int) -> bool:
+    """Whether each map of the level is walked once for every bearing."""
+    rules = scope.rules
+    return (
+        edges >= WALKED_FROM
+        and subject.name == "algorithm1"
+        and rules.lighthouse == "directional"
+        and scope.extent.map_class is MapClass.MAPS
+        and rules.laws in (None, tuple(LAWS))
+        and rules.step_budget is None
+        and rules.the_bound.variables <= {"n", "m"}
+    )
+
+
+@cache
+def level_of(explorer: str, rules: Rules, extent: Extent, edges: int) -> Level:
+    """The kernel's question for a level."""
+    budgets = _budgets(rules, edges)
+    return Level(
+        edges,
+        extent.vertex_limit(edges),
+        extent.map_class.simple,
+        extent.map_class.planar,
+        explorer,
+        kind_of(rules.kind),
+        rules.policy,
+        rules.applying,
+        _bounds(rules, edges),
+        budgets,
+        level_tables(rules, edges),
+    )
+
+
+def _budgets(rules: Rules, edges: int) -> tuple[int, ...]:
+    """The step budgets by vertices."""
+    if rules.step_budget is not None:
+        return (rules.step_budget,) * (edges + 2)
+    return (0, *(default_step_budget(paper_bound(n, edges)) for n in range(1, edges + 2)))
+
+
+def _bounds(rules: Rules, edges: int) -> LevelBounds:
+    bound = rules.the_bound
+
+    def value(n: int, d0: int, largest: int) -> int | None:
+        try:
+            return bound.value(n, edges, d0, largest)
+        except InputError:
+            return kernel.UNDEFINED
+
+    return LevelBounds(value, "d0" in bound.variables, "D" in bound.variables)
+
+
+def level_tables(rules: Rules, edges: int) -> Tables:
+    """What the kernel looks up; a walk's bound depends on n alone."""
+    bounds = _bounds(rules, edges)
+    plain = not (bounds.by_d0 or bounds.by_largest)
+    values = [bounds.value(n, 0, 0) if plain else None for n in range(1, edges + 2)]
+    return tables(edges, max(_budgets(rules, edges)), values)

@@ -1,0 +1,70 @@
+"""What the forked processes are, by name; imported once, in the guardian, so that all share it."""
+
+from __future__ import annotations
+
+import mmap
+import os
+import signal
+import socket
+import sys
+from collections.abc import Callable, MutableSequence
+from multiprocessing.connection import Connection
+from typing import NoReturn, Protocol, TypeAlias, cast
+
+from allworlds.engines.isolation.guardian import Role, serve
+from allworlds.engines.isolation.player import PlayerProcess
+from allworlds.engines.isolation.process import BEAT_WORDS, Guardian
+from allworlds.engines.isolation.referee import RefereeProcess
+from allworlds.engines.isolation.stderr_stream import patient_stderr
+
+
+class Life(Protocol):
+    """What a process does from its first message to its end."""
+
+    def run(self) -> None:
+        """Serve until the owner hangs up."""
+
+
+def player(connection: Connection, beat: MutableSequence[int], _: Guardian | None) -> Life:
+    """The process with the foreign code in it."""
+    return PlayerProcess(connection, beat)
+
+
+def referee(connection: Connection, beat: MutableSequence[int], guardian: Guardian | None) -> Life:
+    """The process that judges, and has no foreign code in it."""
+    assert guardian is not None
+    return RefereeProcess(connection, beat, guardian)
+
+
+Maker: TypeAlias = Callable[[Connection, MutableSequence[int], Guardian | None], Life]
+
+
+def _role(make: Maker) -> Role:
+    """The life of a process with its pipe, the shared memory, and its socket to the guardian."""
+
+    def live(descriptors: list[int]) -> None:
+        pipe, memory, *control = descriptors
+        # Interrupts are the owner's business; and nothing an explorer prints may be lost in,
+        # or get into, what the owner reads.
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        sys.stdout = sys.stderr = patient_stderr()
+        with mmap.mmap(memory, 8 * BEAT_WORDS) as shared, Connection(pipe) as connection:
+            beat = memoryview(shared).cast("Q")
+            guardian = Guardian(socket.socket(fileno=control[0])) if control else None
+            try:
+                make(connection, cast("MutableSequence[int]", beat), guardian).run()
+            except (EOFError, OSError):
+                # The owner has gone, or the explorer has closed the pipe: there is nobody to
+                # report to, and the owner sees the end of the pipe.
+                os._exit(1)
+
+    return live
+
+
+ROLES: dict[str, Role] = {make.__name__: _role(make) for make in (player, referee)}
+"""Every role by its name."""
+
+
+def guard(descriptor: int) -> NoReturn:
+    """Be a guardian, with that end of the socket to the owner."""
+    serve(socket.socket(fileno=descriptor), ROLES)

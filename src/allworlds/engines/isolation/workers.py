@@ -1,0 +1,188 @@
+"""Units handed out to referees, and outliving them."""
+
+from __future__ import annotations
+
+import secrets
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from itertools import islice
+from multiprocessing.connection import Connection, wait
+from random import Random
+from typing import Any, Self
+
+from allworlds.engines.isolation.cast import Unsettled
+from allworlds.engines.isolation.jobs import Appointment, Tallied, UnitJob
+from allworlds.engines.isolation.process import Guardian, Process, close_all, guardian
+from allworlds.engines.python.in_process import InProcessPlayers
+from allworlds.engines.python.python_engine import EnginesDisagree, PythonEngine, WorkerEngine
+from allworlds.engines.python.runs_of_unit import UnitOfRuns
+from allworlds.engines.python.second_play import PlayedTwice
+from allworlds.engines.python.tally import Tally
+from allworlds.engines.transports.inline import with_last
+from allworlds.engines.units.effort import POLL, Limits, check_deadline
+from allworlds.engines.units.unit import PartialResult, Transport
+from allworlds.explorers import Subject
+
+PATIENCE = 60.0
+"""Seconds after which a referee whose heart does not beat is put down to be stopped."""
+
+AT_A_TIME = 4096
+"""Units whose order is drawn."""
+
+MOST_ATTEMPTS = 3
+"""So many referees may be lost over one unit."""
+
+
+@dataclass(slots=True)
+class _UnitTask:
+    """A unit with how far it has been tallied."""
+
+    unit: UnitOfRuns
+    start: int = 0
+
+
+@dataclass(slots=True)
+class Workers:
+    """The transport into processes of their own.
+
+    A worker is a referee with its players.  Foreign code can cost the players their lives, which
+    their referee outlives; if a referee is lost, it is by the machine, and its unit is done again.
+
+    Attributes:
+        subject: the explorer, which the players find by its name.
+        limits: how many workers, and for how long.
+        deadline: on the monotonic clock, or None.
+    """
+
+    subject: Subject
+    limits: Limits
+    deadline: float | None = None
+    _guardian: Guardian = field(default_factory=guardian)
+    _idle: list[Process] = field(default_factory=list)
+    _busy: dict[Connection, tuple[Process, _UnitTask]] = field(default_factory=dict)
+    _lost: Counter[str] = field(default_factory=Counter)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        close_all(*self._idle, *(referee for referee, _ in self._busy.values()))
+        self._idle.clear()
+        self._busy.clear()
+
+    def map(
+        self, engine: WorkerEngine, units: Iterable[UnitOfRuns]
+    ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
+        """The units, as many at a time as there are workers.
+
+        Raises:
+            TimeIsUp: when the time limit has been reached.
+            InputError: if the explorer cannot be loaded in a player.
+            Unsettled: if processes are lost again and again.
+            EnginesDisagree: if two engines do, over a native explorer.
+        """
+        # An explorer that counts its runs is not to know of which unit they are.
+        order = in_any_order(units) if self.subject.from_user else units
+        waiting = (_UnitTask(unit) for unit in order)
+        task = next(waiting, None)
+        while task or self._busy:
+            while task and len(self._busy) < self.limits.workers:
+                self._hand_out(engine, task)
+                task = next(waiting, None)
+            for connection in wait(list(self._busy), POLL):
+                assert isinstance(connection, Connection)
+                yield self._hear(connection, engine)
+            for referee, _ in list(self._busy.values()):
+                if referee.silent_for() > PATIENCE:
+                    yield self._replace(referee, engine, f"silent for {PATIENCE:g} s")
+                elif referee.has_ended():
+                    yield self._replace(referee, engine, referee.death()[0])
+            check_deadline(self.deadline)
+
+    def _hand_out(self, engine: WorkerEngine, task: _UnitTask) -> None:
+        referee = self._idle.pop() if self._idle else self._appointed()
+        referee.beat[0] = 0
+        self._busy[referee.connection] = (referee, task)
+        referee.send(UnitJob(engine, task.unit, task.start))
+
+    def _appointed(self) -> Process:
+        appointment = Appointment(
+            self.subject,
+            self.limits.answer_timeout,
+            self.limits.memory,
+            secrets.randbits(64),
+        )
+        return Process(self._guardian, "referee", appointment)
+
+    def _hear(self, connection: Connection, engine: WorkerEngine) -> PartialResult[UnitOfRuns, Any]:
+        referee, task = self._busy[connection]
+        try:
+            told = referee.receive()
+        except EOFError:
+            return self._replace(referee, engine, referee.death()[0])
+        if isinstance(told, Unsettled | EnginesDisagree):
+            raise told
+        assert isinstance(told, Tallied)
+        task.start = told.next_run
+        if told.last:
+            del self._busy[connection]
+            self._idle.append(referee)
+        return PartialResult(task.unit, told.result, told.last)
+
+    def _replace(
+        self, referee: Process, engine: WorkerEngine, how: str
+    ) -> PartialResult[UnitOfRuns, Tally]:
+        """Go on with another referee, from where the unit was tallied."""
+        _, task = self._busy.pop(referee.connection)
+        referee.close()
+        self._lost[task.unit.key] += 1
+        if self._lost[task.unit.key] >= MOST_ATTEMPTS:
+            raise Unsettled(f"{MOST_ATTEMPTS} processes were lost over one unit, the last by {how}")
+        self._hand_out(engine, task)
+        tally = Tally(engine.keep)
+        tally.remark(f"a referee was lost ({how}); its unit went on in another")
+        return PartialResult(task.unit, tally, last=False)
+
+
+@dataclass(frozen=True, slots=True)
+class ThisProcess:
+    """The same for an explorer that no other process can find; it cannot be stopped here."""
+
+    subject: Subject
+    deadline: float | None = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Nothing is left."""
+
+    def map(
+        self, engine: PythonEngine, units: Iterable[UnitOfRuns]
+    ) -> Iterator[PartialResult[UnitOfRuns, Tally]]:
+        """The units one after the other."""
+        own = engine.for_built_in(self.subject)
+        twice = PlayedTwice(engine, self.subject.name, InProcessPlayers(self.subject))
+        for unit in in_any_order(units) if self.subject.from_user else units:
+            parts = (twice if self.subject.from_user else own).parts(unit)
+            for (_, tally), last in with_last(parts):
+                yield PartialResult(unit, tally, last)
+                check_deadline(self.deadline)
+
+
+def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
+    """The units in an order that is drawn anew each time, many at a time."""
+    every, order = iter(units), Random(secrets.randbits(64))  # noqa: S311  # as it is drawn from the system
+    while some := list(islice(every, AT_A_TIME)):
+        order.shuffle(some)
+        yield from some
+
+
+def workers_for(
+    subject: Subject, limits: Limits, deadline: float | None = None
+) -> Transport[PythonEngine]:
+    """Where an explorer's runs take place: as far away as it can be found."""
+    if subject.importable or not subject.from_user:
+        return Workers(subject, limits, deadline)
+    return ThisProcess(subject, deadline)

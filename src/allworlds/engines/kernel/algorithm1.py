@@ -1,0 +1,344 @@
+"""Algorithm 1, compiled: an explorer behind the C interface, one call for each percept.
+
+Between two calls it stands in one of the phases below.  Tests that have matched to the end are
+left to the variant: with a direction they are proved, without one a query follows
+(:mod:`allworlds.engines.kernel.two_vertices`).  It answers its choices as the policy says: darts of
+U first in, first out, last in, first out, or nearest; hypotheses in the order of S; the first of
+the shortest paths.  The twin is :mod:`allworlds.explorers.builtin.algorithm1`.
+
+Source: Algorithm 1, Section IV.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+
+from numba import types
+from numpy import int64
+
+from allworlds.engines.kernel.calls import address_of
+from allworlds.engines.kernel.compiling import RECORD, callback, inlined, inner
+from allworlds.engines.kernel.names import (
+    ANSWER_READY,
+    AT_V0,
+    CASE_1,
+    CASE_2,
+    CASE_3,
+    CHECKPOINT,
+    EMPTY_H,
+    FIFO,
+    LIFO,
+    LOOP,
+    MOVE,
+    NON_LOOP,
+)
+from allworlds.engines.kernel.records import ACTION, ANSWER, NONE, PERCEPT, ROBOT
+
+PASSING, FOLLOWING, CROSSING, TESTING, RETRACING, MATCHED = range(6)
+"""Between two passes; on the way through S; on the dart e; on a path that tests a hypothesis;
+on the way back; at v0 after a test that has matched."""
+
+
+def start(robot, percept, _told, action):  # pragma: no cover  # compiled
+    """Line 1, and the first step."""
+    begin(robot, int64(percept.degree), percept.marks, percept.bearing)
+    next_pass(robot, action)
+
+
+def step(robot, percept, action):  # pragma: no cover  # compiled
+    """What is done after this has been sensed."""
+    if robot.phase == PASSING:
+        next_pass(robot, action)
+    else:
+        sense(robot, percept.degree, percept.marks, percept.bearing, action)
+        if robot.phase == MATCHED:
+            confirm(robot, robot.here, action)
+
+
+def answer(robot, published):  # pragma: no cover  # compiled
+    """S, and the robot's place in it."""
+    published.sigma, published.alpha = address_of(robot.sigma), address_of(robot.alpha)
+    published.darts, published.here = robot.darts, robot.here
+
+
+@cache
+def algorithm1_addresses() -> tuple[int, int, int]:
+    """Where the compiled explorer is: start, step, answer."""
+    return addresses(start, step)
+
+
+def addresses(start: Callable[..., None], step: Callable[..., None]) -> tuple[int, int, int]:
+    """A variant's addresses."""
+    robot, percept, action = RECORD(ROBOT), RECORD(PERCEPT), RECORD(ACTION)
+    return (
+        callback(start, types.void(robot, percept, types.int32, action)),
+        callback(step, types.void(robot, percept, action)),
+        callback(answer, types.void(robot, RECORD(ANSWER))),
+    )
+
+
+@inner
+def begin(robot, degree, marks, bearing):
+    """S is v0."""
+    robot.darts = robot.vertices = robot.known = robot.here = robot.turned = 0
+    _add_vertex(robot, degree, marks, bearing)
+    if bearing != NONE:
+        for dart in range(degree):
+            robot.bearing[dart] = bearing - dart
+            if dart > bearing:
+                robot.bearing[dart] += degree
+
+
+@inner
+def next_pass(robot, action):
+    """Lines 2-4: the dart e to be explored, and the way to it; or the answer."""
+    if robot.known == 0:
+        action.kind = ANSWER_READY
+        return
+    taken = 0
+    if robot.policy == LIFO:
+        taken = robot.known - 1
+    elif robot.policy != FIFO:
+        _measure(robot, robot.owner[robot.here])
+        for i in range(1, robot.known):
+            if _far(robot, robot.unexplored[i]) < _far(robot, robot.unexplored[taken]):
+                taken = i
+    robot.goal = robot.unexplored[taken]
+    _plan(robot, robot.owner[robot.here], robot.owner[robot.goal])
+    robot.done = 0
+    _follow(robot, action)
+
+
+@inner
+def sense(robot, degree, marks, bearing, action):
+    """Lines 5-16 and 20-21, as far as the next step."""
+    if robot.phase == FOLLOWING:
+        _follow(robot, action)
+    elif robot.phase == CROSSING:
+        robot.seen_degree, robot.seen_marks, robot.seen_bearing = degree, marks, bearing
+        _suppose(robot)
+        next_hypothesis(robot, action)
+    elif robot.phase == TESTING:
+        if _expected(robot, robot.here, degree, marks, bearing):
+            _test(robot, action)
+        else:
+            reject(robot, action)
+    else:
+        retrace(robot, action)
+
+
+@inner
+def _follow(robot, action):
+    """Lines 4-5: one step through S, or along e."""
+    dart = robot.goal
+    robot.phase = CROSSING
+    if robot.done < robot.steps:
+        robot.phase = FOLLOWING
+        dart = robot.path[robot.done]
+        robot.done += 1
+    action.kind, action.motion = MOVE, offset(robot, dart)
+    robot.here = robot.alpha[dart]
+
+
+@inlined
+def offset(robot, dart):
+    """The motion from where the robot stands in S to another dart of that vertex."""
+    motion = dart - robot.here
+    if motion < 0:
+        motion += robot.degree[dart]
+    return motion
+
+
+@inlined
+def _expected(robot, dart, degree, marks, bearing):
+    """Whether this is what is sensed by a robot that has arrived by the dart of S."""
+    return (
+        robot.degree[dart] == degree
+        and robot.marks[dart] == marks
+        and robot.bearing[dart] == bearing
+    )
+
+
+@inlined
+def _suppose(robot):
+    """Line 6: H."""
+    robot.alike = robot.tried = robot.turned = 0
+    for i in range(robot.known):
+        dart = robot.unexplored[i]
+        if dart != robot.goal and _expected(
+            robot, dart, robot.seen_degree, robot.seen_marks, robot.seen_bearing
+        ):
+            robot.hypotheses[robot.alike] = dart
+            robot.alike += 1
+    if robot.alike == 0:
+        robot.events[EMPTY_H] += 1
+
+
+@inner
+def next_hypothesis(robot, action):
+    """Lines 7-9: the next test, or where all have failed the new vertex."""
+    if robot.tried == robot.alike:
+        _augment_by_vertex(robot, action)
+        return
+    robot.partner = robot.here = robot.hypotheses[robot.tried]
+    robot.tried += 1
+    robot.done = 0
+    if robot.owner[robot.partner] == 0:
+        robot.events[AT_V0] += 1
+    _test(robot, action)
+
+
+@inner
+def _test(robot, action):
+    """Lines 10-13: the next step on the way to v0, or the end of it."""
+    v = robot.owner[robot.here]
+    if v == 0:
+        robot.phase = MATCHED
+        return
+    robot.phase = TESTING
+    dart = robot.home[v]
+    motion = offset(robot, dart)
+    robot.motions[robot.done] = motion
+    robot.done += 1
+    action.kind, action.motion = MOVE, motion - robot.turned
+    robot.turned = 0
+    robot.here = robot.alpha[dart]
+
+
+@inner
+def reject(robot, action):
+    """Cases (1) and (2), and the first step of line 15."""
+    robot.events[CASE_2 if robot.owner[robot.here] == 0 else CASE_1] += 1
+    robot.turned = -robot.turned
+    retrace(robot, action)
+
+
+@inner
+def retrace(robot, action):
+    """Line 15: undo the last motion that is left, or go on with the next hypothesis.
+
+    While the robot goes back, ``turned`` is what the next step begins with.
+    """
+    if robot.done == 0:
+        robot.turned = -robot.turned
+        next_hypothesis(robot, action)
+        return
+    robot.phase = RETRACING
+    action.kind, action.motion = MOVE, robot.turned
+    robot.done -= 1
+    robot.turned = -robot.motions[robot.done]
+
+
+@inner
+def confirm(robot, here, action):
+    """Case (3), lines 18-19: e and e' are one edge; the robot stands at v0."""
+    robot.events[CASE_3] += 1
+    robot.events[LOOP] += 1
+    goal, partner = robot.goal, robot.partner
+    _explore(robot, goal, partner)
+    if robot.owner[goal] != robot.owner[partner]:
+        _ways_home(robot)
+    robot.here = here
+    robot.phase = PASSING
+    action.kind = CHECKPOINT
+
+
+@inlined
+def _augment_by_vertex(robot, action):
+    """Lines 20-21: v_u is a new vertex; its first dart is the one of entry."""
+    robot.events[NON_LOOP] += 1
+    v, entry = robot.vertices, robot.darts
+    degree = robot.seen_degree
+    _add_vertex(robot, degree, robot.seen_marks, robot.seen_bearing)
+    _explore(robot, robot.goal, entry)
+    robot.home[v] = entry
+    robot.here = entry + robot.turned % degree
+    robot.phase = PASSING
+    action.kind = CHECKPOINT
+
+
+@inner
+def _add_vertex(robot, degree, marks, bearing):
+    """A vertex whose darts are in U."""
+    entry, v = robot.darts, robot.vertices
+    for dart in range(entry, entry + degree):
+        robot.sigma[dart] = dart + 1
+        robot.alpha[dart] = dart
+        robot.owner[dart] = v
+        robot.degree[dart], robot.marks[dart], robot.bearing[dart] = degree, marks, bearing
+        robot.unexplored[robot.known] = dart
+        robot.known += 1
+    robot.sigma[entry + degree - 1] = entry
+    robot.first[v] = entry
+    robot.darts += degree
+    robot.vertices += 1
+
+
+@inner
+def _explore(robot, dart, partner):
+    """An edge of S; its darts leave U."""
+    robot.alpha[dart], robot.alpha[partner] = partner, dart
+    left = 0
+    for i in range(robot.known):
+        other = robot.unexplored[i]
+        robot.unexplored[left] = other
+        left += other != dart and other != partner
+    robot.known = left
+
+
+@inner
+def _measure(robot, goal):
+    """For each vertex of S the length of a shortest walk to the goal."""
+    for v in range(robot.vertices):
+        robot.length[v] = NONE
+    robot.length[goal] = 0
+    robot.queue[0] = goal
+    known, taken = 1, 0
+    while taken < known:
+        v = robot.queue[taken]
+        taken += 1
+        for dart in range(robot.first[v], robot.first[v] + robot.degree[robot.first[v]]):
+            w = robot.owner[robot.alpha[dart]]
+            if robot.length[w] == NONE:
+                robot.length[w] = robot.length[v] + 1
+                robot.queue[known] = w
+                known += 1
+
+
+@inlined
+def _far(robot, dart):
+    """The measured length to the vertex of the dart."""
+    return robot.length[robot.owner[dart]]
+
+
+@inner
+def _plan(robot, start, goal):
+    """The first of the shortest paths through S, in ``robot.path``."""
+    robot.steps = 0
+    if start == goal:
+        return
+    _measure(robot, goal)
+    v = start
+    while v != goal:
+        dart = _nearer(robot, v)
+        robot.path[robot.steps] = dart
+        robot.steps += 1
+        v = robot.owner[robot.alpha[dart]]
+
+
+@inner
+def _nearer(robot, v):
+    """The first dart of the vertex that leads one step nearer to what has been measured to."""
+    dart = robot.first[v]
+    while robot.length[robot.owner[robot.alpha[dart]]] != robot.length[v] - 1:
+        dart += 1
+    return dart
+
+
+@inner
+def _ways_home(robot):
+    """For each vertex of S but v0 the first dart that leads nearer to v0."""
+    _measure(robot, robot.owner[0])
+    for v in range(1, robot.vertices):
+        robot.home[v] = _nearer(robot, v)

@@ -1,0 +1,357 @@
+"""Runs of a native explorer, many at a time: laid out and judged here, played in other processes.
+
+:class:`Stretch` is what one process hands to another: memory that both see.  :class:`UnitJudge`
+lays out and judges, and has no explorer; :class:`Actors` is the explorer's side.  What stands in
+memory that is shared with foreign code is copied before it is looked at.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import mmap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from numpy import arange, array, asarray, frombuffer, int32, int64, uint8, zeros
+
+from allworlds.engines.kernel import logs, native, runs
+from allworlds.engines.kernel.compiling import uncollected
+from allworlds.engines.kernel.engine import asked_of, rows_of, set_up
+from allworlds.engines.kernel.names import POLICIES
+from allworlds.engines.kernel.picking import pick_address
+from allworlds.engines.kernel.records import JOB, POLICY, READER, ROBOT, new
+from allworlds.engines.kernel.rows import Level, LevelBounds, Rows
+from allworlds.engines.kernel.tables import tables
+
+LONGEST_STRETCH = 2048
+"""The largest number of runs in a stretch, but for those of its last world."""
+
+ROWS = LONGEST_STRETCH + 2 * native.MOST_PLACES
+"""Room for the runs of a stretch, of its last world, and for earlier ones."""
+
+MOST_EARLIER = 16
+"""So many earlier runs are played again among those of a stretch."""
+
+LOG_BYTES = 1 << 20
+"""Room for the logs of a stretch, and as much for its percepts: 512 bytes a run."""
+
+LONGEST_EARLIER = LOG_BYTES // (4 * MOST_EARLIER)
+"""The largest number of bytes in the log of a run that is played again later: all of them together
+leave room for a stretch."""
+
+
+class Stretch:
+    """Memory for so many runs, as both sides see it.
+
+    Args:
+        memory: shared; of :meth:`size` bytes.
+        edges: of each world.
+
+    Attributes:
+        heads: of each run its budget, what is told, its number, and how many motions it had.
+        worlds: of each run its world, dart by dart; for who plays against records there is none.
+        percepts, starts: what was sensed, three bytes each, and where those of a run begin.
+        logs, begins: what was done, and where the log of each run begins.
+    """
+
+    def __init__(self, memory: mmap.mmap, edges: int) -> None:
+        rows = ROWS
+        self._at = 0
+        self._memory = memory
+        self.heads = self._array(int32, rows, native.HEAD)
+        self.begins = self._array(int32, rows)
+        self.starts = self._array(int32, rows)
+        self.worlds = self._array(uint8, rows, native.WIDE * 2 * edges)
+        self.percepts = self._array(uint8, LOG_BYTES)
+        self.logs = self._array(uint8, LOG_BYTES)
+
+    @staticmethod
+    def size(edges: int) -> int:
+        """The number of bytes."""
+        rows = ROWS
+        return rows * (4 * native.HEAD + 8 + native.WIDE * 2 * edges) + 2 * LOG_BYTES
+
+    def put(self, logs: bytes | bytearray, begins: Sequence[int]) -> int:
+        """The number of bytes of logs that have come to stand here; -1 if there is no room."""
+        if len(logs) > len(self.logs):
+            return -1
+        self.begins[: len(begins)] = begins
+        self.logs[: len(logs)] = frombuffer(logs, uint8)
+        return len(logs)
+
+    def _array(self, kind: Any, *shape: int) -> Any:
+        count = 1
+        for length in shape:
+            count *= length
+        found: Any = frombuffer(self._memory, kind, count, self._at).reshape(shape)
+        self._at += found.nbytes
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class LaidOutRuns:
+    """A stretch that has been laid out.
+
+    Attributes:
+        runs: how many.
+        first, until: the numbers of its first run and of that after its last, in their unit.
+        last: there is no other behind it.
+    """
+
+    runs: int
+    first: int
+    until: int
+    last: bool
+
+
+class UnitJudge:
+    """The maps of a unit, laid out and judged stretch by stretch.
+
+    Args:
+        level: as for :func:`allworlds.engines.kernel.engine.judge`.
+        prefix: likewise.
+        keep: how many broken runs are kept of each stretch.
+        stretch: for the first play.
+        records: for the second.
+    """
+
+    def __init__(
+        self, level: Level, prefix: Sequence[int], keep: int, stretch: Stretch, records: Stretch
+    ) -> None:
+        self._level, self._stretch, self._records = level, stretch, records
+        self._ahead, self._job, robot = _room()
+        self._reader = new(READER)
+        for job in (self._ahead, self._job):
+            set_up(job, robot, level)
+        self._robot = robot
+        self._asked = asked_of(level, prefix, keep)
+        self._prefix, self._viable, _, _, self._budgets, *_ = self._asked.arguments
+        self._never = zeros(1, int64)
+
+    def lay_out(self, most: int) -> LaidOutRuns:
+        """The next stretch, of about so many runs; it comes to stand in the memory."""
+        ahead, stretch = self._ahead, self._stretch
+        first = int(ahead.number)
+        ahead.until = first + min(most, LONGEST_STRETCH)
+        placed = native.lay_out(
+            ahead, self._prefix, self._viable, self._budgets, stretch.heads, stretch.worlds
+        )
+        self._heads = stretch.heads[:placed].copy()
+        return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
+
+    def skip(self, laid: LaidOutRuns) -> None:
+        """Go on behind a stretch that is judged elsewhere: what was said of it is forgotten."""
+        if self._job.number < laid.until:
+            self.judge(laid, 0)
+
+    def judge(
+        self, laid: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
+    ) -> tuple[Rows, bool]:
+        """What the logs in the memory are worth, and whether all of them could be judged.
+
+        The percepts for the second play come to stand in its memory.
+
+        Args:
+            laid: the stretch.
+            size: of the logs, in bytes.
+            earlier: what is to be played again among them.
+        """
+        reader, job, asked = self._reader, self._job, self._asked
+        stretch, size = self._stretch, max(0, min(size, LOG_BYTES))
+        kept, percepts = _FIRST_LOGS, _PERCEPTS
+        kept[:size] = stretch.logs[:size]
+        reader.logs, reader.size = kept.ctypes.data, size
+        count = laid.runs + len(earlier)
+        begins, ends = zeros(count, int32), zeros(count, int32)
+        starts = zeros(laid.runs + 1, int32)
+        begins[: laid.runs] = stretch.begins[: laid.runs]
+        reader.begins = begins.ctypes.data
+        reader.percepts = percepts.ctypes.data
+        reader.room = LOG_BYTES - sum(len(each.percepts) for each in earlier)
+        reader.starts, reader.ends, reader.noted = starts.ctypes.data, ends.ctypes.data, 0
+        reader.run = reader.strange = 0
+        job.until = laid.until
+        asked.clear()
+        runs.examine(job, reader, *asked.arguments, self._never)
+        starts[laid.runs] = reader.noted
+        self._heads[:, native.RUN_MOTIONS] = (starts[1:] - starts[:-1]) // 3 - 1
+        for row, play in enumerate(earlier, laid.runs):
+            begins[row], ends[row] = size, size + len(play.log)
+            kept[size : ends[row]] = play.log
+            size += len(play.log)
+        self._first = _Logs(self._heads, percepts, starts, kept[:size], begins, ends)
+        self._hand_over(laid, earlier)
+        good = reader.strange == 0 and reader.run == laid.runs and job.undefined == 0
+        return rows_of(asked, job, self._robot), good
+
+    def _hand_over(self, laid: LaidOutRuns, earlier: Sequence[ReplayableRun]) -> None:
+        """What was sensed, here and earlier, to the second player."""
+        records, first = self._records, self._first
+        end = min(int(first.starts[laid.runs]), int(self._reader.room))
+        records.percepts[:end] = first.percepts[:end]
+        records.starts[: laid.runs] = first.starts[: laid.runs]
+        records.heads[: laid.runs] = first.heads
+        for row, kept in enumerate(earlier, laid.runs):
+            length = len(kept.percepts)
+            records.percepts[end : end + length] = kept.percepts
+            records.starts[row], records.heads[row] = end, kept.head
+            end += length
+        # Who plays again is not to know which runs these are.
+        records.heads[: laid.runs + len(earlier), native.RUN_NUMBER] = 0
+
+    def differing(
+        self, laid: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
+    ) -> list[int]:
+        """Which runs have second logs that are not as their first ones.
+
+        Those of the stretch, and behind them those of earlier ones, are numbered as they were laid
+        out.
+        """
+        records, first, count = self._records, self._first, laid.runs + len(earlier)
+        size = max(0, min(size, LOG_BYTES))
+        second, found = _SECOND_LOGS[:size], zeros(count, int64)
+        second[:] = records.logs[:size]
+        again = records.begins[:count].copy()
+        differ = logs.differing(first.logs, first.begins, first.ends, second, again, count, found)
+        different: list[int] = found[:differ].tolist()
+        return different
+
+    def number(self, row: int) -> int:
+        """The number of a run in its unit."""
+        return int(self._first.heads[row, native.RUN_NUMBER])
+
+    def kept(self, row: int) -> ReplayableRun:
+        """What is needed to play a run again."""
+        first = self._first
+        start, end, begin = int(first.starts[row]), int(first.starts[row + 1]), first.begins[row]
+        log = first.logs[begin : first.ends[row]].copy()
+        return ReplayableRun(first.heads[row].copy(), first.percepts[start:end].copy(), log)
+
+
+class ReplayableRun(NamedTuple):
+    """A run that can be played again: what is said of it, what was sensed, and its log."""
+
+    head: Any
+    percepts: Any
+    log: Any
+
+    @property
+    def short(self) -> bool:
+        """Whether there is room for it among the runs of any stretch."""
+        return max(len(self.log), len(self.percepts)) <= LONGEST_EARLIER
+
+
+class _Logs(NamedTuple):
+    """A stretch as it was played first; the logs are followed by those of earlier runs."""
+
+    heads: Any
+    percepts: Any
+    starts: Any
+    logs: Any
+    begins: Any
+    ends: Any
+
+
+_FIRST_LOGS = zeros(LOG_BYTES + MOST_EARLIER * LONGEST_EARLIER + logs.SLACK, uint8)
+"""This process's copy of the logs of a stretch, and behind them those of earlier runs."""
+
+_SECOND_LOGS = zeros(LOG_BYTES, uint8)
+"""The same of the second play."""
+
+_PERCEPTS = zeros(LOG_BYTES, uint8)
+"""What is sensed on following the first logs."""
+
+_ROOMS: list[tuple[Any, Any, Any]] = []
+
+
+def _room() -> tuple[Any, Any, Any]:
+    """This process's memory for two jobs, and for what counts nothing."""
+    if not _ROOMS:
+        _ROOMS.append((new(JOB), new(JOB), new(ROBOT)))
+    return _ROOMS[0]
+
+
+class Actors:
+    """A native explorer that plays stretches.
+
+    Args:
+        addresses: of ``start``, ``step``, ``answer`` and ``choose`` (0: none), by name.
+        state: the address of its state.
+        arrays: percept, action, here, and twice sigma and alpha: what is handed to it.
+        beat: the number of the current run, and the explorer's turns in it.
+    """
+
+    def __init__(
+        self, addresses: dict[str, int], state: int, arrays: Sequence[Any], beat: Any
+    ) -> None:
+        self._asked = new(POLICY)
+        self._memory = arrays  # what is handed to the explorer must stay
+        self._arrays = tuple(_view(each) for each in arrays)
+        percept, action, here, *rooms = (each.ctypes.data for each in self._arrays)
+        self._beat = frombuffer(beat, int64)
+        self._explorer = array(
+            [
+                *(addresses[name] for name in ("start", "step", "answer", "choose")),
+                *(state, percept, action, here),
+                *(pick_address(), asarray(self._asked).ctypes.data),
+                *rooms,
+            ],
+            int64,
+        )
+
+    def play(self, stretch: Stretch, laid: int, order: int, policy: str, *, again: bool) -> int:
+        """The number of bytes of the logs of so many runs; -1 if there is no room for them.
+
+        Args:
+            stretch: in shared memory.
+            laid: how many runs.
+            order: seed of the order in which they are played.
+            policy: answers its choices.
+            again: against records.
+        """
+        self._asked.policy = POLICIES[policy]
+        every = arange(laid)
+        native.shuffle(every, order)
+        percept, action, here, sigma, *_ = self._arrays
+        common = (self._explorer, percept, action, here, len(sigma), self._asked, stretch.heads)
+        if again:
+            said = (stretch.percepts, stretch.starts, every, stretch.logs, stretch.begins)
+            return int(native.play_records(*common, *said, self._beat))
+        shown = (stretch.worlds, every, stretch.logs, stretch.begins)
+        return int(native.play_worlds(*common, *shown, self._beat))
+
+
+def _view(memory: Any) -> Any:
+    """An array of C's integers as one of numpy."""
+    address, length = ctypes.addressof(memory), ctypes.sizeof(memory) // 4
+    array_of: Any = (ctypes.c_int32 * length).from_address(address)
+    return frombuffer(array_of, int32)
+
+
+def load_native() -> None:
+    """Have all that native explorers need loaded, or compiled; the lighthouses are loaded later."""
+    level = Level(
+        1,
+        2,
+        simple=False,
+        planar=False,
+        explorer="",
+        lighthouse="directional",
+        policy="fifo",
+        laws=(),
+        bounds=LevelBounds(lambda *_: None),
+        budgets=(0, 0, 0),
+        tables=tables(1, 0),
+    )
+    with uncollected():
+        stretch = Stretch(mmap.mmap(-1, Stretch.size(level.edges)), level.edges)
+        unit = UnitJudge(level, (-1,), 1, stretch, stretch)
+        laid = unit.lay_out(0)
+        unit.judge(laid, 0)
+        unit.differing(laid, 0)
+        nothing = dict.fromkeys(("start", "step", "answer", "choose"), 0)
+        handed = [(ctypes.c_int32 * length)() for length in (3, 2, 1, 1, 1, 1, 1)]
+        actors = Actors(nothing, 0, handed, bytearray(16))
+        for again in (False, True):
+            actors.play(stretch, 0, 0, "fifo", again=again)

@@ -1,0 +1,143 @@
+"""Canonical codes of rooted maps, and the least few of what has them."""
+
+from __future__ import annotations
+
+from allworlds.engines.kernel.compiling import inlined, inner
+from allworlds.engines.kernel.records import NONE
+
+
+@inner
+def number(world, root):
+    """The darts in canonical order from the root in ``world.order``, and their numbers."""
+    for dart in range(world.darts):
+        world.number[dart] = NONE
+    world.number[root] = 0
+    world.order[0] = root
+    known, taken = 1, 0
+    while taken < known:
+        x = world.order[taken]
+        taken += 1
+        y = world.sigma[x]
+        if world.number[y] == NONE:
+            world.number[y] = known
+            world.order[known] = y
+            known += 1
+        y = world.alpha[x]
+        if world.number[y] == NONE:
+            world.number[y] = known
+            world.order[known] = y
+            known += 1
+
+
+@inlined
+def encode(world, root, row, start):
+    """The canonical code, sigma then alpha, in ``row[start:]``."""
+    number(world, root)
+    for i in range(world.darts):
+        row[start + i] = world.number[world.sigma[world.order[i]]]
+        row[start + world.darts + i] = world.number[world.alpha[world.order[i]]]
+
+
+@inner
+def encode_unrooted(world, row, start):
+    """The least of the canonical codes from all roots, in ``row[start:]``."""
+    encode(world, 0, row, start)
+    darts = world.darts
+    for root in range(1, darts):
+        number(world, root)
+        smaller = False
+        for i in range(2 * darts):
+            end = world.sigma[world.order[i]] if i < darts else world.alpha[world.order[i - darts]]
+            value = world.number[end]
+            if not smaller and value > row[start + i]:
+                break
+            smaller = smaller or value < row[start + i]
+            if smaller:
+                row[start + i] = value
+
+
+@inner
+def is_greater(least, row):
+    """Whether there are as many smaller rows as are kept."""
+    return not _before(row, least, least.shape[0] - 1)
+
+
+@inner
+def keep_least_of_kind(least, row, kind):
+    """As :func:`keep_least`; of the rows that agree from ``row[kind]`` on the smallest only."""
+    for place in range(least.shape[0]):
+        if least[place, 0] and _alike(row, least, place, kind):
+            if not _before(row, least, place):
+                return
+            for after in range(place, least.shape[0] - 1):
+                for i in range(len(row)):
+                    least[after, i] = least[after + 1, i]
+            for i in range(len(row)):
+                least[least.shape[0] - 1, i] = 0
+            break
+    keep_least(least, row)
+
+
+@inner
+def is_less(world, rows, place):
+    """Whether the canonical code of the world is less than that of a row, or that is empty.
+
+    It is not written down: the first difference, which is early in most cases, ends it.
+    """
+    if rows[place, 0] == 0:
+        return True
+    number, order = world.number, world.order
+    number[0] = order[0] = 0
+    known, seen = 1, 1
+    for i in range(world.darts):
+        x = order[i]
+        for y in (world.sigma[x], world.alpha[x]):
+            if not seen >> y & 1:
+                seen |= 1 << y
+                number[y], order[known] = known, y
+                known += 1
+        y = number[world.sigma[x]]
+        if y != rows[place, 1 + i]:
+            return y < rows[place, 1 + i]
+    for i in range(world.darts):
+        y = number[world.alpha[order[i]]]
+        if y != rows[place, 1 + world.darts + i]:
+            return y < rows[place, 1 + world.darts + i]
+    return False
+
+
+@inlined
+def _alike(row, least, place, kind):
+    """Whether the row agrees with that of this place, from ``kind`` on."""
+    alike = True
+    for i in range(kind, len(row)):
+        alike = alike and row[i] == least[place, i]
+    return alike
+
+
+@inner
+def keep_least(least, row):
+    """Sort a row into the ascending rows of ``least``; the greatest falls out.
+
+    A row begins with its number of vertices; 0 there marks a row that is empty.
+    """
+    place = least.shape[0]
+    while place > 0 and _before(row, least, place - 1):
+        if place < least.shape[0]:
+            for i in range(len(row)):
+                least[place, i] = least[place - 1, i]
+        place -= 1
+    if place < least.shape[0]:
+        for i in range(len(row)):
+            least[place, i] = row[i]
+
+
+@inlined
+def _before(row, least, place):
+    """Whether the row is lexicographically smaller than that of this place, or that is empty."""
+    if least[place, 0] == 0:
+        return True
+    for i in range(len(row)):
+        if row[i] != least[place, i]:
+            return row[i] < least[place, i]
+    return False

@@ -1,0 +1,374 @@
+"""The demand-driven check of Algorithm 1: every rooted map, decided only where it is looked at.
+
+Two partial maps grow side by side.  The world W has darts that are decided, each with its
+partner, and open ones; ``owed`` more darts have not come into being.  The robot's S and U
+are as in the paper, with ``image``: for each dart of S the dart of W that it stands for.
+The robot walks until it is about to cross an open dart of W.  Then every way to decide that
+dart is tried in turn: gluing it to another open dart, or to the first dart of a new vertex.
+None is tried from which W could not be finished.  A walk that ends has met one world, and
+each finished map ends exactly one walk.
+
+What is checked in each pass is what makes I-1, I-2 and the variant hold after it: a new
+vertex of S has not been in S, and a dart closed to a loop leads in W where it leads in S.
+The robot closes a loop only on an arrival at v0 in the dart that the path ends with; that
+arrival also merges the log's node with v0, so the folded log holds every edge of S.  At the
+end S must be all of W.  To come back to a decision the record ``now`` is copied, and nothing
+else: entries of open darts and of vertices that do not exist any more are never read.
+
+Source: Algorithm 1, Sections IV and V.
+"""
+
+from __future__ import annotations
+
+from allworlds.engines.kernel.bits import highest, lowest, size
+from allworlds.engines.kernel.calls import copy
+from allworlds.engines.kernel.compiling import entry, inlined, inner
+from allworlds.engines.kernel.demand_tally import (
+    COST,
+    EDGE,
+    ENDED,
+    FAILED,
+    NEXT,
+    ONE_AT_V0,
+    ONE_CASE_1,
+    ONE_CASE_2,
+    ONE_EMPTY_H,
+    ONE_LOOP,
+    ONE_PARALLEL,
+    PATH,
+    PICK,
+    tally,
+)
+from allworlds.engines.kernel.names import FIFO, LIFO
+from allworlds.engines.kernel.ways import distance, nearest, ways_home
+
+
+@entry
+def explore(w, prefix, reached, most_expensive, least, row, listed, halt):
+    """Every world whose gluing begins with ``prefix``, walked once, tallied.
+
+    Args:
+        w: a record that is new but for what is asked for; ``w.worlds`` becomes their number.
+        prefix: decisions about the oldest open dart, as in the Python enumeration; at least
+            the root's degree.
+        reached: by vertices, a cost that is known to be met; becomes the largest that is.
+        most_expensive: by vertices, the least of the worlds that cost so much, as the rows of
+            ``least``.
+        least: the least worlds that break a law, as rows: vertices, then the canonical code.
+        row: room for one of these.
+        listed: each world while there is room: cost, vertices, degrees, then partners.
+        halt: ``halt[0]`` is not 0 once the work is to be given up.
+    """
+    s = w.now
+    _begin(w, s, prefix)
+    while True:
+        if s.stage != FAILED:
+            _walk(w, s)
+        if s.stage != ENDED and s.open:
+            if s.stage == FAILED:
+                s.y = lowest(s.open)
+            others = s.open ^ 1 << s.y
+            if s.darts == 2 * w.edges and others & (others - 1) == 0:
+                _glue(w, s, lowest(others))
+                continue
+            _open_choice(w, s, others)
+        else:
+            w.worlds += 1
+            tally(w, s, reached, most_expensive, least, row, listed)
+            if w.depth == 0 or halt[0]:
+                return
+            _go_back(w, s)
+        while not _choose(w, s):
+            if w.depth == 0:
+                return
+            _go_back(w, s)
+
+
+@inlined
+def _begin(w, s, prefix):
+    """The decisions of the prefix; S is v0, and the dart that the robot faces is dart 0 of both."""
+    s.open = s.darts = s.vertices = 0
+    _add_vertex(w, s, -prefix[0])
+    for i in range(1, len(prefix)):
+        s.y = lowest(s.open)
+        z = prefix[i]
+        if z < 0:
+            z = s.darts
+            _add_vertex(w, s, -prefix[i])
+        _glue(w, s, z)
+    degree = w.degree[0]
+    for dart in range(degree):
+        w.image[dart] = dart
+        w.s_owner[dart], w.s_degree[dart] = 0, w.felt[0]
+    for d in range(2 * w.edges + 1):
+        w.of_degree[d] = 0
+    w.adjacent[0] = 0
+    w.own[0] = s.unexplored = (1 << degree) - 1
+    s.s_darts, s.s_vertices, s.in_s = degree, 1, 1
+    s.level = s.parent = s.position = s.passes = s.total = 0
+    s.stage = PICK
+    w.depth = w.worlds = 0
+
+
+@inner
+def _add_vertex(w, s, degree):
+    """A new vertex of W whose darts are open."""
+    v, first = s.vertices, s.darts
+    w.degrees[v] = degree
+    for dart in range(first, first + degree):
+        w.owner[dart], w.end[dart] = v, first + degree
+        w.degree[dart], w.felt[dart] = degree, w.sensed[degree]
+    s.vertices += 1
+    s.darts += degree
+    s.open |= (1 << s.darts) - (1 << first)
+
+
+@inlined
+def _glue(w, s, z):
+    """The dart y leads to z."""
+    w.partner[s.y], w.partner[z] = z, s.y
+    s.open &= ~(1 << s.y | 1 << z)
+
+
+@inlined
+def _open_choice(w, s, others):
+    """The dart y must be decided, and can be in several ways."""
+    choice = w.choices[w.depth]
+    w.depth += 1
+    if not others or not w.viable[2 * w.edges - s.darts, size(others) - 1]:
+        others = 0
+    choice.untried, choice.degree = others, 1
+    copy(choice.now, s)
+
+
+@inlined
+def _choose(w, s):
+    """Whether there is one more way to decide y; it is taken.  A choice without any is gone."""
+    choice = w.choices[w.depth - 1]
+    if choice.untried:
+        z = lowest(choice.untried)
+        choice.untried &= choice.untried - 1
+        w.depth -= choice.untried == 0 and s.darts == 2 * w.edges
+        _glue(w, s, z)
+        return True
+    owed, others = 2 * w.edges - s.darts, size(s.open) - 1
+    degree = choice.degree
+    if s.vertices + 1 == w.limit:
+        degree = max(degree, owed)
+    while degree <= owed and not w.viable[owed - degree, others + degree - 1]:
+        degree += 1
+    if degree > owed or s.vertices >= w.limit:
+        w.depth -= 1
+        return False
+    choice.degree = degree + 1
+    z = s.darts
+    _add_vertex(w, s, degree)
+    _glue(w, s, z)
+    return True
+
+
+@inlined
+def _go_back(w, s):
+    """The walk is again where the last choice was opened."""
+    now = w.choices[w.depth - 1].now
+    while s.passes > now.passes:
+        s.passes -= 1
+        a, b = w.one_end[s.passes], w.other_end[s.passes]
+        if a != b:
+            w.adjacent[a] ^= 1 << b
+            w.adjacent[b] ^= 1 << a
+    while s.s_vertices > now.s_vertices:
+        s.s_vertices -= 1
+        own = w.own[s.s_vertices]
+        w.of_degree[w.s_degree[lowest(own)]] &= ~own
+    copy(s, now)
+
+
+@inlined
+def _walk(w, s):
+    """On until a dart must be decided, or the walk has ended or failed."""
+    while True:
+        if s.stage == PICK:
+            _pick(w, s)
+            if s.stage != EDGE:
+                return
+        if s.stage == EDGE:
+            if s.open >> s.y & 1:
+                return
+            _arrive(w, s)
+        if s.stage != PICK and not _test_all(w, s):
+            return
+
+
+@inlined
+def _pick(w, s):
+    """Lines 2-5: the dart e, and the way to it; or the end."""
+    if s.total & COST > w.fuel:
+        s.stage = FAILED
+        return
+    if not s.unexplored:
+        darts = 2 * w.edges
+        whole = s.open == 0 and s.s_darts == darts and s.darts == darts
+        s.stage = ENDED if whole and s.s_vertices == s.vertices else FAILED
+        return
+    if w.policy == FIFO:
+        e = lowest(s.unexplored)
+    elif w.policy == LIFO:
+        e = highest(s.unexplored)
+    else:
+        e = nearest(w, s)
+    s.e = e
+    s.unexplored ^= 1 << e
+    v = w.s_owner[e]
+    s.total += 1
+    if s.position == 0:
+        s.total += s.level >> (4 * v) & 15
+    elif v == 0:
+        s.total += s.level >> (4 * s.position) & 15
+    elif s.position != v:
+        s.total += distance(w, s.position, v)
+    s.y = w.image[e]
+    s.stage = EDGE
+
+
+@inlined
+def _arrive(w, s):
+    """Line 6: the dart e leads somewhere."""
+    z = w.partner[s.y]
+    if z < w.end[0]:
+        # The direction tells which dart of v0 this is: a test without a step.
+        s.total += ONE_AT_V0
+        s.candidate = z
+        _augment_by_loop(w, s)
+        return
+    s.x = z
+    s.hypotheses = s.unexplored & w.of_degree[w.felt[z]]
+    if not s.hypotheses:
+        s.total += ONE_EMPTY_H
+    s.stage = NEXT
+
+
+@inlined
+def _test_all(w, s):
+    """Lines 7-17 and 20-21: whether the pass is done; else a dart must be decided, or it failed."""
+    while s.stage != FAILED:
+        if s.stage == NEXT:
+            if s.total & COST > w.fuel:
+                s.stage = FAILED
+                return False
+            if not s.hypotheses:
+                _augment_by_vertex(w, s)
+                return s.stage == PICK
+            dart = lowest(s.hypotheses)
+            s.hypotheses &= s.hypotheses - 1
+            s.candidate = dart
+            s.steps = 0
+            s.stage = PATH
+            _aim(w, s, dart, s.x)
+        at_home = w.s_owner[s.t] == 0
+        if s.open >> s.y & 1:
+            if not at_home:
+                return False
+            # The last step would have to end in t, which has its partner: it cannot match,
+            # wherever y leads.
+            s.total += 1 + w.back_weight * (s.steps + 1) + ONE_CASE_2
+            s.stage = NEXT
+            continue
+        z = w.partner[s.y]
+        s.steps += 1
+        s.total += 1
+        if at_home:
+            if z == s.t:
+                _augment_by_loop(w, s)
+                return s.stage == PICK
+            s.total += w.back_weight * s.steps + ONE_CASE_2
+            s.stage = NEXT
+        elif z < w.end[0] or w.felt[z] != w.s_degree[s.t]:
+            s.total += w.back_weight * s.steps + ONE_CASE_1
+            s.stage = NEXT
+        else:
+            _aim(w, s, s.t, z)
+    return False
+
+
+@inlined
+def _aim(w, s, dart, x):
+    """The next step on the way home, from this dart of S, and x of W."""
+    p = s.parent >> (5 * (w.s_owner[dart] - 1)) & 31
+    turn = p - dart
+    if turn < 0:
+        turn += w.s_degree[dart]
+    y = x + turn
+    if y >= w.end[x]:
+        y -= w.degree[x]
+    s.y = y
+    s.t = w.s_partner[p]
+
+
+@inlined
+def _augment_by_vertex(w, s):
+    """Lines 20-21: a new vertex of S."""
+    u, x, end = w.owner[s.x], s.x, w.end[s.x]
+    degree = w.felt[x]
+    if s.in_s >> u & 1 or s.s_darts + degree > 2 * w.edges:
+        s.stage = FAILED
+        return
+    s.in_s |= 1 << u
+    v, first = s.s_vertices, s.s_darts
+    own = (1 << (first + degree)) - (1 << first)
+    w.own[v] = own
+    w.of_degree[degree] |= own
+    for dart in range(first, first + degree):
+        w.s_owner[dart], w.s_degree[dart] = v, degree
+        w.image[dart] = x
+        x += 1
+        if x == end:
+            x -= w.degree[s.x]
+    a = w.s_owner[s.e]
+    w.s_partner[s.e], w.s_partner[first] = first, s.e
+    s.unexplored |= own & (own - 1)
+    far, near = 4 * v, 5 * (v - 1)
+    s.level = s.level & ~(15 << far) | ((s.level >> (4 * a) & 15) + 1) << far
+    s.parent = s.parent & ~(31 << near) | first << near
+    w.adjacent[a] |= 1 << v
+    w.adjacent[v] = 1 << a
+    w.one_end[s.passes], w.other_end[s.passes] = a, v
+    s.passes += 1
+    s.s_vertices += 1
+    s.s_darts += degree
+    s.position = v
+    s.stage = PICK
+
+
+@inlined
+def _augment_by_loop(w, s):
+    """Lines 18-19: the dart e closes to a loop with the candidate."""
+    e, dart = s.e, s.candidate
+    if not s.unexplored >> dart & 1 or w.partner[w.image[e]] != w.image[dart]:
+        s.stage = FAILED
+        return
+    s.unexplored ^= 1 << dart
+    w.s_partner[e], w.s_partner[dart] = dart, e
+    a, b = w.s_owner[e], w.s_owner[dart]
+    w.one_end[s.passes] = w.other_end[s.passes] = 0
+    if a == b:
+        s.total |= ONE_LOOP
+    elif w.adjacent[a] >> b & 1:
+        s.total |= ONE_PARALLEL
+    else:
+        w.one_end[s.passes], w.other_end[s.passes] = a, b
+        w.adjacent[a] |= 1 << b
+        w.adjacent[b] |= 1 << a
+    s.passes += 1
+    difference = (s.level >> (4 * a) & 15) - (s.level >> (4 * b) & 15)
+    far, way = a, e
+    if difference < 0:
+        far, way, difference = b, dart, -difference
+    if difference == 1:
+        near = 5 * (far - 1)
+        if way < s.parent >> near & 31:
+            s.parent = s.parent & ~(31 << near) | way << near
+    elif difference > 1:
+        ways_home(w, s)
+    s.position = 0
+    s.stage = PICK

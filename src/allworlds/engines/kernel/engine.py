@@ -1,0 +1,360 @@
+"""A piece of a level, done by one of the compiled engines: plain numbers in, plain rows out.
+
+:func:`judge` plays and judges every run; :func:`walk` walks Algorithm 1 once in each rooted map
+and counts the walk for every bearing of the lighthouse.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+from threading import local
+from typing import Any
+
+from numpy import argwhere, array, asarray, full, int8, int64, maximum, zeros
+
+from allworlds.engines.kernel import demand_tally as tally, runs
+from allworlds.engines.kernel.algorithm1 import algorithm1_addresses
+from allworlds.engines.kernel.classes import rule_address
+from allworlds.engines.kernel.compiling import uncollected
+from allworlds.engines.kernel.counting import count
+from allworlds.engines.kernel.demand_driven import explore
+from allworlds.engines.kernel.law_numbers import LAWS
+from allworlds.engines.kernel.lighthouses import KINDS, lighthouse_address
+from allworlds.engines.kernel.names import EVENTS, POLICIES
+from allworlds.engines.kernel.records import COUNTING, JOB, LONG, ROBOT, new
+from allworlds.engines.kernel.rows import At, BrokenRun, Counts, Level, Listed, Rows
+from allworlds.engines.kernel.tables import MOST_EDGES, gluing_rule, packed
+from allworlds.engines.kernel.two_vertices import two_vertices_addresses
+from allworlds.engines.kernel.walk_records import WALK
+
+EVERY = 1 << 62
+"""More than the number of any run."""
+
+COMPILING = "compiling the kernel; this is done once and takes some seconds"
+"""The notice for a first use."""
+
+UNDEFINED = runs.UNDEFINED
+"""In place of a bound that has no value."""
+
+EXPLORERS: dict[str, Callable[[], tuple[int, int, int]]] = {
+    "algorithm1": algorithm1_addresses,
+    "algorithm1-cluster": two_vertices_addresses,
+    "algorithm1-natural": two_vertices_addresses,
+}
+"""The built-in explorers that there are in compiled code."""
+
+LIGHTHOUSES = frozenset(KINDS)
+"""The lighthouses that there are in compiled code."""
+
+MOST_BUDGET = LONG // (2 * MOST_EDGES) - 2
+"""The largest number of traversals that a run has room for."""
+
+
+def judge(
+    level: Level,
+    prefix: Sequence[int],
+    *,
+    keep: int = 1,
+    halt: Any = None,
+    listed: int = 0,
+) -> Rows:
+    """Every run of the maps whose gluing begins with ``prefix``, played and judged.
+
+    Args:
+        level: what is asked.
+        prefix: the first decisions, at least one (:func:`allworlds.maps.enumeration.prefixes`).
+        keep: how many broken runs are kept, each the least of its law and map.
+        halt: an array; once its entry 0 is not 0 the work is given up, and means nothing.
+        listed: how many runs are listed.
+
+    Cost: some microseconds a run; constant memory.
+    """
+    job, robot = _room()
+    set_up(job, robot, level)
+    asked = asked_of(level, prefix, keep, listed)
+    runs.examine(job, job.explorer, *asked.arguments, flag() if halt is None else halt)
+    return rows_of(asked, job, robot)
+
+
+def rows_of(asked: AskedLevel, job: Any, robot: Any) -> Rows:
+    """What the judge has said."""
+    met = argwhere(asked.met).tolist()
+    darts = 2 * int(job.gluing.edges)
+    rows = enumerate(asked.counts.tolist())
+    return Rows(
+        tuple(Counts(n, *row) for n, row in rows if row[runs.WORLDS]),
+        dict(zip(EVENTS, robot.events.tolist(), strict=False)),
+        tuple((n, d0, largest) for n, d0, largest in met),
+        tuple(_at(row, darts) for row in asked.most_expensive.tolist() if row[0]),
+        tuple(_broken(row, darts) for row in asked.least.tolist() if row[0]),
+        tuple(Listed(LAWS[law], *rest) for law, *rest in asked.listing[: job.number].tolist()),
+    )
+
+
+class AskedLevel:
+    """The arguments of the judge between the job and the flag, and room for what it says."""
+
+    def __init__(
+        self,
+        level: Level,
+        prefix: Sequence[int],
+        bounds: Any,
+        keep: int = 1,
+        listed: int = 0,
+    ) -> None:
+        width = 3 + 8 * level.edges  # n, the rooted code, place and law, the unrooted code
+        self.counts = zeros((level.edges + 2, runs.COLUMNS), int64)
+        self.met = zeros(bounds.shape, int8)
+        self.most_expensive = zeros((level.edges + 2, width), int64)
+        self.least = zeros((keep, width), int64)
+        self.listing = zeros((listed, runs.LISTED), int64)
+        self.arguments = (
+            array(prefix, int64),
+            level.tables.viable,
+            bounds,
+            self.met,
+            array(level.budgets, int64),
+            self.counts,
+            self.most_expensive,
+            self.least,
+            zeros(width, int64),
+            self.listing,
+            zeros(2, int64),
+        )
+
+    def clear(self) -> None:
+        """Nothing has been said."""
+        self.counts[:] = self.met[:] = self.most_expensive[:] = self.least[:] = 0
+
+
+def asked_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0) -> AskedLevel:
+    """The arguments for a piece of a level."""
+    return AskedLevel(level, prefix, _bound_table(level), keep, listed)
+
+
+def load_judge(level: Level) -> None:
+    """Have the judge loaded or compiled, without the explorer and the lighthouse."""
+    stop = flag()
+    stop[0] = 1
+    with uncollected():
+        job, _ = _room()
+        runs.examine(job, job.explorer, *asked_of(level, (-1,)).arguments, stop)
+
+
+def compile_apart(explorer: str) -> None:
+    """Have another process compile an explorer, and leave it in the cache.
+
+    Where there is no cache that could be written to, that is in vain, and nothing else.
+    """
+    command = [sys.executable, "-c", _APART, json.dumps(sys.path), explorer]
+    nothing = subprocess.DEVNULL
+    subprocess.run(command, stdin=nothing, stdout=nothing, stderr=nothing, check=False)  # noqa: S603  # ours
+
+
+_APART = (
+    "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
+    "from allworlds.engines.kernel.engine import EXPLORERS; EXPLORERS[sys.argv[2]]()"
+)
+
+
+def _room() -> tuple[Any, Any]:
+    """This thread's memory: a job, and a robot."""
+    if not hasattr(_OWN, "job"):
+        _OWN.job, _OWN.robot = new(JOB), new(ROBOT)
+    return _OWN.job, _OWN.robot
+
+
+_OWN = local()
+
+
+def set_up(job: Any, robot: Any, level: Level) -> None:
+    """The job asks for what the level does, from the first run on."""
+    job.lighthouse = lighthouse_address(level.lighthouse)
+    job.laws = sum(1 << LAWS.index(law) for law in level.laws)
+    job.number, job.until, job.undefined = 0, EVERY, 0
+    job.log.watched = 1
+    gluing = job.gluing
+    gluing.edges, gluing.limit = level.edges, level.limit
+    gluing.simple, gluing.planar = level.simple, level.planar
+    gluing.rule = rule_address() if level.simple or level.planar else 0
+    gluing.darts = gluing.vertices = gluing.open = gluing.depth = 0
+    robot.policy, robot.natural = POLICIES[level.policy], level.explorer == "algorithm1-natural"
+    robot.events[:] = 0
+    explorer = job.explorer
+    if level.explorer in EXPLORERS:
+        explorer.start, explorer.step, explorer.answer = EXPLORERS[level.explorer]()
+    explorer.state = asarray(robot).ctypes.data
+
+
+@lru_cache(1)
+def _bound_table(level: Level) -> Any:
+    """The bounds by vertices, degree of v0 and largest degree."""
+    bounds, degrees = level.bounds, 2 * level.edges + 1
+    shape = (
+        level.edges + 2,
+        degrees if bounds.by_d0 else 1,
+        degrees if bounds.by_largest else 1,
+    )
+    table = full(shape, UNDEFINED, int64)
+    for n in range(1, shape[0]):
+        for d0 in range(shape[1]):
+            for largest in range(shape[2]):
+                value = bounds.value(n, d0, largest)
+                table[n, d0, largest] = value if value == UNDEFINED else packed(value)
+    return table
+
+
+def _broken(row: list[int], darts: int) -> BrokenRun:
+    n, sigma, alpha, place = _at(row, darts)
+    return BrokenRun(n, sigma, alpha, place, LAWS[row[2 + 2 * darts]])
+
+
+def _at(row: list[int], darts: int) -> At:
+    """The run of a row."""
+    n, *code = row
+    return At(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), code[2 * darts])
+
+
+def walk(
+    level: Level, prefix: Sequence[int], *, keep: int = 1, reached: Any = None, halt: Any = None
+) -> Rows:
+    """Algorithm 1 walked once in every map whose gluing begins with ``prefix``.
+
+    The class is ``maps``, the lighthouse directional, all laws are checked together, and the
+    bound depends on n alone.  A broken world is one in which some law is broken at some place.
+
+    Args:
+        level: as for :func:`judge`, and so are the others.
+        prefix: the first decisions.
+        keep: how many broken worlds are kept, each the least of its map.
+        reached: an array that knows, by vertices, costs that other pieces have met, and learns
+            those of this one; where this one costs less, it looks for no most expensive run.
+        halt: tells to give up.
+
+    Cost: less than 100 ns a world; constant memory.
+    """
+    edges, darts = level.edges, 2 * level.edges
+    width = 2 + 4 * darts  # n, the rooted code, place 0, the unrooted code
+    most_expensive, least = zeros((edges + 2, width), int64), zeros((keep, width), int64)
+    nothing, known = zeros((0, 1), int64), reached_in(edges) if reached is None else reached
+    now = known.copy()  # other threads may learn, too
+    w = _walked(
+        level, prefix, now, most_expensive, least, nothing, flag() if halt is None else halt
+    )
+    maximum(known, now, out=known)
+    rows = w.counts[: edges + 2].tolist()
+    places = -prefix[0]
+    return Rows(
+        tuple(_walked_counts(n, row, edges, places) for n, row in enumerate(rows) if row[0]),
+        _walked_events(rows, edges, places),
+        tuple((n, 0, 0) for n, row in enumerate(rows) if row[0]),
+        tuple(_at(row, darts) for row in most_expensive.tolist() if row[0]),
+        tuple(BrokenRun(*_at(row, darts)[:3], None, "") for row in least.tolist() if row[0]),
+    )
+
+
+def costs(
+    level: Level, prefix: Sequence[int], worlds: int
+) -> list[tuple[int, tuple[int, ...], tuple[int, ...]]]:
+    """For each world whose walk ended ``(cost, degrees, partners)``: its dart 0 is the start.
+
+    The darts of a vertex are consecutive and clockwise; ``worlds`` is the largest number
+    that is listed.
+    """
+    edges = level.edges
+    listed = zeros((worlds, 4 + 3 * edges), int64)
+    most_expensive, least = (zeros((n, 2 + 8 * edges), int64) for n in (edges + 2, 1))
+    w = _walked(level, prefix, reached_in(level.edges), most_expensive, least, listed, flag())
+    result = []
+    for cost, n, *rest in listed[: w.worlds].tolist():
+        if n:
+            result.append((cost, tuple(rest[:n]), tuple(rest[n : n + 2 * edges])))
+    return result
+
+
+def reached_in(edges: int) -> Any:
+    """For :func:`walk`: nothing is known of any number of vertices."""
+    return zeros(edges + 2, int64)
+
+
+def _walked(
+    level: Level,
+    prefix: Sequence[int],
+    reached: Any,
+    most_expensive: Any,
+    least: Any,
+    listed: Any,
+    halt: Any,
+) -> Any:
+    """The record of a walk that has been done."""
+    if not hasattr(_OWN, "walk"):
+        _OWN.walk = new(WALK)
+    w, tables = _OWN.walk, level.tables
+    w.edges, w.limit, w.policy = level.edges, level.limit, POLICIES[level.policy]
+    w.fuel, w.back_weight = tables.fuel, tables.back_weight
+    w.bound[: len(tables.bound)] = tables.bound
+    owed, opened = tables.viable.shape
+    w.viable[:owed, :opened] = tables.viable
+    w.sensed[: len(tables.sensed)] = tables.sensed
+    w.counts[:] = 0
+    row = zeros(least.shape[1], int64)
+    explore(w, array(prefix, int64), reached, most_expensive, least, row, listed, halt)
+    return w
+
+
+def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:
+    worlds, traversals = row[tally.WORLDS], row[tally.TRAVERSALS]
+    return Counts(
+        n,
+        worlds,
+        places * worlds,
+        places * traversals,
+        traversals,
+        row[tally.LARGEST],
+        places * worlds * edges,
+        0,
+        row[tally.LOOP_EDGE],
+        row[tally.PARALLEL_EDGE],
+    )
+
+
+def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, int]:
+    events = dict.fromkeys(EVENTS, 0)
+    for n, row in enumerate(rows):
+        ended = row[tally.WORLDS] - row[tally.FAILURES]
+        loops = (edges - n + 1) * ended
+        for event, times in (
+            ("case-1", row[tally.CASES_1]),
+            ("case-2", row[tally.CASES_2]),
+            ("case-3", loops),
+            ("v0-hypothesis", row[tally.TESTS_AT_V0]),
+            ("empty-H", row[tally.EMPTY_HS]),
+            ("loop", loops),
+            ("non-loop", (n - 1) * ended),
+        ):
+            events[event] += places * times
+    return events
+
+
+def flag() -> Any:
+    """An array with one entry, 0: the flag by which work in threads is given up."""
+    return zeros(1, int64)
+
+
+def by_vertices_and_faces(
+    edges: int, limit: int, prefix: Sequence[int]
+) -> dict[tuple[int, int], int]:
+    """How many maps there are whose gluing begins with ``prefix``, by (vertices, faces).
+
+    Cost: less than 100 ns a map; constant memory.
+    """
+    counts = zeros((edges + 2, edges + 3), int64)
+    c = new(COUNTING)
+    c.edges, c.limit = edges, limit
+    count(c, array(prefix, int64), gluing_rule(edges), counts)
+    rows = counts.tolist()
+    return {(n, f): times for n, row in enumerate(rows) for f, times in enumerate(row) if times}

@@ -1,0 +1,117 @@
+"""Every rooted map of a class, finished one after the other, in the order of the Python twin.
+
+The oldest open dart is glued to another open dart, partners ascending, or to the first dart of
+a new vertex, degrees ascending.  What cannot be finished is not begun: the last open dart may
+not close while darts are owed; the classes smaller than ``maps`` have more such rules
+(:mod:`allworlds.engines.kernel.classes`).  The twin is :mod:`allworlds.maps.enumeration`.
+"""
+
+from __future__ import annotations
+
+from allworlds.engines.kernel.bits import lowest, size
+from allworlds.engines.kernel.calls import call_with
+from allworlds.engines.kernel.compiling import inlined, inner
+from allworlds.engines.kernel.records import NONE
+
+
+@inner
+def advance(g, prefix, viable):
+    """Whether there is one more map whose first decisions are ``prefix``; ``g`` holds it.
+
+    Before the first call the record is new, but for what is asked for.
+    """
+    fresh = g.darts == 0
+    if fresh:
+        _add_vertex(g, -prefix[0])
+    else:
+        _take_back(g)
+    while True:
+        if fresh:
+            _look(g, prefix)
+        if _decide(g, viable):
+            if g.open == 0:
+                return True
+            g.depth += 1
+            fresh = True
+        elif g.depth == 0:
+            return False
+        else:
+            g.depth -= 1
+            _take_back(g)
+            fresh = False
+
+
+@inlined
+def _look(g, prefix):
+    """What there is to be tried for the oldest open dart."""
+    depth = g.depth
+    y = lowest(g.open)
+    g.place[depth] = y
+    if depth + 1 < len(prefix):
+        z = prefix[depth + 1]
+        g.untried[depth] = 1 << z if z > 0 else 0
+        g.degree_next[depth] = -z if z < 0 else 1
+        g.degree_last[depth] = -z if z < 0 else 0
+    else:
+        g.untried[depth] = g.open ^ 1 << y
+        g.degree_next[depth] = 1
+        g.degree_last[depth] = 2 * g.edges
+
+
+@inlined
+def _decide(g, viable):
+    """Whether there is one more way to go on at this depth; it is taken."""
+    depth = g.depth
+    y = g.place[depth]
+    while True:
+        if g.untried[depth]:
+            z = lowest(g.untried[depth])
+            g.untried[depth] &= g.untried[depth] - 1
+            g.added[depth] = 0
+        else:
+            degree = g.degree_next[depth]
+            most = min(g.degree_last[depth], 2 * g.edges - g.darts)
+            if degree > most or g.vertices == g.limit:
+                return False
+            g.degree_next[depth] += 1
+            g.added[depth] = degree
+            z = g.darts
+            _add_vertex(g, degree)
+        g.partner[depth] = z
+        g.alpha[y], g.alpha[z] = z, y
+        g.open ^= 1 << y | 1 << z
+        owed = 2 * g.edges - g.darts
+        if viable[owed, size(g.open)] and (owed == 0 or g.vertices < g.limit):
+            g.possible = 1
+            if g.rule:
+                call_with(g.rule, g)
+            if g.possible:
+                return True
+        _take_back(g)
+
+
+@inner
+def _add_vertex(g, degree):
+    """A new vertex whose darts are open."""
+    first = g.darts
+    for dart in range(first, first + degree):
+        g.owner[dart] = g.vertices
+        g.alpha[dart] = NONE
+    g.first[g.vertices] = first
+    g.degree[g.vertices] = degree
+    g.vertices += 1
+    g.darts += degree
+    g.open |= (1 << g.darts) - (1 << first)
+
+
+@inner
+def _take_back(g):
+    """Undo the decision at this depth."""
+    depth = g.depth
+    y, z = g.place[depth], g.partner[depth]
+    g.alpha[y] = g.alpha[z] = NONE
+    g.open |= 1 << y | 1 << z
+    if g.added[depth]:
+        g.vertices -= 1
+        g.darts -= g.added[depth]
+        g.open &= (1 << g.darts) - 1

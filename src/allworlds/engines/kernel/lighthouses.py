@@ -1,0 +1,200 @@
+"""Every kind of lighthouse: where it can stand in a world, and what is sensed of it there.
+
+Each is a function that puts the lighthouse at the next of its places (before the first one
+``world.place`` is NONE), or says by NONE that there is none left.  The places and their order
+are those of :mod:`allworlds.world.lighthouses`.  Bearings and marks are by darts: what is
+sensed by a robot that has arrived by it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+
+from numba import types
+
+from allworlds.engines.kernel.code import number
+from allworlds.engines.kernel.compiling import RECORD, callback, inner
+from allworlds.engines.kernel.records import NONE, WORLD
+from allworlds.engines.kernel.worlds import darken
+
+ALL_CHOICES = 3
+"""The largest number of edges for which every choice of a compass's darts is a place."""
+
+
+def none(world):  # pragma: no cover  # compiled
+    """No lighthouse: one place."""
+    world.place = 0 if world.place == NONE else NONE
+
+
+def position(world):  # pragma: no cover  # compiled
+    """One mark at v0: one place."""
+    if world.place == NONE:
+        world.place = 0
+        _mark(world, 0, 1)
+    else:
+        world.place = NONE
+
+
+def directional(world):  # pragma: no cover  # compiled
+    """One mark at v0 and the bearing of one of its darts: each of them is a place."""
+    world.place += 1
+    degree = world.degree[0]
+    if world.place == degree:
+        world.place = NONE
+        return
+    for dart in range(degree):
+        world.marks[dart] = 1
+        world.bearing[dart] = world.place - dart
+        if dart > world.place:
+            world.bearing[dart] += degree
+
+
+def compass(world):  # pragma: no cover  # compiled
+    """The bearing of one dart of each vertex: every choice of them, or beyond a size the first.
+
+    Vertices and their darts count in canonical order; the dart of the last changes first.
+    """
+    place = world.place + 1
+    if place and world.darts > 2 * ALL_CHOICES:
+        world.place = NONE
+        return
+    number(world, 0)
+    # The vertices in the order in which they are met, and the number of each one's dart.
+    met = 0
+    for v in range(world.vertices):
+        world.choice[v] = NONE
+    for i in range(world.darts):
+        v = world.owner[world.order[i]]
+        if world.choice[v] == NONE:
+            world.choice[v] = 0
+            world.met[met] = v
+            met += 1
+    rest = place
+    for i in range(world.vertices - 1, -1, -1):
+        v = world.met[i]
+        degree = world.degree[world.root[v]]
+        world.choice[v] = rest % degree
+        rest //= degree
+    if rest:
+        world.place = NONE
+        return
+    world.place = place
+    for i in range(world.darts):
+        dart = world.order[i]
+        v = world.owner[dart]
+        if world.choice[v] == 0:
+            _point(world, dart)
+        world.choice[v] -= 1
+
+
+def cluster(world):  # pragma: no cover  # compiled
+    """One mark at v0 and two at a neighbour v1: a place for each dart that leads to one."""
+    _to_neighbour(world)
+    if world.place != NONE:
+        _cluster(world)
+
+
+def cluster_single(world):  # pragma: no cover  # compiled
+    """The same, where exactly one edge joins v0 and v1."""
+    _to_neighbour(world)
+    while world.place != NONE and _joined(world, world.owner[world.alpha[world.pointed]]) > 1:
+        world.place -= 1
+        _to_neighbour(world)
+    if world.place != NONE:
+        _cluster(world)
+
+
+def natural(world):  # pragma: no cover  # compiled
+    """No mark: v1 is a neighbour, and its degree and that of v0 are each of one vertex only.
+
+    The explorer is told the degree of v1.
+    """
+    _to_neighbour(world)
+    while world.place != NONE and not _unique(world, world.pointed):
+        world.place -= 1
+        _to_neighbour(world)
+    if world.place != NONE:
+        world.told = world.degree[world.alpha[world.pointed]]
+
+
+@inner
+def _to_neighbour(world):
+    """The next place at the next dart of v0 that leads to another vertex, or none."""
+    world.place += 1
+    while True:
+        world.pointed += 1
+        if world.pointed == world.degree[0]:
+            world.place = NONE
+            return
+        if world.owner[world.alpha[world.pointed]] != 0:
+            return
+
+
+@inner
+def _joined(world, vertex):
+    """The number of edges between v0 and the vertex."""
+    edges = 0
+    for dart in range(world.degree[0]):
+        edges += world.owner[world.alpha[dart]] == vertex
+    return edges
+
+
+@inner
+def _unique(world, dart):
+    """Whether the degrees at both ends are of one vertex each; only the first dart to it counts."""
+    v1 = world.owner[world.alpha[dart]]
+    if _joined(world, v1) > 1:
+        for before in range(dart):
+            if world.owner[world.alpha[before]] == v1:
+                return False
+    near, far = world.degree[dart], world.degree[world.alpha[dart]]
+    alike = 0
+    for v in range(world.vertices):
+        degree = world.degree[world.root[v]]
+        alike += (degree == near) + (degree == far)
+    return near != far and alike == 2
+
+
+@inner
+def _cluster(world):
+    """One mark at v0, two at the other end of the dart that is pointed out, none elsewhere."""
+    darken(world)
+    _mark(world, 0, 1)
+    _mark(world, world.owner[world.alpha[world.pointed]], 2)
+
+
+@inner
+def _mark(world, vertex, marks):
+    """So many marks lie at the vertex."""
+    first = world.root[vertex]
+    for dart in range(first, first + world.degree[first]):
+        world.marks[dart] = marks
+
+
+@inner
+def _point(world, dart):
+    """At the vertex of the dart its bearing is sensed."""
+    first, degree = world.first[dart], world.degree[dart]
+    for other in range(first, first + degree):
+        world.bearing[other] = dart - other
+        if other > dart:
+            world.bearing[other] += degree
+
+
+KINDS: dict[str, Callable[..., None]] = {
+    "none": none,
+    "position": position,
+    "directional": directional,
+    "compass": compass,
+    "cluster": cluster,
+    "cluster-single": cluster_single,
+    "natural": natural,
+}
+"""The lighthouses by the names of their kinds; a new one is a function and an entry."""
+
+
+@cache
+def lighthouse_address(kind: str) -> int:
+    """Where the compiled lighthouse is."""
+    return callback(KINDS[kind], types.void(RECORD(WORLD)))

@@ -1,0 +1,173 @@
+"""The log of a run in bytes: each motion, what has been published, and how it ended.
+
+Who plays writes it (:mod:`allworlds.engines.kernel.native`); here it is followed through the world,
+and what is sensed on the way is noted for the second play.
+"""
+
+from __future__ import annotations
+
+from numpy import int64
+
+from allworlds.engines.kernel.calls import (
+    LANES,
+    address_of,
+    byte_of,
+    entry_of,
+    put_entry,
+    word_of,
+)
+from allworlds.engines.kernel.compiling import entry, inlined, inner
+from allworlds.engines.kernel.invariants import look_at
+from allworlds.engines.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
+from allworlds.engines.kernel.records import DARTS, NONE
+from allworlds.engines.kernel.worlds import arrival
+
+# Motions below the first of these, and then how it goes on.
+LARGEST_MOTION = 199
+SHOWN, ANSWERED, OVER_BUDGET, SHOWN_TOO_OFTEN, ILLEGAL, STRANGE = range(200, 206)
+
+MOST_PUBLISHED = 64
+"""So many darts, more than a world has, can be read again; more are left to the general engine."""
+
+LONGEST_ENTRY = 4 + 2 * MOST_PUBLISHED + LANES
+"""The largest number of bytes that are written in one step."""
+
+SLACK = DARTS
+"""So many bytes behind a log may be read; they mean nothing."""
+
+
+@inlined
+def span(darts):
+    """How many bytes sigma and alpha take: a byte for each entry, and zeros.
+
+    Alpha is followed by so many that it can be written whenever that is convenient.
+    """
+    return darts + (darts + LANES - 1 & -LANES)
+
+
+@inner
+def follow(world, reader, budget, log, judged):
+    """Follows the next log through the world; see :func:`allworlds.engines.kernel.explorers.play`.
+
+    What is no log is counted as strange, whatever is said of it here.
+    """
+    logs, size, published = reader.logs, reader.size, log.published
+    run, noted = reader.run, reader.noted
+    reader.run = run + 1
+    put_entry(reader.starts, run, noted)
+    at = entry_of(reader.begins, run)
+    if at < 0:
+        at = size
+    cost = shown = walked = 0
+    dart, law = world.start, NONE
+    _note(reader, noted, world, dart)
+    while law == NONE:
+        code = byte_of(logs, at) if at < size else int64(STRANGE)
+        at += 1
+        if code < world.degree[dart] and cost < budget:
+            dart = arrival(world, dart, code)
+            noted += 3
+            _note(reader, noted, world, dart)
+            log.arrived[cost] = dart
+            cost += 1
+            walked |= 1 << dart | 1 << world.alpha[dart]
+        elif code == SHOWN and shown <= budget and _find_map(reader, at, published):
+            at += 2 + span(published.darts)
+            shown += 1
+            if log.watched:
+                look_at(judged, published, world, dart, walked)
+        elif code == ANSWERED and _find_map(reader, at, published):
+            at += 2 + span(published.darts)
+            law = 0
+        elif (code == OVER_BUDGET and cost == budget) or (
+            code == SHOWN_TOO_OFTEN and shown > budget
+        ):
+            law = BUDGET
+        else:
+            law = ILLEGAL_ACTION
+            reader.strange += code != ILLEGAL
+    put_entry(reader.ends, run, at)
+    log.cost, log.checkpoints, log.dart, log.walked = cost, shown, dart, walked
+    reader.noted = noted + 3
+    return law
+
+
+@inlined
+def _note(reader, at, world, dart):
+    """What is sensed on arriving by the dart: three bytes, and one that means nothing."""
+    if at + 4 > reader.room:
+        reader.strange += 1
+    else:
+        sensed = world.degree[dart] | world.marks[dart] << 8 | (world.bearing[dart] + 1) << 16
+        put_entry(reader.percepts + at, 0, sensed)
+
+
+@inlined
+def _find_map(reader, at, published):
+    """Whether there is a published map in the log."""
+    darts = 0
+    if at + 2 <= reader.size:
+        darts = byte_of(reader.logs, at)
+        published.darts, published.here = darts, byte_of(reader.logs, at + 1)
+    published.bytes = reader.logs + at + 2
+    published.sigma, published.alpha = address_of(reader.sigma), address_of(reader.alpha)
+    return 1 <= darts <= MOST_PUBLISHED and at + 2 + span(darts) <= reader.size
+
+
+@entry
+def differing(first, begins, ends, second, again, runs, different):
+    """How many of the runs have second logs that are not as the first; noted in ``different``.
+
+    What is published on the way is judged once, and need not be the same again.
+
+    ``first`` and ``second`` are the bytes of the logs, and ``begins`` and ``again`` say where that
+    of each run begins; ``ends`` where the first ends.  A log tells where it ends, so that one which
+    is longer differs in what the other one has.
+    """
+    found = 0
+    one, other = address_of(first), address_of(second)
+    for run in range(runs):
+        a, b = int64(begins[run]), int64(again[run])
+        length, room = int64(ends[run]) - a, len(second) - b
+        inside = a >= 0 and b >= 0 and a + length <= len(first)
+        same = length > 0 and inside and length <= room and _same(one + a, other + b, length)
+        if not (same or (inside and _mean_the_same(one + a, length, other + b, room))):
+            different[found] = run
+            found += 1
+    return found
+
+
+@inner
+def _mean_the_same(one, length, other, room):
+    """Whether the logs have the same motions and end in the same way, whatever they show."""
+    a, b = _behind_the_shown(one, 0, length), _behind_the_shown(other, 0, room)
+    while a < length and b < room:
+        code = byte_of(one, a)
+        if code != byte_of(other, b):
+            return False
+        if code > LARGEST_MOTION:
+            rest = length - a
+            return rest <= room - b and _same(one + a, other + b, rest)
+        a, b = _behind_the_shown(one, a + 1, length), _behind_the_shown(other, b + 1, room)
+    return False
+
+
+@inlined
+def _behind_the_shown(log, at, end):
+    """Where the log goes on behind what has been published there."""
+    while at + 1 < end and byte_of(log, at) == SHOWN:
+        at += 3 + span(byte_of(log, at + 1))
+    return at
+
+
+@inlined
+def _same(one, other, length):
+    """Whether so many bytes are the same."""
+    differ, at = int64(0), 0
+    while at + 8 <= length:
+        differ |= word_of(one, at) ^ word_of(other, at)
+        at += 8
+    while at < length:
+        differ |= byte_of(one, at) ^ byte_of(other, at)
+        at += 1
+    return differ == 0

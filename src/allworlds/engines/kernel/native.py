@@ -1,0 +1,377 @@
+"""Native explorers in compiled code: laid out, played in worlds, and played against records.
+
+What is played is laid out first, so that who plays needs no enumeration, and can take the runs in
+any order.  A run leaves a log (:mod:`allworlds.engines.kernel.logs`), which is judged elsewhere.
+
+The twins are :mod:`allworlds.judging` and :mod:`allworlds.explorers.shared_library.native`.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from numba import int32, types
+from numba.extending import overload
+from numpy import int64
+
+from allworlds.engines.kernel.calls import (
+    LANES,
+    address_of,
+    ask_answer,
+    call_choose,
+    call_start,
+    call_step,
+    call_with,
+    narrow,
+    put_word,
+)
+from allworlds.engines.kernel.compiling import entry, inlined, inner
+from allworlds.engines.kernel.gluing import advance
+from allworlds.engines.kernel.logs import (
+    ANSWERED,
+    ILLEGAL,
+    LONGEST_ENTRY,
+    MOST_PUBLISHED,
+    OVER_BUDGET,
+    SHOWN,
+    SHOWN_TOO_OFTEN,
+    STRANGE,
+    span,
+)
+from allworlds.engines.kernel.names import AMBIGUOUS, ANSWER_READY, CHECKPOINT, MOVE
+from allworlds.engines.kernel.records import NONE
+from allworlds.engines.kernel.worlds import settle
+
+MOST_PLACES = 64
+"""More places than a lighthouse has in one map."""
+
+# The columns of what is said of a run besides: its budget, what is told, its number in its unit,
+# and against records how many motions were made.
+RUN_BUDGET = 0
+RUN_TOLD = 1
+RUN_NUMBER = 2
+RUN_MOTIONS = 3
+HEAD = 4
+
+# The columns of a laid-out world, for each dart: the first dart of its vertex, its partner, and
+# what is sensed on arriving by it.
+FIRST, PARTNER, DEGREE, MARKS, BEARING = range(5)
+WIDE = 5
+
+# The addresses of an explorer, in their order.  There are two rooms for sigma and alpha, which take
+# turns: who reads what has just been written, in other portions, waits for it to get to memory.
+START, STEP, ANSWER_OF, CHOOSE, STATE, SENSED, ACTED, HERE, PICK, ASKED, SIGMA, ALPHA = range(12)
+ROOMS = 2
+ADDRESSES = SIGMA + 2 * ROOMS
+
+
+@entry
+def lay_out(job, prefix, viable, budgets, heads, worlds):
+    """How many runs have been laid out, up to ``job.until``, or till there is no more room.
+
+    The first four are as for :func:`allworlds.engines.kernel.runs.examine`; ``job.number`` becomes
+    the number of the next run, and ``job.until`` 0 behind the last.  ``heads`` and ``worlds`` are
+    written, a row for each run.
+    """
+    g, world, placed = job.gluing, job.world, 0
+    while job.number < job.until and placed <= len(heads) - 2 * MOST_PLACES:
+        if not advance(g, prefix, viable):
+            job.until = 0
+            break
+        settle(world, g)
+        call_with(job.lighthouse, world)
+        if world.place == NONE:
+            job.number += 1
+        while world.place != NONE:
+            head, row = heads[placed], worlds[placed]
+            head[RUN_BUDGET], head[RUN_TOLD] = budgets[world.vertices], world.told
+            head[RUN_NUMBER] = job.number
+            for dart in range(world.darts):
+                at = WIDE * dart
+                row[at + FIRST], row[at + PARTNER] = world.first[dart], world.alpha[dart]
+                row[at + DEGREE], row[at + MARKS] = world.degree[dart], world.marks[dart]
+                row[at + BEARING] = world.bearing[dart] + 1
+            placed += 1
+            job.number += 1
+            call_with(job.lighthouse, world)
+    return placed
+
+
+@entry
+def shuffle(order, seed):
+    """Brings the entries into an order that the seed determines.
+
+    Source: Fisher and Yates; Marsaglia, Xorshift RNGs (2003), with the shifts 13, 7, 17.
+    """
+    state = seed | 1
+    for i in range(len(order) - 1, 0, -1):
+        state ^= state << 13
+        state ^= state >> 7 & (1 << 57) - 1
+        state ^= state << 17
+        other = (state >> 32 & (1 << 32) - 1) * (i + 1) >> 32
+        order[i], order[other] = order[other], order[i]
+
+
+class WorldRuns(NamedTuple):
+    """Runs that are played in their worlds: at a dart."""
+
+    rows: Any
+
+
+class RecordedRuns(NamedTuple):
+    """Runs that are played against what was sensed: at a percept of three bytes."""
+
+    percepts: Any
+    starts: Any
+
+
+@entry
+def play_worlds(
+    explorer, percept, action, here, room, asked, heads, worlds, order, logs, begins, beat
+):
+    """The number of bytes of the logs; -1 if there is no room for them.
+
+    ``explorer`` holds addresses; what is handed to and fro (``percept`` to ``here``, and sigma and
+    alpha of ``room`` darts) stands in memory of its own; ``asked`` answers choices.  ``heads`` and
+    ``worlds`` have been laid out; the runs are played in the given ``order``.  ``logs`` are
+    written, and in ``begins`` where that of each run begins.  ``beat`` tells the number of the
+    current run, and the explorer's turns in it.
+    """
+    handed = (percept, action, here, room)
+    return _play(explorer, handed, asked, heads, WorldRuns(worlds), order, logs, begins, beat)
+
+
+@entry
+def play_records(
+    explorer,
+    percept,
+    action,
+    here,
+    room,
+    asked,
+    heads,
+    percepts,
+    starts,
+    order,
+    logs,
+    begins,
+    beat,
+):
+    """The same against what was sensed in the first play, without a world.
+
+    ``percepts`` are three bytes each, and ``starts`` says where those of a run begin.
+    """
+    handed = (percept, action, here, room)
+    known = RecordedRuns(percepts, starts)
+    return _play(explorer, handed, asked, heads, known, order, logs, begins, beat)
+
+
+@inlined
+def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
+    """All runs, by what is known of them."""
+    percept, action, _, _ = handed
+    at, due = int64(0), NOTHING_DUE
+    for run in order:
+        head = heads[run]
+        begins[run] = at
+        cost, shown, turn = 0, 0, 1
+        place = _enter(known, run)
+        _sense(known, run, place, percept)
+        _begin(explorer, action, asked, head, beat)
+        while True:
+            turn += 1
+            beat[1] = turn
+            if at + LONGEST_ENTRY > len(logs):
+                return -1
+            kind = action[0]
+            if asked.wrong:
+                logs[at] = STRANGE
+                break
+            if kind == MOVE:
+                if cost == head[RUN_BUDGET]:
+                    logs[at] = OVER_BUDGET
+                    break
+                degree, motion = int64(_degree_of(known, run, place)), int64(action[1])
+                if motion < 0 or motion >= degree:
+                    motion %= degree
+                logs[at] = motion
+                at += 1
+                place = _go(known, head, run, place, motion, cost)
+                if place == NONE:
+                    logs[at] = STRANGE
+                    break
+                _sense(known, run, place, percept)
+                cost += 1
+            elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
+                shown += 1
+                at, due = _publish(explorer, handed, logs, at, SHOWN, due)
+                if due[0] < 0:
+                    break
+            else:
+                at, due = _end(explorer, handed, kind, logs, at, due)
+                break
+            action[0] = action[1] = 0
+            call_step(explorer[STEP], explorer[STATE], explorer[SENSED], explorer[ACTED])
+        at += 1
+    beat[1] = 0
+    _write(explorer, logs, due)
+    return at
+
+
+# What is known of a run: in each pair first of a world, then of a record.
+
+
+def _enter(known: Any, run: int) -> int:
+    """Where the run begins."""
+    raise NotImplementedError
+
+
+def _degree_of(known: Any, run: int, place: int) -> int:
+    """The degree there."""
+    raise NotImplementedError
+
+
+def _sense(known: Any, run: int, place: int, percept: Any) -> None:
+    """What is sensed there."""
+    raise NotImplementedError
+
+
+def _go(known: Any, head: Any, run: int, place: int, motion: Any, cost: int) -> int:
+    """Where the motion leads, after so many others; NONE if the first play had ended here."""
+    raise NotImplementedError
+
+
+@overload(_enter, inline="always")
+def _entering(known, run):
+    def world(known, run):
+        return int64(0)
+
+    def record(known, run):
+        return int64(known.starts[run])
+
+    return _either(known, world, record)
+
+
+@overload(_degree_of, inline="always")
+def _degree(known, run, place):
+    def world(known, run, place):
+        return known.rows[run, WIDE * place + DEGREE]
+
+    def record(known, run, place):
+        return known.percepts[place]
+
+    return _either(known, world, record)
+
+
+@overload(_sense, inline="always")
+def _sensing(known, run, place, percept):
+    # Degree and marks are stored at once: who copies both waits for nothing.
+    def world(known, run, place, percept):
+        row, at = known.rows[run], WIDE * place
+        put_word(address_of(percept), int64(row[at + DEGREE]) | int64(row[at + MARKS]) << 32)
+        percept[2] = int32(row[at + BEARING]) - 1
+
+    def record(known, run, place, percept):
+        sensed = known.percepts
+        put_word(address_of(percept), int64(sensed[place]) | int64(sensed[place + 1]) << 32)
+        percept[2] = int32(sensed[place + 2]) - 1
+
+    return _either(known, world, record)
+
+
+@overload(_go, inline="always")
+def _going(known, head, run, place, motion, cost):
+    def world(known, head, run, place, motion, cost):
+        row, spot = known.rows[run], place + motion
+        degree = int64(row[WIDE * place + DEGREE])
+        if spot >= int64(row[WIDE * place + FIRST]) + degree:
+            spot -= degree
+        return int64(row[WIDE * spot + PARTNER])
+
+    def record(known, head, run, place, motion, cost):
+        return int64(NONE) if cost == head[RUN_MOTIONS] else place + 3
+
+    return _either(known, world, record)
+
+
+def _either(known: types.NamedTuple, world: Any, record: Any) -> Any:
+    """What of the two is meant."""
+    return world if known.instance_class is WorldRuns else record
+
+
+@inlined
+def _begin(explorer, action, asked, head, beat):
+    """The first step of an episode."""
+    beat[0], beat[1] = head[RUN_NUMBER], 1
+    asked.wrong = 0
+    if explorer[CHOOSE]:
+        call_choose(explorer[CHOOSE], explorer[STATE], explorer[PICK], explorer[ASKED])
+    action[0] = action[1] = 0
+    call_start(
+        explorer[START], explorer[STATE], explorer[SENSED], int32(head[RUN_TOLD]), explorer[ACTED]
+    )
+
+
+@inlined
+def _end(explorer, handed, kind, logs, at, due):
+    """Where the log ends, with an answer or what is none; and what is due."""
+    if kind == ANSWER_READY:
+        at, due = _publish(explorer, handed, logs, at, ANSWERED, due)
+        if due[0] >= 0:
+            at -= 1
+    elif kind == CHECKPOINT:
+        logs[at] = SHOWN_TOO_OFTEN
+    elif kind == AMBIGUOUS:
+        # The other engine knows what a quotient is worth.
+        logs[at] = STRANGE
+    else:
+        logs[at] = ILLEGAL
+    return at, due
+
+
+# What has been published, and is to be written into the log when the next thing is: where, from
+# which room, and how many darts.
+NOTHING_DUE = (int64(-1), int64(0), int64(0))
+
+
+@inlined
+def _publish(explorer, handed, logs, at, what, due):
+    """Where the log goes on behind what is published now, and that this is due.
+
+    If it is no use, STRANGE stands there, and nothing is due.
+    """
+    _, _, here, capacity = handed
+    room = 1 - due[1]
+    here[0] = NONE
+    darts = int64(
+        ask_answer(
+            explorer[ANSWER_OF],
+            explorer[STATE],
+            int32(capacity),
+            explorer[SIGMA + 2 * room],
+            explorer[ALPHA + 2 * room],
+            explorer[HERE],
+        )
+    )
+    _write(explorer, logs, due)
+    if darts < 1 or darts > MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
+        logs[at] = STRANGE
+        return at, NOTHING_DUE
+    logs[at], logs[at + 1], logs[at + 2] = what, darts, here[0]
+    return at + 3 + span(darts), (at, room, darts)
+
+
+@inner
+def _write(explorer, logs, due):
+    """Writes the darts of what is due; what has an entry that is no byte is made STRANGE."""
+    at, room, darts = due
+    if at < 0:
+        return
+    odd, sigma = int64(0), address_of(logs) + at + 3
+    # What is written too much of sigma is written over.
+    for dart in range(0, darts, LANES):
+        odd |= narrow(sigma + dart, explorer[SIGMA + 2 * room] + 4 * dart, darts - dart)
+    for dart in range(0, darts, LANES):
+        odd |= narrow(sigma + darts + dart, explorer[ALPHA + 2 * room] + 4 * dart, darts - dart)
+    if odd:
+        logs[at] = STRANGE

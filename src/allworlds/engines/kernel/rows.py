@@ -1,0 +1,163 @@
+"""What the engines are asked, and what they say: plain numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from allworlds.engines.kernel.tables import Tables
+
+
+@dataclass(frozen=True, slots=True)
+class LevelBounds:
+    """The largest legal cost of every run of a level.
+
+    Attributes:
+        value: of n, d0 and D; None where there is no bound, UNDEFINED where it has no value.
+        by_d0, by_largest: whether it depends on the degree of v0, and on the largest degree;
+            what it does not depend on is given to it as 0.
+    """
+
+    value: Callable[[int, int, int], int | None]
+    by_d0: bool = False
+    by_largest: bool = False
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Level:
+    """What is one and the same for all units of a level.
+
+    Attributes:
+        edges: m, at most MOST_EDGES.
+        limit: the largest number of vertices, at most m + 1.
+        simple, planar: the class.
+        explorer: one of :data:`allworlds.engines.kernel.engine.EXPLORERS`.
+        lighthouse: one of :data:`allworlds.engines.kernel.engine.LIGHTHOUSES`.
+        policy: ``fifo``, ``lifo`` or ``nearest``.
+        laws: those that are checked; those before ``map`` always are.
+        bounds: the law ``bound``'s.
+        budgets: the largest number of traversals, by vertices from 0 on; at most MOST_BUDGET.
+        tables: what the engines look up.
+    """
+
+    edges: int
+    limit: int
+    simple: bool
+    planar: bool
+    explorer: str
+    lighthouse: str
+    policy: str
+    laws: tuple[str, ...]
+    bounds: LevelBounds
+    budgets: tuple[int, ...]
+    tables: Tables
+
+
+@dataclass(frozen=True, slots=True)
+class Counts:
+    """What was seen in the worlds of one size.
+
+    Attributes:
+        vertices: n.
+        worlds: rooted maps.
+        runs: worlds x places.
+        traversals: summed over the runs.
+        traversals_rooted: the same at the first place of each rooted map only.
+        largest: the largest cost of a run.
+        checkpoints: how many were shown.
+        left_out: worlds without a place for the lighthouse.
+        loops, parallels: worlds with a loop, and with two edges that have the same two ends.
+    """
+
+    vertices: int
+    worlds: int
+    runs: int
+    traversals: int
+    traversals_rooted: int
+    largest: int
+    checkpoints: int
+    left_out: int
+    loops: int
+    parallels: int
+
+
+class At(NamedTuple):
+    """A run, in canonical numbering.
+
+    Attributes:
+        vertices: n.
+        sigma, alpha: the map, rooted at dart 0.
+        place: the number of the lighthouse's place.
+    """
+
+    vertices: int
+    sigma: tuple[int, ...]
+    alpha: tuple[int, ...]
+    place: int
+
+
+@dataclass(frozen=True, slots=True)
+class BrokenRun:
+    """A run that breaks a law, in canonical numbering.
+
+    Attributes:
+        vertices: n.
+        sigma, alpha: the map, rooted at dart 0.
+        place: the number of the lighthouse's place; None for every place.
+        law: the law's name; empty where the engine does not tell them apart.
+    """
+
+    vertices: int
+    sigma: tuple[int, ...]
+    alpha: tuple[int, ...]
+    place: int | None
+    law: str
+
+
+@dataclass(frozen=True, slots=True)
+class Listed:
+    """One run.
+
+    Attributes:
+        law: the law that it breaks, or an empty text.
+        cost: its traversals.
+        checkpoints: how many were shown.
+        walk: a number in which its whole walk has part (:func:`walk_number`).
+    """
+
+    law: str
+    cost: int
+    checkpoints: int
+    walk: int
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """The outcome of a piece of work.
+
+    Attributes:
+        counts: for each number of vertices that occurs.
+        events: how often each event of Algorithm 1 has occurred.
+        met: (n, d0, D) for all runs, with 0 for what the bound does not depend on.
+        most_expensive: for each number of vertices the least of the runs that cost most; none where
+            more expensive ones were known elsewhere.
+        broken: the least runs that break a law, ascending.
+        listed: the first runs, as many as were asked for.
+    """
+
+    counts: tuple[Counts, ...]
+    events: dict[str, int]
+    met: tuple[tuple[int, int, int], ...]
+    most_expensive: tuple[At, ...]
+    broken: tuple[BrokenRun, ...]
+    listed: tuple[Listed, ...] = ()
+
+
+def walk_number(steps: Sequence[tuple[int, int, int, int]]) -> int:
+    """The number of a walk: of its motions, each with degree, marks and bearing (-1: none)."""
+    number = 0
+    for step in steps:
+        for part in step:
+            number = (number * 31 + part + 1) % 2147483647
+    return number

@@ -1,0 +1,94 @@
+"""The most expensive schedules of a piece of a level: plain numbers in, plain rows out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from numpy import array, int64, zeros
+
+from allworlds.engines.kernel.classes import rule_address
+from allworlds.engines.kernel.records import new
+from allworlds.engines.kernel.schedules import COLUMNS, SHORTEST, SIMPLE, search
+from allworlds.engines.kernel.tables import gluing_rule
+from allworlds.engines.kernel.walk_records import SCHEDULES
+
+_TRANSITS = {"shortest": SHORTEST, "simple": SIMPLE}
+
+
+@dataclass(frozen=True, slots=True)
+class ScheduleCosts:
+    """What every schedule can cost in the maps of one size.
+
+    Attributes:
+        vertices: n.
+        rooted: rooted maps.
+        worst: the largest cost of a schedule.
+        best: the largest, over the worlds, of the cost of the cheapest schedule.
+        tests: different tests, on every simple path, in the worlds worked on.
+        wrong: how many of them confirmed a false hypothesis.
+        sigma, alpha: the least code of a world that attains the worst cost.
+    """
+
+    vertices: int
+    rooted: int
+    worst: int
+    best: int
+    tests: int
+    wrong: int
+    sigma: tuple[int, ...]
+    alpha: tuple[int, ...]
+
+
+def schedule_costs_of_unit(
+    edges: int,
+    limit: int,
+    prefix: Sequence[int],
+    transit: str,
+    halt: Any,
+    *,
+    simple: bool = False,
+    planar: bool = False,
+) -> list[ScheduleCosts]:
+    """Every map of a class whose gluing begins with ``prefix``.
+
+    Args:
+        edges: m.
+        limit: the largest number of vertices.
+        prefix: the first decisions, at least one.
+        transit: ``shortest`` or ``simple``.
+        halt: an array; once its entry 0 is not 0 the work is given up, and means nothing.
+        simple: the class has no loops and no parallel edges.
+        planar: it has genus 0.
+    """
+    counts, rows = zeros((edges + 2, COLUMNS), int64), zeros((edges + 2, 1 + 4 * edges), int64)
+    job = new(SCHEDULES)
+    job.transit = _TRANSITS[transit]
+    gluing = job.gluing
+    gluing.edges, gluing.limit, gluing.simple, gluing.planar = edges, limit, simple, planar
+    gluing.rule = rule_address() if simple or planar else 0
+    sets = 1 << edges
+    worst, best = zeros((sets, edges + 1), int64), zeros((sets, edges + 1), int64)
+    search(
+        job,
+        array(prefix, int64),
+        gluing_rule(edges),
+        worst,
+        best,
+        zeros(sets, int64),
+        halt,
+        counts,
+        rows,
+        zeros(rows.shape[1], int64),
+        zeros(rows.shape[1], int64),
+    )
+    found = []
+    for n, (rooted, most, least, tests, wrong) in enumerate(counts.tolist()):
+        known, *code = rows[n].tolist()
+        sigma, alpha = (code[: 2 * edges], code[2 * edges :]) if known else ([], [])
+        if rooted:
+            found.append(
+                ScheduleCosts(n, rooted, most, least, tests, wrong, tuple(sigma), tuple(alpha))
+            )
+    return found

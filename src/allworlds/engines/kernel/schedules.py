@@ -1,0 +1,302 @@
+"""The worst and the best cost of Algorithm 1 in each world, over every schedule.
+
+In a fixed world S is determined by the set of explored edges, so the robot's knowledge
+between two passes is a pair (explored edges, robot's vertex), and the robot stands at v0 or
+at the vertex that it has just added, which has one explored edge.  Rejected hypotheses add
+up, whatever their order and wherever the robot was before the pass: what the tests of a pass
+cost is found once for each set and dart, and only the way to the dart depends on the robot.
+
+On the way every test on every simple path is carried out: a false hypothesis must be
+rejected.  A true one walks in the world the path that it walks in S, so it always matches.
+
+Since every choice of dart is tried, it makes no difference which dart of v0 the robot faces:
+only the rooted map with the least code among the rootings at v0 is worked on.
+
+Source: Algorithm 1, Section IV.
+"""
+
+from __future__ import annotations
+
+from allworlds.engines.kernel.bits import lowest
+from allworlds.engines.kernel.code import encode, keep_least
+from allworlds.engines.kernel.compiling import entry, inner
+from allworlds.engines.kernel.gluing import advance
+from allworlds.engines.kernel.worlds import settle
+
+SHORTEST, SIMPLE = range(2)
+
+ROOTED, WORST, BEST, TESTS, WRONG = range(5)
+COLUMNS = 5
+"""The columns of the outcome by vertices: rooted maps, worst and best cost, tests carried
+out in the maps worked on, and false hypotheses that were confirmed."""
+
+_FAR = 1 << 30
+
+
+@entry
+def search(job, prefix, viable, worst, best, reached, halt, counts, rows, row, other):
+    """Every map whose gluing begins with ``prefix``.
+
+    Args:
+        job: a record of :data:`~allworlds.engines.kernel.walk_records.SCHEDULES`; its gluing is new
+            but for what is asked for.
+        prefix: the first decisions.
+        viable: the gluing rule.
+        worst: room for a cost by sets of edges and vertices.
+        best: the same.
+        reached: room for a set of vertices by sets of edges.
+        halt: ``halt[0]`` is not 0 once the work is to be given up.
+        counts: by vertices; sums are added to, maxima raised.
+        rows: ``rows[vertices]``: vertices, then the least code of a world that attains the
+            worst cost; 0 for none yet.
+        row: room for such a row.
+        other: the same.
+    """
+    while not halt[0] and advance(job.gluing, prefix, viable):
+        settle(job.world, job.gluing)
+        counts[job.world.vertices, ROOTED] += 1
+        if _is_least(job.world, row, other):
+            _solve(job, worst, best, reached)
+            _keep(job, worst[0, 0], best[0, 0], counts, rows, row)
+
+
+@inner
+def _is_least(world, row, other):
+    """Whether no other rooting at v0 has a smaller code; the code is in ``row[1:]``."""
+    row[0] = world.vertices
+    encode(world, 0, row, 1)
+    for root in range(1, world.degree[0]):
+        encode(world, root, other, 1)
+        for i in range(1, len(row)):
+            if other[i] != row[i]:
+                if other[i] < row[i]:
+                    return False
+                break
+    return True
+
+
+@inner
+def _keep(job, worst, best, counts, rows, row):
+    """The outcome of a world."""
+    n = job.world.vertices
+    counts[n, TESTS] += job.tests
+    counts[n, WRONG] += job.wrong
+    counts[n, BEST] = max(counts[n, BEST], best)
+    if worst > counts[n, WORST] or rows[n, 0] == 0:
+        counts[n, WORST] = worst
+        rows[n, 0] = 0
+    elif worst < counts[n, WORST]:
+        return
+    keep_least(rows[n : n + 1], row)
+
+
+@inner
+def _solve(job, worst, best, reached):
+    """The worst and the best cost from vertex 0, in ``worst[0, 0]`` and ``best[0, 0]``."""
+    world = job.world
+    _begin(job, reached)
+    every = (1 << (world.darts // 2)) - 1
+    for v in range(world.vertices):
+        worst[every, v] = best[every, v] = 0
+    for explored in range(every - 1, -1, -1):
+        known = reached[explored]
+        if known:
+            for v in range(world.vertices):
+                job.adjacent[v] = 0
+                worst[explored, v] = 0
+                best[explored, v] = _FAR
+            for d in range(world.darts):
+                u, v = world.owner[d], world.owner[world.alpha[d]]
+                if u != v and explored >> job.edge_of[d] & 1:
+                    job.adjacent[u] |= 1 << v
+            _pass(job, explored, known, worst, best)
+            _ways(job, explored, known, worst, best)
+
+
+@inner
+def _begin(job, reached):
+    """The edges are numbered, and which sets can be reached: ascending, since passes add edges."""
+    world = job.world
+    job.tests = job.wrong = 0
+    edge = 0
+    for dart in range(world.darts):
+        if dart < world.alpha[dart]:
+            job.edge_of[dart] = job.edge_of[world.alpha[dart]] = edge
+            edge += 1
+    every = (1 << edge) - 1
+    for explored in range(every + 1):
+        reached[explored] = 0
+    reached[0] = 1
+    for explored in range(every):
+        known = reached[explored]
+        if known:
+            for d in range(world.darts):
+                if known >> world.owner[d] & 1 and not explored >> job.edge_of[d] & 1:
+                    after = explored | 1 << job.edge_of[d]
+                    reached[after] = known | 1 << world.owner[world.alpha[d]]
+
+
+@inner
+def _pass(job, explored, known, worst, best):
+    """The most expensive and the cheapest way to go on from each dart, but for the transit.
+
+    They stand in ``job.most`` and ``job.least``; -1 for a dart that is not in U.
+    """
+    world = job.world
+    _shortest(job, 0, job.near)
+    _longest(job, 0, job.far)
+    for e in range(world.darts):
+        job.most[e] = -1
+        if not known >> world.owner[e] & 1 or explored >> job.edge_of[e] & 1:
+            continue
+        entered = world.alpha[e]
+        u = world.owner[entered]
+        after = explored | 1 << job.edge_of[e]
+        most = least = 0
+        if u:
+            for h in range(world.darts):
+                v = world.owner[h]
+                if (
+                    h != e
+                    and h != entered
+                    and v != 0
+                    and world.degree[h] == world.degree[entered]
+                    and known >> v & 1
+                    and not explored >> job.edge_of[h] & 1
+                ):
+                    _test(job, explored, h, entered)
+                    most += 2 * job.longest
+                    least += 2 * job.shortest
+        arrives = u
+        if known >> u & 1:
+            # The true hypothesis: last at worst, first at best.
+            most += job.far[u]
+            least = job.near[u]
+            arrives = 0
+        job.most[e] = 1 + most + worst[after, arrives]
+        job.least[e] = 1 + least + best[after, arrives]
+
+
+@inner
+def _ways(job, explored, known, worst, best):
+    """The costs from each vertex on where the robot can stand, transit included."""
+    world = job.world
+    for v in range(world.vertices):
+        if not known >> v & 1 or (v and job.adjacent[v] & (job.adjacent[v] - 1)):
+            continue
+        if v:
+            _shortest(job, v, job.near)
+            if job.transit == SIMPLE:
+                _longest(job, v, job.far)
+        for e in range(world.darts):
+            if job.most[e] >= 0:
+                u = world.owner[e]
+                longest = job.far[u] if job.transit == SIMPLE else job.near[u]
+                worst[explored, v] = max(worst[explored, v], longest + job.most[e])
+                best[explored, v] = min(best[explored, v], job.near[u] + job.least[e])
+
+
+@inner
+def _test(job, explored, hypothesis, entered):
+    """Tests a false hypothesis on every simple path in S.
+
+    ``job.shortest`` and ``job.longest`` get the least and the greatest number of steps until a
+    mismatch; ``job.tests`` and ``job.wrong`` count different tests, and those that match.
+    """
+    world = job.world
+    job.shortest, job.longest = _FAR, 0
+    job.at[0], job.robot[0], job.turned[0] = hypothesis, entered, 0
+    job.visited[0] = 1 << world.owner[hypothesis]
+    depth = 0
+    while depth >= 0:
+        at, robot, turn = job.at[depth], job.robot[depth], job.turned[depth]
+        if turn == world.degree[at]:
+            depth -= 1
+            continue
+        job.turned[depth] += 1
+        p = _turned(world, at, turn)
+        arrives = world.alpha[p]
+        w = world.owner[arrives]
+        if not explored >> job.edge_of[p] & 1 or job.visited[depth] >> w & 1:
+            continue
+        if w and not _joined(job, w, job.visited[depth]):
+            continue
+        z = world.alpha[_turned(world, robot, turn)]
+        if w == 0:
+            matches = z == arrives
+        else:
+            matches = world.owner[z] != 0 and world.degree[z] == world.degree[arrives]
+        if matches and w:
+            depth += 1
+            job.at[depth], job.robot[depth], job.turned[depth] = arrives, z, 0
+            job.visited[depth] = job.visited[depth - 1] | 1 << w
+            continue
+        job.tests += 1
+        job.wrong += matches
+        job.shortest = min(job.shortest, depth + 1)
+        job.longest = max(job.longest, depth + 1)
+
+
+@inner
+def _turned(world, dart, turn):
+    """``sigma^turn(dart)``, for less than a whole turn."""
+    dart += turn
+    if dart >= world.first[dart - turn] + world.degree[dart - turn]:
+        dart -= world.degree[dart - turn]
+    return dart
+
+
+@inner
+def _joined(job, start, avoiding):
+    """Whether a walk in S leads from start to v0 without the vertices to be avoided."""
+    reached = front = 1 << start
+    while front:
+        after = 0
+        while front:
+            after |= job.adjacent[lowest(front)]
+            front &= front - 1
+        front = after & ~reached & ~avoiding
+        reached |= front
+    return reached & 1
+
+
+@inner
+def _shortest(job, start, length):
+    """For each vertex of S the length of a shortest path from start."""
+    reached = front = 1 << start
+    length[start] = steps = 0
+    while front:
+        steps += 1
+        after = 0
+        while front:
+            after |= job.adjacent[lowest(front)]
+            front &= front - 1
+        front = after & ~reached
+        reached |= front
+        rest = front
+        while rest:
+            length[lowest(rest)] = steps
+            rest &= rest - 1
+
+
+@inner
+def _longest(job, start, length):
+    """For each vertex of S the length of a longest simple path from start."""
+    for v in range(job.world.vertices):
+        length[v] = 0
+    visited = 1 << start
+    job.at[0] = start
+    job.turned[0] = job.adjacent[start] & ~visited
+    depth = 0
+    while depth >= 0:
+        if job.turned[depth]:
+            v = lowest(job.turned[depth])
+            job.turned[depth] &= job.turned[depth] - 1
+            depth += 1
+            job.at[depth] = v
+            visited |= 1 << v
+            job.turned[depth] = job.adjacent[v] & ~visited
+            length[v] = max(length[v], depth)
+        else:
+            visited ^= 1 << job.at[depth]
+            depth -= 1

@@ -1,0 +1,64 @@
+"""A glued map as a world: where a motion leads, and the same world under other names.
+
+A dart has its spot on the rings, which hold the darts of one vertex after the other, each
+clockwise; so a turn is an addition on a ring whatever the darts are called.
+"""
+
+from __future__ import annotations
+
+from allworlds.engines.kernel.compiling import inlined, inner
+from allworlds.engines.kernel.records import NONE
+
+
+@inner
+def settle(world, g):
+    """The finished map as a world without a lighthouse; the start is dart 0."""
+    world.darts, world.vertices = g.darts, g.vertices
+    world.start, world.place, world.pointed = 0, NONE, NONE
+    for v in range(g.vertices):
+        first, degree = g.first[v], g.degree[v]
+        world.root[v] = first
+        for dart in range(first, first + degree):
+            world.spot[dart] = world.ring[dart] = dart
+            world.owner[dart], world.first[dart], world.degree[dart] = v, first, degree
+            world.sigma[dart] = dart + 1
+            world.alpha[dart] = g.alpha[dart]
+        world.sigma[first + degree - 1] = first
+    darken(world)
+
+
+@inner
+def darken(world):
+    """Nothing is sensed but the degree, and nothing told."""
+    world.told = NONE
+    for dart in range(world.darts):
+        world.marks[dart] = 0
+        world.bearing[dart] = NONE
+
+
+@inlined
+def arrival(world, dart, motion):
+    """The dart arrived by after leaving ``motion`` places clockwise of the dart."""
+    degree = world.degree[dart]
+    spot = world.spot[dart] + motion
+    if spot >= world.first[dart] + degree:
+        spot -= degree
+    return world.alpha[world.ring[spot]]
+
+
+@inner
+def doubled(world):
+    """1 if there is a loop, and 2 more if two edges have the same two ends."""
+    found = 0
+    for v in range(world.vertices):
+        joined = 0
+        dart = world.root[v]
+        for _ in range(world.degree[dart]):
+            u = world.owner[world.alpha[dart]]
+            if u == v:
+                found |= 1
+            elif joined >> u & 1:
+                found |= 2
+            joined |= 1 << u
+            dart += 1
+    return found

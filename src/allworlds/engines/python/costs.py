@@ -1,0 +1,77 @@
+"""What each run has cost, beside the tally: for whoever compares or looks for the worst."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple, TypeAlias
+
+from allworlds.engines.python.examiner import Outcome, Referee
+from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.tally import Tally
+from allworlds.maps import CombinatorialMap
+from allworlds.world import World
+
+MapKey: TypeAlias = tuple[int, int, tuple[int, ...], tuple[int, ...]]
+"""Numbers of edges and vertices, sigma and alpha: sorts rooted maps from small to large."""
+
+
+class RunCost(NamedTuple):
+    """The costs of a run, over its schedules.
+
+    Attributes:
+        cheapest, most_expensive: of its episodes, in traversals.
+    """
+
+    cheapest: int
+    most_expensive: int
+
+    def joined(self, other: RunCost) -> RunCost:
+        """The costs of both."""
+        return RunCost(
+            min(self.cheapest, other.cheapest), max(self.most_expensive, other.most_expensive)
+        )
+
+
+@dataclass(slots=True)
+class CostTally(Tally):
+    """A tally that knows every run; its document, which a run directory would keep, does not.
+
+    Attributes:
+        costs: by the rooted map, and the number of the lighthouse's place in it.
+    """
+
+    costs: dict[tuple[MapKey, int], RunCost] = field(default_factory=dict)
+
+    def cost(self, world: World, place: int, cost: RunCost) -> None:
+        """Take in an episode."""
+        key = key_of(world.map), place
+        known = self.costs.get(key)
+        self.costs[key] = cost if known is None else known.joined(cost)
+
+    def add(self, other: Tally) -> None:
+        """Take in another part's tally; no run is in two of them."""
+        # Zero-argument super() does not know a class with slots.
+        Tally.add(self, other)
+        if isinstance(other, CostTally):
+            self.costs.update(other.costs)
+
+
+class CostEngine(PythonEngine):
+    """The examination that hands back the cost of every run."""
+
+    def tally(self) -> CostTally:
+        """An empty one."""
+        return CostTally(self.keep)
+
+    def count_outcome(
+        self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
+    ) -> None:
+        """Add up what one episode of a run has shown."""
+        super().count_outcome(referee, world, place, outcome, tally)
+        assert isinstance(tally, CostTally)
+        tally.cost(world, place, RunCost(outcome.cost, outcome.cost))
+
+
+def key_of(map_: CombinatorialMap) -> MapKey:
+    """What a rooted map, rooted at its dart 0, is known by."""
+    return map_.edge_count, map_.vertex_count, tuple(map_.sigma), tuple(map_.alpha)

@@ -1,0 +1,217 @@
+"""One run: judged, compared with its second play, and made a finding if it breaks a law."""
+
+from __future__ import annotations
+
+from collections.abc import MutableSequence
+from dataclasses import dataclass, replace
+
+from allworlds.explorers import Subject
+from allworlds.inputs import show
+from allworlds.judging import (
+    LAWS,
+    PRECEDENCE,
+    Answered,
+    Case,
+    Episode,
+    Fault,
+    Finding,
+    Log,
+    Rules,
+    Undecided,
+    Violation,
+    canonical_world,
+    judge,
+    place_of,
+    play,
+    the_same,
+)
+from allworlds.maps import rooted_code
+from allworlds.protocol import Choices, Transcript
+from allworlds.world import World
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """One judged episode.
+
+    Attributes:
+        episode: what happened.
+        violation: the first broken law, or None.
+        detail: a traceback, or a program's stderr; may be empty.
+        choices: the index taken at each choice.
+        bound: the largest legal number of traversals, or None.
+    """
+
+    episode: Episode
+    violation: Violation | None
+    detail: str
+    choices: tuple[int, ...]
+    bound: int | None
+
+    @property
+    def cost(self) -> int:
+        """Edge traversals."""
+        return self.episode.transcript.cost
+
+
+class Referee:
+    """Judges runs under one set of rules; of the explorer it knows the name."""
+
+    def __init__(self, explorer: str, rules: Rules) -> None:
+        self.explorer = explorer
+        self.rules = rules
+        self._checks = [LAWS[law].check for law in rules.applying]
+
+    def outcome(self, world: World, episode: Episode, choices: tuple[int, ...]) -> Outcome:
+        """The episode, judged."""
+        bound = self.rules.the_bound.of(world.map, world.start)
+        violation = self.verdict(world, episode, bound)
+        ending = episode.ending
+        detail = ending.detail if isinstance(ending, Fault) else ""
+        return Outcome(episode, violation, detail, choices, bound)
+
+    def verdict(self, world: World, episode: Episode, bound: int | None) -> Violation | None:
+        """The first law that a finished episode breaks."""
+        ending = episode.ending
+        if isinstance(ending, Fault):
+            return Violation(ending.law, ending.expected, ending.seen)
+        if isinstance(ending, Undecided) and not world.lighthouse.leaves_open:
+            return Violation(
+                "no-estimate",
+                f"a map: the {world.lighthouse.kind} lighthouse has no answer without one",
+                show(ending.quotient),
+            )
+        case = Case(
+            world.map,
+            world.start,
+            episode.transcript,
+            episode.checkpoints,
+            ending.estimate if isinstance(ending, Answered) else ending.quotient,
+            bound,
+        )
+        return judge(case, self._checks)
+
+    def finding(self, world: World, place: int, outcome: Outcome) -> Finding:
+        """The finding of a refuting outcome, in canonical numbering."""
+        assert outcome.violation is not None
+        violation = outcome.violation
+        canonical = canonical_world(world)
+        if not isinstance(outcome.episode.ending, Fault):
+            # What was expected and seen may name darts: judge again under the canonical names.
+            again = self.verdict(canonical, outcome.episode, outcome.bound)
+            if again and again.law == violation.law:
+                violation = again
+        return Finding(
+            self.explorer,
+            violation.law,
+            canonical,
+            place,
+            self.rules,
+            outcome.choices,
+            outcome.episode.transcript,
+            violation.expected,
+            violation.seen,
+            outcome.detail,
+            violation.step,
+            machine=isinstance(outcome.episode.ending, Fault) and outcome.episode.ending.machine,
+        )
+
+    def lost(self, world: World, place: int, fault: Fault) -> Finding:
+        """The finding of a run whose walk is not known: it has cost its process its life."""
+        canonical = canonical_world(world)
+        return Finding(
+            self.explorer,
+            fault.law,
+            canonical,
+            place,
+            self.rules,
+            (),
+            Transcript(canonical.first),
+            fault.expected,
+            fault.seen,
+            traced=False,
+            machine=fault.machine,
+        )
+
+
+class Examiner(Referee):
+    """Plays and judges runs of an explorer that is here, and is one of ours: it plays once.
+
+    Args:
+        subject: the explorer.
+        rules: how runs are played and judged.
+        beat: see :func:`allworlds.judging.episode.play`.
+    """
+
+    def __init__(
+        self, subject: Subject, rules: Rules, beat: MutableSequence[int] | None = None
+    ) -> None:
+        super().__init__(subject.name, rules)
+        self.events: list[str] = []
+        self.beat = beat if beat is not None else [0, 0]
+        self._player = subject.player(self.events.append)
+
+    def examine(self, world: World, choices: Choices) -> Outcome:
+        """Play one episode, and judge it."""
+        budget = self.rules.budget(world.map)
+        episode = play(world, self._player, choices, budget, self.beat, the_same)
+        return self.outcome(world, episode, tuple(choices.record))
+
+
+LOST = ("crash", "timeout")
+"""The laws that the machine can break, too."""
+
+
+def name_run(rules: Rules, world: World) -> str:
+    """A name for a run that does not depend on the order of runs; empty if unused."""
+    if not rules.policy.startswith("random"):
+        return ""
+    return f"{rooted_code(world.map.sigma, world.map.alpha, 0)}/{place_of(world)}"
+
+
+def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
+    """The outcome of a first play after the second, which must be the same."""
+    difference = difference_of(first, second)
+    if difference is None or not _may_be_overruled(outcome.violation):
+        return outcome
+    faults = [log.ending for log in (second, first) if isinstance(log.ending, Fault)]
+    detail = next((fault.detail for fault in faults if fault.detail), "")
+    return replace(outcome, violation=difference, detail=detail)
+
+
+def _may_be_overruled(violation: Violation | None) -> bool:
+    """A crash or a time-out that is not repeated says only that the plays differ."""
+    if violation is None or violation.law in LOST:
+        return True
+    return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
+
+
+def difference_of(first: Log, second: Log) -> Violation | None:
+    """What the same explorer has done otherwise when it was given the same percepts again."""
+    if first.actions != second.actions:
+        pairs = zip(first.actions, second.actions, strict=False)
+        same = next((i for i, (a, b) in enumerate(pairs) if a != b), None)
+        where = "in its length" if same is None else f"at step {same + 1}"
+        difference = f"the second walk differs {where}"
+    elif _meaning(first) != _meaning(second):
+        difference = "the second answer differs"
+    else:
+        return None
+    for which, log in (("first", first), ("second", second)):
+        if isinstance(log.ending, Fault):
+            difference += f"; the {which} ended with {log.ending.law}: {log.ending.seen}"
+    return nondeterministic(difference)
+
+
+def nondeterministic(seen: str) -> Violation:
+    """The law that two plays which differ in this have broken."""
+    return Violation(
+        "nondeterministic",
+        "the same walk and answer when the same world is explored again",
+        seen,
+    )
+
+
+def _meaning(log: Log) -> object:
+    """What must be equal in both plays: the answer, or the law of the fault."""
+    return log.ending.law if isinstance(log.ending, Fault) else log.ending

@@ -1,0 +1,58 @@
+"""Players in this process, for an explorer that no other process can find."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from allworlds.engines.python.play import Record, Stagehand
+from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.runs_of_unit import UnitOfRuns
+from allworlds.explorers import Subject
+from allworlds.judging import Log
+
+CHUNK = 64
+"""Logs that are handed over at a time."""
+
+
+@dataclass(slots=True)
+class InProcessPlayers:
+    """Both plays take place here, in orders of their own; a silent explorer cannot be stopped."""
+
+    subject: Subject
+    _first: Stagehand = field(init=False)
+    _told: list[Log] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self._first = Stagehand(self.subject.player())
+
+    def first(
+        self,
+        examination: PythonEngine,
+        unit: UnitOfRuns,
+        numbers: Sequence[int],
+        script: tuple[int, ...] | None = None,
+    ) -> Iterator[list[tuple[int, Log]]]:
+        """The logs, some at a time."""
+        logs: list[tuple[int, Log]] = []
+        order = secrets.randbits(64)
+        for number, log in self._first.first(examination, unit, numbers, order, script):
+            if log is not None:
+                logs.append((number, log))
+            if len(logs) == CHUNK:
+                yield logs
+                logs = []
+        if logs:
+            yield logs
+
+    def send_records(self, records: Sequence[Record], policy: str) -> None:
+        """Play them."""
+        self._told = self._first.again(records, policy, secrets.randbits(64))
+
+    def receive_logs(self) -> list[Log]:
+        """The logs."""
+        return self._told
+
+    def renew(self) -> None:
+        """There is only this process."""

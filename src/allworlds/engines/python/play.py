@@ -1,0 +1,138 @@
+"""Playing: the runs of a unit in their worlds, and records without a world."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, MutableSequence, Sequence
+from dataclasses import dataclass, field
+from random import Random
+from typing import NamedTuple
+
+from allworlds.engines.python.examiner import name_run
+from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
+from allworlds.judging import Log, perform
+from allworlds.protocol import Action, Choices, Percept, Player, policy_named
+from allworlds.world import IllegalAction, World
+
+
+class Record(NamedTuple):
+    """What one run needs to be played again: nothing of the world but what was sensed.
+
+    Attributes:
+        percepts: at the start, and after each action of the first play.
+        told: before the start.
+        choices: answers to the choices.
+        budget: the largest legal number of traversals.
+        name: of the run, for a random policy.
+    """
+
+    percepts: Sequence[Percept]
+    told: int | None
+    choices: tuple[int, ...]
+    budget: int
+    name: str
+
+
+class Recorded:
+    """In place of a world: answers every action with the next recorded percept.
+
+    The state, which is a world's elsewhere, is the number of the step.
+    """
+
+    def __init__(self, record: Record) -> None:
+        self.initial = 0
+        self.first = record.percepts[0]
+        self.told = record.told
+        self._percepts = record.percepts
+
+    def step(self, state: int, _action: Action) -> tuple[int, Percept]:
+        """The next percept.
+
+        Raises:
+            IllegalAction: past the end of the record.
+        """
+        if state + 1 == len(self._percepts):
+            raise IllegalAction("nothing: the record ends here")
+        return state + 1, self._percepts[state + 1]
+
+
+@dataclass(slots=True)
+class Stagehand:
+    """Plays an explorer that is here.
+
+    Attributes:
+        player: the explorer.
+        beat: ``beat[0]`` is set to the number of each run; see
+            :func:`allworlds.judging.episode.play`.
+        intact: called after each play, to look at what the explorer may have broken.
+    """
+
+    player: Player
+    beat: MutableSequence[int] = field(default_factory=lambda: [0, 0])
+    intact: Callable[[], None] = lambda: None
+    _unit: UnitOfRuns | None = None
+    _runs: Iterator[NumberedRun] = field(default_factory=lambda: iter(()))
+    _next: int = 0
+
+    def first(
+        self,
+        examination: PythonEngine,
+        unit: UnitOfRuns,
+        numbers: Sequence[int],
+        order: int,
+        script: tuple[int, ...] | None = None,
+    ) -> Iterator[tuple[int, Log | None]]:
+        """The logs of these runs, each with its number; None behind the last of a run.
+
+        Args:
+            examination: the scope, with its rules.
+            unit: the unit.
+            numbers: of the runs, ascending.
+            order: seed of the order.
+            script: the choices to be made; None for every schedule that the scope asks for.
+        """
+        scope, rules = examination.scope, examination.scope.rules
+        placed = self._find(examination, unit, numbers)
+        Random(order).shuffle(placed)  # noqa: S311  # it need not be secret for longer than a run
+        for number, world in placed:
+            self.beat[0] = number
+            name = name_run(rules, world)
+            budget = rules.budget(world.map)
+            once = [rules.choices(name, script)] if script is not None else scope.schedule(name)
+            for choices in once:
+                log = perform(world, self.player, choices, budget, self.beat)
+                self.intact()
+                yield number, log
+            yield number, None
+
+    def again(self, records: Sequence[Record], policy: str, order: int) -> list[Log]:
+        """The logs of these records, in their order, whatever the order of their playing."""
+        logs: dict[int, Log] = {}
+        numbers = list(range(len(records)))
+        Random(order).shuffle(numbers)  # noqa: S311  # as above
+        for number in numbers:
+            self.beat[0] = number
+            record = records[number]
+            choices = Choices(policy_named(policy, record.name), record.choices)
+            log = perform(Recorded(record), self.player, choices, record.budget, self.beat)
+            # What was published is judged once, and must not influence the walk.
+            logs[number] = log._replace(checkpoints=())
+            self.intact()
+        return [logs[number] for number in range(len(records))]
+
+    def _find(
+        self, examination: PythonEngine, unit: UnitOfRuns, numbers: Sequence[int]
+    ) -> list[tuple[int, World]]:
+        """The worlds of these runs; going on in a unit costs nothing."""
+        if unit != self._unit or not numbers or numbers[0] < self._next:
+            self._unit, self._next = unit, 0
+            self._runs = examination.runs(unit)
+        wanted = set(numbers)
+        found: list[tuple[int, World]] = []
+        while len(found) < len(wanted):
+            run = next(self._runs)
+            self._next = run.number + 1
+            if run.number in wanted:
+                assert run.lighthouse is not None
+                found.append((run.number, World(run.map, run.lighthouse, 0)))
+        return found

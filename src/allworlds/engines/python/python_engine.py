@@ -1,0 +1,140 @@
+"""All runs of a unit: the loop of the exhaustive check."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, MutableSequence
+from dataclasses import dataclass
+from itertools import islice
+from typing import Any, Protocol
+
+from allworlds.engines.python.examiner import Examiner, Outcome, Referee, name_run
+from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns, numbered_runs
+from allworlds.engines.python.scope import Scope
+from allworlds.engines.python.tally import AtRun, Tally
+from allworlds.explorers import Subject
+from allworlds.maps import rooted_code
+from allworlds.world import World
+
+REPORT_EVERY = 0.25
+"""Seconds after which a part of a unit is handed over."""
+
+
+class EnginesDisagree(Exception):
+    """Two engines say different things about one world."""
+
+
+class PartwiseEngine(Protocol):
+    """What is done with a unit, from some run on."""
+
+    def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Any]]:
+        """Some time and again, and at the end, the number of the next run and what came since."""
+
+
+class WorkerEngine(Protocol):
+    """What a worker can do with a unit, whatever comes of it."""
+
+    @property
+    def keep(self) -> int:
+        """How many findings are kept."""
+
+    def for_built_in(
+        self, subject: Subject, beat: MutableSequence[int] | None = None
+    ) -> PartwiseEngine:
+        """It, with an explorer of ours, which is played where this is asked for.
+
+        Args:
+            subject: the explorer.
+            beat: see :func:`allworlds.judging.episode.play`.
+        """
+
+
+@dataclass(frozen=True, slots=True)
+class PythonEngine:
+    """What is done with a unit: every run of it played, judged and tallied.
+
+    Attributes:
+        scope: what is checked, and under which rules.
+        keep: how many findings are kept.
+    """
+
+    scope: Scope
+    keep: int
+
+    def for_built_in(
+        self, subject: Subject, beat: MutableSequence[int] | None = None
+    ) -> PartwiseEngine:
+        """See :class:`WorkerEngine`."""
+        return BoundPythonEngine(self, subject, beat)
+
+    def runs(self, unit: UnitOfRuns, start: int = 0) -> Iterator[NumberedRun]:
+        """The runs of a unit from that number on."""
+        every = numbered_runs(unit, self.scope.extent, self.scope.rules.kind)
+        return islice(every, start, None)
+
+    def tally(self) -> Tally:
+        """An empty one."""
+        return Tally(self.keep)
+
+    def count_run(self, run: NumberedRun, tally: Tally) -> World | None:
+        """The world of a run, which is counted; None where it has no place for the lighthouse."""
+        edges, vertices = run.map.edge_count, run.map.vertex_count
+        if run.first:
+            tally.row(edges, vertices).worlds += 1
+            if run.map.loop_count:
+                tally.witnesses["loop-edge"] += 1
+            if run.map.parallel_count:
+                tally.witnesses["parallel-edge"] += 1
+        if run.lighthouse is None:
+            tally.left_out += 1
+            return None
+        tally.row(edges, vertices).runs += 1
+        return World(run.map, run.lighthouse, 0)
+
+    def count_outcome(
+        self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
+    ) -> None:
+        """Add up what one episode of a run has shown."""
+        edges, vertices = world.map.edge_count, world.map.vertex_count
+        row, cost = tally.row(edges, vertices), outcome.cost
+        row.episodes += 1
+        row.traversals += cost
+        if place == 0:
+            row.traversals_rooted += cost
+        if cost >= row.max_cost:
+            code = rooted_code(world.map.sigma, world.map.alpha, 0)
+            row.cost_of(cost, AtRun(*code, place, outcome.choices))
+        row.bound_of(outcome.bound)
+        tally.checkpoints += len(outcome.episode.checkpoints)
+        if outcome.violation and tally.wants(edges, vertices):
+            tally.find(referee.finding(world, place, outcome))
+
+
+@dataclass(frozen=True, slots=True)
+class BoundPythonEngine:
+    """The engine for an explorer of ours, which is played here, and once."""
+
+    examination: PythonEngine
+    subject: Subject
+    beat: MutableSequence[int] | None = None
+
+    def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Tally]]:
+        """After some time, and at the end, the number of the next run and the tally since."""
+        examination, scope = self.examination, self.examination.scope
+        examiner = Examiner(self.subject, scope.rules, self.beat)
+        tally, after = examination.tally(), start
+        due = time.monotonic() + REPORT_EVERY
+        for run in examination.runs(unit, start):
+            after = run.number + 1
+            world = examination.count_run(run, tally)
+            if world is not None:
+                for choices in scope.schedule(name_run(scope.rules, world)):
+                    outcome = examiner.examine(world, choices)
+                    examination.count_outcome(examiner, world, run.place, outcome, tally)
+                tally.witnesses.update(examiner.events)
+                examiner.events.clear()
+            if time.monotonic() > due:
+                yield after, tally
+                tally = examination.tally()
+                due = time.monotonic() + REPORT_EVERY
+        yield after, tally

@@ -1,0 +1,252 @@
+"""The file of a run directory: finished units in SQLite, each with a checksum.
+
+It holds JSON texts and nothing that is run when it is read.  One transaction a unit: whoever is
+killed loses what it was at, and nothing else.  Every row is checked when it is read.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+import sqlite3
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from allworlds.engines.run_directory.identity import FORMAT, Identity, canonical
+from allworlds.inputs import InputError, show
+from allworlds.version import __version__
+
+FILE, DRAFT = "units.sqlite", "draft.sqlite"
+
+APPLICATION = 0x616C6C77
+"""In the header of the file: that it is one of ours."""
+
+SCHEMA = 2
+"""The version of the tables below, and of what is kept in them."""
+
+TABLES = """
+CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL, checksum TEXT NOT NULL) STRICT;
+CREATE TABLE units (
+    key TEXT PRIMARY KEY, worlds INTEGER NOT NULL, finished REAL NOT NULL,
+    result TEXT NOT NULL, checksum TEXT NOT NULL
+) STRICT;
+CREATE TABLE sessions (started REAL NOT NULL) STRICT;
+"""
+
+BUSY = 10.0
+"""Seconds to wait for a reader."""
+
+
+def damaged(path: Path, how: str) -> InputError:
+    """What is said of a run directory that is not as it was written."""
+    return InputError(
+        f"run directory {show(str(path))} is damaged: {how}; remove it and begin again, or bring "
+        "it back from a copy"
+    )
+
+
+@contextmanager
+def saying_where(path: Path) -> Iterator[None]:
+    """A context in which what SQLite complains of is said of the directory, in one line."""
+    try:
+        yield
+    except sqlite3.OperationalError as error:
+        raise InputError(f"run directory {show(str(path))} cannot be used: {error}") from None
+    except (sqlite3.DatabaseError, UnicodeDecodeError) as error:
+        raise damaged(path, str(error)) from None
+
+
+class Database:
+    """An open file of units.
+
+    Args:
+        path: the directory.
+        connection: to its file.
+        identity: what it is of.
+    """
+
+    def __init__(self, path: Path, connection: sqlite3.Connection, identity: Identity) -> None:
+        self.path, self.identity = path, identity
+        self._connection = connection
+        self._seal = identity.digest
+
+    def close(self) -> None:
+        """Nothing more is read or written."""
+        self._connection.close()
+
+    def result(self, key: str) -> Any:
+        """The JSON value of a finished unit; None of any other.
+
+        Raises:
+            InputError: if it is not what was written.
+        """
+        with saying_where(self.path):
+            row = self._connection.execute("SELECT * FROM units WHERE key = ?", (key,)).fetchone()
+        return None if row is None else json.loads(self._sound(f"unit {key}", *row)[3])
+
+    def keys(self) -> list[str]:
+        """The keys of the finished units."""
+        with saying_where(self.path):
+            return [key for (key,) in self._connection.execute("SELECT key FROM units")]
+
+    def rows(self) -> Iterator[tuple[str, int, float, Any]]:
+        """Of every finished unit its key, worlds, time and result, in no order."""
+        with saying_where(self.path):
+            for row in self._connection.execute("SELECT * FROM units"):
+                key, worlds, finished, result, _ = self._sound(f"unit {row[0]}", *row)
+                yield key, worlds, finished, json.loads(result)
+
+    def keep(self, key: str, worlds: int, finished: float, result: Any) -> None:
+        """Write a finished unit, in a transaction of its own.
+
+        Raises:
+            sqlite3.OperationalError: if there is no room for it.
+        """
+        row = (key, worlds, finished, canonical(result))
+        self._connection.execute("INSERT INTO units VALUES (?, ?, ?, ?, ?)", self._sealed(*row))
+
+    def recall(self, name: str) -> Any:
+        """What has been noted under a name; None if nothing has."""
+        with saying_where(self.path):
+            query = "SELECT * FROM meta WHERE name = ?"
+            row = self._connection.execute(query, (name,)).fetchone()
+        return None if row is None else json.loads(self._sound(f"its {name}", *row)[1])
+
+    def note(self, name: str, value: Any) -> None:
+        """Note a JSON value under a name, in place of what was there.
+
+        Raises:
+            sqlite3.OperationalError: if there is no room for it.
+        """
+        row = self._sealed(name, canonical(value))
+        self._connection.execute("INSERT OR REPLACE INTO meta VALUES (?, ?, ?)", row)
+
+    def begin_session(self, now: float) -> None:
+        """Note when somebody began to add to it."""
+        with saying_where(self.path):
+            self._connection.execute("INSERT INTO sessions VALUES (?)", (now,))
+
+    def last_session(self) -> float:
+        """When somebody last did."""
+        with saying_where(self.path):
+            (started,) = self._connection.execute("SELECT max(started) FROM sessions").fetchone()
+        return float(started or 0)
+
+    def _sealed(self, *row: Any) -> tuple[Any, ...]:
+        return (*row, checksum(self._seal, *row))
+
+    def _sound(self, what: str, *row: Any) -> tuple[Any, ...]:
+        if self._sealed(*row[:-1]) != row:
+            raise damaged(self.path, f"{what} is not what was written")
+        return row
+
+
+def checksum(seal: str, *row: Any) -> str:
+    """A digest of a row, and of what it belongs to."""
+    return hashlib.sha256(repr((seal, *row)).encode(errors="backslashreplace")).hexdigest()[:32]
+
+
+def created(path: Path, identity: Identity) -> Database:
+    """The new file of a directory that has none; it is there whole, or not at all."""
+    draft = path / DRAFT
+    with saying_where(path):
+        for file in path.glob(f"{DRAFT}*"):
+            file.unlink()
+        connection = _connected(f"file:{_quoted(draft)}?mode=rwc")
+        try:
+            connection.executescript(
+                f"BEGIN; PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {SCHEMA}; "
+                f"{TABLES}"
+            )
+            row = ("identity", identity.text)
+            connection.execute("INSERT INTO meta VALUES (?, ?, ?)", (*row, checksum("", *row)))
+            connection.execute("COMMIT")
+        finally:
+            connection.close()
+        draft.rename(path / FILE)
+    return opened(path)
+
+
+def opened(path: Path) -> Database:
+    """The file of a directory, to be added to.
+
+    Raises:
+        InputError: if it is none of ours, of another version, or damaged.
+    """
+    with saying_where(path):
+        connection = _connected(f"file:{_quoted(path / FILE)}?mode=rw")
+        try:
+            identity = _looked_through(path, connection)
+            _write_ahead(connection)
+        except BaseException:
+            connection.close()
+            raise
+    return Database(path, connection, identity)
+
+
+@contextmanager
+def reading(path: Path) -> Iterator[Database]:
+    """The file of a directory, to be read alone, also while somebody adds to it.
+
+    Raises:
+        InputError: as :func:`opened`; and if there is none.
+    """
+    if not (path / FILE).is_file():
+        raise InputError(f"{show(str(path))} is no run directory: it holds no {FILE}")
+    with tempfile.TemporaryDirectory() as copies, saying_where(path):
+        try:
+            connection = _connected(f"file:{_quoted(path / FILE)}?mode=ro")
+            connection.execute("SELECT count(*) FROM sqlite_master")
+        except sqlite3.OperationalError:
+            # Where nothing can be written the log of the last additions cannot be looked into.
+            for file in path.glob(f"{FILE}*"):
+                if not file.name.endswith("-shm"):
+                    shutil.copyfile(file, Path(copies) / file.name)
+            connection = _connected(f"file:{_quoted(Path(copies) / FILE)}?mode=rw")
+        try:
+            yield Database(path, connection, _looked_through(path, connection))
+        finally:
+            connection.close()
+
+
+def _connected(address: str) -> sqlite3.Connection:
+    return sqlite3.connect(address, BUSY, isolation_level=None, uri=True, check_same_thread=False)
+
+
+def _quoted(path: Path) -> str:
+    return path.absolute().as_uri().removeprefix("file://")
+
+
+def _write_ahead(connection: sqlite3.Connection) -> None:
+    connection.execute("PRAGMA journal_mode = WAL")
+    # A killed process loses nothing; a machine that loses its power the last units at most.
+    connection.execute("PRAGMA synchronous = NORMAL")
+
+
+def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
+    """What the file is of, after a look at all its pages."""
+    (application,) = connection.execute("PRAGMA application_id").fetchone()
+    if application != APPLICATION:
+        raise InputError(f"{show(str(path))} is no run directory: its {FILE} is somebody else's")
+    (schema,) = connection.execute("PRAGMA user_version").fetchone()
+    if schema != SCHEMA:
+        raise InputError(
+            f"run directory {show(str(path))} is of schema {schema}; this program reads {SCHEMA}"
+        )
+    for (said,) in connection.execute("PRAGMA integrity_check"):
+        if said != "ok":
+            raise damaged(path, str(said).splitlines()[0])
+    row = connection.execute("SELECT * FROM meta WHERE name = 'identity'").fetchone()
+    if row is None or checksum("", *row[:-1]) != row[-1]:
+        raise damaged(path, "what it is of is not what was written")
+    identity = Identity.of_text(row[1])
+    if identity.format != FORMAT:
+        raise InputError(
+            f"run directory {show(str(path))} is of format {identity.format}, written by version "
+            f"{identity.version}; this version, {__version__}, reads format {FORMAT}"
+        )
+    return identity

@@ -1,0 +1,315 @@
+"""Where the finished units of a job are kept: nowhere, in a run directory, or in several."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import sqlite3
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+from allworlds.engines.run_directory import database
+from allworlds.engines.run_directory.database import Database
+from allworlds.engines.run_directory.identity import Identity
+from allworlds.engines.units.unit import NOTHING_KEPT, KeptUnits, Sum, Unit
+from allworlds.inputs import InputError, a_path, show
+from allworlds.words import listed, plural
+
+LOCK = "lock"
+
+ENDED = "complete"
+"""What is noted under ``ended`` when nothing more is to be done."""
+
+MOST_NAMED = 9
+"""So many missing shards are named."""
+
+PATIENCE = 3.0
+"""Seconds to wait for a command that is about to end, before another one is refused."""
+
+
+class Gap(Exception):
+    """Parts of a whole are missing."""
+
+
+class Records(Protocol):
+    """What is kept of a job."""
+
+    def result(self, key: str) -> Any:
+        """The JSON value of a finished unit; None of any other."""
+
+    def keep(self, key: str, worlds: int, result: Any) -> None:
+        """Take in a finished unit."""
+
+    def recall(self, name: str) -> Any:
+        """What has been noted under a name; None if nothing has."""
+
+    def note(self, name: str, value: Any) -> None:
+        """Note a JSON value under a name."""
+
+
+class NoRecords:
+    """Nobody keeps anything."""
+
+    def result(self, key: str) -> None:
+        """None."""
+
+    def keep(self, key: str, worlds: int, result: Any) -> None:
+        """Nothing."""
+
+    def recall(self, name: str) -> None:
+        """None."""
+
+    def note(self, name: str, value: Any) -> None:
+        """Nothing."""
+
+
+@dataclass(slots=True)
+class RunDirectory:
+    """The records of a job that goes on after an interruption.
+
+    What there is no room for is lost with a word, and nothing else is.
+
+    Attributes:
+        database: its file.
+        notice: takes what the user may want to know now.
+        found: the units that were finished when it was opened; nobody asks twice for one, and
+            nobody else adds to it.
+    """
+
+    database: Database
+    notice: Callable[[str], None]
+    found: frozenset[str]
+    _full: bool = False
+
+    def result(self, key: str) -> Any:
+        """See :class:`Records`."""
+        return self.database.result(key) if key in self.found else None
+
+    def keep(self, key: str, worlds: int, result: Any) -> None:
+        """See :class:`Records`."""
+        self._write(lambda: self.database.keep(key, worlds, time.time(), result))
+
+    def recall(self, name: str) -> Any:
+        """See :class:`Records`."""
+        return self.database.recall(name)
+
+    def note(self, name: str, value: Any) -> None:
+        """See :class:`Records`."""
+        self._write(lambda: self.database.note(name, value))
+
+    def _write(self, write: Callable[[], None]) -> None:
+        if self._full:
+            return
+        try:
+            write()
+        except sqlite3.OperationalError as error:
+            self._full = True
+            self.notice(
+                f"run directory {show(str(self.database.path))} takes no more: {error}; what it "
+                "holds is kept, and the job goes on without it"
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class Merged:
+    """The records of several run directories as those of one job, to which nothing is added."""
+
+    directories: Sequence[Database]
+
+    def result(self, key: str) -> Any:
+        """The JSON value of a unit.
+
+        Raises:
+            Gap: if it is not finished.
+            InputError: if it was finished twice.
+        """
+        found = [(d, told) for d in self.directories if (told := d.result(key)) is not None]
+        if len(found) > 1:
+            names = listed([show(str(d.path)) for d, _ in found])
+            raise InputError(f"run directories overlap: unit {key} is in {names}")
+        if not found:
+            raise Gap(f"unit {key} is not finished{self._unfinished()}")
+        return found[0][1]
+
+    def keep(self, key: str, worlds: int, result: Any) -> None:
+        """Nothing: nothing is done that could be kept."""
+
+    def recall(self, name: str) -> Any:
+        """What one of the directories has noted under a name.
+
+        Raises:
+            Gap: if none has.
+        """
+        for directory in self.directories:
+            if (told := directory.recall(name)) is not None:
+                return told
+        raise Gap(f"a finding has not been confirmed yet{self._unfinished()}")
+
+    def note(self, name: str, value: Any) -> None:
+        """Nothing."""
+
+    def _unfinished(self) -> str:
+        names = [
+            f"{show(str(directory.path))} (shard {directory.identity.portion})"
+            for directory in self.directories
+            if directory.recall("ended") != ENDED
+        ]
+        return f": give the commands of {listed(names)} again" if names else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Shelf:
+    """Records as whoever adds up results sees them.
+
+    Attributes:
+        records: where they are.
+        read: the result of a JSON value.
+    """
+
+    records: Records
+    read: Callable[[Any], Sum]
+
+    def result(self, unit: Unit) -> Sum | None:
+        """The result of a finished unit; None of any other."""
+        told = self.records.result(unit.key)
+        return None if told is None else self.read(told)
+
+    def keep(self, unit: Unit, result: Sum) -> None:
+        """Keep the whole result of a unit."""
+        self.records.keep(unit.key, result.worlds, result.to_json())
+
+
+def shelf(records: Records, read: Callable[[Any], Sum]) -> KeptUnits:
+    """Records as whoever adds up results sees them; ``read`` makes a result of its JSON value."""
+    return NOTHING_KEPT if isinstance(records, NoRecords) else Shelf(records, read)
+
+
+@contextmanager
+def records_in(
+    run: str | Path | None, identity: Callable[[], Identity], notice: Callable[[str], None]
+) -> Iterator[Records]:
+    """The records of a job in a directory, which is made where it is missing.
+
+    Args:
+        run: the directory; None for no records.
+        identity: what the job is; not asked for without a directory.
+        notice: takes what the user may want to know now.
+
+    Raises:
+        InputError: if the directory is of something else, in use, damaged, or cannot be written.
+    """
+    if run is None:
+        yield NoRecords()
+        return
+    path = a_path("run", run)
+    with ExitStack() as stack:
+        stack.enter_context(_locked(path))
+        opened = _opened(path, identity())
+        stack.callback(opened.close)
+        opened.begin_session(time.time())
+        yield RunDirectory(opened, notice, frozenset(opened.keys()))
+
+
+def _opened(path: Path, identity: Identity) -> Database:
+    if not (path / database.FILE).exists():
+        names = {file.name for file in path.iterdir()}
+        others = sorted(n for n in names if n != LOCK and not n.startswith(database.DRAFT))
+        if others:
+            raise InputError(
+                f"run directory {show(str(path))} holds {show(others[0])}, which is not ours; "
+                "give a new or an empty one"
+            )
+        return database.created(path, identity)
+    opened = database.opened(path)
+    its = opened.identity
+    said = identity.difference(its)
+    if not said and its.portion != identity.portion:
+        said = f"is of shard {its.portion}, not {identity.portion}"
+    if said:
+        opened.close()
+        raise InputError(f"run directory {show(str(path))} {said}")
+    return opened
+
+
+@contextmanager
+def _locked(path: Path) -> Iterator[None]:
+    """A context in which nobody else adds to the directory."""
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        lock = os.open(path / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+    except OSError as error:
+        raise InputError(
+            f"run directory {show(str(path))} cannot be written: {error.strerror}"
+        ) from None
+    try:
+        until = time.monotonic() + PATIENCE
+        while not _taken(lock):
+            if time.monotonic() > until:
+                raise InputError(f"run directory {show(str(path))} is in use by another command")
+            time.sleep(0.05)
+        yield
+    finally:
+        os.close(lock)
+
+
+def _taken(lock: int) -> bool:
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    return True
+
+
+def in_use(path: Path) -> bool:
+    """Whether somebody adds to the directory now."""
+    with suppress(OSError):
+        lock = os.open(path / LOCK, os.O_RDONLY | os.O_CLOEXEC)
+        try:
+            fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return True
+        finally:
+            os.close(lock)
+    return False
+
+
+@contextmanager
+def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
+    """The records of all shards of one job, and what the job is.
+
+    Raises:
+        InputError: if they are not of one job, or overlap.
+        Gap: if a shard is missing.
+    """
+    if not runs:
+        raise InputError("merge needs at least one run directory")
+    with ExitStack() as stack:
+        paths = [a_path("run", run) for run in runs]
+        directories = [stack.enter_context(database.reading(path)) for path in paths]
+        first = directories[0]
+        seen: dict[str, Database] = {}
+        for one in directories:
+            if said := first.identity.difference(one.identity):
+                raise InputError(
+                    f"run directory {show(str(one.path))} {said} as {show(str(first.path))}"
+                )
+            shard = str(one.identity.portion)
+            if shard in seen:
+                raise InputError(
+                    f"run directories overlap: {show(str(seen[shard].path))} and "
+                    f"{show(str(one.path))} are both shard {shard}"
+                )
+            seen[shard] = one
+        shards = first.identity.shards
+        missing = [f"{k}/{shards}" for k in range(shards) if f"{k}/{shards}" not in seen]
+        if missing:
+            more = f" and {len(missing) - MOST_NAMED} more" if len(missing) > MOST_NAMED else ""
+            raise Gap(
+                f"no run directory of {plural(len(missing), 'shard')} was given: "
+                f"{', '.join(missing[:MOST_NAMED])}{more}"
+            )
+        yield first.identity, Merged(directories)

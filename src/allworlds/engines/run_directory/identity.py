@@ -1,0 +1,111 @@
+"""A job's identity.  Results are put together only if their identities are equal."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Self
+
+from allworlds.engines.units.shards import Portion, a_shard, shards_of
+from allworlds.inputs import show
+from allworlds.version import __version__
+
+FORMAT = 2
+"""The format of identities and of what is kept under them: raised whenever either changes.
+
+1: version 0.1.0, whose identities hold no number.  2: version 0.2.0.
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    """A verb, with everything that its result depends on.
+
+    Attributes:
+        verb: its name.
+        parameters: by their names, as JSON values.
+        explorer: the name, and what else is to be known of it without loading it; its digest.
+        portion: which part of the units is done.
+        version: of this program.
+        format: of what is kept, one of the numbers of :data:`FORMAT`.
+    """
+
+    verb: str
+    parameters: Mapping[str, Any]
+    explorer: Mapping[str, Any]
+    portion: Portion
+    version: str = __version__
+    format: int = FORMAT
+
+    @property
+    def text(self) -> str:
+        """Canonical JSON, the same for equal identities."""
+        return canonical(
+            {
+                "verb": self.verb,
+                "version": self.version,
+                "format": self.format,
+                "parameters": dict(self.parameters),
+                "explorer": dict(self.explorer),
+                "shard": str(self.portion),
+            }
+        )
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of the text, in hexadecimal."""
+        return hashlib.sha256(self.text.encode()).hexdigest()
+
+    @classmethod
+    def of_text(cls, text: str) -> Self:
+        """The identity of :attr:`text`."""
+        told = json.loads(text)
+        index, _, count = told["shard"].partition("/")
+        return cls(
+            told["verb"],
+            told["parameters"],
+            told["explorer"],
+            a_shard((int(index), int(count))),
+            told["version"],
+            told.get("format", 1),
+        )
+
+    @property
+    def shards(self) -> int:
+        """Into how many the job is cut."""
+        return shards_of(self.portion)
+
+    def difference(self, other: Identity) -> str:
+        """What the other one differs in, as a clause about the other; empty if in nothing.
+
+        Which of the shards it is makes no difference here; how many there are does.
+        """
+        if other.format != self.format:
+            return f"is of format {other.format}, not {self.format}"
+        if other.version != self.version:
+            return f"is of version {show(other.version)}, not {show(self.version)}"
+        if other.verb != self.verb:
+            return f"is of {show(other.verb)}, not {show(self.verb)}"
+        for name in sorted({*self.parameters, *other.parameters}):
+            mine, its = self.parameters.get(name), other.parameters.get(name)
+            if mine != its:
+                said = name.replace("_", "-")
+                return f"is of {said} = {show(its)}, not {show(mine)}"
+        mine, its = self.explorer["name"], other.explorer["name"]
+        if mine != its:
+            return f"is of the explorer {show(its)}, not {show(mine)}"
+        if other.explorer != self.explorer:
+            return f"is of another text of the explorer {show(mine)}, or of its program"
+        if other.shards != self.shards:
+            return f"is of {other.portion}, one of {other.shards} shards, not of {self.shards}"
+        return ""
+
+
+def canonical(value: Any) -> str:
+    """A JSON value as a text that is the same for equal values."""
+    return _CANONICAL.encode(value)
+
+
+_CANONICAL = json.JSONEncoder(sort_keys=True, separators=(",", ":"))

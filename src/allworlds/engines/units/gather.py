@@ -1,0 +1,50 @@
+"""The loop over units: done by an engine, brought by a transport, kept, and added up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from allworlds.engines.units.unit import NOTHING_KEPT, E_contra, KeptUnits, Sum, Transport, Unit
+from allworlds.progress import Listener
+
+
+def gather(
+    transport: Transport[E_contra],
+    engine: E_contra,
+    units: Iterable[Unit],
+    total: Sum,
+    listener: Listener,
+    kept: KeptUnits = NOTHING_KEPT,
+) -> None:
+    """Add the results of all units to ``total``; the listener is told of each part.
+
+    What is kept is not done again, and what gets done is kept: a unit at a time, when it is whole.
+
+    Raises:
+        TimeIsUp: when the time limit has been reached; ``total`` holds what was done till then.
+    """
+
+    def undone() -> Iterator[Unit]:
+        for unit in units:
+            result = kept.result(unit)
+            if result is None:
+                yield unit
+            else:
+                total.add(result)
+                listener.progress(result.worlds)
+
+    begun: dict[str, Sum] = {}
+    for part in transport.map(engine, undone()):
+        key, result = part.unit.key, part.result
+        total.add(result)
+        listener.progress(result.worlds)
+        if key in begun:
+            begun[key].add(result)
+        else:
+            begun[key] = result
+        if part.last:
+            whole = begun.pop(key)
+            kept.keep(part.unit, whole)
+            listener.unit(key, whole.worlds)
+            for found in getattr(whole, "findings", ()):
+                listener.finding(found.to_json())

@@ -1,0 +1,200 @@
+"""Section IV: Algorithm 1, its tests, and what they rest on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations, product
+
+from allworlds.evidence.claims.claim_types import (
+    Checks,
+    Found,
+    Means,
+    Picture,
+    Unfinished,
+    of_check,
+    truth,
+)
+from allworlds.evidence.claims.position import pair_of_corpus
+from allworlds.maps import CombinatorialMap, Dart, Labelled, MapClass, project, rooted_maps
+from allworlds.studies.ambiguity import search, twins
+from allworlds.studies.check import check
+from allworlds.studies.worst import WorstReport, worst
+from allworlds.world import Directional, World, worlds
+
+
+def lighthouse_suffices(means: Means, *, edges: int) -> Found:
+    """The map and the pose after Algorithm 1, first in, first out."""
+    report = check("algorithm1", edges=edges, laws=("map", "pose"), workers=means.workers)
+    return of_check(report)
+
+
+def every_schedule(means: Means, *, edges: int) -> Found:
+    """All laws under every sequence of choices: edges, hypotheses, paths."""
+    report = check("algorithm1", edges=edges, schedules="all", workers=means.workers)
+    found = of_check(report)
+    episodes = sum(row.episodes for row in report.tally.rows.values())
+    return Found(found.verdict, {**found.witnesses, "schedules": episodes})
+
+
+def three_cases(means: Means, *, edges: int) -> Found:
+    """Each outcome of a test occurs, and with it the run keeps every law."""
+    report = check("algorithm1", edges=edges, workers=means.workers)
+    return of_check(report, "case-1", "case-2", "case-3")
+
+
+def tests_decide(means: Means, *, edges: int) -> Found:
+    """Every hypothesis in every state, on every simple path: confirmed exactly if true."""
+    report = worst_rows(means, edges)
+    wrong = sum(row.wrong for row in report.rows)
+    seen = {
+        "worlds": sum(row.worlds for row in report.rows),
+        "tests of false hypotheses": sum(row.tests for row in report.rows),
+    }
+    return Found(truth(wrong == 0), seen)
+
+
+def worst_rows(means: Means, edges: int) -> WorstReport:
+    """The exact worst cases of Algorithm 1.
+
+    Raises:
+        Unfinished: where a count or a replay disagrees.
+    """
+    report = worst(edges=edges, workers=means.workers)
+    if not report.complete:
+        raise KeyboardInterrupt
+    if not isinstance(report, WorstReport) or not report.agrees:
+        raise Unfinished("the worst cases are not those of their replays")
+    return report
+
+
+def not_both(_: Means, *, edges: int) -> Found:
+    """Two hypotheses in one state, each with any simple path: motions and expected percepts.
+
+    A state is a set of explored edges that hang together with v0.  The path of a hypothesis y
+    begins with a motion counted from y, and the percepts end with a bearing at v0.
+    """
+    pairs = same_motions = same_percepts = both = 0
+    for m in range(1, edges + 1):
+        for map_ in rooted_maps(m, MapClass.MAPS):
+            world = World(map_, Directional(0))
+            for explored in _explored_parts(map_):
+                plans = [
+                    (dart, _plan(world, dart, path))
+                    for dart in _open_darts(map_, explored)
+                    for path in _simple_paths(map_, explored, map_.vertex_of[dart])
+                    if path
+                ]
+                for (dart, (motions, percepts)), (other, (moved, seen)) in combinations(plans, 2):
+                    if dart == other:
+                        continue
+                    pairs += 1
+                    same_motions += motions == moved
+                    same_percepts += percepts == seen
+                    both += motions == moved and percepts == seen
+    witnesses = {
+        "pairs": pairs,
+        "with the same motions": same_motions,
+        "with the same percepts": same_percepts,
+    }
+    return Found(truth(both == 0), witnesses)
+
+
+def _explored_parts(map_: CombinatorialMap) -> Iterator[frozenset[Dart]]:
+    """Every set of explored edges that can be met: connected with v0, by its darts."""
+    seen = {frozenset[Dart]()}
+    queue = [frozenset[Dart]()]
+    for explored in queue:
+        yield explored
+        for dart in _open_darts(map_, explored):
+            more = explored | {dart, map_.alpha[dart]}
+            if more not in seen:
+                seen.add(more)
+                queue.append(more)
+
+
+def _open_darts(map_: CombinatorialMap, explored: frozenset[Dart]) -> list[Dart]:
+    known = {map_.vertex_of[0]} | {map_.vertex_of[d] for d in explored}
+    return [d for d in map_.darts if map_.vertex_of[d] in known and d not in explored]
+
+
+def _simple_paths(
+    map_: CombinatorialMap,
+    explored: frozenset[Dart],
+    vertex: int,
+    avoiding: frozenset[int] = frozenset(),
+) -> Iterator[tuple[Dart, ...]]:
+    """To v0, by the darts by which the vertices are left."""
+    if vertex == map_.vertex_of[0]:
+        yield ()
+        return
+    for dart in map_.vertices[vertex]:
+        beyond = map_.vertex_of[map_.alpha[dart]]
+        if dart in explored and beyond not in avoiding | {vertex}:
+            for rest in _simple_paths(map_, explored, beyond, avoiding | {vertex}):
+                yield (dart, *rest)
+
+
+def _plan(world: World, entry: Dart, path: tuple[Dart, ...]) -> tuple[list[int], list[object]]:
+    """The motions of a test, and what it expects, the vertex where it begins included."""
+    at, motions = entry, []
+    expected: list[object] = [world.percepts[entry]]
+    for dart in path:
+        motions.append(world.map.offset(at, dart))
+        at = world.map.alpha[dart]
+        expected.append(world.percepts[at])
+    return motions, expected
+
+
+def direction_is_needed(_: Means) -> Found:
+    """K4 in the plane and on the torus: alike by position, apart with any two directions."""
+    plain = twins(*pair_of_corpus("pair-k4"))
+    one, other = (world.map for world in plain.worlds)
+    first, second = ([w.map.turn(w.start, k) for k in range(w.first.degree)] for w in plain.worlds)
+    pairs = [
+        twins(World(one, Directional(i), first[0]), World(other, Directional(j), second[0]))
+        for i, j in product(first, second)
+    ]
+    apart = sum(pair.distinguishable for pair in pairs)
+    pictures = (Picture("in the plane", plain.worlds[0]), Picture("on the torus", plain.worlds[1]))
+    return Found(
+        truth(plain.twins and apart == len(pairs)), {"pairs of directions": apart}, {}, pictures
+    )
+
+
+def no_twins_with_a_direction(_: Means, *, edges: int) -> Found:
+    """Every run: no two darts of its world look alike, and no two worlds have one quotient."""
+    runs = 0
+    met = set()
+    whole = True
+    for world in worlds(edges=edges, places="all"):
+        quotient = project(Labelled(world.map, world.percepts, 0)).quotient
+        whole = whole and quotient.sheets == 1
+        met.add((quotient.sigma, quotient.alpha, quotient.labels))
+        runs += 1
+    return Found(truth(whole and len(met) == runs), {"runs": runs})
+
+
+def no_twins_by_smt(_: Means, *, edges: int) -> Found:
+    """Two different worlds with a directional lighthouse that look alike, asked of z3."""
+    from tempfile import TemporaryDirectory
+
+    with TemporaryDirectory(prefix="allworlds-claims-") as directory:
+        result = search(lighthouse="directional", vertices=edges + 1, edges=edges, out=directory)
+        if result.interrupted:
+            raise KeyboardInterrupt
+        if result.status == "unknown" or result.vacuous:
+            raise Unfinished(f"the search has no answer: {result.status}")
+        sizes = len(result.searched)
+    return Found(truth(result.status == "unsat"), {"pairs of sizes": sizes})
+
+
+CHECKS: Checks = {
+    "lighthouse-suffices": lighthouse_suffices,
+    "every-schedule": every_schedule,
+    "three-cases": three_cases,
+    "tests-decide": tests_decide,
+    "not-both": not_both,
+    "direction-needed": direction_is_needed,
+    "no-twins-with-direction": no_twins_with_a_direction,
+    "no-twins-smt": no_twins_by_smt,
+}

@@ -1,0 +1,139 @@
+"""Ours: which worlds look alike when the position alone is marked, and how many there are."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+from fractions import Fraction
+
+from allworlds.evidence.claims.claim_types import Checks, Found, Means, truth
+from allworlds.maps import (
+    CombinatorialMap,
+    Labelled,
+    MapClass,
+    Quotient,
+    automorphisms,
+    class_size,
+    is_ambiguous,
+    pose_count,
+    project,
+    rooted_code,
+    rooted_maps,
+)
+from allworlds.studies.ambiguity import class_of
+from allworlds.world import Position, World
+
+
+def _by_quotient(edges: int) -> Iterator[dict[object, list[tuple[CombinatorialMap, Quotient]]]]:
+    """For each number of edges all rooted maps, by the quotient with the root's vertex marked."""
+    for m in range(1, edges + 1):
+        alike: dict[object, list[tuple[CombinatorialMap, Quotient]]] = defaultdict(list)
+        for map_ in rooted_maps(m, MapClass.MAPS):
+            quotient = project(Labelled(map_, Position(0).percepts(map_), 0)).quotient
+            alike[quotient.sigma, quotient.alpha, quotient.degree, quotient.labels].append(
+                (map_, quotient)
+            )
+        yield alike
+
+
+def _marked(map_: CombinatorialMap) -> object:
+    """The same for all darts of the marked vertex: the least of their codes."""
+    around = map_.vertices[map_.vertex_of[0]]
+    return min(rooted_code(map_.sigma, map_.alpha, dart) for dart in around)
+
+
+def criterion(_: Means, *, edges: int) -> Found:
+    """What the quotient says without making a world, beside the grouping of all worlds."""
+    worlds = ambiguous = wrong = 0
+    for alike in _by_quotient(edges):
+        for group in alike.values():
+            members = {_marked(map_) for map_, _quotient in group}
+            for _map, quotient in group:
+                worlds += 1
+                ambiguous += len(members) > 1
+                wrong += is_ambiguous(quotient) != (len(members) > 1)
+    return Found(truth(wrong == 0), {"worlds": worlds, "ambiguous": ambiguous})
+
+
+def sizes_of_classes(_: Means, *, edges: int) -> Found:
+    """Burnside's count of the class beside its members among all worlds."""
+    classes = larger = wrong = 0
+    for alike in _by_quotient(edges):
+        for group in alike.values():
+            members = {_marked(map_) for map_, _quotient in group}
+            classes += 1
+            larger += len(members) > 1
+            wrong += class_size(group[0][1]) != len(members)
+    seen = {"classes": classes, "of two or more": larger}
+    return Found(truth(wrong == 0), seen)
+
+
+def mass_formula(_: Means, *, edges: int) -> Found:
+    """P beside the sum of k / |Aut| over the members, which are found by enumeration."""
+    classes = wrong = 0
+    for alike in _by_quotient(edges):
+        for group in alike.values():
+            quotient = group[0][1]
+            members = {_marked(map_): map_ for map_, _quotient in group}
+            mass = sum(Fraction(quotient.sheets, _symmetries(map_)) for map_ in members.values())
+            classes += 1
+            wrong += mass != pose_count(quotient)
+    return Found(truth(wrong == 0), {"classes": classes})
+
+
+def _symmetries(map_: CombinatorialMap) -> int:
+    """The automorphisms that leave the marked vertex where it is."""
+    code = rooted_code(map_.sigma, map_.alpha, 0)
+    around = map_.vertices[map_.vertex_of[0]]
+    return sum(rooted_code(map_.sigma, map_.alpha, dart) == code for dart in around)
+
+
+def lookalikes_have_one_size(_: Means, *, edges: int) -> Found:
+    """All rooted maps, whatever their number of edges, by quotient: m, n and the degrees."""
+    alike: dict[object, set[object]] = defaultdict(set)
+    worlds = 0
+    for level in _by_quotient(edges):
+        for learnt, group in level.items():
+            for map_, _quotient in group:
+                worlds += 1
+                alike[learnt].add((map_.edge_count, tuple(sorted(map_.degrees))))
+    several = sum(len(sizes) > 1 for sizes in alike.values())
+    return Found(truth(not several), {"worlds": worlds, "quotients": len(alike)})
+
+
+def classes_on_two_sheets(_: Means, *, edges: int) -> Found:
+    """Where k = 2 the class has 2^beta1 members; each class made by lifting."""
+    classes = wrong = 0
+    for alike in _by_quotient(edges):
+        for group in alike.values():
+            map_, quotient = group[0]
+            if quotient.sheets == 2:
+                classes += 1
+                made = class_of(World(map_, Position(0)))
+                wrong += not len(made.worlds) == made.size == 2**quotient.beta1
+    return Found(truth(wrong == 0), {"classes": classes})
+
+
+def counted_by_symmetry(_: Means, *, edges: int) -> Found:
+    """The sum of 2m / |Aut| over unrooted maps is the number of rooted ones."""
+    from allworlds.maps import unrooted_code
+
+    rooted = []
+    agree = True
+    for m in range(1, edges + 1):
+        every = list(rooted_maps(m, MapClass.MAPS))
+        unrooted = {unrooted_code(map_): map_ for map_ in every}
+        weight = sum(Fraction(2 * m, automorphisms(map_)) for map_ in unrooted.values())
+        agree = agree and weight == len(every)
+        rooted.append(len(every))
+    return Found(truth(agree), {"maps": sum(rooted)}, {"rooted": rooted})
+
+
+CHECKS: Checks = {
+    "criterion": criterion,
+    "class-sizes": sizes_of_classes,
+    "mass-formula": mass_formula,
+    "lookalikes-one-size": lookalikes_have_one_size,
+    "two-sheets": classes_on_two_sheets,
+    "counts": counted_by_symmetry,
+}

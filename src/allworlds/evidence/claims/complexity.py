@@ -1,0 +1,317 @@
+"""Section VI: what a run costs, pass by pass and in all, and the sums that bound it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from importlib.util import find_spec
+from itertools import product
+from typing import NamedTuple
+
+from allworlds.evidence.claims.algorithm import worst_rows
+from allworlds.evidence.claims.claim_types import (
+    Checks,
+    Figure,
+    Found,
+    Means,
+    NotChecked,
+    Picture,
+    of_check,
+    truth,
+)
+from allworlds.evidence.claims.passes import PassWalked, every_run, pass_bound
+from allworlds.judging import paper_bound, printed_bound
+from allworlds.maps import MapClass, cycle, rooted_maps
+from allworlds.outcome import Exit, Verdict
+from allworlds.studies.check import check
+from allworlds.studies.compare import compare
+from allworlds.studies.worst import EverySchedule
+from allworlds.world import Directional, World
+
+
+def every_edge_is_walked(_: Means, *, edges: int) -> Found:
+    """The cheapest schedule of each world walks m edges at least; exact, over all schedules."""
+    cheapest = []
+    for m in range(1, edges + 1):
+        best = [EverySchedule(map_, 0).best - m for map_ in rooted_maps(m, MapClass.MAPS)]
+        cheapest += best
+    attained = sum(spare == 0 for spare in cheapest)
+    witnesses = {"worlds": len(cheapest), "walked with m": attained}
+    return Found(truth(min(cheapest) >= 0), witnesses)
+
+
+def depth_first_is_2m(means: Means, *, edges: int) -> Found:
+    """Depth first where every vertex has a number; by the number of edges the largest cost."""
+    report = check("dfs", edges=edges, bound="2*m", workers=means.workers)
+    largest: dict[int, int] = {}
+    for row in report.rows():
+        largest[row["edges"]] = max(largest.get(row["edges"], 0), row["max_cost"])
+    return of_check(report, **{"largest cost": list(largest.values())})
+
+
+def two_m_is_a_lower_bound(_: Means, *, length: int) -> Found:
+    """On cycles: the cheapest schedule of Algorithm 1, over all schedules."""
+    best = [EverySchedule(cycle(m), 0).best for m in range(2, length + 1)]
+    below = sum(cost < 2 * m for m, cost in enumerate(best, 2))
+    pictures = (Picture("walked round once", World(cycle(4), Directional(0))),)
+    return Found(
+        truth(not below), {"cycles": len(best)}, {"traversals for 2, 3, ... edges": best}, pictures
+    )
+
+
+class _Part(NamedTuple):
+    """A part of a pass.
+
+    Attributes:
+        spent: what it took, each time.
+        allowed: by the paper, each time.
+        possible: the most that can be taken, where that is less.
+    """
+
+    spent: Sequence[int]
+    allowed: int
+    possible: int
+
+
+def _in_every_pass(
+    edges: int, policies: list[str], part_of: Callable[[int, PassWalked], _Part]
+) -> Found:
+    """A part of each pass, from the edges of the world and the pass, beside what is allowed it."""
+    passes = tests = wrong = attained = 0
+    for world, met in every_run(edges, policies):
+        for one in met:
+            part = part_of(world.map.edge_count, one)
+            passes += 1
+            tests += len(one.tests)
+            wrong += any(cost > part.allowed for cost in part.spent)
+            attained += part.possible in part.spent
+    witnesses = {"passes": passes, "tests": tests, "passes with as much as can be": attained}
+    return Found(truth(wrong == 0), witnesses)
+
+
+def walk_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
+    """To the unknown end at most n_s traversals."""
+
+    def walk(_m: int, one: PassWalked) -> _Part:
+        return _Part([one.walk], one.vertices, one.vertices)
+
+    return _in_every_pass(edges, policies, walk)
+
+
+def length_of_a_test(_: Means, *, edges: int, policies: list[str]) -> Found:
+    """There and back at most 2(n_s - 1)."""
+
+    def tests(_m: int, one: PassWalked) -> _Part:
+        allowed = 2 * (one.vertices - 1)
+        return _Part(one.tests, allowed, allowed)
+
+    return _in_every_pass(edges, policies, tests)
+
+
+def hypotheses_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
+    """At most 2m - 2(n_s - 1)."""
+
+    def hypotheses(m: int, one: PassWalked) -> _Part:
+        allowed = 2 * m - 2 * (one.vertices - 1)
+        # The dart that is explored is no hypothesis.
+        return _Part([one.hypotheses], allowed, allowed - 1)
+
+    return _in_every_pass(edges, policies, hypotheses)
+
+
+def cost_of_a_pass(_: Means, *, edges: int, policies: list[str]) -> Found:
+    """At most s + 2(s-1)(2m-2p), in each pass for itself."""
+
+    def cost(m: int, one: PassWalked) -> _Part:
+        allowed = pass_bound(m, one.vertices, one.explored)
+        return _Part([one.cost], allowed, allowed)
+
+    return _in_every_pass(edges, policies, cost)
+
+
+def pass_by_all_schedules(_: Means, *, edges: int) -> Found:
+    """The most expensive pass from every state that any schedule can come to."""
+    states = wrong = 0
+    for m in range(1, edges + 1):
+        for map_ in rooted_maps(m, MapClass.MAPS):
+            for state in EverySchedule(map_, 0).most_expensive_passes():
+                states += 1
+                wrong += state.cost > pass_bound(m, state.vertices, state.explored)
+    return Found(truth(wrong == 0), {"states with a dart": states})
+
+
+def kinds_of_passes(_: Means, *, edges: int, policies: list[str]) -> Found:
+    """In every run n-1 passes find a vertex and m-n+1 close a loop."""
+    runs = wrong = vertices = loops = 0
+    for world, met in every_run(edges, policies):
+        m, n = world.map.edge_count, world.map.vertex_count
+        found = sum(one.found for one in met)
+        runs += 1
+        vertices += found
+        loops += len(met) - found
+        wrong += found != n - 1 or len(met) - found != m - n + 1
+    seen = {"runs": runs, "that find a vertex": vertices, "that close a loop": loops}
+    return Found(truth(wrong == 0), seen)
+
+
+def vertices_first_is_worst(_: Means, *, edges: int) -> Found:
+    """Every order of the two kinds of passes, each at its bound: none exceeds (1)+(2)."""
+    orders = over = attained = 0
+    for m in range(1, edges + 1):
+        for kinds in product((0, 1), repeat=m):
+            n = sum(kinds) + 1
+            s, total = 1, 0
+            for explored, grows in enumerate(kinds):
+                total += pass_bound(m, s, explored)
+                s += grows
+            orders += 1
+            over += total > paper_bound(n, m)
+            first = all(kinds[: n - 1])
+            attained += total == paper_bound(n, m) and first
+    witnesses = {"orders": orders, "vertices first, equal to the bound": attained}
+    return Found(truth(over == 0), witnesses)
+
+
+def bound_of_every_run(means: Means, *, edges: int) -> Found:
+    """The exact worst cost over all worlds and all schedules, beside (1)+(2)."""
+    rows = worst_rows(means, edges).rows
+    slack = [row.bound - row.worst for row in rows]
+    seen = {
+        "worlds": sum(row.worlds for row in rows),
+        "sizes": len(rows),
+        "sizes that attain it": slack.count(0),
+    }
+    return Found(truth(min(slack) >= 0), seen)
+
+
+def polynomial(n: int, m: int) -> Fraction:
+    """(1)+(2) as ``2m^2 n - 2mn^2 + (2/3)n^3 - 2m^2 + 5mn - (5/2)n^2 - 2m + (11/6)n``."""
+    return printed_bound(n, m) + 5 * m * n - 2 * m + Fraction(11, 6) * n
+
+
+def sums_are_the_polynomial(_: Means, *, edges: int) -> Found:
+    """At so many points that no other polynomial of this degree fits, and at more."""
+    points = [(n, m) for m in range(1, edges + 1) for n in range(1, m + 2)]
+    agree = sum(paper_bound(n, m) == polynomial(n, m) for n, m in points)
+    return Found(truth(agree == len(points)), {"pairs of n and m": len(points)})
+
+
+def printed_3_bounds(_: Means, *, edges: int) -> Found:
+    """Expression (3) without its unstated terms, beside what Algorithm 1 needs."""
+    points = [(m, n) for m in range(1, edges + 1) for n in range(1, m + 2)]
+    below = [(m, n) for m, n in points if printed_bound(n, m) < paper_bound(n, m)]
+    beaten = [(m, n) for m, n in points if printed_bound(n, m) < m]
+    first = list(beaten[0]) if beaten else []
+    seen = {"pairs of n and m": len(points), "below (1)+(2)": len(below), "below m": len(beaten)}
+    figures: dict[str, Figure] = {
+        "first edges and vertices": first,
+        "its value at n = 2, m = 1": str(printed_bound(2, 1)),
+    }
+    return Found(truth(not beaten), seen, figures)
+
+
+def terms_left_out(_: Means, *, edges: int) -> Found | NotChecked:
+    """Sympy sums (1) and (2) and takes the printed terms of (3) away."""
+    if find_spec("sympy") is None:
+        return NotChecked("sympy is not installed: pip install 'allworlds[proofs]'")
+    import sympy
+
+    n, m, s, i = sympy.symbols("n m s i", integer=True, positive=True)
+    one = sympy.summation(s + 2 * (s - 1) * (2 * m - 2 * (s - 1)), (s, 1, n - 1))
+    two = sympy.summation(n + 2 * (n - 1) * (2 * m - 2 * (n - 1) - 2 * (i - 1)), (i, 1, m - n + 1))
+    three = (
+        2 * m**2 * n
+        - 2 * m * n**2
+        + sympy.Rational(2, 3) * n**3
+        - 2 * m**2
+        - sympy.Rational(5, 2) * n**2
+    )
+    left = sympy.Poly(sympy.expand(one + two - three), m, n)
+    told = {
+        f"m^{a} n^{b}": str(coefficient)
+        for (a, b), coefficient in sorted(left.terms(), reverse=True)
+    }
+    points = [(x, y) for y in range(1, edges + 1) for x in range(1, y + 2)]
+    agree = all(
+        left.eval({n: x, m: y}) == paper_bound(x, y) - printed_bound(x, y) for x, y in points
+    )
+    # A term that is left out is of lower order if each kept one outgrows it; mn does not.
+    return Found(truth(agree), {"terms": len(told), "pairs of n and m": len(points)}, told)
+
+
+def printed_limit_of_2(means: Means, *, edges: int) -> Found:
+    """(1), and (2) with its upper limit as printed, beside the exact worst cost."""
+    rows = worst_rows(means, edges).rows
+    beaten = []
+    for row in rows:
+        n, m = row.vertices, row.edges
+        growing = sum(s + 2 * (s - 1) * (2 * m - 2 * (s - 1)) for s in range(1, n))
+        once = n + 2 * (n - 1) * (2 * m - 2 * (n - 1))
+        if row.worst > growing + once:
+            beaten.append(row)
+    figures = {} if not beaten else {"edges": beaten[0].edges, "vertices": beaten[0].vertices}
+    pictures = tuple(Picture("costs more than is printed", row.world) for row in beaten[:1])
+    return Found(
+        truth(not beaten), {"sizes": len(rows), "sizes beaten": len(beaten)}, figures, pictures
+    )
+
+
+def order_of_the_bound(_: Means, *, edges: int) -> Found:
+    """(1)+(2) beside 2 m^2 n."""
+    points = [(n, m) for m in range(1, edges + 1) for n in range(1, m + 2)]
+    over = [(n, m) for n, m in points if paper_bound(n, m) > 2 * m * m * n]
+    return Found(truth(not over), {"pairs of n and m": len(points)})
+
+
+def order_is_reached(means: Means, *, family: str, to: int, growing: float) -> Found:
+    """The cost in a family in which n grows like m: between the last two sizes like m^3 or more."""
+    report = compare("algorithm1", family=family, to=to, worlds=2, workers=means.workers)
+    if report.exit_code == Exit.INTERRUPTED:
+        raise KeyboardInterrupt
+    rows = report.rows
+    shares = [row.mean / (row.edges**2 * row.vertices) for row in rows]
+    fitted = [e for e in report.exponents if e.family == family]
+    judged = report.verdict is Verdict.NOT_REFUTED
+    return Found(
+        truth(judged and fitted[0].last >= growing),
+        {"runs": sum(len(row.costs) for row in report.rows)},
+        {
+            "edges": [row.edges for row in rows],
+            "vertices": [row.vertices for row in rows],
+            "mean cost": [round(row.mean, 2) for row in rows],
+            "cost / m^2 n": [round(share, 4) for share in shares],
+            "exponent of m": round(fitted[0].last, 2),
+        },
+    )
+
+
+def worst_by_edges(means: Means, *, edges: int) -> Found:
+    """The exact worst cost of Algorithm 1, by the number of edges; each replayed."""
+    report = worst_rows(means, edges)
+    worst: dict[int, int] = {}
+    for row in report.rows:
+        worst[row.edges] = max(worst.get(row.edges, 0), row.worst)
+    seen = {"worlds": sum(row.worlds for row in report.rows), "replayed": len(report.rows)}
+    return Found("holds", seen, {"worst": list(worst.values())})
+
+
+CHECKS: Checks = {
+    "every-edge-walked": every_edge_is_walked,
+    "dfs-2m": depth_first_is_2m,
+    "lower-bound-2m": two_m_is_a_lower_bound,
+    "pass-walk": walk_of_a_pass,
+    "pass-tests": length_of_a_test,
+    "pass-hypotheses": hypotheses_of_a_pass,
+    "pass-cost": cost_of_a_pass,
+    "pass-cost-all-schedules": pass_by_all_schedules,
+    "pass-kinds": kinds_of_passes,
+    "vertices-first": vertices_first_is_worst,
+    "bound": bound_of_every_run,
+    "bound-polynomial": sums_are_the_polynomial,
+    "printed-3": printed_3_bounds,
+    "terms-left-out": terms_left_out,
+    "printed-limit-of-2": printed_limit_of_2,
+    "bound-order": order_of_the_bound,
+    "order-reached": order_is_reached,
+    "exact-worst": worst_by_edges,
+}

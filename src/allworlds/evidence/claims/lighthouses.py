@@ -1,0 +1,74 @@
+"""Sections IV and VIII: lighthouses made of undirected markers, and of degrees."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from allworlds.evidence.claims.claim_types import Checks, Found, Means, Picture, of_check, truth
+from allworlds.maps import Labelled, project
+from allworlds.studies.ambiguity import twins
+from allworlds.studies.check import check
+from allworlds.world import World, worlds
+
+
+def cluster_with_one_edge(means: Means, *, edges: int) -> Found:
+    """Algorithm 1 with one marker at v0 and two at v1, where one edge joins them."""
+    report = check(
+        "algorithm1-cluster",
+        edges=edges,
+        lighthouse="cluster:single=true",
+        workers=means.workers,
+    )
+    return of_check(report, "case-1", "case-2", "case-3", "loop", "non-loop")
+
+
+def cluster_anywhere(_: Means, *, edges: int) -> Found:
+    """Worlds with a cluster: two different ones that no motion tells apart."""
+    return _twins_under("cluster", "maps", edges)
+
+
+def natural_in_simple_worlds(means: Means, *, edges: int) -> Found:
+    """Algorithm 1 with a unique degree beside a unique degree, that of v1 told."""
+    report = check("algorithm1-natural", edges=edges, map_class="simple", workers=means.workers)
+    return of_check(report, "case-3", "loop", "non-loop")
+
+
+def natural_in_multigraphs(_: Means, *, edges: int) -> Found:
+    """Worlds with such degrees: two different ones that no motion tells apart."""
+    return _twins_under("natural", "maps", edges)
+
+
+def _twins_under(kind: str, map_class: str, edges: int) -> Found:
+    """The first two different worlds, by size, with one rooted quotient; their proof checked."""
+    alike: dict[object, list[World]] = defaultdict(list)
+    compared = 0
+    for world in worlds(edges=edges, map_class=map_class, lighthouse=kind, places="all"):
+        compared += 1
+        quotient = project(Labelled(world.map, world.percepts, 0)).quotient
+        learnt = (quotient.sigma, quotient.alpha, quotient.labels, world.told)
+        for one in alike[learnt]:
+            if twins(one, world).twins:
+                figures = {"edges": one.map.edge_count, "vertices": one.map.vertex_count}
+                pictures = (Picture("one world", one), Picture("its twin", world))
+                return Found("refuted", {"worlds": compared}, figures, pictures)
+        alike[learnt].append(world)
+    return Found("holds", {"worlds": compared})
+
+
+def natural_costs_the_same_order(_: Means, *, edges: int) -> Found:
+    """The bound of these explorers beside 4 m^2 n: with two traversals more a test."""
+    from allworlds.judging import bound_named
+
+    bound = bound_named("two-vertices").value
+    points = [(n, m, d) for m in range(1, edges + 1) for n in range(2, m + 2) for d in (1, 2 * m)]
+    over = [p for p in points if (bound(p[0], p[1], p[2], p[2]) or 0) > 4 * p[1] ** 2 * p[0]]
+    return Found(truth(not over), {"triples of n, m and deg(v0)": len(points)})
+
+
+CHECKS: Checks = {
+    "cluster": cluster_with_one_edge,
+    "cluster-multigraphs": cluster_anywhere,
+    "natural": natural_in_simple_worlds,
+    "natural-multigraphs": natural_in_multigraphs,
+    "two-vertices-order": natural_costs_the_same_order,
+}

@@ -1,0 +1,52 @@
+"""Section VII: lattices and dense graphs with holes, and how far below the bound they stay."""
+
+from __future__ import annotations
+
+from allworlds.evidence.claims.claim_types import Checks, Found, Means, truth
+from allworlds.evidence.claims.passes import passes_of
+from allworlds.judging import paper_bound
+from allworlds.world import Directional, World, map_of_family
+
+HOLES = "10%"
+
+
+def _worlds(families: list[str], seeds: int) -> list[tuple[str, World]]:
+    return [
+        (family, World(map_of_family(family, HOLES, seed), Directional(0)))
+        for family in families
+        for seed in range(seeds)
+    ]
+
+
+def below_the_bound(_: Means, *, families: list[str], seeds: int, share: float) -> Found:
+    """The cost of each run as a share of (1)+(2)."""
+    largest: dict[str, float] = {}
+    runs = 0
+    for family, world in _worlds(families, seeds):
+        n, m = world.map.vertex_count, world.map.edge_count
+        cost = sum(one.cost for one in passes_of(world))
+        largest[family] = max(largest.get(family, 0.0), cost / paper_bound(n, m))
+        runs += 1
+    shares = [round(value, 4) for value in largest.values()]
+    return Found(truth(max(shares) <= share), {"runs": runs}, {"largest shares": shares})
+
+
+def transit_explains_the_gap(_: Means, *, families: list[str], seeds: int, share: float) -> Found:
+    """What is lost if each walk to a known end is charged n_s: as a share of the gap."""
+    explained: dict[str, float] = {}
+    runs = 0
+    for family, world in _worlds(families, seeds):
+        n, m = world.map.vertex_count, world.map.edge_count
+        passes = passes_of(world)
+        gap = paper_bound(n, m) - sum(one.cost for one in passes)
+        saved = sum(one.vertices - one.walk for one in passes)
+        explained[family] = max(explained.get(family, 0.0), saved / gap)
+        runs += 1
+    shares = [round(value, 4) for value in explained.values()]
+    return Found(truth(min(shares) >= share), {"runs": runs}, {"largest shares": shares})
+
+
+CHECKS: Checks = {
+    "below-bound": below_the_bound,
+    "transit-explains": transit_explains_the_gap,
+}

@@ -1,0 +1,158 @@
+"""The bound, examined: exact worst cases over all schedules, beside what is known from below."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from allworlds.engines import Limits
+from allworlds.evidence.figures.drawn import Table
+from allworlds.judging import paper_bound
+from allworlds.outcome import Exit, Verdict
+from allworlds.progress import Listener
+from allworlds.studies.optimum import minimax
+from allworlds.studies.worst import WorstReport, worst
+from allworlds.world import worlds
+
+MOST_OPTIMAL = 4
+"""The largest number of edges for which the optimum is searched for: some seconds."""
+
+
+@dataclass(frozen=True, slots=True)
+class BoundsCell:
+    """The worlds of one size.
+
+    Attributes:
+        edges, vertices: the size.
+        worst: the largest cost of Algorithm 1, over all worlds and all schedules.
+        best: the largest, over the worlds, of the cost of the best schedule.
+        optimum: the best worst case of an explorer that knows both numbers; None where it was
+            not searched for.
+    """
+
+    edges: int
+    vertices: int
+    worst: int
+    best: int
+    optimum: int | None
+
+    @property
+    def bound(self) -> int:
+        """(1) + (2)."""
+        return paper_bound(self.vertices, self.edges)
+
+
+@dataclass(frozen=True, slots=True)
+class BoundsFigure:
+    """Worst cases and optima by size.
+
+    Attributes:
+        report: the worst cases, counted and replayed.
+        cells: ascending by edges and vertices.
+    """
+
+    report: WorstReport
+    cells: tuple[BoundsCell, ...]
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether no schedule passes the bound, and nothing is below what is known from below."""
+        if not self.report.agrees:
+            return Verdict.ERROR
+        if not self.report.complete:
+            return Verdict.INCONCLUSIVE
+        kept = all(cell.edges <= cell.best <= cell.worst <= cell.bound for cell in self.cells)
+        possible = all(cell.optimum is None or cell.optimum <= cell.worst for cell in self.cells)
+        return Verdict.HOLDS if kept and possible else Verdict.REFUTED
+
+    @property
+    def exit_code(self) -> Exit:
+        """That of the search, if it did not come to its end; else that of the verdict."""
+        return self.report.exit_code or self.verdict.exit
+
+    def table(self) -> Table:
+        """A line for each size."""
+        header = ["edges", "vertices", "bound_1_plus_2", "worst", "best_schedule"]
+        header += ["optimum", "every_edge_once"]
+        return header, [
+            [c.edges, c.vertices, c.bound, c.worst, c.best, c.optimum, c.edges] for c in self.cells
+        ]
+
+    def caption(self) -> Sequence[str]:
+        """What is seen."""
+        if not self.cells:
+            return ("Interrupted before anything was known.",)
+        tight = [cell for cell in self.cells if cell.worst == cell.bound and cell.vertices > 1]
+        sizes = ", ".join(f"m = {cell.edges}, n = {cell.vertices}" for cell in tight)
+        loosest = max(self.cells, key=lambda cell: cell.bound / cell.worst)
+        times = f"{loosest.bound / loosest.worst:.1f}"
+        shown = (
+            "A panel for each number of vertices n: the bound (1)+(2) of Algorithm 1; its exact "
+            "worst cost over all worlds with m edges and every schedule (each choice of edge, "
+            "order of hypotheses and path); the cost in the world that is worst under the schedule "
+            "that is best for it; the optimum; and m, for who does not know m must walk every edge."
+        )
+        optimum = (
+            "The optimum is the best worst case of any explorer, here of one that knows m and n "
+            f"(exact minimax, m <= {MOST_OPTIMAL}). Knowing m it need not walk the last edge, so "
+            "it can lie below m; it can lie above the best schedule, which is chosen by one who "
+            "knows the world."
+        )
+        attained = (
+            f"With n = 1 the bound is the worst case; else it is attained with {sizes}. It is "
+            f"loosest with m = {loosest.edges}, n = {loosest.vertices}, where it is {times} times "
+            f"the worst case: {loosest.bound} and {loosest.worst}."
+        )
+        return shown, optimum, attained
+
+    def draw(self, figure: Any) -> None:
+        """A panel for each number of vertices."""
+        by_vertices = defaultdict(list)
+        for cell in self.cells:
+            by_vertices[cell.vertices].append(cell)
+        columns = 3
+        lines = max(1, -(-len(by_vertices) // columns))
+        figure.set_size_inches(10, 3 * lines + 0.6)
+        panels = figure.subplots(lines, columns, squeeze=False).flat
+        for (vertices, cells), panel in zip(sorted(by_vertices.items()), panels, strict=False):
+            _panel(panel, vertices, cells)
+        for panel in list(panels):
+            panel.set_visible(False)
+        first = figure.axes[0].get_legend_handles_labels()
+        figure.legend(*first, loc="outside lower center", ncols=5, fontsize="small")
+
+
+def _panel(axes: Any, vertices: int, cells: Sequence[BoundsCell]) -> None:
+    edges = [cell.edges for cell in cells]
+    axes.plot(edges, [c.bound for c in cells], "k_-", linewidth=1, label="bound (1)+(2)")
+    axes.plot(edges, [c.worst for c in cells], "o-", markersize=4, label="worst, all schedules")
+    axes.plot(edges, [c.best for c in cells], "s-", markersize=3, label="worst, best schedule")
+    known = [(c.edges, c.optimum) for c in cells if c.optimum is not None]
+    axes.plot(*zip(*known, strict=True) if known else ([], []), "D", label="optimum")
+    axes.plot(edges, edges, "k:", linewidth=1, label="m")
+    axes.set(title=f"n = {vertices}", xlabel="edges", ylabel="traversals", ylim=(0, None))
+    axes.set_xticks(edges)
+
+
+def figure_bounds(edges: int, limits: Limits, listener: Listener) -> BoundsFigure:
+    """Worst cases up to so many edges, and optima as far as they are known."""
+    report = worst(edges=edges, workers=limits.workers, listener=listener)
+    assert isinstance(report, WorstReport)
+    optima = _optima(min(edges, MOST_OPTIMAL))
+    cells = [
+        BoundsCell(r.edges, r.vertices, r.worst, r.best, optima.get((r.edges, r.vertices)))
+        for r in report.rows
+    ]
+    return BoundsFigure(report, tuple(cells))
+
+
+def _optima(edges: int) -> dict[tuple[int, int], int]:
+    """The optimum of each size, for explorers that know it."""
+    given = defaultdict(list)
+    for world in worlds(edges=edges, places="all"):
+        (pointed,) = world.lighthouse.references(world.map)
+        size = world.map.edge_count, world.map.vertex_count
+        given[size].append((world.map, world.start, pointed))
+    return {size: minimax(known).at_least for size, known in given.items()}

@@ -1,0 +1,98 @@
+"""Maps on axes of matplotlib: the darts leave each vertex in their cyclic order, clockwise."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+from allworlds.maps import CombinatorialMap, Dart
+from allworlds.reports import Layout, layout
+
+INK, FAINT, PAPER = "#1a1a1a", "#c9c9c9", "white"
+"""What is known, what is not, and the ground."""
+
+RADIUS = 9.0
+"""Of a vertex, in the units of a layout."""
+
+
+@dataclass(frozen=True, slots=True)
+class Canvas:
+    """A map that is being drawn.
+
+    Attributes:
+        axes: of matplotlib.
+        map: what is drawn.
+        layout: where it lies.
+    """
+
+    axes: Any
+    map: CombinatorialMap
+    layout: Layout
+
+    @classmethod
+    def of(cls, axes: Any, map_: CombinatorialMap, root: Dart) -> Canvas:
+        """Empty axes that have room for the map; y grows downwards, as in a layout."""
+        drawn = layout(map_, root)
+        left, top, width, height = drawn.box(24)
+        axes.set(xlim=(left, left + width), ylim=(top + height, top), aspect="equal")
+        axes.set_axis_off()
+        return cls(axes, map_, drawn)
+
+    def edges(self, darts: Iterable[Dart], **style: Any) -> None:
+        """The edges of these darts, each from end to end."""
+        for dart in darts:
+            self._path(self.layout.ways[dart], **style)
+
+    def stubs(self, darts: Iterable[Dart], **style: Any) -> None:
+        """The beginnings of these darts."""
+        for dart in darts:
+            start, end = self.layout.ways[dart][0], self.layout.stub(dart)
+            xs, ys = zip(*(_xy(point) for point in (start, end)), strict=True)
+            self.axes.plot(xs, ys, **style)
+
+    def vertices(self, vertices: Iterable[int], *, fill: str, ink: str = INK) -> None:
+        """These vertices with their names."""
+        from matplotlib.patches import Circle
+
+        for vertex in vertices:
+            centre = _xy(self.layout.vertices[vertex])
+            self.axes.add_patch(Circle(centre, RADIUS, facecolor=fill, edgecolor=ink, zorder=4))
+            text = PAPER if fill == INK else ink
+            self.axes.text(
+                *centre, f"v{vertex}", color=text, ha="center", va="center", fontsize=7, zorder=5
+            )
+
+    def pointer(self, dart: Dart) -> None:
+        """The arrow of a marker that points along the dart."""
+        start, end = self.layout.ways[dart][0], self.layout.stub(dart)
+        along = (end - start) / abs(end - start)
+        tip, tail = _xy(start + along * (RADIUS + 22)), _xy(start + along * RADIUS)
+        arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 2, "mutation_scale": 9}
+        arrow |= {"shrinkA": 0, "shrinkB": 0}
+        self.axes.annotate("", xy=tip, xytext=tail, arrowprops=arrow, zorder=6)
+
+    def note(self, dart: Dart, text: str, **style: Any) -> None:
+        """A short text on the dart's edge, near its vertex."""
+        box = {"boxstyle": "round,pad=0.15", "facecolor": PAPER, "edgecolor": "none"}
+        at = _xy(self.layout.label(dart))
+        self.axes.text(*at, text, ha="center", va="center", fontsize=7, bbox=box, zorder=7, **style)
+
+    def _path(self, way: Sequence[complex], **style: Any) -> None:
+        """Straight, then a parabola for each point between, then straight."""
+        from matplotlib.patches import PathPatch
+        from matplotlib.path import Path
+
+        points, codes = [way[0], (way[0] + way[1]) / 2], [Path.MOVETO, Path.LINETO]
+        for towards, after in pairwise(way[1:]):
+            points += [towards, (towards + after) / 2]
+            codes += [Path.CURVE3, Path.CURVE3]
+        points.append(way[-1])
+        codes.append(Path.LINETO)
+        path = Path([_xy(point) for point in points], codes)
+        self.axes.add_patch(PathPatch(path, fill=False, **style))
+
+
+def _xy(point: complex) -> tuple[float, float]:
+    return point.real, point.imag

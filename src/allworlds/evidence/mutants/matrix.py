@@ -1,0 +1,263 @@
+"""The kill matrix: which check kills which mutant, at which smallest world."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
+from allworlds.evidence.mutants.explorers import (
+    EQUIVALENT_EXPLORERS,
+    WRONG_EXPLORERS,
+    WrongExplorer,
+)
+from allworlds.evidence.mutants.judges import WEAK_JUDGES
+from allworlds.evidence.mutants.learners import WRONG_LEARNERS, WrongLearner
+from allworlds.explorers import in_process_subject
+from allworlds.inputs import InputError, an_integer, show
+from allworlds.judging import (
+    LAWS,
+    Answered,
+    Case,
+    Checks,
+    Setting,
+    Undecided,
+    canonical_world,
+    default_step_budget,
+    judge,
+    paper_bound,
+    play,
+)
+from allworlds.maps import (
+    CombinatorialMap,
+    rooted_code,
+    rooted_maps,
+    rooted_maps_by_permutations,
+    source_for,
+)
+from allworlds.outcome import SCHEMA, Exit, until_interrupted
+from allworlds.progress import Listener, Silent
+from allworlds.protocol import Choices
+from allworlds.studies.check import check
+from allworlds.world import Directional, World, lighthouse_named
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+LARGEST_LEVEL = 4
+"""The dumb enumerator, which some mutants need, goes no further in reasonable time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Kill:
+    """One row of the matrix.
+
+    Attributes:
+        mutant: its name.
+        kind: ``explorer``, ``judge`` or ``enumerator``.
+        breaks: what is wrong with it.
+        killed_by: the law or the check that caught it; empty for a survivor.
+        world: the smallest world at which it is caught; None for a survivor, and for one whose
+            plays differ: at which it is seen depends on the order in which it meets the worlds.
+        equivalent: why it may survive; empty for one that must be killed.
+    """
+
+    mutant: str
+    kind: documents.MutantKind
+    breaks: str
+    killed_by: str = ""
+    world: World | None = None
+    equivalent: str = ""
+
+    @property
+    def as_it_should(self) -> bool:
+        """Killed if it must be, alive if it is equivalent."""
+        return bool(self.killed_by) != bool(self.equivalent)
+
+    def to_json(self) -> documents.KillDocument:
+        """The row as it stands in the document."""
+        return {
+            "mutant": self.mutant,
+            "kind": self.kind,
+            "breaks": self.breaks,
+            "killed_by": self.killed_by or None,
+            "world": self.world.to_json() if self.world else None,
+            "equivalent": self.equivalent or None,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class KillMatrix:
+    """What became of every mutant within a bound.
+
+    Attributes:
+        edges: the largest number of edges that was tried.
+        kills: one row a mutant.
+        complete: False if the user has interrupted, and mutants are missing.
+    """
+
+    edges: int
+    kills: tuple[Kill, ...]
+    complete: bool = True
+
+    @property
+    def survivors(self) -> list[str]:
+        """The mutants that should have been killed, and the equivalent ones that were."""
+        return [kill.mutant for kill in self.kills if not kill.as_it_should]
+
+    @property
+    def exit_code(self) -> Exit:
+        """1 if a mutant survived, 130 interrupted."""
+        if not self.complete:
+            return Exit.INTERRUPTED
+        return Exit.REFUTED if self.survivors else Exit.HOLDS
+
+    def to_json(self) -> documents.MutantsDocument:
+        """The document of ``mutants --json``."""
+        return {
+            "schema": SCHEMA,
+            "edges": self.edges,
+            "complete": self.complete,
+            "mutants": len(self.kills),
+            "kill_matrix": [kill.to_json() for kill in self.kills],
+            "survivors": self.survivors,
+        }
+
+
+def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> KillMatrix:
+    """Try every mutant on every world with at most ``edges`` edges.
+
+    Args:
+        edges: the bound.
+        listener: is told of the progress.
+
+    Raises:
+        InputError: for a bound that is not 1, 2, 3 or 4.
+
+    Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
+    """
+    if not 1 <= an_integer("edges", edges) <= LARGEST_LEVEL:
+        raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
+    heard = listener or Silent()
+    tables = (_wrong(), EQUIVALENT_EXPLORERS, WEAK_JUDGES, BROKEN_ENUMERATORS)
+    heard.stage("mutants", sum(map(len, tables)), "mutants")
+    return KillMatrix(edges, *until_interrupted(_told(_kills(edges), heard)))
+
+
+def _wrong() -> tuple[WrongExplorer | WrongLearner, ...]:
+    """The explorers that must be killed."""
+    return (*WRONG_EXPLORERS, *WRONG_LEARNERS)
+
+
+def _told(kills: Iterable[Kill], listener: Listener) -> Iterator[Kill]:
+    for kill in kills:
+        yield kill
+        listener.progress(1)
+
+
+def _kills(edges: int) -> Iterator[Kill]:
+    refuted = []
+    for mutant in (*_wrong(), *EQUIVALENT_EXPLORERS):
+        kill = _explorer(mutant, edges)
+        refuted += [kill.mutant] if kill.killed_by in (*LAWS, "ambiguity") else []
+        yield kill
+    yield from _judges(edges, refuted)
+    for broken in BROKEN_ENUMERATORS:
+        yield _enumerator(broken, edges)
+
+
+def _explorer(mutant: WrongExplorer | WrongLearner, edges: int) -> Kill:
+    """Killed by the law that an ordinary check finds broken first."""
+    report = check(mutant.explorer(), edges=edges, lighthouse=mutant.lighthouse).uninterrupted()
+    row = Kill(mutant.name, "explorer", mutant.breaks, equivalent=mutant.equivalent)
+    if not report.findings:
+        return row
+    finding = report.findings[0]
+    world = None if finding.law == "nondeterministic" else finding.world
+    return Kill(row.mutant, row.kind, row.breaks, finding.law, world, equivalent=row.equivalent)
+
+
+def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:
+    """Each killed by the smallest case that only the sound judge refuses.
+
+    Cases come from the explorers that are known to answer wrongly.
+    """
+    alive = {weak.name: weak for weak in WEAK_JUDGES}
+    killed: dict[str, tuple[str, World]] = {}
+    for level in range(1, edges + 1):
+        smallest: dict[str, tuple[Any, str, World]] = {}
+        for case, laws, world, name in _refused(level, explorers) if alive else ():
+            for weak in alive.values():
+                if weak.accepts(case, laws):
+                    canonical = canonical_world(world)
+                    key = (world.map.vertex_count, *_code(canonical.map), name)
+                    if weak.name not in smallest or key < smallest[weak.name][0]:
+                        smallest[weak.name] = (key, name, canonical)
+        for weak_name, (_, explorer, world) in smallest.items():
+            killed[weak_name] = (f"sound judge on {explorer}", world)
+            del alive[weak_name]
+    for weak in WEAK_JUDGES:
+        yield Kill(weak.name, "judge", weak.breaks, *killed.get(weak.name, ("", None)))
+
+
+def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, Checks, World, str]]:
+    """Every run of those explorers, one a rooted map, whose answer breaks a law that applies."""
+    players = [
+        (
+            mutant.name,
+            lighthouse_named(mutant.lighthouse),
+            in_process_subject(mutant.explorer()).player(),
+        )
+        for mutant in _wrong()
+        if mutant.name in explorers
+    ]
+    for map_ in rooted_maps(level):
+        bound = paper_bound(map_.vertex_count, level)
+        for name, kind, player in players:
+            setting = Setting(kind.folds, bounded=kind.default_bound == "paper")
+            laws = {law: LAWS[law].check for law in LAWS if LAWS[law].applies(setting)}
+            world = World(map_, next(iter(kind.places(map_, 0))), 0)
+            episode = play(world, player, Choices(), default_step_budget(bound))
+            match episode.ending:
+                case Answered(estimate=answer) | Undecided(quotient=answer):
+                    case = Case(
+                        world.map,
+                        world.start,
+                        episode.transcript,
+                        episode.checkpoints,
+                        answer,
+                        bound if setting.bounded else None,
+                    )
+                    if judge(case, laws.values()):
+                        yield case, laws, world, name
+
+
+def _enumerator(mutant: BrokenEnumerator, edges: int) -> Kill:
+    """Killed by the count gate, or else by the dumb enumerator."""
+    for level in range(1, edges + 1):
+        level_maps = list(mutant.enumerate(level))
+        counted = source_for("maps").cells(level)
+        by_vertices = Counter(map_.vertex_count for map_ in level_maps)
+        gate_agrees = all(by_vertices[n] == known for n, known in counted.items())
+        wrong = _first_difference(level_maps, level)
+        if wrong is not None:
+            by = "brute-force enumerator" if gate_agrees else "count gate"
+            world = World(wrong, Directional(0))
+            return Kill(mutant.name, "enumerator", mutant.breaks, by, world)
+        if not gate_agrees:
+            raise AssertionError(f"the count gate alone complains about {mutant.name}")
+    return Kill(mutant.name, "enumerator", mutant.breaks)
+
+
+def _first_difference(maps: Iterable[CombinatorialMap], level: int) -> CombinatorialMap | None:
+    """The smallest rooted map of the level that does not come exactly once."""
+    found = Counter(_code(map_) for map_ in maps)
+    expected = Counter(_code(map_) for map_ in rooted_maps_by_permutations(level))
+    wrong = [code for code in found | expected if found[code] != expected[code]]
+    return CombinatorialMap(*min(wrong)) if wrong else None
+
+
+def _code(map_: CombinatorialMap) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    return rooted_code(map_.sigma, map_.alpha, 0)

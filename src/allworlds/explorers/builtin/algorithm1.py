@@ -1,0 +1,194 @@
+"""Algorithm 1 of the paper: mapping with one directional lighthouse.
+
+One function for each group of lines; the paper's names S, U, H, M and P are kept in the
+docstrings.  Every freedom that the paper leaves is a choice:
+
+``edge``
+    Which dart leaves U (line 3).  Options: U in the order in which its darts came into S;
+    cost: the length of the shortest walk in S to the dart's vertex.
+``transit``
+    Which simple path in S leads to v_k (line 4), one dart at a time.
+``hypothesis``
+    Which hypothesis leaves H (line 8).  Options: H in the order of S; cost: the length of
+    the shortest path to v0.
+``path``
+    Which simple path in S leads from v_k' to v0 (line 9), one dart at a time.
+
+Options of ``transit`` and ``path``: the darts from which the goal can still be reached
+without entering a vertex twice, those with the shortest way to go first, equals in the order
+of S; cost: the length of that way.  So every simple path is one sequence of answers, and
+answering 0 always takes a shortest one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from typing import TypeAlias, TypeVar
+
+from allworlds.explorers.builtin.partial_map import PartialMap
+from allworlds.explorers.builtin.paths import simple_path, walks
+from allworlds.maps import CombinatorialMap
+from allworlds.protocol import Checkpoint, Choices, Estimate, Move, Percept
+
+R = TypeVar("R")
+Walk: TypeAlias = Generator[Move | Checkpoint, Percept, R]
+"""A part of the exploration that ends with a value of type R."""
+
+
+def nobody(_event: str) -> None:
+    """The listener who is not there."""
+
+
+def algorithm1(
+    first: Percept,
+    *,
+    choices: Choices | None = None,
+    notice: Callable[[str], None] = nobody,
+) -> Walk[Estimate]:
+    """Explore from a directional lighthouse: an estimate that is the same map, pose included.
+
+    Args:
+        first: what is sensed at v0 before any motion; it has a bearing.
+        choices: answers every choice listed above (default: first in, first out).
+        notice: told of each event: ``case-1``, ``case-2``, ``case-3`` (a test's outcome),
+            ``v0-hypothesis`` (a test without a step, at v0), ``empty-H``, ``loop`` and
+            ``non-loop`` (the augmentation).  It changes nothing.
+
+    Cost: at most (1) + (2) of Section VI traversals.  Source: Algorithm 1, Section IV.
+    """
+    return (yield from Algorithm1(first, choices or Choices(), notice).explore())
+
+
+class Algorithm1:
+    """One exploration.  Each method is a group of lines, and can be overridden by a variant.
+
+    Attributes:
+        s: the map S with its open darts U.
+        here: the robot's dart in S; only meaningful between two passes.
+        turned: after a test, how far clockwise of the dart by which it has entered the vertex
+            the robot stands; after a rejected hypothesis that is v_u.
+    """
+
+    def __init__(
+        self, first: Percept, choices: Choices, notice: Callable[[str], None] = nobody
+    ) -> None:
+        self.s = PartialMap(self.reads(first))  # line 1
+        self.here = 0
+        self.turned = 0
+        self.choices = choices
+        self.notice = notice
+
+    def explore(self) -> Walk[Estimate]:
+        """Lines 2-22: passes until U is empty."""
+        while self.s.unexplored:
+            goal = self.take_from_u()
+            percept = self.reads((yield from self.follow(goal)))
+            hypotheses = self.hypotheses(goal, percept)
+            if not hypotheses:
+                self.notice("empty-H")
+            partner = yield from self.test_all(hypotheses)
+            if partner is None:
+                self.notice("non-loop")
+                self.augment_by_vertex(goal, percept)
+            else:
+                self.notice("loop")
+                self.augment_by_loop(goal, partner)
+            yield self.s.checkpoint(self.here)
+        return self.answer()
+
+    def reads(self, percept: Percept) -> Percept:
+        """What is compared of a percept: all of it."""
+        return percept
+
+    def take_from_u(self) -> int:
+        """Line 3: the dart e to be explored."""
+        s = self.s
+        cost = walks(s, s.vertex[self.here], s.unexplored)
+        return self.choices.pick(s.unexplored, of="edge", cost=cost)
+
+    def follow(self, goal: int) -> Walk[Percept]:
+        """Lines 4-5: walk through S to the known end of the dart, then follow it."""
+        s, at = self.s, self.here
+        for dart in simple_path(s, s.vertex[at], s.vertex[goal], self.choices, "transit"):
+            yield Move(s.offset(at, dart))
+            at = s.alpha[dart]
+        return (yield Move(s.offset(at, goal)))
+
+    def hypotheses(self, goal: int, percept: Percept) -> list[int]:
+        """Line 6: H, the other darts in U by which a robot would sense just this.
+
+        At v0 that includes the direction, which is the whole test of such a hypothesis.
+        """
+        s = self.s
+        return [d for d in s.unexplored if d != goal and s.expected[d] == percept]
+
+    def test_all(self, hypotheses: list[int]) -> Walk[int | None]:
+        """Lines 7-17: the hypothesis e' that is confirmed, or None."""
+        self.turned = 0
+        while hypotheses:
+            cost = walks(self.s, 0, hypotheses)
+            partner = self.choices.pick(hypotheses, of="hypothesis", cost=cost)
+            hypotheses.remove(partner)  # line 8
+            path = self.path_to_v0(partner)
+            if not path:
+                self.notice("v0-hypothesis")
+            motions, matched = yield from self.try_path(partner, path)
+            if matched:  # case (3)
+                self.notice("case-3")
+                self.here = self.confirmed_at(partner, path)
+                return partner
+            self.notice("case-2" if len(motions) == len(path) else "case-1")
+            yield from self.retrace(motions)
+        return None
+
+    def confirmed_at(self, partner: int, path: list[int]) -> int:
+        """The robot's dart in S after case (3), at v0."""
+        return self.s.alpha[path[-1]] if path else partner
+
+    def path_to_v0(self, partner: int) -> list[int]:
+        """Line 9: the darts by which a simple path in S from v_k' leaves its vertices."""
+        return list(simple_path(self.s, self.s.vertex[partner], 0, self.choices, "path"))
+
+    def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
+        """Lines 10-13: execute the motions M while the percepts are those expected, P.
+
+        Returns:
+            The motions executed, counted from the dart of entry, and whether all matched.
+        """
+        s, at = self.s, partner
+        motions: list[int] = []
+        for dart in path:
+            motion = s.offset(at, dart)
+            seen = yield Move(motion - self.turned)
+            self.turned = 0
+            motions.append(motion)
+            at = s.alpha[dart]
+            if self.reads(seen) != s.expected[at]:
+                return motions, False
+        return motions, True
+
+    def retrace(self, motions: list[int]) -> Walk[None]:
+        """Line 15: undo the motions.
+
+        The run ``k1..kr`` is undone by ``0, -kr, ..., -k2``; the turn by ``-k1`` that is left
+        costs nothing and is folded into the next motion.  So is a turn from the dart of entry
+        that is left of the test.
+        """
+        back = -self.turned
+        for motion in reversed(motions):
+            yield Move(back)
+            back = -motion
+        self.turned = -back
+
+    def augment_by_vertex(self, goal: int, percept: Percept) -> None:
+        """Lines 20-21: v_u is a new vertex; its first dart is the one of entry."""
+        entry = self.s.add_vertex(goal, percept)
+        self.here = self.s.turn(entry, self.turned)
+
+    def augment_by_loop(self, goal: int, partner: int) -> None:
+        """Lines 18-19: e and e' are one edge, and e' leaves U."""
+        self.s.add_loop(goal, partner)
+
+    def answer(self) -> Estimate:
+        """Line 22: S, and the robot's place in it."""
+        return Estimate(CombinatorialMap(self.s.sigma, self.s.alpha), self.here)

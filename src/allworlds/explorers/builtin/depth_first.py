@@ -1,0 +1,69 @@
+"""Depth first, where every vertex has a number and a direction: what all others are measured by."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from allworlds.explorers.builtin.algorithm1 import Walk, nobody
+from allworlds.explorers.builtin.partial_map import PartialMap
+from allworlds.explorers.builtin.paths import walks
+from allworlds.maps import CombinatorialMap
+from allworlds.protocol import Choices, Estimate, Move, Percept
+
+
+def dfs(
+    first: Percept,
+    *,
+    choices: Choices | None = None,
+    notice: Callable[[str], None] = nobody,
+) -> Walk[Estimate]:
+    """Explore under labels: the number tells the vertex, and the bearing the dart of entry.
+
+    Args:
+        first: what is sensed before any motion.
+        choices: answers by which open dart to leave a vertex (``edge``).
+        notice: told of ``known`` and ``unknown`` vertices beyond a dart.
+
+    Cost: at most 2m traversals: an edge is walked along once, and back once at most.
+    """
+    choices = choices or Choices()
+    s, here = PartialMap(first), 0
+    reference = {first.marks: _reference(s, 0, first)}
+    way: list[int] = []  # the darts that lead back to the first vertex
+    while s.unexplored:
+        at = s.first[s.vertex[here]]
+        around = range(at, at + s.expected[at].degree)
+        options = [dart for dart in around if s.alpha[dart] == dart]
+        if not options:
+            back = way.pop()
+            yield Move(s.offset(here, back))
+            here = s.alpha[back]
+            continue
+        cost = walks(s, s.vertex[here], options)
+        dart = choices.pick(options, of="edge", cost=cost)
+        seen = yield Move(s.offset(here, dart))
+        if seen.marks in reference:
+            notice("known")
+            assert seen.bearing is not None
+            entry = s.turn(reference[seen.marks], -seen.bearing)
+            s.add_loop(dart, entry)
+            if s.vertex[entry] == s.vertex[dart]:
+                here = entry
+            elif s.unexplored:
+                yield Move(0)
+                here = dart
+            else:
+                here = entry
+        else:
+            notice("unknown")
+            here = s.add_vertex(dart, seen)
+            reference[seen.marks] = _reference(s, here, seen)
+            way.append(here)
+        yield s.checkpoint(here)
+    return Estimate(CombinatorialMap(s.sigma, s.alpha), here)
+
+
+def _reference(s: PartialMap, dart: int, percept: Percept) -> int:
+    """The reference dart of the vertex at which the robot has arrived by ``dart``."""
+    assert percept.bearing is not None
+    return s.turn(dart, percept.bearing)

@@ -1,0 +1,144 @@
+"""One movable marker that points nowhere, in simple worlds: Dudek, Jenkin, Milios, Wilkes 1991.
+
+Each pass explores one dart.  At its unknown end the robot drops the marker, comes back, and looks
+for it at the vertices of S that this end could be (place validation).  Where it is not found, the
+end is a new vertex.  Where it is, the robot drops it at the known end of the dart, and tries the
+open darts there until one leads to it (back-link validation).
+
+In a simple world the answer is right.  Where edges are parallel, or a vertex has two loops,
+back-link validation can take a wrong dart for the other end, and no explorer with markers does
+better everywhere.
+
+Left open by the source, and here: which dart leaves U is a choice (``edge``); the candidates are
+visited in the order of a depth-first walk of a spanning tree of S, which the bound needs; the open
+darts there are tried clockwise from the dart of entry.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from typing import TypeAlias, TypeVar
+
+from allworlds.explorers.builtin.algorithm1 import nobody
+from allworlds.explorers.builtin.partial_map import PartialMap
+from allworlds.explorers.builtin.paths import walks
+from allworlds.maps import CombinatorialMap
+from allworlds.protocol import Action, Checkpoint, Choices, Drop, Estimate, Move, Percept, Pick
+
+R = TypeVar("R")
+Acts: TypeAlias = Generator[Action | Checkpoint, Percept, R]
+"""A part of the exploration that ends with a value of type R."""
+
+
+def dudek91(
+    first: Percept,
+    *,
+    choices: Choices | None = None,
+    notice: Callable[[str], None] = nobody,
+) -> Acts[Estimate]:
+    """Explore a simple world with one marker in hand that can be taken up again.
+
+    Args:
+        first: what is sensed before any motion.
+        choices: answers which dart to explore next (default: first in, first out).
+        notice: told of ``new-vertex`` and ``back-link``, the two ends of a pass.
+
+    Cost: in a simple world at most ``3s`` for the vertex that is found when s are known, and
+    ``5n + 2D - 4`` for every other edge, where D is the largest degree: O(mn).
+    """
+    return (yield from _Dudek(first, choices or Choices(), notice).explore())
+
+
+class _Dudek:
+    """One exploration: S with U, and the robot's dart in it."""
+
+    def __init__(self, first: Percept, choices: Choices, notice: Callable[[str], None]) -> None:
+        self.s = PartialMap(first)
+        self.here = 0
+        self.choices = choices
+        self.notice = notice
+
+    def explore(self) -> Acts[Estimate]:
+        s = self.s
+        while s.unexplored:
+            cost = walks(s, s.vertex[self.here], s.unexplored)
+            dart = self.choices.pick(s.unexplored, of="edge", cost=cost)
+            yield from self.go(s.vertex[dart])
+            beyond = yield from self.leave_by(dart)
+            yield Drop()
+            seen = yield Move(0)
+            self.here = dart
+            found = yield from self.find_marker(self.candidates(dart, beyond), seen)
+            if found:
+                self.notice("back-link")
+                yield from self.close(dart)
+            else:
+                self.notice("new-vertex")
+                yield from self.go(s.vertex[dart])
+                yield from self.leave_by(dart)
+                yield Pick()
+                self.here = s.add_vertex(dart, beyond)
+            yield s.checkpoint(self.here)
+        return Estimate(CombinatorialMap(s.sigma, s.alpha), self.here)
+
+    def go(self, goal: int) -> Acts[Percept | None]:
+        """Walk to a vertex by a shortest way in S; what is sensed there, None without a step."""
+        s, seen = self.s, None
+        lengths = s.distances(goal)
+        while (vertex := s.vertex[self.here]) != goal:
+            nearer = lengths[vertex] - 1
+            dart = next(dart for dart, other in s.ways(vertex) if lengths[other] == nearer)
+            seen = yield Move(s.offset(self.here, dart))
+            self.here = s.alpha[dart]
+        return seen
+
+    def leave_by(self, dart: int) -> Acts[Percept]:
+        """Through a dart of the vertex where the robot is; ``here`` stays behind."""
+        return (yield Move(self.s.offset(self.here, dart)))
+
+    def candidates(self, explored: int, beyond: Percept) -> list[int]:
+        """The vertices of S that the unknown end can be, as a walk round a tree meets them."""
+        s = self.s
+        possible = {
+            s.vertex[dart]
+            for dart in s.unexplored
+            if dart != explored and s.expected[dart].degree == beyond.degree
+        }
+        order: list[int] = []
+        waiting = [s.vertex[explored]]
+        while waiting:
+            vertex = waiting.pop()
+            if vertex not in order:
+                order.append(vertex)
+                waiting += [other for _, other in s.ways(vertex)]
+        return [vertex for vertex in order if vertex in possible]
+
+    def find_marker(self, candidates: list[int], here: Percept) -> Acts[bool]:
+        """Visit the candidates until the marker is seen: there the robot is then."""
+        for vertex in candidates:
+            seen = yield from self.go(vertex)
+            if (seen or here).marks:
+                return True
+        return False
+
+    def close(self, dart: int) -> Acts[None]:
+        """The marker to the known end, then back: which open dart leads to it?"""
+        s = self.s
+        vertex = s.vertex[self.here]
+        yield Pick()
+        yield from self.go(s.vertex[dart])
+        yield Drop()
+        yield from self.go(vertex)
+        entry = self.here
+        around = [s.turn(entry, k) for k in range(s.expected[entry].degree)]
+        partners = [other for other in around if s.alpha[other] == other and other != dart]
+        for partner in partners:
+            seen = yield from self.leave_by(partner)
+            # In a simple world the last one that is left must be it.
+            if seen.marks or partner == partners[-1]:
+                yield Pick()
+                s.add_loop(dart, partner)
+                self.here = dart
+                return
+            yield Move(0)
+            self.here = partner

@@ -1,0 +1,65 @@
+"""Greedy in round worlds, home-loving in long ones.
+
+In a world that is as round as a lattice every place is near v0, and the nearest dart is the best.
+In a long one (a thick path, a prism) the nearest dart leads away from v0, where tests are dear, and
+leaves open darts behind, each of which is a hypothesis in every later pass: there darts near v0
+come first.  What has been settled so far shows which of the two it is.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable
+from math import inf
+
+from allworlds.explorers.builtin.algorithm1 import nobody
+from allworlds.explorers.builtin.greedy import Greedy
+from allworlds.explorers.builtin.unforgetting import Spread, Walk
+from allworlds.protocol import Estimate, Percept
+
+HOME = 4
+"""A step between a dart and v0 weighs as much as so many steps of the robot, in a long world."""
+
+
+def prudent(first: Percept, *, notice: Callable[[str], None] = nobody) -> Walk[Estimate]:
+    """Explore from a directional lighthouse: an estimate that is the same map, pose included.
+
+    While the settled part is round this is :func:`allworlds.explorers.builtin.greedy.greedy`.
+    While it is long, the next dart is the one with the least sum of the robot's way to it and, four
+    times, its way to v0.
+
+    Args:
+        first: what is sensed at v0 before any motion; it has a bearing.
+        notice: told of what :func:`allworlds.explorers.builtin.remembering.remembering` tells.
+
+    Cost: at most (1) + (2) of Section VI traversals.
+    """
+    return (yield from _Prudent(first, notice).explore())
+
+
+class _Prudent(Greedy):
+    def next_dart(self, unexplored: list[int]) -> int:
+        if not self._is_long():
+            return super().next_dart(unexplored)
+        log = self.log
+        darts = defaultdict(list)
+        for dart in unexplored:
+            darts[log.node[dart]].append(dart)
+        here = log.node[self.here]
+        spread = Spread(log, here)
+        best: tuple[float, int, int] = (inf, 0, 0)
+        while darts and spread.distance <= best[0]:
+            for v in spread.layer:
+                turned = self.here if v == here else log.base[v]
+                for dart in darts.pop(v, ()):
+                    cost = spread.distance + HOME * self.distance[v]
+                    best = min(best, (cost, (dart - turned) % log.degree[v], dart))
+            spread.grow()
+        return best[2]
+
+    def _is_long(self) -> bool:
+        """Whether a settled vertex is further than 3/2 sqrt(s) from v0; s is how many there are."""
+        return 4 * max(self.distance.values()) ** 2 > 9 * len(self.distance)
+
+
+__all__ = ["prudent"]

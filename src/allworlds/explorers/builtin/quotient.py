@@ -1,0 +1,226 @@
+"""What a robot with position only can know: the quotient of its world, learnt by experiments.
+
+Nothing tells darts of one class apart, so the robot learns the classes: which darts there are, and
+how sigma and alpha lead from class to class.  It can undo whatever it does, so every experiment can
+be made from any dart that it has ever stood at.
+
+* A *word* is a row of letters ``s`` (turn to the next dart) and ``a`` (go through); a dart's *row*
+  is what is sensed after each word of a growing set, which holds every end of its words.
+* The *table* holds one dart for each row that was seen; it is closed if turning at these darts, and
+  going through them, leads to rows that it has.  Then it predicts what every word shows.
+* A prediction that is not met adds a word that splits a class.
+
+It is done when these are met, and then it is right.  Let J be the darts of v0 whose row is that of
+the start, and t_c for each class c a word that leads to it from there.  Met is: the dart reached
+from each dart of J by t_c has the row of c; and going on from it by a letter, which should lead to
+class c', and then back along the word of c', ends at v0 at a dart with the start's row, so at one
+of J.  Hence these darts are closed under both letters: they are all darts of the world.  And each
+has one row, with which the row of the next is given: so the classes are those of the quotient.
+
+Where the class of worlds with this quotient has one member (`its criterion
+<../ambiguity.md>`_), that is the answer; else the quotient is.  Source: Angluin 1987 for the table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple, TypeAlias
+
+from allworlds.explorers.builtin.algorithm1 import Walk, nobody
+from allworlds.explorers.builtin.experiments import Experiments, TreeDart
+from allworlds.maps import CombinatorialMap
+from allworlds.protocol import Ambiguous, Choices, Estimate, Percept
+
+Word: TypeAlias = tuple[str, ...]
+Row: TypeAlias = tuple[Percept, ...]
+
+
+def quotient(
+    first: Percept,
+    *,
+    choices: Choices | None = None,  # noqa: ARG001  # it has no freedom worth a choice
+    notice: Callable[[str], None] = nobody,
+) -> Walk[Estimate | Ambiguous]:
+    """Learn the quotient under position: a map where only one looks so, else the quotient.
+
+    Args:
+        first: what is sensed at v0 before any motion.
+        choices: is not asked.
+        notice: told of ``map`` or ``ambiguous``, the kind of the answer.
+
+    Cost: polynomial in the darts; at most 557 traversals for up to 4 edges, 1,791 for 5.
+    """
+    learner = _Learner(Experiments(first))
+    yield from learner.learn()
+    found = learner.table
+    answer = found.only_world() if found.is_alone() else found.ambiguous()
+    notice("map" if isinstance(answer, Estimate) else "ambiguous")
+    return answer
+
+
+class Table(NamedTuple):
+    """Classes, with what the letters do; class 0 is the start's.
+
+    Attributes:
+        sigma, alpha: of the classes.
+        sensed: for each class the percept of its darts.
+        here: the class of the robot's dart.
+    """
+
+    sigma: tuple[int, ...]
+    alpha: tuple[int, ...]
+    sensed: tuple[Percept, ...]
+    here: int
+
+    def after(self, word: Word, of: int = 0) -> int:
+        """The class to which a word should lead."""
+        for letter in word:
+            of = self.sigma[of] if letter == "s" else self.alpha[of]
+        return of
+
+    def words(self) -> dict[int, Word]:
+        """For each class that can be reached from the start's a shortest word that leads to it."""
+        words: dict[int, Word] = {0: ()}
+        for of in (queue := [0]):
+            for letter in "sa":
+                other = self.after((letter,), of)
+                if other not in words:
+                    words[other] = (*words[of], letter)
+                    queue.append(other)
+        return words
+
+    def vertices(self) -> list[list[int]]:
+        """The cycles of sigma; that of the start first."""
+        seen: set[int] = set()
+        found = []
+        for first in range(len(self.sigma)):
+            cycle, of = [], first
+            while of not in seen:
+                seen.add(of)
+                cycle.append(of)
+                of = self.sigma[of]
+            if cycle:
+                found.append(cycle)
+        return found
+
+    @property
+    def sheets(self) -> int:
+        """How many darts of the world lie over each class: those of v0 go round so often."""
+        return self.sensed[0].degree // len(self.vertices()[0])
+
+    def is_alone(self) -> bool:
+        """Whether only one world has this quotient."""
+        halves = sum(of == other for of, other in enumerate(self.alpha))
+        vertices = self.vertices()
+        cycles = (len(self.alpha) - halves) // 2 - len(vertices) + 1
+        rigid = not halves and all(self.turns(v) == 1 for v in vertices[1:])
+        return self.sheets == 1 or (not cycles and (self.sheets == 2 or rigid))
+
+    def turns(self, vertex: list[int]) -> int:
+        """How often a vertex of the world goes round one of the quotient."""
+        return self.sensed[vertex[0]].degree // len(vertex)
+
+    def only_world(self) -> Estimate:
+        """The world, where there is only one: its sheets are exchanged where they must be."""
+        k = self.sheets
+        sigma = [of * k + i for of in self.sigma for i in range(k)]
+        alpha = [of * k + i for of in self.alpha for i in range(k)]
+        for vertex in self.vertices():
+            if self.turns(vertex) > 1:
+                last = vertex[-1]
+                for i in range(k):
+                    sigma[last * k + i] = vertex[0] * k + (i + 1) % k
+        for of, other in enumerate(self.alpha):
+            if of == other:
+                alpha[of * k], alpha[of * k + 1] = of * k + 1, of * k
+        return Estimate(CombinatorialMap(sigma, alpha), self.here * k)
+
+    def ambiguous(self) -> Ambiguous:
+        """The rooted quotient."""
+        degree = tuple(percept.degree for percept in self.sensed)
+        marks = tuple(percept.marks for percept in self.sensed)
+        return Ambiguous(self.sigma, self.alpha, degree, marks, self.here)
+
+
+class _Learner:
+    """The table, and the words that tell its classes apart."""
+
+    def __init__(self, world: Experiments) -> None:
+        self.world = world
+        self.telling: list[Word] = [()]
+        self.table = Table((), (), (), 0)
+        self._reached: list[Word] = []
+        self._rows: list[Row] = []
+
+    def learn(self) -> Walk[None]:
+        """Experiments until every prediction that matters is met."""
+        wrong: Word | None = ()
+        while wrong is not None:
+            for i in range(len(wrong) + 1):
+                if wrong[i:] not in self.telling:
+                    self.telling.append(wrong[i:])
+            yield from self._close()
+            wrong = yield from self._refuted()
+        # Experiments would move the robot; the way that it has come says as much.
+        here = self.table.after(self.world.word_to(self.world.here))
+        self.table = self.table._replace(here=here)
+
+    def _close(self) -> Walk[None]:
+        """The table anew, from the start's class on."""
+        self._reached, self._rows = [()], [(yield from self._row(self.world.start))]
+        leads: dict[str, list[int]] = {"s": [], "a": []}
+        for word in self._reached:
+            for letter, to in leads.items():
+                further = (*word, letter)
+                row = yield from self._row((yield from self.world.walk(further)))
+                if row not in self._rows:
+                    self._rows.append(row)
+                    self._reached.append(further)
+                to.append(self._rows.index(row))
+        sensed = tuple(row[0] for row in self._rows)
+        self.table = Table(tuple(leads["s"]), tuple(leads["a"]), sensed, 0)
+
+    def _row(self, place: TreeDart) -> Walk[Row]:
+        row = []
+        for word in self.telling:
+            row.append(self.world.sensed((yield from self.world.walk(word, place))))
+        return tuple(row)
+
+    def _refuted(self) -> Walk[Word | None]:
+        """The first word whose prediction is not met, with what shows it; None if all are met."""
+        for word in self._to_be_met():
+            place, of = self.world.start, 0
+            for i in range(len(word) + 1):
+                if i:
+                    place = yield from self.world.walk(word[i - 1 : i], place)
+                    of = self.table.after(word[i - 1 : i], of)
+                row = yield from self._row(place)
+                if row != self._rows[of]:
+                    shown = zip(self.telling, row, self._rows[of], strict=True)
+                    return word[:i] + next(telling for telling, a, b in shown if a != b)
+        return None
+
+    def _to_be_met(self) -> Iterator[Word]:
+        """Words whose predictions, once they are met, leave no doubt."""
+        table = self.table
+        degrees = [percept.degree for percept in table.sensed]
+        # The letters have inverses, and v0 has as many classes as there are different rows.
+        for word, degree in zip(self._reached, degrees, strict=True):
+            yield (*word, "a", "a")
+            yield (*word, *"s" * degree)
+        size = len(table.vertices()[0])
+        words = table.words()
+        for turned in range(0, degrees[0], size):
+            for of, word in words.items():
+                for letter in "sa":
+                    other = table.after((letter,), of)
+                    back = self._back(words[other], degrees)
+                    yield (*"s" * turned, *word, letter, *back)
+
+    def _back(self, word: Word, degrees: list[int]) -> Word:
+        """The word that leads back: to turn back is to turn on to where one was."""
+        back: list[str] = []
+        for i in range(len(word), 0, -1):
+            degree = degrees[self.table.after(word[: i - 1])]
+            back += ["a"] if word[i - 1] == "a" else ["s"] * (degree - 1)
+        return tuple(back)

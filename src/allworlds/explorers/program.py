@@ -1,0 +1,363 @@
+"""A program in any language as an explorer: JSON lines over a pipe.
+
+One process plays many episodes.  To it: ``{"episode": 1, "percept": P}`` (with ``"told"``
+where there is something to tell), then ``{"percept": P}`` after each action.  From it:
+``{"move": k}``, ``{"drop": true}``, ``{"pick": true}``, ``{"checkpoint": {...}}`` (unanswered)
+or ``{"estimate": {"sigma", "alpha", "here"}}`` or ``{"ambiguous": {"sigma", "alpha", "degree",
+"marks", "here"}}``.  Unknown keys are ignored by both sides.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import json
+import os
+import secrets
+import select
+import shlex
+import shutil
+import subprocess
+import time
+from collections.abc import Generator, Sequence
+from functools import lru_cache
+from pathlib import Path
+from random import Random
+from typing import Any, Literal
+
+from allworlds.inputs import SHOWN, InputError, show
+from allworlds.maps import CombinatorialMap, InvalidMap
+from allworlds.protocol import (
+    Action,
+    Ambiguous,
+    Answer,
+    Checkpoint,
+    Estimate,
+    ExplorerFault,
+    Percept,
+    action_from_json,
+)
+
+STDERR_KEPT = 4096
+LONGEST_LINE = 1 << 24
+SAYINGS = {"move", "drop", "pick", "checkpoint", "estimate", "ambiguous"}
+"""A line of the program has exactly one of these keys."""
+
+SHORT = 64
+"""Lines of fewer bytes, as most are, are parsed once."""
+
+
+class Program:
+    """The process behind ``--exec COMMAND``; started at the first episode.
+
+    Args:
+        command: split as a shell splits words; no shell is involved.
+        answer_timeout: seconds of silence after which it is killed.
+
+    Raises:
+        InputError: if the command is empty, or its program is not found or cannot be run.
+    """
+
+    def __init__(self, command: str, answer_timeout: float) -> None:
+        try:
+            self._arguments = shlex.split(command)
+        except ValueError as error:
+            raise InputError(
+                f"--exec {show(command)} cannot be split into words: {error}"
+            ) from None
+        if not self._arguments:
+            raise InputError("--exec needs a command, not an empty string")
+        found = shutil.which(self._arguments[0])
+        if found is None:
+            raise InputError(f"--exec {show(command)}: {_obstacle(self._arguments[0])}")
+        self.path = found
+        self._timeout = answer_timeout
+        self._process: subprocess.Popen[bytes] | None = None
+        self._numbers = Random(secrets.randbits(64))  # noqa: S311  # they are to tell nothing
+        self._heard = False
+        self._err = bytearray()
+        self._out = bytearray()
+        self._said = select.poll()
+        self._in_to = self._out_of = -1
+
+    def explore(
+        self, first: Percept, *, told: int | None = None
+    ) -> Generator[Action | Checkpoint, Percept, Answer]:
+        """One episode: what the program says, as an explorer would say it.
+
+        Raises:
+            ExplorerFault: when the program is silent, ends, or says something else.
+        """
+        finished = False
+        try:
+            self._begin(first, told)
+            while True:
+                line = self._line()
+                action = _short_action(line) if len(line) < SHORT else None
+                if action is not None:
+                    percept = yield action
+                    self._send(_answering(percept))
+                    continue
+                message = self._message(line)
+                if len(message.keys() & SAYINGS) != 1:
+                    raise self._fault("illegal-action", f"the line {_short(message)}")
+                action = action_from_json(message)
+                if action is not None:
+                    percept = yield action
+                    self._send(_answering(percept))
+                elif "checkpoint" in message:
+                    yield _checkpoint(message["checkpoint"])
+                elif "estimate" in message or "ambiguous" in message:
+                    if self._out:
+                        raise self._fault(
+                            "illegal-action", f"a line after its answer: {_text(self._out)}"
+                        )
+                    answer = _answer(message)
+                    finished = True
+                    return answer
+                else:
+                    raise self._fault("illegal-action", f"the line {_short(message)}")
+        finally:
+            if not finished:
+                # Whatever it would say next belongs to an episode that is over.
+                self._kill()
+
+    def close(self) -> None:
+        """Close the program's input, wait a second for its end, then kill it."""
+        process = self._process
+        if process is None:
+            return
+        if process.stdin:
+            with contextlib.suppress(OSError):
+                process.stdin.close()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(1)
+        self._kill()
+
+    def _begin(self, first: Percept, told: int | None) -> None:
+        if self._process is None:
+            self._start()
+        self._read(0)
+        self._err.clear()
+        if self._out:
+            raise self._fault("illegal-action", f"a line before it was asked: {_text(self._out)}")
+        self._heard = False
+        number = self._numbers.getrandbits(53)
+        heard = b"" if told is None else b'"told": %d, ' % told
+        self._send(b'{"episode": %d, ' % number + heard + _answering(first)[1:])
+
+    def _start(self) -> None:
+        try:
+            self._process = subprocess.Popen(  # noqa: S603  # running it is what was asked for
+                self._arguments,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                bufsize=0,
+                start_new_session=True,
+            )
+        except OSError as error:
+            raise ExplorerFault("crash", f"the program cannot be started: {error}") from None
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
+        assert self._process.stderr is not None
+        self._in_to, self._out_of = self._process.stdin.fileno(), self._process.stdout.fileno()
+        self._said = select.poll()
+        self._said.register(self._process.stdout, select.POLLIN)
+        self._said.register(self._process.stderr, select.POLLIN)
+        self._out.clear()
+        self._err.clear()
+
+    def _kill(self) -> None:
+        process, self._process = self._process, None
+        self._in_to = self._out_of = -1
+        if process is None:
+            return
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(process.pid, 9)
+        process.wait()
+        for stream in (process.stdin, process.stdout, process.stderr):
+            if stream is not None:
+                with contextlib.suppress(OSError):
+                    stream.close()
+
+    def _send(self, line: bytes) -> None:
+        try:
+            os.write(self._in_to, line)
+        except OSError:
+            raise self._ended() from None
+
+    def _message(self, line: bytes) -> dict[str, Any]:
+        try:
+            message = json.loads(line)
+        except (ValueError, RecursionError):
+            raise self._fault("illegal-action", f"a line that is no JSON: {_text(line)}") from None
+        if not isinstance(message, dict):
+            raise self._fault("illegal-action", f"a line that is no object: {_text(line)}")
+        return message
+
+    def _line(self) -> bytes:
+        deadline = time.monotonic() + self._timeout
+        searched = 0
+        while (end := self._out.find(b"\n", searched)) < 0:
+            searched = len(self._out)
+            if len(self._out) > LONGEST_LINE:
+                raise self._fault("illegal-action", f"a line of over {LONGEST_LINE} bytes")
+            left = deadline - time.monotonic()
+            if left <= 0:
+                raise self._fault("timeout", f"silent for {self._timeout:g} s", machine=True)
+            if not self._read(left):
+                raise self._ended()
+        line = bytes(self._out[:end])
+        del self._out[: end + 1]
+        self._heard = True
+        return line
+
+    def _read(self, wait: float) -> bool:
+        """Take in what the program says within ``wait`` seconds; False at its end of output.
+
+        Of what it writes to stderr only the end is kept, however much it is.
+        """
+        goes_on = True
+        for descriptor, _ in self._said.poll(wait * 1000):
+            if descriptor == self._out_of:
+                chunk = os.read(descriptor, 1 << 16)
+                self._out += chunk
+                goes_on = bool(chunk)
+            else:
+                self._read_err()
+        return goes_on
+
+    def _read_err(self) -> None:
+        assert self._process is not None
+        assert self._process.stderr is not None
+        if text := self._process.stderr.read(1 << 16):
+            self._err += text
+            del self._err[:-STDERR_KEPT]
+        else:
+            self._said.unregister(self._process.stderr)
+            self._process.stderr.close()
+
+    def _ended(self) -> ExplorerFault:
+        assert self._process is not None
+        try:
+            seen = f"the end of its output (exit code {self._process.wait(1)})"
+        except subprocess.TimeoutExpired:
+            seen = "the end of its output"
+        if self._process.returncode == 0 and not self._heard:
+            seen += ", before a line of this episode: one process plays many, until its input ends"
+        code = self._process.returncode
+        return self._fault("crash", seen, machine=code is not None and code < 0)
+
+    def _drain(self) -> None:
+        """Take in what it has written to stderr by now."""
+        process = self._process
+        while process and process.stderr and not process.stderr.closed:
+            poll = select.poll()
+            poll.register(process.stderr, select.POLLIN)
+            before = len(self._err)
+            if not poll.poll(0):
+                return
+            self._read(0)
+            if len(self._err) in (before, STDERR_KEPT):
+                return
+
+    def _fault(
+        self,
+        law: Literal["crash", "timeout", "illegal-action", "no-estimate"],
+        seen: str,
+        *,
+        machine: bool = False,
+    ) -> ExplorerFault:
+        self._drain()
+        detail = self._err.decode(errors="replace")
+        told = f"stderr:\n{detail}" if detail else ""
+        return ExplorerFault(law, seen, told, machine=machine)
+
+
+@lru_cache(maxsize=1 << 12)
+def _short_action(line: bytes) -> Action | None:
+    """The action that a short line is; None where it must be looked at more closely."""
+    try:
+        message = json.loads(line)
+    except (ValueError, RecursionError):
+        return None
+    one = isinstance(message, dict) and len(message.keys() & SAYINGS) == 1
+    return action_from_json(message) if one else None
+
+
+@lru_cache(maxsize=1 << 12)
+def _answering(percept: Percept) -> bytes:
+    """The line that answers an action."""
+    return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
+
+
+def _obstacle(name: str) -> str:
+    """Why what is named cannot be run."""
+    path = Path(name)
+    try:
+        path.stat()
+    except OSError as error:
+        if error.errno != errno.ENOENT:
+            return f"{show(name)}: {error.strerror}"
+    except ValueError:
+        return f"there is no program {show(name)}: no file can be named so"
+    if path.is_dir():
+        return f"{show(name)} is a directory, not a program"
+    if path.is_file():
+        if os.sep in name:
+            return (
+                f"the file {show(name)} is not executable; chmod +x, or name its interpreter first"
+            )
+        return f"there is no program {show(name)}; for the file here write './{name}'"
+    return f"there is no program {show(name)}"
+
+
+def _checkpoint(value: object) -> Checkpoint:
+    if not isinstance(value, dict):
+        raise ExplorerFault("illegal-action", f"a checkpoint that is no object: {_short(value)}")
+    if missing := _missing(value):
+        raise ExplorerFault("illegal-action", f"a checkpoint without {missing}: {_short(value)}")
+    return Checkpoint(value["sigma"], value["alpha"], value["here"])
+
+
+def _answer(message: dict[str, Any]) -> Answer:
+    if "estimate" in message:
+        return _estimate(message["estimate"])
+    return _ambiguous(message["ambiguous"])
+
+
+def _estimate(value: object) -> Estimate:
+    if not isinstance(value, dict):
+        raise ExplorerFault("no-estimate", f"an estimate that is no object: {_short(value)}")
+    if missing := _missing(value):
+        raise ExplorerFault("no-estimate", f"an estimate without {missing}: {_short(value)}")
+    try:
+        return Estimate(CombinatorialMap.from_json(value), value["here"])
+    except InvalidMap as error:
+        raise ExplorerFault("no-estimate", f"no map: {error}") from None
+
+
+def _ambiguous(value: object) -> Ambiguous:
+    if not isinstance(value, dict):
+        raise ExplorerFault("no-estimate", f"a quotient that is no object: {_short(value)}")
+    if missing := _missing(value, ("sigma", "alpha", "degree", "marks", "here")):
+        raise ExplorerFault("no-estimate", f"a quotient without {missing}: {_short(value)}")
+    return Ambiguous(*(value[key] for key in ("sigma", "alpha", "degree", "marks", "here")))
+
+
+def _missing(value: dict[str, Any], keys: Sequence[str] = ("sigma", "alpha", "here")) -> str:
+    """The keys that a checkpoint or an answer lacks."""
+    return " and ".join(key for key in keys if key not in value)
+
+
+def _short(value: object) -> str:
+    try:
+        text = json.dumps(value)
+    except (RecursionError, ValueError):  # nested too deeply, or an integer too long
+        return show(value)
+    return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
+
+
+def _text(line: bytes | bytearray) -> str:
+    return repr(line[:SHOWN].decode(errors="replace"))

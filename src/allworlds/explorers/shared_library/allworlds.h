@@ -1,0 +1,179 @@
+/* allworlds.h, version 1: explorers in C, and in every language that can export C functions.
+ *
+ * An explorer is a shared library that defines the functions below.  It is tried with
+ *
+ *     allworlds check --native ./my_explorer.so --edges 5
+ *
+ * and takes part in run, replay, fuzz and worst in the same way.  One command builds it:
+ *
+ *     cc -O2 -shared -fPIC -I FOLDER -o my_explorer.so my_explorer.c
+ *
+ * where FOLDER holds this file: `allworlds init --header > FOLDER/allworlds.h`.
+ *
+ * HOW AN EPISODE GOES
+ *
+ *     state = allworlds_new()                          once in a process, or more often
+ *     allworlds_choose(state, pick, context)           if the library has it
+ *     allworlds_start(state, &percept, told, &action)  an episode begins
+ *     allworlds_step(state, &percept, &action)         ... after each action
+ *     n = allworlds_answer(state, capacity, sigma, alpha, &here)
+ *     allworlds_delete(state)                          at the end; or the process just ends
+ *
+ * `start` and `step` set `action`: a motion, a marker, a checkpoint, or ALLWORLDS_ANSWER.  After a
+ * motion `step` gets what is sensed at its end, after a marker what is sensed then, after a
+ * checkpoint the same percept as before.  ALLWORLDS_ANSWER ends the episode: `answer` is called
+ * once, and then a new episode begins with `start`, in the same state, in any world; the same holds
+ * of ALLWORLDS_AMBIGUOUS, and of `quotient`.  An episode
+ * can also end without an answer (a budget has been spent, or `action` was none): then the next
+ * call is `start`, too.  `start` is to forget everything: each world is explored twice, in
+ * different processes and in different orders, and both explorations must be the same.
+ *
+ * WHAT MAY BE ASSUMED
+ *
+ *  - `state` is what `new` has returned, and is never looked at.  It belongs to the library, as all
+ *    memory does that it has allocated.
+ *  - Pointers to percepts, actions and buffers are valid during the call, and belong to the caller.
+ *    They are never NULL (`cost` below may be), and do not overlap.
+ *  - One state is used by one thread at a time, and by one process only.  There can be several
+ *    states in a process.
+ *  - Before each call of `start` and `step`, `*action` is all zero, which is no action.
+ *  - Nothing is to be returned by setjmp, no exception may leave a function, and no thread or
+ *    process may be left behind when an episode has ended.
+ *  - stdout and stderr are the user's stderr; stdin is empty.
+ *
+ * WHAT BREAKS A LAW
+ *
+ *  - a signal, abort() or exit(), or a thread that is left behind: `crash`
+ *  - a call that takes longer than --answer-timeout seconds: `timeout`
+ *  - an action that is none, or a marker where there are none, or ALLWORLDS_AMBIGUOUS without a
+ *    `quotient`: `illegal-action`
+ *  - an answer that is no map, or `here` that is no dart of it, or more darts than there is room
+ *    for: `no-estimate`
+ *  - another walk or answer when the same percepts are met again: `nondeterministic`
+ *
+ * Foreign code runs in processes of its own; what it does there is a finding in the world that it
+ * was in, and the check goes on.  Such a process has 2 GB of address space for its library, or
+ * what --memory says.
+ *
+ * WHAT STAYS
+ *
+ * A library that is built with version 1 is accepted by every later release whose header says
+ * version 1, and behaves in the same way.  New kinds of actions may come, which no library need
+ * use; existing names, numbers, structures and functions do not change.  If one of them must, the
+ * version becomes 2, and a library of version 1 is refused in one line or goes on as it did.
+ */
+#ifndef ALLWORLDS_H
+#define ALLWORLDS_H
+
+#include <stdint.h>
+
+#define ALLWORLDS_VERSION 1
+
+#if defined(__GNUC__) || defined(__clang__)
+#define ALLWORLDS_EXPORT __attribute__((visibility("default")))
+#else
+#define ALLWORLDS_EXPORT
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What is sensed at a vertex.  12 bytes. */
+typedef struct allworlds_percept {
+    int32_t degree;  /* of the vertex, at least 1 */
+    int32_t marks;   /* markers that can be seen here; at v0 of the directional lighthouse 1 */
+    int32_t bearing; /* clockwise from the dart arrived by to the pointed dart, below the degree;
+                        -1 where no direction is sensed */
+} allworlds_percept;
+
+/* What the robot does.  8 bytes. */
+typedef struct allworlds_action {
+    int32_t kind;    /* one of the following */
+    int32_t motion;  /* of a move: leave by the dart so many places clockwise of the dart arrived
+                        by (at the start: of the dart faced); any integer, modulo the degree.
+                        0 goes back.  Of other actions it means nothing. */
+} allworlds_action;
+
+enum {
+    ALLWORLDS_MOVE = 1,       /* one edge */
+    ALLWORLDS_DROP = 2,       /* lay down a marker, where the lighthouse gives markers */
+    ALLWORLDS_PICK = 3,       /* pick one up */
+    ALLWORLDS_CHECKPOINT = 4, /* show the judge what is known: `answer` is called, then `step` */
+    ALLWORLDS_ANSWER = 5,     /* the map is known: `answer` is called, and the episode ends */
+    ALLWORLDS_AMBIGUOUS = 6   /* several maps look like this one: `quotient` is called, and the
+                                 episode ends; where the lighthouse is `position` */
+};
+
+/* What a choice is about. */
+enum {
+    ALLWORLDS_EDGE = 0,       /* the dart that is explored next */
+    ALLWORLDS_HYPOTHESIS = 1, /* the hypothesis that is tested next */
+    ALLWORLDS_PATH = 2,       /* the next dart of a path that tests a hypothesis */
+    ALLWORLDS_TRANSIT = 3     /* the next dart on the way to the dart that is explored */
+};
+
+/* In place of `told` where nothing is told. */
+#define ALLWORLDS_NOTHING (-1)
+
+/* An index from 0 to options - 1.
+ *
+ * context  what `choose` was given
+ * of       what is chosen
+ * options  how many there are, at least 1, in the order in which they came to be known
+ * cost     the walking distance of each, or NULL
+ *
+ * To be called from within `start` and `step` only.
+ */
+typedef int32_t (*allworlds_pick)(void *context, int32_t of, int32_t options, const int32_t *cost);
+
+/* ALLWORLDS_VERSION, as it was when the library was built. */
+ALLWORLDS_EXPORT int32_t allworlds_version(void);
+
+/* A state in which `start` can be called; NULL (a crash) if there is none. */
+ALLWORLDS_EXPORT void *allworlds_new(void);
+
+/* The end of a state. */
+ALLWORLDS_EXPORT void allworlds_delete(void *state);
+
+/* A new episode: what is sensed before any motion, what the lighthouse tells (`natural`: the degree
+ * of v1) or ALLWORLDS_NOTHING, and room for the first action. */
+ALLWORLDS_EXPORT void allworlds_start(void *state, const allworlds_percept *percept, int32_t told,
+                                      allworlds_action *action);
+
+/* What is sensed after the last action, and room for the next one. */
+ALLWORLDS_EXPORT void allworlds_step(void *state, const allworlds_percept *percept,
+                                     allworlds_action *action);
+
+/* The map: how many darts it has, after writing sigma and alpha of each of them.
+ *
+ * Darts are 0, 1, 2, ...; sigma leads to the next dart clockwise round a vertex, alpha to the other
+ * dart of the edge.  In a checkpoint alpha[d] == d says that it is not known yet where d leads.
+ * *here is the dart that stands for the one arrived by last (before any motion: the one faced).
+ *
+ * `capacity` is at least 262144, and at least the sum of all degrees sensed in this episode.  If
+ * there are more darts than that, return how many there are, and write nothing: that is no answer.
+ */
+ALLWORLDS_EXPORT int32_t allworlds_answer(void *state, int32_t capacity, int32_t *sigma,
+                                          int32_t *alpha, int32_t *here);
+
+/* Optional: whoever answers the choices of the next episode, called before each `start`.
+ *
+ * With it --policy decides, and --schedules all tries every sequence of answers.
+ */
+ALLWORLDS_EXPORT void allworlds_choose(void *state, allworlds_pick pick, void *context);
+
+/* Optional: the rooted quotient, all that can be known where several worlds look alike.
+ *
+ * As `answer`, and for each dart of it what is sensed there.  alpha[d] == d is a semi-edge: a dart
+ * that no motion tells apart from the other one of its edge.
+ */
+ALLWORLDS_EXPORT int32_t allworlds_quotient(void *state, int32_t capacity, int32_t *sigma,
+                                            int32_t *alpha, int32_t *degree, int32_t *marks,
+                                            int32_t *here);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

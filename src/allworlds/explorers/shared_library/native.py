@@ -1,0 +1,232 @@
+"""A native explorer as all others are: percepts in, actions out, one step at a time."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import time
+from collections.abc import Generator
+from contextlib import suppress
+from typing import Any, Literal, TypeAlias
+
+from allworlds.explorers.shared_library.guarded_memory import Guarded
+from allworlds.explorers.shared_library.library import (
+    AMBIGUOUS,
+    ANSWER,
+    CHECKPOINT,
+    DROP,
+    MOVE,
+    NOTHING,
+    PICK,
+    ROOM,
+    CAction,
+    CPercept,
+    Library,
+    Pick,
+)
+from allworlds.maps import CombinatorialMap, InvalidMap
+from allworlds.protocol import (
+    KINDS,
+    Action,
+    Ambiguous,
+    Answer,
+    Checkpoint,
+    Choices,
+    Drop,
+    Estimate,
+    ExplorerFault,
+    Move,
+    Percept,
+    Pick as PickUp,
+)
+
+THREADS_END = 0.5
+"""Seconds in which a thread that has been joined is gone for good."""
+
+
+_NoAnswer: TypeAlias = Literal["illegal-action", "no-estimate"]
+"""The law that is broken by what is no list of darts."""
+
+
+class NativeExplorer:
+    """A library with one state, which plays one episode after the other.
+
+    Args:
+        library: loaded here.
+    """
+
+    def __init__(self, library: Library) -> None:
+        self.library = library
+        self._percept = Guarded(ctypes.sizeof(CPercept)).as_a(CPercept)
+        self._action = Guarded(ctypes.sizeof(CAction)).as_a(CAction)
+        self._here = Guarded(4).as_a(ctypes.c_int32 * 1)
+        self._capacity = 0
+        self._lists: list[Guarded] = []
+        self._state: int | None = None
+        self._picks: Any = None
+
+    @property
+    def keywords(self) -> frozenset[str]:
+        """What it takes besides percepts."""
+        return frozenset({"told", "choices"} if self.library.chooses else {"told"})
+
+    def state(self) -> int:
+        """The state, which is made at the first use.
+
+        Raises:
+            ExplorerFault: if the library makes none.
+        """
+        if self._state is None:
+            self._state = self.library.new()
+            if self._state is None:
+                raise ExplorerFault("crash", "allworlds_new returned NULL")
+        return self._state
+
+    def handed(self) -> tuple[Any, ...]:
+        """Memory for percept, action and ``here``, and twice for sigma and alpha."""
+        sizes = (3, 2, 1, *(ROOM,) * 4)
+        return tuple(Guarded(4 * size).as_a(ctypes.c_int32 * size) for size in sizes)
+
+    def close(self) -> None:
+        """Delete the state."""
+        state, self._state = self._state, None
+        if state is not None:
+            self.library.delete(state)
+
+    def explore(
+        self, first: Percept, *, told: int | None = None, choices: Choices | None = None
+    ) -> Generator[Action | Checkpoint, Percept, Answer]:
+        """One episode.
+
+        Raises:
+            ExplorerFault: for an action or an answer that is none, and threads left behind.
+        """
+        threads = threads_now()
+        library, action, state = self.library, self._action, self.state()
+        here, there = ctypes.addressof(self._percept), ctypes.addressof(action)
+        asked = _Asked(choices)
+        if library.choose is not None:
+            self._picks = Pick(asked.pick)  # who may still ask a picker must find it
+            library.choose(state, self._picks, None)
+        sensed = self._sense(first)
+        action.kind = action.motion = 0
+        library.start(state, here, NOTHING if told is None else told, there)
+        while True:
+            asked.complain()
+            kind = action.kind
+            if kind == MOVE:
+                sensed += self._sense((yield Move(action.motion)))
+            elif kind == CHECKPOINT:
+                yield Checkpoint(*self._published(state, sensed, "illegal-action"))
+            elif kind == ANSWER:
+                answer: Answer = self._estimate(state, sensed)
+                _nothing_left(threads)
+                return answer
+            elif kind == AMBIGUOUS:
+                answer = self._ambiguous(state, sensed)
+                _nothing_left(threads)
+                return answer
+            elif kind in (DROP, PICK):
+                sensed += self._sense((yield Drop() if kind == DROP else PickUp()))
+            else:
+                raise ExplorerFault("illegal-action", f"an action of kind {kind}")
+            action.kind = action.motion = 0
+            library.step(state, here, there)
+
+    def _sense(self, percept: Percept) -> int:
+        """Hand the percept over; its degree."""
+        ours = self._percept
+        ours.degree, ours.marks = percept.degree, percept.marks
+        ours.bearing = NOTHING if percept.bearing is None else percept.bearing
+        return percept.degree
+
+    def _published(
+        self, state: int, sensed: int, law: _NoAnswer
+    ) -> tuple[tuple[int, ...], tuple[int, ...], int]:
+        """Sigma, alpha and ``here``, as the library has them now."""
+        sigma, alpha = self._said(self.library.answer, 2, state, sensed, law)
+        return sigma, alpha, self._here[0]
+
+    def _said(
+        self, function: Any, lists: int, state: int, sensed: int, law: _NoAnswer
+    ) -> list[tuple[int, ...]]:
+        """So many lists of integers, one for each dart, as the library fills them now."""
+        capacity = max(ROOM, sensed)
+        if capacity > self._capacity:
+            self._lists, self._capacity = [], capacity
+        # The guard stands behind the whole room: no less may be promised.
+        capacity = self._capacity
+        while len(self._lists) < lists:
+            self._lists.append(Guarded(4 * capacity))
+        self._here[0] = NOTHING
+        rooms = [guarded.address for guarded in self._lists[:lists]]
+        darts = function(state, capacity, *rooms, ctypes.addressof(self._here))
+        if not 0 <= darts <= capacity:
+            raise ExplorerFault(law, f"{darts} darts, where there is room for {capacity}")
+        array = ctypes.c_int32 * darts
+        return [tuple(array.from_address(room)[:]) for room in rooms]
+
+    def _estimate(self, state: int, sensed: int) -> Estimate:
+        sigma, alpha, here = self._published(state, sensed, "no-estimate")
+        try:
+            return Estimate(CombinatorialMap(sigma, alpha), here)
+        except InvalidMap as error:
+            raise ExplorerFault("no-estimate", f"no map: {error}") from None
+
+    def _ambiguous(self, state: int, sensed: int) -> Ambiguous:
+        quotient = self.library.quotient
+        if quotient is None:
+            there_is_none = f"an action of kind {AMBIGUOUS}, but no function allworlds_quotient"
+            raise ExplorerFault("illegal-action", there_is_none)
+        lists = self._said(quotient, 4, state, sensed, "no-estimate")
+        sigma, alpha, degree, marks = lists
+        return Ambiguous(sigma, alpha, degree, marks, self._here[0])
+
+
+class _Asked:
+    """Who answers the choices of one episode."""
+
+    def __init__(self, choices: Choices | None) -> None:
+        self._choices = choices or Choices()
+        self._wrong = ""
+
+    def pick(self, _: int | None, of: int, options: int, cost: Any) -> int:
+        """``allworlds_pick``; what is no choice is answered by 0, and complained of later."""
+        try:
+            kind = KINDS[of] if 0 <= of < len(KINDS) else str(of)
+            costs = cost[: max(options, 0)] if cost else None
+            index: int = self._choices.pick(range(options), of=kind, cost=costs)  # type: ignore[arg-type]
+        except ValueError as error:
+            self._wrong = self._wrong or str(error)
+            return 0
+        return index
+
+    def complain(self) -> None:
+        """Raise what was wrong with a choice."""
+        if self._wrong:
+            raise ExplorerFault("crash", f"a choice that is none: {self._wrong}")
+
+
+def threads_now() -> int:
+    """The number of threads of this process; 0 where that cannot be known."""
+    with suppress(OSError):
+        return len(os.listdir("/proc/self/task"))  # noqa: PTH208  # as short as it can be
+    return 0
+
+
+def threads_left(before: int) -> int:
+    """How many more threads there are than before, and stay.
+
+    One that has been joined is listed for some microseconds more.
+    """
+    deadline = time.monotonic() + THREADS_END
+    while (more := threads_now() - before) > 0 and time.monotonic() < deadline:
+        time.sleep(0.001)
+    return max(0, more)
+
+
+def _nothing_left(threads: int) -> None:
+    left = threads_left(threads)
+    if left:
+        what = "a thread" if left == 1 else f"{left} threads"
+        raise ExplorerFault("crash", f"{what} left behind")

@@ -1,0 +1,66 @@
+"""The languages of skeletons: the files of each, and how an explorer in it is tried."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from pathlib import PurePosixPath
+
+SUFFIX = ".template"
+
+
+@dataclass(frozen=True, slots=True)
+class Language:
+    """How an explorer in a language is tried, in its folder.
+
+    Attributes:
+        explorer: its file.
+        check: the command that builds it, if it must be built, and checks it.
+        test: what runs its test.
+        needs: the programs, besides this one, that these commands call.
+    """
+
+    explorer: str
+    check: str
+    test: str
+    needs: tuple[str, ...] = ()
+
+
+LANGUAGES = {
+    "python": Language(
+        "explorer.py", "allworlds check explorer.py:explore --edges 4", "python -m pytest"
+    ),
+    "javascript": Language(
+        "explorer.js", "allworlds check --exec 'node explorer.js' --edges 4", "npm test", ("node",)
+    ),
+    "c": Language(
+        "explorer.c",
+        "make && allworlds check --native ./explorer.so --edges 4",
+        "make test",
+        ("cc", "make"),
+    ),
+    "rust": Language(
+        "explorer.rs",
+        "make && allworlds check --native ./explorer.so --edges 4",
+        "make test",
+        ("rustc", "make"),
+    ),
+}
+"""Every language that there is a skeleton for."""
+
+
+def templates(lang: str) -> Iterator[tuple[str, str]]:
+    """The files of a language with their texts, sorted by their names."""
+    found = _below(files("allworlds.explorers") / "skeletons" / lang, PurePosixPath())
+    for name, file in sorted(found):
+        yield name, file.read_text(encoding="utf-8")
+
+
+def _below(folder: Traversable, name: PurePosixPath) -> Iterator[tuple[str, Traversable]]:
+    for entry in folder.iterdir():
+        if entry.is_dir():
+            yield from _below(entry, name / entry.name)
+        elif entry.name.endswith(SUFFIX):
+            yield str(name / entry.name.removesuffix(SUFFIX)), entry

@@ -1,0 +1,134 @@
+"""Where an explorer stands, for reports that lead there: a file and a line, found by reading."""
+
+from __future__ import annotations
+
+import ast
+import os
+import shlex
+from dataclasses import dataclass
+from pathlib import Path
+
+from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.explorers.digest import module_file
+from allworlds.explorers.subject import EXEC, NATIVE, entry_points
+from allworlds.inputs import InputError
+
+SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
+"""What a shared library is made from, if a file of its name lies beside it."""
+
+
+@dataclass(frozen=True, slots=True)
+class SourceLine:
+    """A place in a file.
+
+    Attributes:
+        file: absolute.
+        line: from 1.
+    """
+
+    file: Path
+    line: int = 1
+
+    def named_from(self, folder: Path) -> str:
+        """The file relative to a folder, with ``/``; absolute if it lies elsewhere."""
+        if self.file.is_relative_to(folder):
+            return self.file.relative_to(folder).as_posix()
+        return self.file.as_posix()
+
+
+def files_of_explorer(name: str) -> list[Path]:
+    """The files with which an explorer changes; none for one of ours, and where nobody can say.
+
+    Of a program they are those that its command names.
+    """
+    if name.startswith(EXEC):
+        try:
+            words = shlex.split(name.removeprefix(EXEC))
+        except ValueError:
+            return []
+        return [Path(word) for word in words if Path(word).is_file()]
+    if name.startswith(NATIVE):
+        library = Path(name.removeprefix(NATIVE))
+        return [library] if library.is_file() else []
+    if name in BUILT_IN:
+        return []
+    try:
+        file, _ = _file_and_attributes(name)
+    except InputError:
+        return []
+    return [file] if file.is_file() else []
+
+
+def place_of_explorer(name: str) -> SourceLine | None:
+    """Where the explorer of that name stands; None for one of ours, and where nobody can say.
+
+    No code of the explorer is run.  Of a Python explorer it is the line of its function, of a
+    program the first line of the last file that its command names, of a shared library the
+    source of the same name beside it, or else the library.
+    """
+    if name in BUILT_IN:
+        return None
+    try:
+        if name.startswith(EXEC):
+            return _of_program(name)
+        if name.startswith(NATIVE):
+            return _of_library(Path(name.removeprefix(NATIVE)))
+        return _of_python(name)
+    except (InputError, OSError, ValueError, SyntaxError):
+        return None
+
+
+def _of_program(name: str) -> SourceLine | None:
+    files = files_of_explorer(name)
+    return SourceLine(files[-1].resolve()) if files else None
+
+
+def _of_library(library: Path) -> SourceLine | None:
+    stems = {library.stem, library.stem.removeprefix("lib")}
+    beside = [library.with_name(stem + ending) for ending in SOURCES for stem in sorted(stems)]
+    found = next((file for file in [*beside, library] if file.is_file()), None)
+    return SourceLine(found.resolve()) if found else None
+
+
+def _of_python(name: str) -> SourceLine | None:
+    file, attributes = _file_and_attributes(name)
+    if not file.is_file():
+        return None
+    return SourceLine(file, _line(ast.parse(file.read_text(encoding="utf-8")), attributes))
+
+
+def _file_and_attributes(name: str) -> tuple[Path, list[str]]:
+    """The file of a Python explorer, which may be missing, and what leads to it there."""
+    points = entry_points()
+    whole = points[name].value if name in points else name
+    place, colon, attribute = whole.rpartition(":")
+    if not colon:  # of a file with one explorer its name will do
+        place, attribute = whole, ""
+    file = Path(place) if place.endswith(".py") else module_file(place)
+    return Path(os.path.realpath(file)), attribute.split(".") if attribute else []
+
+
+def _line(tree: ast.Module, names: list[str]) -> int:
+    """The line where a name with dots is defined; 1 where that is not to be seen."""
+    body, line = tree.body, 1
+    for name in names:
+        for node in body:
+            if name in _defined(node):
+                line = node.lineno
+                body = getattr(node, "body", [])
+                break
+        else:
+            return line
+    return line
+
+
+def _defined(node: ast.stmt) -> set[str]:
+    match node:
+        case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+            return {name}
+        case ast.Assign(targets=targets):
+            return {target.id for target in targets if isinstance(target, ast.Name)}
+        case ast.ImportFrom(names=names):
+            return {alias.asname or alias.name for alias in names}
+        case _:
+            return set()

@@ -1,0 +1,89 @@
+"""One run: played, judged, kept as a finding, explained.
+
+``episode``, ``endings``
+    the one place where a world and an explorer meet, and how a run can end;
+``laws``
+    the judge: an answer and a log against the truth, law by law;
+``findings``
+    a refuting run as a value that can be run again;
+``explanations``
+    a finding in plain words.
+"""
+
+from typing import TYPE_CHECKING
+
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.judging.endings import (
+        Answered as Answered,
+        Fault as Fault,
+        LostRun as LostRun,
+        UncheckedAmbiguous as UncheckedAmbiguous,
+        UncheckedAnswer as UncheckedAnswer,
+        Undecided as Undecided,
+        ending_of as ending_of,
+        integers as integers,
+    )
+    from allworlds.judging.episode import (
+        ADAPTERS_LAWS as ADAPTERS_LAWS,
+        Episode as Episode,
+        Log as Log,
+        Stage as Stage,
+        closed as closed,
+        default_step_budget as default_step_budget,
+        perform as perform,
+        play as play,
+        retold as retold,
+        the_same as the_same,
+    )
+    from allworlds.judging.explanations.explanation import (
+        Explanation as Explanation,
+        explain as explain,
+    )
+    from allworlds.judging.explanations.named_walk import Walked as Walked
+    from allworlds.judging.explanations.spending import Spending as Spending
+    from allworlds.judging.explanations.story import Belief as Belief, Story as Story
+    from allworlds.judging.findings.belief import believed_walk as believed_walk
+    from allworlds.judging.findings.directory import (
+        file_name as file_name,
+        kept_findings as kept_findings,
+        write_finding as write_finding,
+    )
+    from allworlds.judging.findings.divergence import find_parting as find_parting
+    from allworlds.judging.findings.finding import (
+        Finding as Finding,
+        canonical_world as canonical_world,
+        place_of as place_of,
+    )
+    from allworlds.judging.findings.rules import (
+        Rules as Rules,
+        RulesOptions as RulesOptions,
+        make_rules as make_rules,
+    )
+    from allworlds.judging.findings.walks import (
+        recorded_trail as recorded_trail,
+        true_trail as true_trail,
+        true_walk as true_walk,
+    )
+    from allworlds.judging.laws.bounds import (
+        bound_named as bound_named,
+        paper_bound as paper_bound,
+        printed_bound as printed_bound,
+    )
+    from allworlds.judging.laws.case import Case as Case, Violation as Violation
+    from allworlds.judging.laws.folding import fold as fold
+    from allworlds.judging.laws.law_table import (
+        LAWS as LAWS,
+        PRECEDENCE as PRECEDENCE,
+        Check as Check,
+        Checks as Checks,
+        Setting as Setting,
+        bound_law as bound_law,
+        judge as judge,
+        map_law as map_law,
+    )
+    from allworlds.judging.laws.quotient_answers import ambiguity_law as ambiguity_law
+    from allworlds.judging.laws.second_opinion import same_map as same_map
+else:
+    open_door(__name__)

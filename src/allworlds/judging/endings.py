@@ -1,0 +1,196 @@
+"""How a run ends: what an explorer returns, as plain integers, and what these are worth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import islice
+from typing import TypeAlias
+
+from allworlds.inputs import LARGEST_SIZE, are_plain, integer, let_users_interrupt, show
+from allworlds.maps import CombinatorialMap, InvalidMap, numbering
+from allworlds.protocol import Ambiguous, Estimate
+
+
+@dataclass(frozen=True, slots=True)
+class Answered:
+    """The explorer has returned a well-formed estimate."""
+
+    estimate: Estimate
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """The run ended without an answer.
+
+    Attributes:
+        law: ``crash``, ``timeout``, ``illegal-action``, ``no-estimate`` or ``budget``.
+        expected, seen: a sentence each.
+        detail: a traceback, or the tail of a program's stderr; may be empty.
+        machine: it may be the machine's doing and not the explorer's: a signal, a time-out, no
+            memory.
+    """
+
+    law: str
+    expected: str
+    seen: str
+    detail: str = ""
+    machine: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class LostRun(Fault):
+    """The run cost its process its life, so its walk is not known."""
+
+
+@dataclass(frozen=True, slots=True)
+class Undecided:
+    """The explorer has returned a well-formed rooted quotient, and no map.
+
+    Attributes:
+        quotient: its permutations are, and ``here`` is one of its darts.
+    """
+
+    quotient: Ambiguous
+
+
+Ending: TypeAlias = Answered | Undecided | Fault
+
+
+@dataclass(frozen=True, slots=True)
+class UncheckedAnswer:
+    """An answer as it was given: integers that nobody has looked at yet.
+
+    Attributes:
+        sigma, alpha: of the map that is claimed.
+        here: the dart that is claimed.
+    """
+
+    sigma: tuple[int, ...]
+    alpha: tuple[int, ...]
+    here: int
+
+
+@dataclass(frozen=True, slots=True)
+class UncheckedAmbiguous(UncheckedAnswer):
+    """The same of an answer that names no map.
+
+    Attributes:
+        degree, marks: of each dart.
+    """
+
+    degree: tuple[int, ...]
+    marks: tuple[int, ...]
+
+
+MOST_DARTS = 2 * LARGEST_SIZE
+"""So many darts can be published or answered, or twice the step budget, whichever is more."""
+
+
+class TooManyDarts(ValueError):
+    """A map of more darts than anyone could have walked along."""
+
+
+_ESTIMATE = "Estimate(map, here) with a dart of the map"
+_AMBIGUOUS = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
+
+
+def ending_of(answer: object, most: int = MOST_DARTS) -> UncheckedAnswer | Fault:
+    """The integers of an answer: what is handed over may be a subclass, or tampered with.
+
+    Args:
+        answer: anything.
+        most: the largest number of darts that is looked at.
+    """
+    if type(answer) is Ambiguous:
+        return _said_ambiguous(answer, most)
+    if type(answer) is not Estimate:
+        return Fault("no-estimate", _ESTIMATE, show(answer))
+    try:
+        claimed: object = answer.map
+        if not isinstance(claimed, CombinatorialMap):
+            return Fault("no-estimate", _ESTIMATE, f"a map that is {show(claimed)}")
+        sigma, alpha = integers(claimed.sigma, most), integers(claimed.alpha, most)
+        return UncheckedAnswer(sigma, alpha, integer(answer.here))
+    except TooManyDarts as error:
+        return Fault("no-estimate", _ESTIMATE, str(error))
+    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+        let_users_interrupt(error)
+        return Fault("no-estimate", _ESTIMATE, show(answer))
+
+
+def _said_ambiguous(answer: Ambiguous, most: int) -> UncheckedAnswer | Fault:
+    try:
+        return UncheckedAmbiguous(
+            integers(answer.sigma, most),
+            integers(answer.alpha, most),
+            integer(answer.here),
+            integers(answer.degree, most),
+            integers(answer.marks, most),
+        )
+    except TooManyDarts as error:
+        return Fault("no-estimate", _AMBIGUOUS, str(error))
+    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+        let_users_interrupt(error)
+        return Fault("no-estimate", _AMBIGUOUS, show(answer))
+
+
+def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...]:
+    """The values as integers, of which there may be no end.
+
+    Raises:
+        TypeError: if one is none.
+        TooManyDarts: if there are more than ``most``; no more than that are asked for.
+    """
+    kept = values if type(values) is tuple else tuple(islice(values, most + 1))
+    if len(kept) > most:
+        raise TooManyDarts(f"more than {most:,} darts")
+    if are_plain(kept):
+        return kept  # type: ignore[return-value]
+    return tuple([integer(value) for value in kept])
+
+
+def answered(ending: UncheckedAnswer | Fault) -> Ending:
+    """The answer, if it is a map with a dart of it, or a quotient with one."""
+    if isinstance(ending, Fault):
+        return ending
+    if isinstance(ending, UncheckedAmbiguous):
+        return _undecided(ending)
+    try:
+        map_ = CombinatorialMap(ending.sigma, ending.alpha)
+    except InvalidMap as error:
+        return Fault("no-estimate", _ESTIMATE, f"no map: {error}")
+    here = ending.here
+    if here not in map_.darts:
+        last = len(map_.sigma) - 1
+        return Fault("no-estimate", _ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}")
+    return Answered(Estimate(map_, here))
+
+
+def _undecided(ending: UncheckedAmbiguous) -> Undecided | Fault:
+    if flaw := _flaw(ending):
+        return Fault("no-estimate", _AMBIGUOUS, flaw)
+    return Undecided(
+        Ambiguous(ending.sigma, ending.alpha, ending.degree, ending.marks, ending.here)
+    )
+
+
+def _flaw(said: UncheckedAmbiguous) -> str:
+    """What makes it no rooted quotient; empty if it is one."""
+    size = len(said.sigma)
+    for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):
+        if len(values) != size:
+            return f"{name} has {len(values)} entries, and sigma {size}"
+    for name, values in (("degree", said.degree), ("marks", said.marks)):
+        for value in values:
+            if value.bit_length() > 63:
+                return f"{name} holds {show(value)}, which is sensed nowhere"
+    if said.here not in range(size):
+        return f"here = {show(said.here)}, but the darts are 0..{size - 1}"
+    for name, values in (("sigma", said.sigma), ("alpha", said.alpha)):
+        if sorted(values) != list(range(size)):
+            return f"{name} = {show(list(values))} is no permutation of 0..{size - 1}"
+    if any(said.alpha[other] != dart for dart, other in enumerate(said.alpha)):
+        return f"alpha = {show(list(said.alpha))} is no involution"
+    reached = len(numbering(said.sigma, said.alpha, said.here))
+    return "" if reached == size else f"only {reached} of {size} darts are reached from here"

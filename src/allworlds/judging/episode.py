@@ -1,0 +1,315 @@
+"""One episode: metered, budgeted and recorded; whatever the explorer does wrong becomes a value."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, Protocol, TypeAlias
+
+from allworlds.inputs import SHOWN, integer, let_users_interrupt, show
+from allworlds.judging.endings import (
+    MOST_DARTS,
+    Ending,
+    Fault,
+    TooManyDarts,
+    UncheckedAnswer,
+    answered,
+    ending_of,
+    integers,
+)
+from allworlds.protocol import (
+    Action,
+    Checkpoint,
+    Choices,
+    Drop,
+    ExplorerFault,
+    Move,
+    Percept,
+    Pick,
+    Player,
+    Transcript,
+    action_numbered,
+    number_of,
+)
+from allworlds.world import IllegalAction
+
+
+class Stage(Protocol):
+    """What an explorer plays against: a world, or what stands in for one."""
+
+    @property
+    def initial(self) -> Any:
+        """The state at the start; what it is, is the stage's affair."""
+
+    @property
+    def first(self) -> Percept:
+        """What is sensed before any motion."""
+
+    @property
+    def told(self) -> int | None:
+        """What the lighthouse tells before the start, if anything."""
+
+    def step(self, state: Any, action: Action) -> tuple[Any, Percept]:
+        """The state after the action, and what is sensed there; may raise IllegalAction."""
+
+
+Shown: TypeAlias = tuple[int, Sequence[int], Sequence[int], int]
+"""A checkpoint: the number of actions before it, sigma, alpha, and here."""
+
+
+class Log(NamedTuple):
+    """What an explorer did in one run, without a word about the world.
+
+    Attributes:
+        actions: as numbers (see :func:`allworlds.protocol.actions.number_of`).
+        checkpoints: what was published.
+        ending: the answer, or what went wrong.
+        choices: the index taken at each choice.
+        widths: how many options there were, where every schedule is tried; else empty.
+    """
+
+    actions: tuple[int, ...]
+    checkpoints: tuple[Shown, ...]
+    ending: UncheckedAnswer | Fault
+    choices: tuple[int, ...] = ()
+    widths: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Episode:
+    """What happened in one run.
+
+    Attributes:
+        transcript: the log.
+        checkpoints: each with the number of steps of the transcript before it.
+        ending: the answer, or what went wrong.
+    """
+
+    transcript: Transcript
+    checkpoints: tuple[tuple[int, Checkpoint], ...]
+    ending: Ending
+
+
+ADAPTERS_LAWS = ("crash", "timeout", "illegal-action", "no-estimate")
+FREE = 10
+"""So many markers may be dropped and picked up for each traversal of the budget, and as many more:
+they are free, and without a limit an explorer could go on so for ever."""
+
+LONGEST = 20_000
+"""The number of characters that are kept of a traceback."""
+
+_ANSWER = "an action, or an estimate at the end"
+
+
+def default_step_budget(bound: int) -> int:
+    """The traversals after which a run is stopped: 8 x ((1) + (2)) + 100."""
+    return 8 * bound + 100
+
+
+def own_copy(percept: Percept) -> Percept:
+    """A percept for the explorer alone: the world and the log keep theirs, which others share."""
+    return Percept(percept.degree, percept.marks, percept.bearing)
+
+
+def the_same(percept: Percept) -> Percept:
+    """The percept itself, for an explorer that is known to leave it as it is."""
+    return percept
+
+
+def play(
+    world: Stage,
+    player: Player,
+    choices: Choices,
+    budget: int,
+    beat: MutableSequence[int] | None = None,
+    hand: Callable[[Percept], Percept] = own_copy,
+) -> Episode:
+    """Run one explorer in one world to its end.
+
+    Args:
+        world: is not changed and not shown.
+        player: the explorer.
+        choices: given to an explorer that takes choices.
+        budget: the largest legal number of traversals; one checkpoint more is legal.
+        beat: ``beat[1]`` grows at each turn of the explorer and is 0 when it has ended, so
+            that someone else can see a silent explorer.
+        hand: what the explorer gets of each percept; a copy costs some 3 % of a run.
+
+    Cost: linear in the steps, besides the explorer's own.
+    """
+    run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
+    ending = answered(run.play(player, choices))
+    return Episode(Transcript(world.first, tuple(run.steps)), _published(run.checkpoints), ending)
+
+
+def perform(
+    world: Stage,
+    player: Player,
+    choices: Choices,
+    budget: int,
+    beat: MutableSequence[int] | None = None,
+    hand: Callable[[Percept], Percept] = own_copy,
+) -> Log:
+    """The same run as a log that says nothing of the world; see :func:`play`."""
+    run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
+    ending = run.play(player, choices)
+    actions = tuple(
+        [action.k if type(action) is Move else number_of(action) for action, _ in run.steps]
+    )
+    shown = tuple(run.checkpoints)
+    return Log(actions, shown, ending, tuple(choices.record), tuple(choices.widths))
+
+
+def retold(log: Log, world: Stage) -> Episode:
+    """The log of a run in this world as an episode: walked anew, and its answer looked at.
+
+    Raises:
+        IllegalAction: if it is no log of this world.
+    """
+    state, steps = world.initial, []
+    for number in log.actions:
+        action = action_numbered(number)
+        state, percept = world.step(state, action)
+        steps.append((action, percept))
+    transcript = Transcript(world.first, tuple(steps))
+    return Episode(transcript, _published(log.checkpoints), answered(log.ending))
+
+
+def _published(shown: Iterable[Shown]) -> tuple[tuple[int, Checkpoint], ...]:
+    return tuple([(steps, Checkpoint(sigma, alpha, here)) for steps, sigma, alpha, here in shown])
+
+
+@dataclass(slots=True)
+class _Run:
+    world: Stage
+    budget: int
+    beat: MutableSequence[int]
+    hand: Callable[[Percept], Percept]
+    steps: list[tuple[Action, Percept]] = field(default_factory=list)
+    checkpoints: list[Shown] = field(default_factory=list)
+    cost: int = 0
+    degree: int = 0
+
+    def play(self, player: Player, choices: Choices) -> UncheckedAnswer | Fault:
+        world, beat = self.world, self.beat
+        state = world.initial
+        self.degree = world.first.degree
+        reply: Percept | None = None
+        ticks = 1
+        beat[1] = ticks
+        generator = None
+        try:
+            generator = player(self.hand(world.first), choices, world.told)
+            while True:
+                message = generator.send(reply)
+                ticks += 1
+                beat[1] = ticks
+                if type(message) is Checkpoint:
+                    fault, reply = self._publish(message), None
+                else:
+                    fault, state, reply = self._act(state, message)
+                if fault:
+                    return fault
+        except StopIteration as stop:
+            return ending_of(stop.value, self._most_darts())
+        except BaseException as error:  # noqa: BLE001  # an explorer may raise anything
+            return _raised(error)
+        finally:
+            closed(generator)
+            beat[1] = 0
+
+    def _most_darts(self) -> int:
+        """A map with more cannot be known within the budget, nor be one that is ever checked."""
+        return max(MOST_DARTS, 2 * self.budget)
+
+    def _publish(self, message: Checkpoint) -> Fault | None:
+        if len(self.checkpoints) > self.budget:
+            return Fault(
+                "budget",
+                f"at most {self.budget + 1} checkpoints",
+                f"checkpoint {len(self.checkpoints) + 1}",
+            )
+        try:
+            most = self._most_darts()
+            sigma, alpha = integers(message.sigma, most), integers(message.alpha, most)
+            here = integer(message.here)
+        except TooManyDarts as error:
+            return Fault("illegal-action", "a checkpoint of what has been walked along", str(error))
+        except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+            let_users_interrupt(error)
+            return Fault(
+                "illegal-action",
+                "a checkpoint of two sequences of integers and an integer",
+                show(message),
+            )
+        self.checkpoints.append((len(self.steps), sigma, alpha, here))
+        return None
+
+    def _act(self, state: Any, message: object) -> tuple[Fault | None, Any, Percept | None]:
+        action = _action(message, self.degree)
+        if isinstance(action, Fault):
+            return action, state, None
+        if type(action) is Move:
+            if self.cost == self.budget:
+                fault = Fault(
+                    "budget",
+                    f"an estimate within {self.budget} traversals",
+                    f"traversal {self.cost + 1}",
+                )
+                return fault, state, None
+            self.cost += 1
+        elif len(self.steps) - self.cost == FREE * (self.budget + 1):
+            fault = Fault(
+                "budget",
+                f"at most {FREE * (self.budget + 1)} markers dropped and picked up",
+                f"{show(message)} as number {FREE * (self.budget + 1) + 1}",
+            )
+            return fault, state, None
+        try:
+            state, percept = self.world.step(state, action)
+        except IllegalAction as error:
+            return Fault("illegal-action", str(error), show(message)), state, None
+        self.steps.append((action, percept))
+        self.degree = percept.degree
+        return None, state, self.hand(percept)
+
+
+def _action(message: object, degree: int) -> Action | Fault:
+    if type(message) is Move:
+        try:
+            k = message.k
+            if type(k) is not int:
+                k = integer(k)
+        except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
+            let_users_interrupt(error)
+            return Fault("illegal-action", "Move(k) with an integer k", show(message))
+        return action_numbered(k % degree)
+    if type(message) is Drop or type(message) is Pick:
+        return message
+    return Fault("illegal-action", "a Move, Drop, Pick or Checkpoint", show(message))
+
+
+def _raised(error: BaseException) -> Fault:
+    let_users_interrupt(error)
+    if type(error) is ExplorerFault and error.law in ADAPTERS_LAWS:
+        return Fault(error.law, _ANSWER, error.seen, error.detail, error.machine)
+    name = type(error).__name__
+    try:
+        frames = error.__traceback__.tb_next if error.__traceback__ else None
+        message = str.__str__(str(error))[:SHOWN]
+        detail = "".join(traceback.format_exception(type(error), error, frames))
+    except BaseException as another:  # noqa: BLE001  # an exception may not even be printable
+        let_users_interrupt(another)
+        return Fault("crash", _ANSWER, f"{name}, which cannot be shown")
+    seen = f"{name}: {message}" if message else name
+    return Fault("crash", _ANSWER, seen, detail[-LONGEST:], isinstance(error, MemoryError))
+
+
+def closed(generator: Generator[Any, Any, Any] | None) -> None:
+    """Nothing: it is closed, whatever it makes of that."""
+    try:
+        if generator is not None:
+            generator.close()
+    except BaseException as error:  # noqa: BLE001  # the run has been decided all the same
+        let_users_interrupt(error)

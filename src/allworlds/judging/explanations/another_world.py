@@ -1,0 +1,97 @@
+"""Another world in which the robot would have sensed the same: why a log does not tell."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from allworlds.judging.findings.walks import true_walk
+from allworlds.judging.laws.folding import Folded, fold
+from allworlds.maps import CombinatorialMap, Dart, rooted_isomorphism
+from allworlds.protocol import Transcript
+from allworlds.world import Directional, IllegalAction, World
+
+
+def another_world(world: World, transcript: Transcript) -> World | None:
+    """A world that is not this one, and agrees with the log; None if the log determines it.
+
+    It is made of what the log proves: the darts of which it does not tell where they lead are
+    joined with each other, or lead to new vertices.  Of these it is one with the fewest edges;
+    it is simple where the world is.
+
+    Cost: exponential in the number of these darts at the worst; the first try is nearly always
+    another world.
+    """
+    folded = fold(transcript)
+    if not folded.open_darts:
+        return None
+    return next(
+        other
+        for map_ in _completions(folded)
+        if (map_.is_simple or not world.map.is_simple)
+        and (other := _agreeing(map_, transcript))
+        and not rooted_isomorphism(other.map, other.start, world.map, world.start)
+    )
+
+
+def _agreeing(map_: CombinatorialMap, transcript: Transcript) -> World | None:
+    """The map with the marker where the log has it, if the log is one of this world."""
+    bearing = transcript.first.bearing
+    assert bearing is not None
+    other = World(map_, Directional(map_.turn(0, bearing)), 0)
+    try:
+        sensed = [percept for _, percept in true_walk(other, transcript)]
+    except IllegalAction:
+        return None
+    return other if sensed == transcript.percepts else None
+
+
+def _completions(folded: Folded) -> Iterator[CombinatorialMap]:
+    """The folded log with every open dart joined or led to a new vertex, fewest edges first."""
+    unsettled = [dart for dart, end in enumerate(folded.alpha) if dart == end]
+    for leaves in range(len(unsettled) % 2, len(unsettled) + 1, 2):
+        for pairs in _matchings(unsettled, leaves):
+            yield _completed(folded, pairs, [1] * leaves)
+    # Leaves everywhere may be the world itself; then one of them goes on.
+    yield _completed(folded, [], [2, *[1] * (len(unsettled) - 1)])
+
+
+def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart]]]:
+    """Every way to pair the darts but for so many of them."""
+    if not darts:
+        yield []
+        return
+    first, *others = darts
+    for other in others if len(darts) > leaves else ():
+        for pairs in _matchings([dart for dart in others if dart != other], leaves):
+            yield [(first, other), *pairs]
+    if leaves:
+        yield from _matchings(others, leaves - 1)
+
+
+def _completed(
+    folded: Folded, pairs: list[tuple[Dart, Dart]], degrees: list[int]
+) -> CombinatorialMap:
+    """The folded log with these darts joined; the others lead to new vertices of these degrees.
+
+    A vertex of degree 2 leads on to a leaf.
+    """
+    sigma, alpha = [*folded.sigma], [*folded.alpha]
+
+    def join(a: Dart, b: Dart) -> None:
+        alpha[a], alpha[b] = b, a
+
+    def grow(degree: int) -> list[Dart]:
+        new = [*range(len(sigma), len(sigma) + degree)]
+        sigma.extend([*new[1:], new[0]])
+        alpha.extend(new)
+        return new
+
+    for a, b in pairs:
+        join(a, b)
+    unsettled = [dart for dart, end in enumerate(alpha) if dart == end]
+    for dart, degree in zip(unsettled, degrees, strict=True):
+        back, *onward = grow(degree)
+        join(dart, back)
+        for end in onward:
+            join(end, *grow(1))
+    return CombinatorialMap(sigma, alpha)

@@ -1,0 +1,195 @@
+"""The one slip that makes a right answer a wrong one, where there is one.
+
+``SLIPS`` is **the** table.  Each recogniser undoes its slip and compares what results with the
+world, so what it says is true of the answer, whatever has led to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TypeAlias, TypeGuard
+
+from allworlds.judging.explanations.story import Belief
+from allworlds.maps import (
+    CombinatorialMap,
+    Dart,
+    InvalidMap,
+    Mismatch,
+    contracted,
+    deleted,
+    isomorphism,
+    rooted_isomorphism,
+)
+
+LARGEST = 40
+"""Edges above which slips are not looked for: there are quadratically many, each compared anew."""
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """What makes all the difference between an answer and the world.
+
+    Attributes:
+        name: in the table.
+        sentence: what it is, with the darts of the world.
+        mended: the map without the slip.
+        truth: what it is the same map as: the world, or what is left of that without the edge
+            that the slip is about.
+        here: where the robot is in the mended map; None where that is wrong, too, or unknown.
+    """
+
+    name: str
+    sentence: str
+    mended: CombinatorialMap
+    truth: CombinatorialMap
+    here: Dart | None = None
+
+
+Recogniser: TypeAlias = Callable[[Belief], Slip | None]
+"""The slip; None if it is another one, or none."""
+
+
+def the_slip(belief: Belief) -> Slip | None:
+    """The first slip of the table that makes all the difference, if one does."""
+    if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
+        return None
+    return next((slip for recognise in SLIPS.values() if (slip := recognise(belief))), None)
+
+
+def _mirrored(belief: Belief) -> Slip | None:
+    """Every rotation is given anticlockwise."""
+    answer, world, robot = belief.answer, belief.story.map, belief.story.walked[-1]
+    mirrored = answer.map.mirrored()
+    if rooted_isomorphism(mirrored, answer.here, world, robot):
+        sentence = (
+            "The answer is a mirror image: with its rotations read anticlockwise it would be right."
+        )
+        return Slip("mirror image", sentence, mirrored, world, answer.here)
+    if isomorphism(mirrored, world) and not isomorphism(answer.map, world):
+        sentence = (
+            "The answer's map is the mirror image of the world's: its rotations are anticlockwise."
+        )
+        return Slip("mirror image", sentence, mirrored, world)
+    return None
+
+
+def _glued_crosswise(belief: Belief) -> Slip | None:
+    """Two edges have one end each exchanged."""
+    world, robot = belief.story.map, belief.story.walked[-1]
+    if isomorphism(belief.answer.map, world):
+        return None
+    of_map_alone = None
+    for mended, wrong in _reglued(belief.answer.map):
+        names = rooted_isomorphism(mended, belief.answer.here, world, robot)
+        if not isinstance(names, Mismatch):
+            sentence = _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
+            return Slip("edges crossed", sentence, mended, world, belief.answer.here)
+        if of_map_alone is None:
+            names = isomorphism(mended, world)
+            if not isinstance(names, Mismatch):
+                sentence = _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
+                of_map_alone = Slip("edges crossed", sentence, mended, world)
+    return of_map_alone
+
+
+def _reglued(
+    map_: CombinatorialMap,
+) -> Iterator[tuple[CombinatorialMap, tuple[tuple[Dart, Dart], tuple[Dart, Dart]]]]:
+    """The maps with two edges glued otherwise, each with these two edges as they were."""
+    for i, (a, b) in enumerate(map_.edges):
+        for c, d in map_.edges[i + 1 :]:
+            for pairs in (((a, c), (b, d)), ((a, d), (b, c))):
+                alpha = [*map_.alpha]
+                for x, y in pairs:
+                    alpha[x], alpha[y] = y, x
+                try:
+                    yield CombinatorialMap(map_.sigma, alpha), ((a, b), (c, d))
+                except InvalidMap:  # it falls apart
+                    continue
+
+
+def _say_crosswise(belief: Belief, wrong: list[tuple[Dart, Dart]]) -> str:
+    world = belief.story.map
+    (a, b), (c, d) = wrong
+    for x, y in ((a, c), (a, d), (b, c), (b, d)):
+        if world.alpha[x] != y and world.vertex_of[x] == world.vertex_of[y]:
+            first, second = sorted((x, y))
+            return (
+                f"One slip makes all the difference: the answer has darts {first} and {second} of "
+                f"{belief.story.vertex(x)} exchanged."
+            )
+    return (
+        f"One slip makes all the difference: the answer joins {_pairs(wrong)}, where the world "
+        f"joins {_pairs([(a, world.alpha[a]), (b, world.alpha[b])])}."
+    )
+
+
+def _pairs(edges: list[tuple[Dart, Dart]]) -> str:
+    ordered = sorted((min(edge), max(edge)) for edge in edges)
+    return " and ".join(f"dart {d} with {e}" for d, e in ordered)
+
+
+def _edge_misplaced(belief: Belief) -> Slip | None:
+    """One edge has an end, or both, in another place."""
+    world, answer = belief.story.map, belief.answer.map
+    if answer.edge_count != world.edge_count or isomorphism(answer, world):
+        return None
+    left = [(edge, less) for edge in world.edges if (less := deleted(world, edge[0]))]
+    for d, _ in answer.edges:
+        fewer = deleted(answer, d)
+        for (a, b), less in left:
+            if fewer and isomorphism(fewer, less):
+                sentence = (
+                    f"All but one edge is right: that of darts {a} and {b} of the world is "
+                    "elsewhere in the answer."
+                )
+                return Slip("edge misplaced", sentence, fewer, less)
+    return None
+
+
+def _edge_missing(belief: Belief) -> Slip | None:
+    """One edge of the world is not in the answer, or is a vertex there."""
+    world, answer = belief.story.map, belief.answer.map
+    if answer.edge_count != world.edge_count - 1:
+        return None
+    for d, e in world.edges:
+        if _same(less := deleted(world, d), answer):
+            sentence = f"The answer lacks one edge of the world: that of darts {d} and {e}."
+            return Slip("edge missing", sentence, answer, less)
+    for d, e in world.edges:
+        if _same(less := contracted(world, d), answer):
+            ends = f"{belief.story.vertex(d)} and {belief.story.vertex(e)}"
+            sentence = f"The answer takes {ends} for one vertex, and has no edge between them."
+            return Slip("one vertex for two", sentence, answer, less)
+    return None
+
+
+def _edge_too_many(belief: Belief) -> Slip | None:
+    """One edge of the answer is not in the world, or is a vertex there."""
+    world, answer = belief.story.map, belief.answer.map
+    if answer.edge_count != world.edge_count + 1:
+        return None
+    for d, _ in answer.edges:
+        if _same(less := deleted(answer, d), world):
+            sentence = "The answer has one edge too many: without it, it is the map of the world."
+            return Slip("edge too many", sentence, less, world)
+    for d, _ in answer.edges:
+        if _same(less := contracted(answer, d), world):
+            sentence = "The answer takes one vertex for two, with an edge between them."
+            return Slip("two vertices for one", sentence, less, world)
+    return None
+
+
+def _same(a: CombinatorialMap | None, b: CombinatorialMap) -> TypeGuard[CombinatorialMap]:
+    return a is not None and bool(isomorphism(a, b))
+
+
+SLIPS: dict[str, Recogniser] = {
+    "mirrored": _mirrored,
+    "glued crosswise": _glued_crosswise,
+    "an edge misplaced": _edge_misplaced,
+    "an edge missing": _edge_missing,
+    "an edge too many": _edge_too_many,
+}
+"""The slips that are looked for, the commonest first."""

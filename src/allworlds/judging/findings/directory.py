@@ -1,0 +1,81 @@
+"""A directory of findings, each in a file that is named by what it holds."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from allworlds.inputs import InputError, show
+from allworlds.judging.findings.finding import Finding
+
+DIGITS = 12
+"""The hexadecimal digits of the digest in a file's name."""
+
+
+@dataclass(frozen=True, slots=True)
+class KeptFinding:
+    """A finding with the name of its file."""
+
+    name: str
+    finding: Finding
+
+
+def kept_findings(directory: Path) -> list[KeptFinding]:
+    """The findings of a directory, smallest first; an empty list where there is none yet.
+
+    Raises:
+        InputError: naming the file that cannot be read, is no finding, or has been changed
+            since it was written.
+    """
+    past = []
+    for file in sorted(directory.glob("*.json")):
+        try:
+            text = file.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            reason = error.strerror if isinstance(error, OSError) else "it is no text"
+            raise InputError(f"corpus file {show(file.name)} cannot be read: {reason}") from None
+        written = re.search(rf"-([0-9a-f]{{{DIGITS}}})\.json$", file.name)
+        if written and written[1] != _digest(text):
+            raise InputError(f"corpus file {show(file.name)} has been changed since it was written")
+        try:
+            finding = Finding.from_json(text)
+        except ValueError as error:
+            raise InputError(f"corpus file {show(file.name)}: {error}") from None
+        past.append(KeptFinding(file.name, finding))
+    return sorted(past, key=lambda one: (one.finding.key, one.name))
+
+
+def write_finding(directory: Path, finding: Finding) -> str:
+    """Write a finding, unless it stands there already; the name of its file."""
+    directory.mkdir(parents=True, exist_ok=True)
+    text = _text(finding)
+    name = file_name(finding)
+    path = directory / name
+    if not path.exists():
+        # Whole or not at all: a reader never sees half a finding.
+        draft = path.with_suffix(".tmp")
+        try:
+            draft.write_text(text, encoding="utf-8")
+            draft.replace(path)
+        except OSError:
+            draft.unlink(missing_ok=True)
+            raise
+    return name
+
+
+def file_name(finding: Finding) -> str:
+    """``LAW-mMnN-DIGEST.json``."""
+    map_ = finding.world.map
+    size = f"m{map_.edge_count}n{map_.vertex_count}"
+    return f"{finding.law}-{size}-{_digest(_text(finding))}.json"
+
+
+def _text(finding: Finding) -> str:
+    return json.dumps(finding.to_json(), indent=1) + "\n"
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()[:DIGITS]

@@ -1,0 +1,187 @@
+"""Bounds on the number of traversals: the paper's, one like it, none, or an expression."""
+
+from __future__ import annotations
+
+import ast
+import operator
+import re
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+from allworlds.inputs import InputError, show
+from allworlds.maps import CombinatorialMap, Dart
+
+VARIABLES = ("n", "m", "d0", "D")
+
+
+@cache
+def paper_bound(vertices: int, edges: int) -> int:
+    """(1) + (2) of Section VI, summed exactly.
+
+    The upper limit of (2) is printed as 'n-n+1'; the text above it says m-n+1.
+    """
+    n, m = vertices, edges
+    growing = sum(s + 2 * (s - 1) * (2 * m - 2 * (s - 1)) for s in range(1, n))
+    closing = sum(
+        n + 2 * (n - 1) * (2 * m - 2 * (n - 1) - 2 * (i - 1)) for i in range(1, m - n + 2)
+    )
+    return growing + closing
+
+
+def printed_bound(vertices: int, edges: int) -> Fraction:
+    """(3) of Section VI as it is printed, without the terms that it does not state.
+
+    It lacks 5mn, which is of the same order as terms that it keeps: it lies below (1) + (2).
+    """
+    n, m = vertices, edges
+    return 2 * m**2 * n - 2 * m * n**2 + Fraction(2 * n**3, 3) - 2 * m**2 - Fraction(5 * n**2, 2)
+
+
+def two_vertices_bound(vertices: int, edges: int, degree: int) -> int:
+    """(1) + (2), two traversals for each test, and the search among the darts of v0.
+
+    In pass p = 0, 1, ..., m-1 there are at most 2m - 2p - 1 hypotheses to test, which makes
+    m^2 in all; the search costs at most 2 deg(v0).
+    """
+    tests = sum(2 * edges - 2 * p - 1 for p in range(edges))
+    return paper_bound(vertices, edges) + 2 * tests + 2 * degree
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """A bound as it was named, with its value for every world.
+
+    Attributes:
+        name: as it was named.
+        value: of n, m, d0 and D; None where there is no bound.
+        variables: those of these that the value depends on.
+    """
+
+    name: str
+    value: Callable[[int, int, int, int], int | None]
+    variables: frozenset[str]
+
+    def __reduce__(self) -> tuple[Callable[[str], Bound], tuple[str]]:
+        # Compiled expressions do not pickle; their texts do.
+        return bound_named, (self.name,)
+
+    def of(self, map_: CombinatorialMap, start: Dart) -> int | None:
+        """The largest legal number of traversals in this map from this start."""
+        degrees = map_.degrees
+        return self.value(map_.vertex_count, map_.edge_count, map_.degree_at[start], max(degrees))
+
+
+def bound_named(text: str) -> Bound:
+    """The bound ``paper``, ``two-vertices``, ``none`` or an expression.
+
+    An expression is built from integers, n (vertices), m (edges), d0 (degree of v0), D (the
+    largest degree), ``+ - * // **``, ``min``, ``max`` and parentheses; it is evaluated
+    exactly.
+
+    Raises:
+        InputError: naming the part that is none of these.
+    """
+    if text == "paper":
+        return Bound(text, lambda n, m, _d0, _largest: paper_bound(n, m), frozenset("nm"))
+    if text == "two-vertices":
+        variables = frozenset({"n", "m", "d0"})
+        return Bound(text, lambda n, m, d0, _largest: two_vertices_bound(n, m, d0), variables)
+    if text == "none":
+        return Bound(text, lambda _n, _m, _d0, _largest: None, frozenset())
+    try:
+        # Python would take other letters that look like n and m for n and m, and 1_0 for 10.
+        plain = text.isascii() and not re.search("[0-9]_", text)
+        with warnings.catch_warnings():
+            # What Python thinks of the text besides is not for those who asked for a bound.
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text if plain else "", mode="eval")
+    except (SyntaxError, ValueError, MemoryError, RecursionError):
+        raise InputError(
+            f"bound {show(text)} is not one of paper, two-vertices, none or an expression"
+        ) from None
+    try:
+        evaluate = _compile(tree.body, text)
+    except RecursionError:
+        raise InputError(f"bound of {len(text)} characters is nested too deeply") from None
+
+    def value(n: int, m: int, d0: int, largest: int) -> int:
+        try:
+            result = evaluate({"n": n, "m": m, "d0": d0, "D": largest})
+        except ZeroDivisionError:
+            raise InputError(
+                f"bound {show(text)} divides by zero at n={n} m={m} d0={d0} D={largest}"
+            ) from None
+        except RecursionError:
+            raise InputError(f"bound of {len(text)} characters is nested too deeply") from None
+        if result.bit_length() > _LARGEST_BITS:
+            raise InputError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
+        return result
+
+    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    return Bound(text, value, frozenset(names & set(VARIABLES)))
+
+
+_Evaluate = Callable[[dict[str, int]], int]
+_OPERATORS: dict[type[ast.operator], Callable[[int, int], int]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.FloorDiv: operator.floordiv,
+}
+_FUNCTIONS: dict[str, Callable[..., int]] = {"min": min, "max": max}
+_LARGEST_POWER = 64
+_LARGEST_BITS = 4096
+
+
+def _compile(node: ast.expr, text: str) -> _Evaluate:
+    match node:
+        case ast.Constant(value=int() as number) if not (
+            isinstance(number, bool) or number.bit_length() > _LARGEST_BITS
+        ):
+            return lambda _names: number
+        case ast.Name(id=name) if name in VARIABLES:
+            return lambda names: names[name]
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            inner = _compile(operand, text)
+            return lambda names: -inner(names)
+        case ast.BinOp(left=left, op=op, right=right):
+            return _binary(op, _compile(left, text), _compile(right, text), text)
+        case ast.Call(func=ast.Name(id=name), args=args, keywords=[]) if (
+            name in _FUNCTIONS and len(args) > 1
+        ):
+            parts = [_compile(part, text) for part in args]
+            function = _FUNCTIONS[name]
+            return lambda names: function(part(names) for part in parts)
+    part = ast.get_source_segment(text, node) or text
+    raise InputError(
+        f"{show(part)} in bound {show(text)} is not one of integers, {', '.join(VARIABLES)}, "
+        "+ - * // **, min(,), max(,) and parentheses"
+    )
+
+
+def _binary(op: ast.operator, left: _Evaluate, right: _Evaluate, text: str) -> _Evaluate:
+    if isinstance(op, ast.Pow):
+
+        def power(names: dict[str, int]) -> int:
+            base, exponent = left(names), right(names)
+            if not 0 <= exponent <= _LARGEST_POWER:
+                raise InputError(
+                    f"bound {show(text)} raises to the power {show(exponent)}; "
+                    f"legal are 0..{_LARGEST_POWER}"
+                )
+            if base.bit_length() * exponent > _LARGEST_BITS:
+                raise InputError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
+            result: int = base**exponent
+            return result
+
+        return power
+    if type(op) not in _OPERATORS:
+        sign = {ast.Div: "/", ast.Mod: "%"}.get(type(op), type(op).__name__)
+        raise InputError(f"{sign} in bound {show(text)} is not one of + - * // **")
+    apply: Any = _OPERATORS[type(op)]
+    result: _Evaluate = lambda names: apply(left(names), right(names))  # noqa: E731
+    return result

@@ -1,0 +1,95 @@
+"""A finished run beside the truth: whether its answer is right, and what else laws are given."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Literal
+
+from allworlds.maps import CombinatorialMap, Dart, carries, numbering
+from allworlds.protocol import Ambiguous, Answer, Checkpoint, Move, Transcript
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+
+@dataclass(frozen=True)
+class Case:
+    """A finished run with the truth beside it.
+
+    Attributes:
+        map, start: the true map and the dart that the robot faced at the start.
+        transcript: the log.
+        checkpoints: what the explorer has published, each with the number of steps before it.
+        estimate: the answer: its map is valid, or its permutations are, and ``here`` is one
+            of its darts.
+        bound: the largest legal number of traversals, or None.
+    """
+
+    map: CombinatorialMap
+    start: Dart
+    transcript: Transcript
+    checkpoints: tuple[tuple[int, Checkpoint], ...]
+    estimate: Answer
+    bound: int | None = None
+
+    @cached_property
+    def trail(self) -> tuple[Dart, ...]:
+        """The robot's true dart at the start and after each step, walked anew from the log."""
+        turn, alpha = self.map.turn, self.map.alpha
+        dart = self.start
+        trail = [dart]
+        for action, _ in self.transcript.steps:
+            if type(action) is Move:
+                dart = alpha[turn(dart, action.k)]
+            trail.append(dart)
+        return tuple(trail)
+
+    @cached_property
+    def walked(self) -> dict[Dart, int]:
+        """For each dart of an edge that was crossed, the number of steps before the first time."""
+        walked: dict[Dart, int] = {}
+        for step, (action, _) in enumerate(self.transcript.steps):
+            if type(action) is Move:
+                entered = self.trail[step + 1]
+                walked.setdefault(entered, step)
+                walked.setdefault(self.map.alpha[entered], step)
+        return walked
+
+    @cached_property
+    def answer(self) -> Literal["right", "pose", "map", "open"]:
+        """What the estimate is worth: right, or which of its two parts is wrong.
+
+        ``pose``: the map is the same, but no isomorphism takes ``here`` to the robot's dart.
+        ``open``: it names no map.
+        """
+        if isinstance(self.estimate, Ambiguous):
+            return "open"
+        estimate, truth = self.estimate.map, self.map
+        if len(estimate.sigma) != len(truth.sigma):
+            return "map"
+        order = numbering(estimate.sigma, estimate.alpha, self.estimate.here)
+
+        def fits(dart: Dart) -> bool:
+            return carries(estimate.sigma, estimate.alpha, order, truth.sigma, truth.alpha, dart)
+
+        if fits(self.trail[-1]):
+            return "right"
+        return "pose" if any(fits(dart) for dart in truth.darts) else "map"
+
+
+@dataclass(frozen=True, slots=True)
+class Violation:
+    """A broken law.
+
+    Attributes:
+        law: its name.
+        expected, seen: rooted maps for map and pose (JSON objects with ``here``), integers
+            for bound, else a sentence.
+        step: the number of steps before the checkpoint that breaks it; None where none does.
+    """
+
+    law: str
+    expected: documents.Value
+    seen: documents.Value
+    step: int | None = None

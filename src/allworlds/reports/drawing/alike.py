@@ -1,0 +1,120 @@
+"""A map drawn and named like another one, as far as the two agree."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from allworlds.maps import CombinatorialMap, Dart, Mismatch, isomorphism
+from allworlds.reports.drawing.layout import Layout, layout
+from allworlds.reports.drawing.scene import Names
+
+
+def extended(
+    tied: Mapping[Dart, Dart], map_: CombinatorialMap, other: CombinatorialMap
+) -> dict[Dart, Dart]:
+    """The darts of a map with those of another one, as far as sigma and alpha lead on alike.
+
+    Where they do not, a dart keeps the one that it has first: no dart of the other is used twice.
+
+    Args:
+        tied: darts that belong together to begin with; whole vertices of equal degree.
+        map_: whose darts are the keys.
+        other: whose darts are the values.
+
+    Cost: linear in the darts.
+    """
+    ties, used = dict(tied), set(tied.values())
+    queue = [*ties]
+    for dart in queue:
+        a, b = map_.alpha[dart], other.alpha[ties[dart]]
+        if map_.degree_at[a] != other.degree_at[b]:
+            continue
+        around = [(map_.turn(a, k), other.turn(b, k)) for k in range(map_.degree_at[a])]
+        if any(x in ties or y in used for x, y in around):
+            continue
+        ties.update(around)
+        used.update(y for _, y in around)
+        queue += [x for x, _ in around]
+    return ties
+
+
+def names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: CombinatorialMap) -> Names:
+    """The darts and vertices of a map by the numbers of another one's; new ones for the rest."""
+    fresh = iter(range(len(other.sigma), len(other.sigma) + len(map_.sigma)))
+    darts = tuple(str(ties[d] if d in ties else next(fresh)) for d in map_.darts)
+    new = iter(range(other.vertex_count, other.vertex_count + map_.vertex_count))
+    taken: set[int] = set()
+    vertices = []
+    for vertex in map_.vertices:
+        known = next((other.vertex_of[ties[d]] for d in vertex if d in ties), None)
+        if known is None or known in taken:
+            known = next(new)
+        taken.add(known)
+        vertices.append(f"v{known}")
+    return Names(darts, tuple(vertices))
+
+
+def mirror_of(map_: CombinatorialMap, other: CombinatorialMap) -> dict[Dart, Dart]:
+    """Each dart with the one whose mirror image it is; empty if the map is not the mirror image.
+
+    A map that is the other one is no mirror image here, even if it is its own.
+    """
+    if not isinstance(isomorphism(map_, other), Mismatch):
+        return {}
+    names = isomorphism(map_.mirrored(), other)
+    return {} if isinstance(names, Mismatch) else dict(enumerate(names))
+
+
+def layout_like(
+    ties: Mapping[Dart, Dart],
+    map_: CombinatorialMap,
+    root: Dart,
+    other: CombinatorialMap,
+    drawn: Layout,
+) -> Layout:
+    """The map as the other one is drawn, if it is that or its mirror image; else turned like it.
+
+    Args:
+        ties: darts with those of the other map that they belong to.
+        map_: what is to be drawn.
+        root: the dart at which its drawing begins.
+        other: the map that is drawn already.
+        drawn: as which.
+    """
+    whole = len(ties) == len(map_.sigma) == len(other.sigma)
+    if whole and all(ties[map_.alpha[d]] == other.alpha[e] for d, e in ties.items()):
+        if all(ties[map_.sigma[d]] == other.sigma[e] for d, e in ties.items()):
+            return _carried(ties, map_, drawn)
+        if all(other.sigma[ties[map_.sigma[d]]] == e for d, e in ties.items()):
+            return _mirrored(_carried(ties, map_, drawn))
+    return _turned(layout(map_, root), sorted(ties.items()), drawn)
+
+
+def _carried(ties: Mapping[Dart, Dart], map_: CombinatorialMap, drawn: Layout) -> Layout:
+    ways = tuple(drawn.ways[ties[d]] for d in map_.darts)
+    return Layout(tuple(ways[vertex[0]][0] for vertex in map_.vertices), ways)
+
+
+def _mirrored(drawn: Layout) -> Layout:
+    return Layout(
+        tuple(-point.conjugate() for point in drawn.vertices),
+        tuple(tuple(-point.conjugate() for point in way) for way in drawn.ways),
+    )
+
+
+def _turned(own: Layout, pairs: Sequence[tuple[Dart, Dart]], drawn: Layout) -> Layout:
+    """The drawing turned and moved so that what belongs together lies as near as it can.
+
+    The best turn has the angle of the sum of products of places, taken from their middles.
+    """
+    if not pairs:
+        return own
+    ours = [p for d, _ in pairs for p in (own.ways[d][0], own.stub(d))]
+    theirs = [p for _, e in pairs for p in (drawn.ways[e][0], drawn.stub(e))]
+    middle, goal = sum(ours) / len(ours), sum(theirs) / len(theirs)
+    product = sum((q - goal) * (p - middle).conjugate() for p, q in zip(ours, theirs, strict=True))
+    turn = product / abs(product) if abs(product) > 1e-9 else 1
+    return Layout(
+        tuple((p - middle) * turn + goal for p in own.vertices),
+        tuple(tuple((p - middle) * turn + goal for p in way) for way in own.ways),
+    )

@@ -1,0 +1,182 @@
+"""Where a map's vertices, darts and edges are drawn: sigma is clockwise round every vertex."""
+
+from __future__ import annotations
+
+from cmath import exp
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from math import tau
+
+from allworlds.maps import CombinatorialMap, Dart, Mismatch, cycles, isomorphism, unrooted_code
+from allworlds.reports.drawing.edge_points import least_distance, points_of
+from allworlds.reports.drawing.mesh import mesh, place
+from allworlds.reports.drawing.planar import PlanarMap, drawings
+from allworlds.reports.drawing.rays import spread, straightened
+
+MOST_DARTS = 200
+"""Larger drawings, ends at crossings counted, are made in the plain way."""
+
+CANDIDATES = 3
+"""So many drawings are made at most where edges come near each other."""
+
+APART = 12.0
+"""In pixels: so far apart no two edges are said to come near each other."""
+
+STUB, NARROWEST, WIDEST = 24.0, 130.0, 900.0
+"""In pixels: the straight beginning of an edge, at least; the drawing, at least and at most."""
+
+DISC, CHIP, HIGH, GAP, FAR = 12.0, 10.0, 14.0, 16.0, 46.0
+"""Likewise: the radii of a vertex and of the robot, and the height of a number; the way from a
+number to the next one, at least; how far a number is moved from its vertex for that, at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """A drawing in pixels, y downwards.
+
+    Attributes:
+        vertices: the centre of each vertex.
+        ways: for each dart the points that its edge is drawn towards, from the dart's vertex to
+            the other end's.  Between the middles of two successive pieces it is a parabola that
+            touches both pieces; its first half piece and its last are straight.
+    """
+
+    vertices: tuple[complex, ...]
+    ways: tuple[tuple[complex, ...], ...]
+
+    def stub(self, dart: Dart) -> complex:
+        """Where the straight beginning of the dart ends."""
+        start, towards, *_ = self.ways[dart]
+        return (start + towards) / 2
+
+    def label(self, dart: Dart) -> complex:
+        """A point of the edge for the dart's number where that scales with the drawing."""
+        a, b, c, *_ = self.ways[dart]
+        return (a + 6 * b + c) / 8
+
+    def along(self, dart: Dart) -> complex:
+        """The direction in which the dart leaves its vertex, of length 1."""
+        start, towards, *_ = self.ways[dart]
+        return (towards - start) / abs(towards - start)
+
+    def box(self, margin: float) -> tuple[float, float, float, float]:
+        """Left, top, width and height of a box that holds the drawing."""
+        points = [*self.vertices, *(p for way in self.ways for p in points_of(way))]
+        left, top = (min(xs) - margin for xs in _coordinates(points))
+        right, bottom = (max(xs) + margin for xs in _coordinates(points))
+        return left, top, right - left, bottom - top
+
+
+def rim(here: complex, others: Iterable[complex], wide: float) -> float:
+    """How far from its vertex the middle of a dart's number stands, in pixels.
+
+    A number so wide touches neither the vertex nor, if there is room, a number beside it.
+
+    Args:
+        here: the direction in which the dart leaves, of length 1.
+        others: those of the other darts there.
+        wide: the number.
+    """
+    aside, high = abs(here.real), abs(here.imag)
+    half = min(wide / 2 / max(aside, 0.01), HIGH / 2 / max(high, 0.01))
+    free = DISC + max(half, CHIP) + 2
+    nearest = min((abs(here - other) for other in others), default=2)
+    return max(free, min(GAP / max(nearest, 0.01), FAR))
+
+
+@lru_cache(maxsize=256)
+def layout(map_: CombinatorialMap, root: Dart) -> Layout:
+    """The drawing of a map of any genus, the root's vertex to the left.
+
+    The same map is drawn the same whatever its darts are called.  No two edges of a planar map
+    cross, and those of another as seldom as was found.  Only in the plain way, round a circle,
+    edges cross needlessly and may run under a vertex.
+    """
+    if 2 * map_.edge_count > MOST_DARTS:
+        return _finished(map_, root, _round_a_circle(map_))
+    same = CombinatorialMap.trusted(*unrooted_code(map_))
+    names, ways = isomorphism(map_, same), _best(same)
+    if isinstance(names, Mismatch) or not ways:
+        return _finished(map_, root, _round_a_circle(map_))
+    return _finished(map_, root, [ways[names[dart]] for dart in map_.darts])
+
+
+@lru_cache(maxsize=256)
+def _best(map_: CombinatorialMap) -> Sequence[Sequence[complex]]:
+    """For each dart the points that its edge is drawn towards; none of a map that is too large.
+
+    Of the first few drawings it is the first in which no two edges come near each other, else
+    the one in which they come least near.
+    """
+    best: tuple[float, Sequence[Sequence[complex]]] = (-1.0, ())
+    for drawn in drawings(map_)[:CANDIDATES]:
+        if len(drawn.sigma) > MOST_DARTS:
+            break
+        ways = _ways(drawn)
+        apart = least_distance(_finished(map_, 0, ways).ways)
+        best = max(best, (apart, ways), key=lambda one: one[0])
+        if apart >= APART:
+            break
+    return best[1]
+
+
+def _ways(drawn: PlanarMap) -> list[list[complex]]:
+    net = mesh(drawn)
+    points = place(net)
+    vertices = cycles(drawn.sigma)
+    centres = {d: points[net.first_vertex + i] for i, v in enumerate(vertices) for d in v}
+    towards: dict[Dart, complex] = {}
+    for vertex in vertices:
+        leave = spread if vertex[0] < drawn.own else straightened
+        round_it = [points[dart] for dart in vertex]
+        towards.update(zip(vertex, leave(centres[vertex[0]], round_it), strict=True))
+    ways = []
+    for dart in range(drawn.own):
+        way = [centres[dart]]
+        along = drawn.way(dart)
+        for near, far in zip(along[::2], along[1::2], strict=True):
+            way += [towards[near], points[near], points[far], towards[far], centres[far]]
+        ways.append(way)
+    return ways
+
+
+def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
+    """The vertices on a circle, the darts round each at equal angles, the first outwards."""
+    outwards = [exp(1j * tau * i / map_.vertex_count) for i in range(map_.vertex_count)]
+    radius = map_.vertex_count + 1
+    centre, end = [], []
+    for dart in map_.darts:
+        vertex = map_.vertex_of[dart]
+        place = map_.vertices[vertex].index(dart)
+        centre.append(radius * outwards[vertex])
+        turn = exp(1j * tau * place / map_.degree_at[dart])
+        end.append(centre[-1] + outwards[vertex] * turn)
+    return [
+        [centre[dart], end[dart], end[other], centre[other]]
+        for dart, other in enumerate(map_.alpha)
+    ]
+
+
+def _finished(map_: CombinatorialMap, root: Dart, ways: Sequence[Sequence[complex]]) -> Layout:
+    """The drawing turned, and as large as the numbers of the darts need."""
+    rough = Layout(tuple(ways[v[0]][0] for v in map_.vertices), tuple(map(tuple, ways)))
+    origin = ways[root][0]
+    stubs = [rough.stub(d) for d in map_.darts]
+    others = rough.vertices if map_.vertex_count > 1 else stubs
+    # Rounded, for among equals the first is to be taken whatever the last bits are.
+    far = max(others, key=lambda point: round(abs(point - origin), 6)) - origin
+    stub = min(abs(stubs[d] - ways[d][0]) for d in map_.darts)
+    size = max(
+        max(xs) - min(xs) for xs in _coordinates([p for way in ways for p in points_of(way)])
+    )
+    scale = min(max(STUB / stub, NARROWEST / size), WIDEST / size)
+    turn = far.conjugate() / abs(far) * scale
+    return Layout(
+        tuple((point - origin) * turn for point in rough.vertices),
+        tuple(tuple((point - origin) * turn for point in way) for way in rough.ways),
+    )
+
+
+def _coordinates(points: Sequence[complex]) -> tuple[list[float], list[float]]:
+    return [point.real for point in points], [point.imag for point in points]

@@ -1,0 +1,130 @@
+"""What a picture shows: a map with all that is to be seen in it, whatever the lighthouse."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from allworlds.maps import CombinatorialMap, Dart
+from allworlds.protocol import Percept
+from allworlds.world import World
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """What darts and vertices are called in a picture, in their order."""
+
+    darts: tuple[str, ...]
+    vertices: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """What a picture shows; each form of picture draws of it what it can.
+
+    Attributes:
+        map: the map.
+        start: the dart that the robot faced at the start; a picture begins there.
+        robot: the dart where the robot is at the end of its walk; None where nobody walks.
+        marks: the number of markers at each vertex that has any, by the vertex's index in
+            ``map.vertices``.
+        pointed: the darts to which a bearing is counted, at any number of vertices.
+        labels: a short text for each dart, such as its class; None where there are none.
+        walked: the darts by which the robot has arrived anywhere.
+        ringed: the dart to look at; None where there is none.
+        names: the names of darts and vertices, where they are not their numbers.
+
+    Raises:
+        ValueError: for a dart or vertex that the map does not have, a negative number of
+            markers, or labels that are not one for each dart.
+    """
+
+    map: CombinatorialMap
+    start: Dart = 0
+    robot: Dart | None = None
+    marks: Mapping[int, int] = field(default_factory=dict)
+    pointed: Collection[Dart] = ()
+    labels: Sequence[str] | None = None
+    walked: Collection[Dart] = ()
+    ringed: Dart | None = None
+    names: Names | None = None
+
+    @property
+    def dart_names(self) -> Sequence[str]:
+        """The name of each dart."""
+        return self.names.darts if self.names else [*map(str, self.map.darts)]
+
+    @property
+    def vertex_names(self) -> Sequence[str]:
+        """The name of each vertex."""
+        if self.names:
+            return self.names.vertices
+        return [f"v{vertex}" for vertex in range(self.map.vertex_count)]
+
+    def __post_init__(self) -> None:
+        map_, robot = self.map, () if self.robot is None else (self.robot,)
+        for what, darts in (
+            ("start", (self.start,)),
+            ("robot", robot),
+            ("pointed", self.pointed),
+            ("walked", self.walked),
+        ):
+            for dart in darts:
+                if dart not in map_.darts:
+                    raise ValueError(
+                        f"{what} = {dart} is no dart; darts are 0..{len(map_.sigma) - 1}"
+                    )
+        for vertex, marks in self.marks.items():
+            if not 0 <= vertex < map_.vertex_count:
+                raise ValueError(
+                    f"marked vertex {vertex} does not exist; "
+                    f"vertices are 0..{map_.vertex_count - 1}"
+                )
+            if marks < 0:
+                raise ValueError(
+                    f"vertex {vertex} cannot have {marks} markers; at least 0 are legal"
+                )
+        if self.labels is not None and len(self.labels) != len(map_.sigma):
+            raise ValueError(
+                f"{len(self.labels)} labels for {len(map_.sigma)} darts; there must be one for each"
+            )
+
+    @classmethod
+    def sensed(
+        cls,
+        map_: CombinatorialMap,
+        start: Dart,
+        percepts: Iterable[tuple[Dart, Percept]],
+        *,
+        robot: Dart | None = None,
+        labels: Sequence[str] | None = None,
+        walked: Collection[Dart] = (),
+    ) -> Scene:
+        """A map of which it is known what is sensed by a robot that arrives by some darts.
+
+        The dart at bearing 0 is pointed along, and a vertex with marks is marked.
+        """
+        known = list(percepts)
+        # What is sensed last holds: markers can be taken away.
+        marks = {map_.vertex_of[dart]: p.marks for dart, p in known}
+        marks = {vertex: number for vertex, number in marks.items() if number}
+        pointed = {map_.turn(dart, p.bearing) for dart, p in known if p.bearing is not None}
+        return cls(map_, start, robot, marks, sorted(pointed), labels, walked)
+
+
+def scene_of(
+    world: World,
+    *,
+    robot: Dart | None = None,
+    dropped: Collection[int] = (),
+    labels: Sequence[str] | None = None,
+    walked: Collection[Dart] = (),
+) -> Scene:
+    """A world with all that can be sensed in it.
+
+    ``dropped`` holds the vertices at which the robot has dropped markers, one entry a marker.
+    """
+    map_, lying = world.map, Counter(dropped)
+    percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
+    return Scene.sensed(map_, world.start, percepts, robot=robot, labels=labels, walked=walked)

@@ -1,9 +1,0 @@
-"""Skeletons of explorers in several languages: files that build and run, and are wrong so far.
-
-The files of a language lie in the folder of its name, each with ``.template`` after its own name.
-A new language is a folder here, and an entry of :data:`LANGUAGES`.
-"""
-
-from allworlds.skeletons.skeleton import LANGUAGES, Language, Skeleton, init
-
-__all__ = ["LANGUAGES", "Language", "Skeleton", "init"]

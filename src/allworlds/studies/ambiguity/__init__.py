@@ -1,0 +1,57 @@
+"""What no robot can tell apart: ambiguity classes, twins and their certificates.
+
+Glossary
+--------
+quotient
+    The world with the darts that no motion tells apart taken together
+    (:mod:`allworlds.maps.quotient`).
+ambiguity class
+    All worlds with the same rooted quotient; a world with a class of one member can be
+    mapped.
+pose hypothesis
+    A member of the class and a dart in it, up to automorphisms, at which the robot can be.
+bisimulation
+    Classes of darts that prove that no motion tells two worlds apart
+    (:mod:`allworlds.world.bisimulation`).
+separation
+    Motions that tell them apart.
+
+Modules
+-------
+``telling_apart``
+    two worlds: a bisimulation or a separation;
+``members``, ``lifting``, ``marked_code``
+    the class of a world: its members, how they are made from the quotient, and their codes;
+``marked_worlds``
+    the census: every map with a marked vertex;
+``smt``
+    the search by solvers for worlds that no motion tells apart.
+"""
+
+from typing import TYPE_CHECKING
+
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.studies.ambiguity.marked_worlds import (
+        AmbiguityCensus as AmbiguityCensus,
+        census as census,
+        merged_census as merged_census,
+    )
+    from allworlds.studies.ambiguity.members import (
+        DEFAULT_LIMIT as DEFAULT_LIMIT,
+        AmbiguityClass as AmbiguityClass,
+        class_of as class_of,
+        projection_of as projection_of,
+    )
+    from allworlds.studies.ambiguity.smt.result import SearchResult as SearchResult
+    from allworlds.studies.ambiguity.smt.twin_search import search as search
+    from allworlds.studies.ambiguity.telling_apart import (
+        Bisimulation as Bisimulation,
+        ComparedWorlds as ComparedWorlds,
+        Separation as Separation,
+        sensed as sensed,
+        twins as twins,
+    )
+else:
+    open_door(__name__)

@@ -1,0 +1,268 @@
+"""The clauses whose models are exactly the rooted maps of a class, each once.
+
+The darts carry their canonical numbers (see :mod:`allworlds.maps.canonical`): in the order
+of steps ``t = 0, 1, 2, ...`` the map is asked for ``sigma(0), alpha(0), sigma(1), ...``, and
+an answer is either a number that has been given already or the next free one.  So a model
+is a canonical code, and the number of models is the number of rooted maps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from allworlds.maps import MapClass
+from allworlds.studies.ambiguity.smt.formula import Block, Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Size:
+    """Exactly ``edges`` edges, and ``fewest`` to ``most`` vertices."""
+
+    edges: int
+    fewest: int
+    most: int
+
+    @property
+    def darts(self) -> int:
+        """2m."""
+        return 2 * self.edges
+
+
+@dataclass(frozen=True, slots=True)
+class Degrees:
+    """What is required of degrees: of the root's vertex, and of all others; None: anything."""
+
+    root: int | None = None
+    others: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class OneWorld:
+    """The variables of one rooted map; dart 0 is the root, vertex 0 is the root's.
+
+    Attributes:
+        size: the numbers of edges and vertices.
+        sigma, alpha: ``[x][y]``: the permutation takes x to y.
+        given: ``[t][j]``: before step t at least j numbers have been given.
+        vertex: ``[x][v]``: dart x is at vertex v; vertices are numbered by their first darts.
+        used: ``[x][v]``: some dart up to x is at vertex v.
+        first: ``[x]``: x is the first dart of its vertex.
+        degree: ``[x][k]``: the vertex of x has degree k.
+    """
+
+    size: Size
+    sigma: Block
+    alpha: Block
+    given: Block
+    vertex: Block
+    used: Block
+    first: Block
+    degree: Block
+
+    def step(self, t: int, y: int) -> int:
+        """The variable for: step t is answered by y."""
+        return (self.alpha if t % 2 else self.sigma)[t // 2, y]
+
+
+def one_world(
+    formula: Formula,
+    name: str,
+    size: Size,
+    map_class: MapClass,
+    degrees: Degrees,
+) -> OneWorld:
+    """Variables and clauses of one rooted map are added; the variables are returned.
+
+    Every model restricted to sigma and alpha is a rooted map of the class and size with
+    these degrees, and every such map is one model.  ``name`` is appended to the names of the
+    variables.
+
+    Cost: O(N^3) clauses for N = 2m darts.
+    """
+    darts, most = size.darts, size.most
+    largest = _largest_degree(size, map_class, degrees)
+    block = formula.block
+    world = OneWorld(
+        size,
+        sigma=block(f"sigma{name}", (darts, darts), "sigma(x) = y"),
+        alpha=block(f"alpha{name}", (darts, darts), "alpha(x) = y"),
+        given=block(
+            f"given{name}",
+            (2 * darts + 1, darts + 1),
+            "at least j numbers are given before step t; steps are sigma(0), alpha(0), sigma(1)..",
+        ),
+        vertex=block(f"vertex{name}", (darts, most), "dart x is at vertex v"),
+        used=block(f"used{name}", (darts, most), "some dart 0..x is at vertex v"),
+        first=block(f"first{name}", (darts,), "x is the first dart of its vertex"),
+        degree=block(f"degree{name}", (darts, largest + 1), "the vertex of x has degree k"),
+    )
+    _permutations(formula, world)
+    _canonical_numbers(formula, world)
+    _vertices(formula, world)
+    _degrees(formula, world, name, largest, degrees)
+    if map_class.simple:
+        _simple(formula, world, name)
+    if map_class.planar:
+        _planar(formula, world, name)
+    return world
+
+
+def _largest_degree(size: Size, map_class: MapClass, degrees: Degrees) -> int:
+    limit = min(size.edges, size.most - 1) if map_class.simple else size.darts
+    if degrees.root is not None and degrees.others is not None:
+        limit = min(limit, max(degrees.root, degrees.others))
+    return max(limit, 1)
+
+
+def _permutations(formula: Formula, world: OneWorld) -> None:
+    sigma, alpha, darts = world.sigma, world.alpha, range(world.size.darts)
+    formula.section("sigma is a permutation, alpha an involution without fixed points")
+    for row in sigma.rows():
+        formula.exactly_one(row)
+    for y in darts:
+        formula.exactly_one([sigma[x, y] for x in darts])
+    for x, row in enumerate(alpha.rows()):
+        formula.exactly_one(row)
+        formula.add(-alpha[x, x])
+        for y in range(x):
+            formula.add(-alpha[x, y], alpha[y, x])
+            formula.add(alpha[x, y], -alpha[y, x])
+
+
+def _canonical_numbers(formula: Formula, world: OneWorld) -> None:
+    given, darts = world.given, world.size.darts
+    formula.section("an answer is a number that has been given, or the next free one")
+    for j in range(darts + 1):
+        formula.add(given[0, j] if j <= 1 else -given[0, j])
+    for t in range(2 * darts):
+        for y in range(darts):
+            formula.add(-world.step(t, y), given[t, y])
+            formula.add(-given[t, y + 1], given[t, y])
+            formula.add(-given[t, y + 1], given[t + 1, y + 1])
+            formula.add(-world.step(t, y), given[t + 1, y + 1])
+            formula.add(-given[t + 1, y + 1], given[t, y + 1], world.step(t, y))
+        formula.add(given[t + 1, 0])
+    formula.section("a dart has its number before it is asked: the map is connected")
+    for x in range(darts):
+        formula.add(given[2 * x, x + 1])
+
+
+def _vertices(formula: Formula, world: OneWorld) -> None:
+    darts, most = world.size.darts, world.size.most
+    sigma, vertex, first = world.sigma, world.vertex, world.first
+    formula.section("sigma stays at the vertex")
+    for row in vertex.rows():
+        formula.exactly_one(row)
+    _constant(formula, sigma, vertex, vertex)
+    _in_order(formula, vertex, world.used)
+    formula.add(first[0])
+    for x in range(1, darts):
+        for v in range(most):
+            formula.add(-first[x], -vertex[x, v], -world.used[x - 1, v])
+            formula.add(first[x], -vertex[x, v], world.used[x - 1, v])
+    formula.section(f"at least {world.size.fewest} vertices")
+    formula.add(world.used[darts - 1, world.size.fewest - 1])
+
+
+def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
+    """Where x has a label in ``here``, the dart that ``step`` takes it to has it in ``there``."""
+    labels = range(here.shape[1])
+    for x, row in enumerate(step.rows()):
+        for y, arrow in enumerate(row):
+            formula.clauses += [(-arrow, -here[x, v], there[y, v]) for v in labels]
+
+
+def _in_order(formula: Formula, label: Block, used: Block) -> None:
+    """Labels are given in the order of their first darts, and ``used`` says which have been."""
+    darts, labels = label.shape
+    formula.section(f"{label.name} is numbered in the order of first darts")
+    formula.add(label[0, 0])
+    for x in range(darts):
+        for v in range(labels):
+            formula.add(-label[x, v], used[x, v])
+            if x == 0:
+                formula.add(-used[0, v], label[0, v])
+                continue
+            formula.add(-used[x - 1, v], used[x, v])
+            formula.add(-used[x, v], used[x - 1, v], label[x, v])
+            if v > 0:
+                formula.add(-label[x, v], used[x - 1, v - 1])
+
+
+def _degrees(formula: Formula, world: OneWorld, name: str, largest: int, wanted: Degrees) -> None:
+    darts, sigma, first, degree = world.size.darts, world.sigma, world.first, world.degree
+    place = formula.block(f"place{name}", (darts, largest), "x is sigma^k of its vertex's first")
+    formula.section("places count from the first dart, so each vertex is one cycle of sigma")
+    for x, row in enumerate(place.rows()):
+        formula.exactly_one(row)
+        formula.add(-first[x], place[x, 0])
+        formula.add(first[x], -place[x, 0])
+    for x in range(darts):
+        for y in range(darts):
+            for k in range(largest):
+                after = [place[y, k + 1]] if k + 1 < largest else []
+                formula.add(-sigma[x, y], -place[x, k], first[y], *after)
+    formula.section("the degree is one more than the place of the last dart")
+    for x, row in enumerate(degree.rows()):
+        formula.exactly_one(row)
+        formula.add(-degree[x, 0])
+        for y in range(darts):
+            for k in range(largest):
+                formula.add(-sigma[x, y], -first[y], -place[x, k], degree[x, k + 1])
+    _constant(formula, sigma, degree, degree)
+    formula.section("the degrees that were asked for")
+    if wanted.root is not None:
+        _degree_is(formula, world, 0, wanted.root, ())
+    if wanted.others is not None:
+        for x in range(1, darts):
+            _degree_is(formula, world, x, wanted.others, (world.vertex[x, 0],))
+
+
+def _degree_is(
+    formula: Formula, world: OneWorld, x: int, degree: int, unless: Sequence[int]
+) -> None:
+    possible = degree < world.degree.shape[1]
+    formula.add(*unless, *([world.degree[x, degree]] if possible else []))
+
+
+def _simple(formula: Formula, world: OneWorld, name: str) -> None:
+    darts, most = world.size.darts, world.size.most
+    alpha, vertex = world.alpha, world.vertex
+    target = formula.block(f"target{name}", (darts, most), "alpha(x) is at vertex v")
+    formula.section("no loop")
+    for row in target.rows():
+        formula.exactly_one(row)
+    _constant(formula, alpha, vertex, target)
+    for x in range(darts):
+        for v in range(most):
+            formula.add(-vertex[x, v], -target[x, v])
+    formula.section("no two edges with the same ends")
+    for x in range(darts):
+        for y in range(x):
+            for v in range(most):
+                formula.clauses += [
+                    (-vertex[x, v], -vertex[y, v], -target[x, w], -target[y, w])
+                    for w in range(most)
+                    if w != v
+                ]
+
+
+def _planar(formula: Formula, world: OneWorld, name: str) -> None:
+    """``n + f >= m + 2``; more faces than that there cannot be, so the labels are the faces."""
+    size, darts = world.size, world.size.darts
+    most_faces = size.edges + 2 - size.fewest
+    face = formula.block(f"face{name}", (darts, most_faces), "x is on face f")
+    ahead = formula.block(f"ahead{name}", (darts, most_faces), "alpha(x) is on face f")
+    met = formula.block(f"met{name}", (darts, most_faces), "some dart 0..x is on face f")
+    formula.section("phi = sigma . alpha stays at the face")
+    for block in (face, ahead):
+        for row in block.rows():
+            formula.exactly_one(row)
+    _constant(formula, world.alpha, face, ahead)
+    _constant(formula, world.sigma, ahead, face)
+    _in_order(formula, face, met)
+    formula.section("Euler's formula of the sphere: with n vertices there are m + 2 - n faces")
+    for n in range(size.fewest, size.most + 1):
+        more_vertices = [world.used[darts - 1, n]] if n < size.most else []
+        formula.add(*more_vertices, met[darts - 1, size.edges + 1 - n])

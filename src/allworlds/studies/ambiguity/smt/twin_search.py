@@ -1,0 +1,293 @@
+"""The search for twins: by growing sizes, so that a pair that is found is a smallest one."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from time import monotonic
+
+from allworlds.inputs import InputError, a_path, at_most, show
+from allworlds.progress import Listener, Silent
+from allworlds.studies.ambiguity.smt.decode import decoded
+from allworlds.studies.ambiguity.smt.formula import Formula, read_dimacs
+from allworlds.studies.ambiguity.smt.lrat import check_lrat
+from allworlds.studies.ambiguity.smt.one_world import Size
+from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula, world_formula
+from allworlds.studies.ambiguity.smt.question import Question, Sizes, question
+from allworlds.studies.ambiguity.smt.result import Searched, SearchResult, Twins
+from allworlds.studies.ambiguity.smt.rup import ProofRefused, lrat_of_drat, write_lrat
+from allworlds.studies.ambiguity.smt.solvers import (
+    LONGEST_WAIT,
+    Clock,
+    ExternalSolver,
+    SolverAnswer,
+    Status,
+    python_sat_is_installed,
+    solve_with_python_sat,
+    solve_with_z3,
+)
+from allworlds.studies.ambiguity.smt.witness import same_world_from
+
+PROOF_LIMIT = 10_000_000
+"""Bytes of DRAT that our own checker takes on: a minute or two."""
+
+
+def search(
+    *,
+    lighthouse: str,
+    vertices: int,
+    edges: int,
+    map_class: str = "maps",
+    degree_marked: int | None = None,
+    degree_others: int | None = None,
+    motions: Sequence[int] = (),
+    percepts: Sequence[str] = (),
+    solver: str | None = None,
+    out: str | Path | None = None,
+    time_limit: float | None = None,
+    listener: Listener | None = None,
+) -> SearchResult:
+    """Two different worlds that no motion separates, or that there are none, by z3.
+
+    Worlds are different if no isomorphism of the maps carries the marks of one to those of
+    the other; where they start does not count.
+
+    Args:
+        lighthouse: ``none``, ``position``, ``compass`` or ``directional``.
+        vertices: the largest number of vertices of each of the two worlds.
+        edges: the largest number of edges.
+        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
+        degree_marked: the degree of the start's vertex (with ``position``: the marked one).
+        degree_others: the degree of every other vertex.
+        motions: a walk from the start, in both worlds.
+        percepts: what it senses, ``3A`` or ``4P`` after each motion.
+        solver: the path of a CaDiCaL 2 or later, in place of z3.
+        out: the directory for formulas and proofs; a new temporary one where it is missing.
+        time_limit: seconds for everything; when they are over the answer is unknown.
+        listener: is told of the progress.
+
+    Raises:
+        InputError: naming the offending value and what would be legal.
+    """
+    asked = question(
+        lighthouse,
+        map_class,
+        vertices,
+        edges,
+        degree_marked=degree_marked,
+        degree_others=degree_others,
+        motions=motions,
+        percepts=percepts,
+    )
+    if time_limit is not None and (not isinstance(time_limit, int | float) or not time_limit > 0):
+        raise InputError(f"time-limit = {show(time_limit)}, but it must be more than 0 seconds")
+    at_most("time-limit", time_limit or 0, LONGEST_WAIT)
+    external = None if solver is None else ExternalSolver(str(a_path("solver", solver)))
+    with _directory(out) as directory:
+        clock, heard = Clock(time_limit), listener or Silent()
+        return _TwinsSearch(asked, external, directory, clock, listener=heard).run()
+
+
+@contextmanager
+def _directory(out: str | Path | None) -> Iterator[Path]:
+    """The one that is named; a temporary one stays if there is a result, which names it."""
+    if out is None:
+        temporary = Path(tempfile.mkdtemp(prefix="allworlds-search-"))
+        try:
+            yield temporary
+        except BaseException:
+            shutil.rmtree(temporary)
+            raise
+        return
+    directory = a_path("out", out)
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"directory {show(str(out))} cannot be made: {error.strerror}") from None
+    yield directory
+
+
+@dataclass
+class _TwinsSearch:
+    """One search under way."""
+
+    question: Question
+    external: ExternalSolver | None
+    directory: Path
+    clock: Clock
+    done: list[Searched] = field(default_factory=list)
+    notices: list[str] = field(default_factory=list)
+    best: Twins | None = None
+    listener: Listener = field(default_factory=Silent)
+
+    def run(self) -> SearchResult:
+        try:
+            return self._answer()
+        except KeyboardInterrupt:
+            if self.best:
+                self.notices.append("interrupted before fewer vertices were tried")
+                return replace(self._found(self.best), interrupted=True)
+            self.notices.append("interrupted; no answer follows from the sizes that are decided")
+            return replace(self._result("unknown"), interrupted=True)
+
+    def _answer(self) -> SearchResult:
+        every = list(self.question.sizes())
+        self.listener.stage("search", len(every), "sizes; these grow, so the time left is a guess")
+        for sizes in every:
+            found = self._decide(sizes)
+            self.listener.progress(1)
+            if found.twins:
+                return self._found(self._fewer_vertices(sizes, found.twins))
+            if found.status == "unknown":
+                undecided = found.sizes.name
+                self.notices.append(
+                    f"the sizes {undecided} are undecided; no answer follows from them"
+                )
+                return self._result("unknown")
+        if not self._some_world_exists():
+            self.notices.append("vacuous: no world at all exists within these bounds")
+            return replace(self._result("unsat"), vacuous=True)
+        self.done = [self._proved(searched) for searched in self.done]
+        complete = all(searched.proof for searched in self.done)
+        self._remark_on_one_map()
+        return self._result("unsat", certificate=self.directory if complete else None)
+
+    def _decide(self, sizes: Sizes) -> Searched:
+        """Solve for two sizes; pairs that are one world started twice are excluded as they come."""
+        began = monotonic()
+        formula, pair = pair_formula(self.question, sizes)
+        path = self.directory / f"{sizes.name}.cnf"
+        same: list[Twins] = []
+        while True:
+            formula.write(path)
+            solved = self._solve(path)
+            twins = decoded(pair, solved.model) if solved.status == "sat" else None
+            start = same_world_from(*twins.worlds) if twins else None
+            if twins is None or start is None:
+                break
+            same.append(twins)
+            forbid_other_start(formula, pair, start)
+        proof = path.with_suffix(".lrat") if self.external and solved.status == "unsat" else None
+        status = solved.status
+        if proof and not self._accepts(formula, proof):
+            status, proof = "unknown", None
+        searched = Searched(sizes, status, path, monotonic() - began, proof, tuple(same), twins)
+        self.done.append(searched)
+        self.best = twins or self.best
+        return searched
+
+    def _solve(self, path: Path) -> SolverAnswer:
+        if self.external:
+            return self.external.solve(path, path.with_suffix(".lrat"), self.clock)
+        return solve_with_z3(path, self.clock)
+
+    def _accepts(self, formula: Formula, proof: Path) -> bool:
+        try:
+            with proof.open(encoding="ascii", errors="replace") as lines:
+                check_lrat(formula.clauses, lines)
+        except (ProofRefused, OSError) as error:
+            self.notices.append(f"the solver's proof {proof} is refused: {error}")
+            return False
+        return True
+
+    def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
+        """Among the pairs with these numbers of edges one with the fewest vertices."""
+        counts = [world.map.vertex_count for world in twins.worlds]
+        one, two = (replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
+        if self.question.sensing.marks_v0:
+            smaller = [(_less(one), _less(two))]
+        else:
+            smaller = [(one, _less(two)), (_less(one), two)]
+        for first, second in smaller:
+            if first and second:
+                again = self._decide(Sizes(first, second))
+                if again.twins:
+                    return self._fewer_vertices(again.sizes, again.twins)
+                if again.status == "unknown":
+                    self.notices.append("the time was over before fewer vertices were tried")
+                    return twins
+        return twins
+
+    def _found(self, twins: Twins) -> SearchResult:
+        certificate = self.directory / "pair.json"
+        document = {
+            "pair": [world.to_json() for world in twins.worlds],
+            "bisimulation": twins.classes,
+        }
+        certificate.write_text(json.dumps(document) + "\n", encoding="ascii")
+        return self._result("sat", twins, certificate)
+
+    def _result(
+        self, status: Status, twins: Twins | None = None, certificate: Path | None = None
+    ) -> SearchResult:
+        return SearchResult(
+            question=self.question,
+            status=status,
+            twins=twins,
+            certificate=certificate,
+            directory=self.directory,
+            searched=tuple(self.done),
+            vacuous=False,
+            notices=tuple(self.notices),
+        )
+
+    def _some_world_exists(self) -> bool:
+        """Whether the bounds and the walk leave any world; small formulas, solved by z3."""
+        path = self.directory / "one-world.cnf"
+        for sizes in self.question.sizes():
+            if sizes.one == sizes.two:
+                formula, _ = world_formula(self.question, sizes)
+                formula.write(path)
+                if solve_with_z3(path, self.clock).status != "unsat":
+                    return True
+        path.unlink(missing_ok=True)
+        return False
+
+    def _remark_on_one_map(self) -> None:
+        met = sum(len(searched.same_map) for searched in self.done)
+        if met:
+            self.notices.append(
+                f"{met} pairs were met that are one world with two starts which look alike: "
+                "the map can be told, the robot's place in it cannot"
+            )
+
+    def _proved(self, searched: Searched) -> Searched:
+        """The sizes with an LRAT proof from python-sat's DRAT, checked here, if that can be."""
+        if searched.proof:
+            return searched
+        reason = self._write_proof(searched.formula)
+        if reason:
+            self.notices.append(f"no certificate for {searched.formula.name}: {reason}")
+            return searched
+        return replace(searched, proof=searched.formula.with_suffix(".lrat"))
+
+    def _write_proof(self, formula: Path) -> str | None:
+        """None, or the reason why there is no proof."""
+        if not python_sat_is_installed():
+            return "install allworlds[proofs], or name a CaDiCaL 2 with --solver"
+        drat = formula.with_suffix(".drat")
+        solved = solve_with_python_sat(formula, drat, self.clock)
+        if solved.status == "sat":
+            raise RuntimeError(f"z3 and CaDiCaL disagree on {formula}")
+        if solved.status == "unknown":
+            return "the time was over"
+        size = drat.stat().st_size
+        if size > PROOF_LIMIT:
+            return (
+                f"its DRAT proof ({drat}) has {size:,} bytes, and our checker takes up to "
+                f"{PROOF_LIMIT:,}; a CaDiCaL 2 named with --solver writes LRAT"
+            )
+        variables, clauses = read_dimacs(formula)
+        with drat.open(encoding="ascii") as lines:
+            write_lrat(lrat_of_drat(variables, clauses, lines), formula.with_suffix(".lrat"))
+        drat.unlink()
+        return None
+
+
+def _less(size: Size) -> Size | None:
+    return replace(size, most=size.most - 1) if size.most > size.fewest else None

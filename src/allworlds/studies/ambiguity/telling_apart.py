@@ -1,0 +1,201 @@
+"""Can any motion tell two worlds apart?  A bisimulation says no, a walk says yes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal, TypeAlias
+
+from allworlds.inputs import InputError, show
+from allworlds.maps import Dart, Disagreement, Labelled, carries, classes_of_union, numbering
+from allworlds.outcome import SCHEMA, Exit
+from allworlds.protocol import Move, Percept
+from allworlds.world import World, flaw
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+Relation: TypeAlias = Literal["same", "same-map", "different"]
+"""``same``: one world; ``same-map``: one map with its lighthouse, entered at two darts;
+``different``: two maps, or two places of the lighthouse."""
+
+
+@dataclass(frozen=True, slots=True)
+class Separation:
+    """Motions after which two worlds show different percepts, for the first time.
+
+    Attributes:
+        motions: the shortest, and of these the lexicographically first.
+        percepts: for each world what is sensed at the start and after each motion; equal but
+            for the last.
+    """
+
+    motions: tuple[int, ...]
+    percepts: tuple[tuple[Percept, ...], tuple[Percept, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Bisimulation:
+    """The class of each dart of two worlds; see :func:`allworlds.world.bisimulation.flaw`."""
+
+    classes: tuple[tuple[int, ...], tuple[int, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class ComparedWorlds:
+    """Two worlds, how they are related, and the proof that they can be told apart, or cannot."""
+
+    worlds: tuple[World, World]
+    relation: Relation
+    proof: Separation | Bisimulation
+
+    @property
+    def distinguishable(self) -> bool:
+        """Some motions lead to different percepts."""
+        return isinstance(self.proof, Separation)
+
+    @property
+    def twins(self) -> bool:
+        """They are different, and no motion tells them apart."""
+        return self.relation == "different" and not self.distinguishable
+
+    @property
+    def exit_code(self) -> Exit:
+        """The exit code of the command: a question was answered."""
+        return Exit.ANSWERED
+
+    def to_json(self) -> documents.TwinsDocument:
+        """The document of ``twins --json``."""
+        document: documents.TwinsDocument = {
+            "schema": SCHEMA,
+            "worlds": [world.to_json() for world in self.worlds],
+            "relation": self.relation,
+            "distinguishable": self.distinguishable,
+            "twins": self.twins,
+        }
+        match self.proof:
+            case Separation(motions, percepts):
+                document["motions"] = list(motions)
+                document["percepts"] = [[p.to_json() for p in seen] for seen in percepts]
+            case Bisimulation(classes):
+                document["bisimulation"] = [list(part) for part in classes]
+        return document
+
+
+def twins(a: World, b: World) -> ComparedWorlds:
+    """Whether any motion can tell the worlds apart, with a proof that has been checked.
+
+    Raises:
+        InputError: if the lighthouses are of different kinds: what is sensed is then no
+            matter of the worlds; or if they tell different things before the start.
+
+    Cost: O(m log m) where no motion can; else as many steps as pairs of darts are met.
+    """
+    for world in (a, b):
+        if not isinstance(world, World):
+            raise InputError(f"{show(world)} is no World; World.from_json makes one")
+    kinds = [world.lighthouse.kind for world in (a, b)]
+    if kinds[0] != kinds[1]:
+        raise InputError(
+            f"the worlds have the lighthouses {kinds[0]} and {kinds[1]}; two worlds are compared "
+            "under one lighthouse"
+        )
+    if a.lighthouse.in_hand or b.lighthouse.in_hand:
+        raise InputError(
+            f"the lighthouse {kinds[0]} is in the robot's hand, and twins are compared by motions "
+            "alone; legal are lighthouses that stand where they are"
+        )
+    if a.told != b.told:
+        raise InputError(
+            f"the lighthouse {kinds[0]} tells {a.told} in one world and {b.told} in the other: an "
+            "explorer knows which it is in before it moves"
+        )
+    first, second = classes_of_union(*(Labelled(w.map, w.percepts, w.start) for w in (a, b)))
+    proof: Separation | Bisimulation
+    if first[a.start] == second[b.start]:
+        proof = Bisimulation((first, second))
+        wrong = flaw((a, b), proof.classes)
+    else:
+        proof = separation(a, b)
+        wrong = replayed(a, b, proof)
+    if wrong:
+        raise Disagreement(f"the proof about {a} and {b} is wrong: {wrong}")
+    return ComparedWorlds((a, b), _relation(a, b), proof)
+
+
+def separation(a: World, b: World) -> Separation:
+    """The first motions, by length and then in ascending order, that tell the worlds apart.
+
+    There must be some.  Breadth-first over pairs of darts, motions ``0..degree-1``.
+    """
+    came: dict[tuple[Dart, Dart], tuple[tuple[Dart, Dart], int] | None] = {(a.start, b.start): None}
+    queue = [(a.start, b.start)]
+    for pair in queue:
+        x, y = pair
+        if a.percepts[x] != b.percepts[y]:
+            return _told(a, b, _way(came, pair))
+        for k in range(a.percepts[x].degree):
+            reached = (_along(a, x, k), _along(b, y, k))
+            if reached not in came:
+                came[reached] = (pair, k)
+                queue.append(reached)
+    raise Disagreement(f"no motion tells {a} from {b}, but their quotients differ")
+
+
+def _along(world: World, dart: Dart, k: int) -> Dart:
+    return world.map.alpha[world.map.turn(dart, k)]
+
+
+def _way(
+    came: dict[tuple[Dart, Dart], tuple[tuple[Dart, Dart], int] | None], pair: tuple[Dart, Dart]
+) -> list[int]:
+    """The motions by which a pair was reached."""
+    motions = []
+    while (step := came[pair]) is not None:
+        pair, k = step
+        motions.append(k)
+    return motions[::-1]
+
+
+def _told(a: World, b: World, motions: list[int]) -> Separation:
+    return Separation(tuple(motions), (sensed(a, motions), sensed(b, motions)))
+
+
+def sensed(world: World, motions: list[int] | tuple[int, ...]) -> tuple[Percept, ...]:
+    """What is sensed at the start and after each of the motions."""
+    state, percepts = world.initial, [world.first]
+    for k in motions:
+        state, percept = world.step(state, Move(k))
+        percepts.append(percept)
+    return tuple(percepts)
+
+
+def replayed(a: World, b: World, told: Separation) -> str | None:
+    """Why the motions do not tell the worlds apart when they are walked again, if so."""
+    seen = (sensed(a, told.motions), sensed(b, told.motions))
+    if seen != told.percepts:
+        return "the walk shows other percepts"
+    if seen[0][-1] == seen[1][-1]:
+        return "the last percepts are equal"
+    if seen[0][:-1] != seen[1][:-1]:
+        return "a part of the motions is enough"
+    return None
+
+
+def _relation(a: World, b: World) -> Relation:
+    if len(a.map.sigma) != len(b.map.sigma):
+        return "different"
+    order = numbering(a.map.sigma, a.map.alpha, a.start)
+    if _carries_all(a, b, order, b.start):
+        return "same"
+    alike = any(_carries_all(a, b, order, image) for image in b.map.darts)
+    return "same-map" if alike else "different"
+
+
+def _carries_all(a: World, b: World, order: list[Dart], image: Dart) -> bool:
+    """Whether ``a.start -> image`` extends to an isomorphism of the maps and their percepts."""
+    if a.first != b.percepts[image]:
+        return False
+    if not carries(a.map.sigma, a.map.alpha, order, b.map.sigma, b.map.alpha, image):
+        return False
+    images = numbering(b.map.sigma, b.map.alpha, image)
+    return all(a.percepts[d] == b.percepts[e] for d, e in zip(order, images, strict=True))

@@ -1,0 +1,101 @@
+"""The findings of earlier checks, tried again before anything else."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, confirmed, workers_for
+from allworlds.explorers import Subject
+from allworlds.judging import LAWS, Finding, file_name, kept_findings, write_finding
+from allworlds.maps import Extent, MapClass
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+
+@dataclass(slots=True)
+class UserCorpus:
+    """A directory of findings in the course of one check.
+
+    Attributes:
+        directory: need not exist yet.
+        reproduced: the files whose findings still stand, within the scope of the check.
+        beyond: those that stand beyond it; they say nothing about the scope.
+        fixed: the files whose worlds are no longer refuting; they are kept.
+        written: the files that this check has added.
+    """
+
+    directory: Path
+    reproduced: list[str] = field(default_factory=list)
+    beyond: list[str] = field(default_factory=list)
+    fixed: list[str] = field(default_factory=list)
+    written: list[str] = field(default_factory=list)
+    _standing: list[Finding] = field(default_factory=list)
+
+    def retry(self, subject: Subject, limits: Limits, scope: Scope) -> list[Finding]:
+        """Run the explorer in every recorded world under its rules: what refutes it in the scope.
+
+        Each finding is tried by itself, so that one that is lost does no harm to others.
+        """
+        for kept in kept_findings(self.directory):
+            found = _retry(kept.finding, subject, limits)
+            if found is None:
+                self.fixed.append(kept.name)
+            elif is_inside(found, scope):
+                self.reproduced.append(kept.name)
+                self._standing.append(found)
+            else:
+                self.beyond.append(kept.name)
+        return self._standing
+
+    def holds(self, finding: Finding) -> bool:
+        """The finding is one of the past that still stands, and has been confirmed."""
+        return finding in self._standing
+
+    def write(self, findings: Iterable[Finding]) -> Iterator[str]:
+        """Add the findings that are new; in words those that there was no room for."""
+        for finding in findings:
+            if not self.holds(finding):
+                try:
+                    self.written.append(write_finding(self.directory, finding))
+                except OSError as error:
+                    yield f"the corpus could not take {file_name(finding)}: {error.strerror}"
+
+    def to_json(self) -> documents.CorpusDocument:
+        """As it stands in a report."""
+        return {
+            "directory": str(self.directory),
+            "reproduced": self.reproduced,
+            "beyond_scope": self.beyond,
+            "fixed": self.fixed,
+            "written": self.written,
+        }
+
+
+def is_inside(finding: Finding, scope: Scope) -> bool:
+    """Whether a check of that scope could have come upon the finding itself."""
+    rules, own, world = scope.rules, finding.rules, finding.world
+    return (
+        scope.extent.include(world.map)
+        and world.lighthouse in rules.kind.places(world.map, world.start)
+        and (finding.law not in LAWS or finding.law in rules.applying)
+        and (finding.law != "bound" or own.the_bound.name == rules.the_bound.name)
+        and (finding.law != "budget" or own.step_budget == rules.step_budget)
+        and (scope.schedules == "all" or own.policy == rules.policy)
+    )
+
+
+def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None:
+    # A recorded schedule other than the policy's own is met when all are tried.
+    every = subject.takes_choices and finding.rules.policy == "fifo" and any(finding.choices)
+    extent = Extent(MapClass.MAPS, finding.world.map.edge_count)
+    scope = Scope(extent, finding.rules, "all" if every else "one")
+    with workers_for(subject, limits, limits.deadline()) as workers:
+        world = GivenWorlds(((finding.world, finding.place),))
+        for part in workers.map(PythonEngine(scope, keep=1), [world]):
+            for found in part.result.findings:
+                return confirmed(found, subject, limits, scope.schedules)
+    return None

@@ -1,0 +1,196 @@
+"""How long a check will take, from a short sample of its last level."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import islice
+from random import Random
+from typing import TYPE_CHECKING, Any
+
+from allworlds.engines import (
+    ClusterLost,
+    EngineKind,
+    EnginesDisagree,
+    Job,
+    LevelRuns,
+    TimeIsUp,
+    Unsettled,
+    drawn_units,
+    level_size,
+    shards_of,
+)
+from allworlds.maps import Extent
+from allworlds.outcome import SCHEMA, Exit
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+SECONDS = 3.0
+"""So long a sample takes from its first piece on."""
+
+MOST_SECONDS = 120.0
+"""So long it takes at most, compiling and all; where no piece is done by then there is no guess."""
+
+PIECE = {"python": 200, "compiled": 200_000}
+"""So many worlds at most stand in a piece of the sample, by what plays in them."""
+
+MANY = {"python": 20_000, "compiled": 100_000_000}
+"""Checks of more worlds begin with an estimate."""
+
+LONG = 60.0
+"""Seconds; of longer checks it is said how long they will take."""
+
+PIECES = 2000
+
+COUNTABLE = 16
+"""Levels of more edges are not counted for this; that they are many is said without it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Guess:
+    """A guess of how long a check takes.
+
+    Attributes:
+        edges: of the largest worlds.
+        engine: its name.
+        worlds: that are to be tried.
+        sampled: that were tried for this, all of the last level; 0 where the rate is a guess, too.
+        rate: of these a second; None if none was finished in time.
+    """
+
+    edges: int
+    engine: str
+    worlds: int
+    sampled: int
+    rate: float | None
+
+    @property
+    def seconds(self) -> float | None:
+        """For all worlds at this rate; smaller ones take less."""
+        return self.worlds / self.rate if self.rate else None
+
+    def to_json(self) -> documents.GuessOfTime:
+        """A row of the document."""
+        return {
+            "edges": self.edges,
+            "engine": self.engine,
+            "worlds": self.worlds,
+            "sampled": self.sampled,
+            "rate": None if self.rate is None else round(self.rate, 3),
+            "seconds": None if self.seconds is None else round(self.seconds, 1),
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class TimeEstimate:
+    """How long a check takes, and larger ones.
+
+    Attributes:
+        explorer: its name.
+        guess: of what was asked.
+        larger: of the same with more edges, ascending.
+    """
+
+    explorer: str
+    guess: Guess
+    larger: tuple[Guess, ...]
+
+    @property
+    def exit_code(self) -> Exit:
+        """0: answered."""
+        return Exit.ANSWERED
+
+    def to_json(self) -> documents.EstimateResult:
+        """The document of ``check --estimate --json``."""
+        guess = self.guess.to_json()
+        return {
+            "schema": SCHEMA,
+            "explorer": self.explorer,
+            "edges": guess["edges"],
+            "engine": guess["engine"],
+            "worlds": guess["worlds"],
+            "sampled": guess["sampled"],
+            "rate": guess["rate"],
+            "seconds": guess["seconds"],
+            "larger": [larger.to_json() for larger in self.larger],
+        }
+
+
+def _plays(job: Job, engine: EngineKind) -> str:
+    """What plays: compiled code, or, whoever judges it, an explorer in Python or behind a pipe."""
+    slow = job.subject.from_user and not job.subject.compiled
+    return "python" if slow or engine.name == "python" else "compiled"
+
+
+def worlds_of(job: Job) -> int:
+    """How many worlds are to be tried; of a shard about so many."""
+    extent = job.scope.extent
+    worlds = sum(level_size(extent, edges) for edges in extent.levels)
+    return worlds // shards_of(job.scope.coverage)
+
+
+def is_worth_a_guess(job: Job, engine: EngineKind) -> bool:
+    """Whether a check may be long, and has no limit of time; its worlds are soon counted."""
+    soon = job.limits.time_limit is None and job.scope.extent.levels[-1] <= COUNTABLE
+    return soon and worlds_of(job) > MANY[_plays(job, engine)]
+
+
+def estimated(job: Job, engine: EngineKind) -> Guess:
+    """A guess from pieces of the last level, which are drawn like its maps.
+
+    What starts workers and compiles is not counted; the sample takes some seconds.
+    """
+    hurried = replace(job, deadline=time.monotonic() + MOST_SECONDS)
+    ready = engine.ready(hurried)
+    sampled, began, ended = 0, 0.0, 0.0
+    try:
+        with ready.transport as transport:
+            for part in transport.map(ready.engine, _pieces(job, PIECE[_plays(job, engine)])):
+                now = time.monotonic()
+                if not began:
+                    began = now
+                    continue
+                sampled, ended = sampled + part.result.worlds, now
+                if now > began + SECONDS:
+                    break
+    except (TimeIsUp, EnginesDisagree, ClusterLost, Unsettled):
+        pass  # the check itself will say so
+    rate = sampled / (ended - began) if ended > began and sampled else None
+    return Guess(job.scope.extent.levels[-1], engine.name, worlds_of(job), sampled, rate)
+
+
+def one_larger(job: Job) -> Extent | None:
+    """The extent with one edge more; None where that holds no more worlds, or too many to count."""
+    extent = job.scope.extent
+    if extent.edges is None or extent.edges >= COUNTABLE:
+        return None
+    edges = extent.edges + 1
+    larger = replace(extent, edges=edges)
+    return larger if level_size(larger, edges) else None
+
+
+def extrapolated(job: Job, guesses: tuple[Guess, Guess]) -> tuple[Guess, ...]:
+    """A guess of the job with one edge more, of which nothing was tried; none if there is none.
+
+    A world is thought to take longer by as much as from the first guess to the second.
+
+    Args:
+        job: that of the second guess.
+        guesses: with one edge more each.
+    """
+    extent, (first, second) = one_larger(job), guesses
+    if extent is None or not (first.rate and second.rate):
+        return ()
+    slower = min(1.0, second.rate / first.rate) if first.engine == second.engine else 1.0
+    worlds = worlds_of(replace(job, scope=replace(job.scope, extent=extent)))
+    return (Guess(extent.levels[-1], second.engine, worlds, 0, slower * second.rate),)
+
+
+def _pieces(job: Job, worlds: int) -> Iterator[Any]:
+    extent = job.scope.extent
+    draw = Random(0)  # noqa: S311  # the same pieces each time
+    units = drawn_units(extent, extent.levels[-1], worlds, draw)
+    for unit in islice(units, PIECES):
+        yield LevelRuns(unit.edges, unit.prefix)

@@ -1,0 +1,21 @@
+"""The fuzzer: worlds far beyond the exhaustive bound, and the way back to small ones.
+
+``sample``
+    the worlds of a run, a function of its seed;
+``drive``
+    a run, from its options to its report;
+``given``
+    the same in maps that somebody has chosen;
+``shrink``
+    from a refuting world to one that no small change makes smaller.
+"""
+
+from typing import TYPE_CHECKING
+
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.studies.fuzz.drive import fuzz as fuzz
+    from allworlds.studies.fuzz.given import refuted_in as refuted_in
+else:
+    open_door(__name__)

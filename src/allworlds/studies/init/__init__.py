@@ -1,0 +1,14 @@
+"""The files to begin an explorer with, ``beginning``: a skeleton, or the C header."""
+
+from typing import TYPE_CHECKING
+
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.studies.init.beginning import (
+        Header as Header,
+        Skeleton as Skeleton,
+        init as init,
+    )
+else:
+    open_door(__name__)

@@ -1,0 +1,64 @@
+"""The report of all shards of a job, made from what their run directories hold."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from allworlds.engines import merged
+from allworlds.inputs import InputError, show
+from allworlds.progress import Listener, Silent
+from allworlds.verbs import BY_NAME, loaded
+from allworlds.version import __version__
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+
+@dataclass(frozen=True, slots=True)
+class MergedReport:
+    """The report that the verb would have made by itself.
+
+    Attributes:
+        verb: its name.
+        report: as the verb hands it back.
+    """
+
+    verb: str
+    report: Any
+
+    @property
+    def exit_code(self) -> int:
+        """That of the verb."""
+        code: int = self.report.exit_code
+        return code
+
+    def to_json(self) -> documents.MergeDocument:
+        """The verb's document."""
+        document: documents.MergeDocument = self.report.to_json()
+        return document
+
+
+def merge(*runs: str | Path, listener: Listener | None = None) -> MergedReport:
+    """The report of a whole job whose shards were kept in run directories.
+
+    Counts are compared with their source, and witnesses looked for, as if it had been one job.
+    No explorer is needed, and none is run: findings were confirmed by those who found them.
+
+    Args:
+        runs: the directories, one a shard, in any order.
+        listener: is told of the progress.
+
+    Raises:
+        InputError: if they are not of one job, overlap, or are damaged.
+        Gap: if something is missing.
+    """
+    with merged(runs) as (identity, records):
+        if identity.version != __version__:
+            raise InputError(
+                f"run directory {show(str(runs[0]))} is of version {show(identity.version)}, not "
+                f"{show(__version__)}"
+            )
+        report = loaded(BY_NAME[identity.verb].merged)(identity, records, listener or Silent())
+    return MergedReport(identity.verb, report)

@@ -1,0 +1,27 @@
+"""The best that any explorer can do: minimax over all worlds with a known number of edges.
+
+``knowledge``
+    what a robot can still believe, as a value, and what a motion makes of it;
+``fewest_traversals``
+    the fewest traversals that are enough, whatever the world is;
+``strategy``
+    how: a tree of motions and answers;
+``in_every_world``
+    the strategy followed in every world, by code of its own;
+``optimum_table``
+    the optimum beside the worst cases of the built-in explorers.
+"""
+
+from typing import TYPE_CHECKING
+
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.studies.optimum.optimum_table import (
+        OptimumReport as OptimumReport,
+        OptimumRow as OptimumRow,
+        minimax as minimax,
+        optimum as optimum,
+    )
+else:
+    open_door(__name__)

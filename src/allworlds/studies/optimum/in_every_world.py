@@ -1,0 +1,50 @@
+"""A strategy followed in every world: the checker of what the search has found.
+
+It shares nothing with the search but the strategy: it walks in worlds, and compares codes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from allworlds.maps import CombinatorialMap, Dart, rooted_code
+from allworlds.protocol import Estimate, Move
+from allworlds.studies.optimum.strategy import Step, Strategy
+from allworlds.world import World
+
+
+def most_expensive(strategy: Strategy, worlds: Iterable[World]) -> int | None:
+    """The most traversals that the strategy makes in any of the worlds.
+
+    None if it is wrong in one: it answers with another rooted map, or has nothing to go on with.
+    Cost: linear in the traversals.
+    """
+    most = 0
+    for world in worlds:
+        cost = _followed(strategy, world)
+        if cost is None:
+            return None
+        most = max(most, cost)
+    return most
+
+
+def _followed(strategy: Strategy, world: World) -> int | None:
+    """The traversals to the right answer in a world; None where it is not reached."""
+    state, number, cost = world.initial, strategy.start.get(world.first), 0
+    while number is not None:
+        node = strategy.nodes[number]
+        if not isinstance(node, Step):
+            return cost if _is_right(node.answer, world.map, state.dart) else None
+        if cost > len(strategy.nodes):
+            return None
+        state, percept = world.step(state, Move(node.k))
+        cost += 1
+        number = node.then.get(percept)
+    return None
+
+
+def _is_right(answer: Estimate, map_: CombinatorialMap, dart: Dart) -> bool:
+    found = answer.map
+    return rooted_code(found.sigma, found.alpha, answer.here) == rooted_code(
+        map_.sigma, map_.alpha, dart
+    )

@@ -1,0 +1,207 @@
+"""The best that any explorer can do, beside what the built-in ones do at their worst."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from allworlds.explorers import BUILT_IN
+from allworlds.inputs import InputError, an_integer, show
+from allworlds.maps import CombinatorialMap, Dart
+from allworlds.outcome import SCHEMA, Exit, until_interrupted
+from allworlds.progress import Listener, Silent
+from allworlds.studies.check import check
+from allworlds.studies.optimum.fewest_traversals import Search
+from allworlds.studies.optimum.in_every_world import most_expensive
+from allworlds.studies.optimum.knowledge import Places
+from allworlds.studies.optimum.strategy import Strategy
+from allworlds.world import Directional, World, worlds
+
+if TYPE_CHECKING:
+    from allworlds import documents
+
+DEFAULT_EDGES = 3
+MOST_EDGES = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """Minimax over some worlds.
+
+    Attributes:
+        at_least: no explorer needs less at its worst.
+        strategy: one that needs no more; None where the time was up before it was found.
+        states: how many states of knowledge were looked into.
+    """
+
+    at_least: int
+    strategy: Strategy | None
+    states: int
+
+
+def minimax(
+    given: Iterable[tuple[CombinatorialMap, Dart, Dart]], deadline: float | None = None
+) -> Solved:
+    """The fewest traversals that are enough in all these worlds, and how.
+
+    The explorer knows which worlds there are.
+
+    Args:
+        given: of each the map, the dart that the robot faces, and the dart of its vertex that
+            the marker points at; at least one.
+        deadline: on the monotonic clock; then what is known by then is told.
+
+    Cost: seconds for all worlds with 4 edges; it grows faster than any power.
+    """
+
+    def tick() -> None:
+        if deadline is not None and time.monotonic() > deadline:
+            raise _Late
+
+    places = Places()
+    starts = places.parted([places.number(*world) for world in given])
+    search = Search(places, tick)
+    try:
+        value = max(search.value(part.known) for part in starts)
+    except _Late:
+        at_least = max(search.at_least(part.known) for part in starts)
+        return Solved(at_least, None, search.states)
+    return Solved(value, search.strategy(starts), search.states)
+
+
+class _Late(Exception):
+    """The time is up."""
+
+
+@dataclass(frozen=True, slots=True)
+class OptimumRow:
+    """The worlds with one number of edges, which the explorer knows.
+
+    Attributes:
+        edges: that number.
+        runs: the worlds with every bearing.
+        solved: what the search has found.
+        replayed: what the strategy costs at its worst when it is followed in every world; None
+            where there is none, or it is wrong.
+        explorers: the worst cost of each built-in explorer that has the same lighthouse.
+    """
+
+    edges: int
+    runs: int
+    solved: Solved
+    replayed: int | None
+    explorers: Mapping[str, int]
+
+    @property
+    def optimum(self) -> int | None:
+        """The best worst case; None where it was not found."""
+        return self.solved.at_least if self.solved.strategy else None
+
+    @property
+    def agrees(self) -> bool:
+        """The strategy does what the search says that it does."""
+        return self.replayed == self.optimum
+
+    def to_json(self) -> documents.OptimumRowDocument:
+        """The row as it stands in the document."""
+        strategy = self.solved.strategy
+        return {
+            "edges": self.edges,
+            "runs": self.runs,
+            "optimum": self.optimum,
+            "at_least": self.solved.at_least,
+            "replayed": self.replayed,
+            "states": self.solved.states,
+            "explorers": dict(self.explorers),
+            "strategy": strategy.to_json() if strategy else None,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class OptimumReport:
+    """The table.
+
+    Attributes:
+        rows: by the number of edges.
+        complete: False if the user has interrupted, and rows are missing.
+    """
+
+    rows: tuple[OptimumRow, ...]
+    complete: bool = True
+
+    @property
+    def exit_code(self) -> Exit:
+        """70 where a replay disagrees, 130 interrupted, 3 where an optimum was not found."""
+        if not all(row.agrees for row in self.rows):
+            return Exit.DISAGREES
+        if not self.complete:
+            return Exit.INTERRUPTED
+        found = all(row.optimum is not None for row in self.rows)
+        return Exit.ANSWERED if found else Exit.INCONCLUSIVE
+
+    def to_json(self) -> documents.OptimumDocument:
+        """The document of ``optimum --json``."""
+        return {
+            "schema": SCHEMA,
+            "complete": self.complete,
+            "rows": [row.to_json() for row in self.rows],
+        }
+
+
+def optimum(
+    *, edges: int = DEFAULT_EDGES, time_limit: float | None = None, listener: Listener | None = None
+) -> OptimumReport:
+    """The best that any explorer can do in the worst world with so many edges.
+
+    The explorer has a directional lighthouse, and knows the number of edges.
+
+    Args:
+        edges: the largest number; there is a row for each up to it.
+        time_limit: seconds for the search of a row; None (default) for no limit.  A row that is
+            not found in time tells a lower bound.
+        listener: is told of the progress.
+
+    Raises:
+        InputError: for a number of edges, or a limit, that is not legal.
+    """
+    if not 1 <= an_integer("edges", edges) <= MOST_EDGES:
+        raise InputError(f"edges = {show(edges)}; the optimum is searched for 1..{MOST_EDGES}")
+    if time_limit is not None and not (
+        isinstance(time_limit, int | float) and 0 < time_limit < float("inf")
+    ):
+        raise InputError(f"time limit {show(time_limit)} is not a positive number of seconds")
+    listener = listener or Silent()
+    return OptimumReport(*until_interrupted(_rows(edges, time_limit, listener)))
+
+
+def _rows(most: int, time_limit: float | None, listener: Listener) -> Iterator[OptimumRow]:
+    explorers = [name for name, own in BUILT_IN.items() if own.lighthouse == Directional.kind]
+    costs = {name: _worst(name, most) for name in explorers}
+    for edges in range(1, most + 1):
+        every = [world for world in worlds(edges=edges, places="all") if _size(world) == edges]
+        deadline = None if time_limit is None else time.monotonic() + time_limit
+        listener.level(edges, len(every))
+        solved = minimax(map(_given, every), deadline)
+        replayed = most_expensive(solved.strategy, every) if solved.strategy else None
+        listener.progress(len(every))
+        beside = {name: of[edges] for name, of in costs.items()}
+        yield OptimumRow(edges, len(every), solved, replayed, beside)
+
+
+def _size(world: World) -> int:
+    return world.map.edge_count
+
+
+def _given(world: World) -> tuple[CombinatorialMap, Dart, Dart]:
+    assert isinstance(world.lighthouse, Directional)
+    return world.map, world.start, world.lighthouse.dart
+
+
+def _worst(name: str, most: int) -> Mapping[int, int]:
+    """By the number of edges the largest cost of an explorer in any world; first in, first out."""
+    worst: dict[int, int] = {}
+    for row in check(name, edges=most).uninterrupted().to_json()["rows"]:
+        worst[row["edges"]] = max(worst.get(row["edges"], 0), row["max_cost"])
+    return worst

@@ -1,0 +1,26 @@
+"""The exact worst and best cost of explorers over all worlds and all schedules.
+
+``every_schedule``
+    one world, readably; also a sequence of choices that attains the worst cost;
+``all_worlds``
+    every world of a class, with the compiled engine, and what is reported;
+``compiled_engine``
+    that engine, and what it brings;
+``any_explorer``
+    the same of any explorer, by playing its runs.
+"""
+
+from typing import TYPE_CHECKING
+
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.studies.worst.all_worlds import (
+        WorstReport as WorstReport,
+        merged_worst as merged_worst,
+        worst as worst,
+    )
+    from allworlds.studies.worst.any_explorer import RunsReport as RunsReport
+    from allworlds.studies.worst.every_schedule import EverySchedule as EverySchedule
+else:
+    open_door(__name__)

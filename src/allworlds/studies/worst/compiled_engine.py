@@ -1,0 +1,105 @@
+"""The most expensive worlds of a level: the compiled search over schedules as an engine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import astuple, dataclass, field, replace
+from typing import Any, Self
+
+from allworlds.engines import (
+    LevelUnit,
+    ScheduleCosts,
+    flag,
+    is_compiled,
+    schedule_costs_of_unit,
+    search,
+)
+from allworlds.maps import Extent
+from allworlds.studies.worst.every_schedule import Transit
+
+
+@dataclass(slots=True)
+class ScheduleCostsBySize:
+    """What every schedule can cost, by the number of vertices; adds up in any order."""
+
+    by_vertices: dict[int, ScheduleCosts] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, rows: Iterable[ScheduleCosts]) -> ScheduleCostsBySize:
+        """The rows of a part."""
+        return cls({row.vertices: row for row in rows})
+
+    def __contains__(self, vertices: object) -> bool:
+        return vertices in self.by_vertices
+
+    @property
+    def worlds(self) -> int:
+        """Rooted maps."""
+        return sum(row.rooted for row in self.by_vertices.values())
+
+    def add(self, other: ScheduleCostsBySize) -> None:
+        """Take in another part."""
+        for vertices, row in other.by_vertices.items():
+            mine = self.by_vertices.get(vertices)
+            self.by_vertices[vertices] = _joined(mine, row) if mine else row
+
+    def to_json(self) -> list[list[Any]]:
+        """One row for each number of vertices, ascending, as it is kept in a run directory."""
+        return [list(astuple(row)) for _, row in sorted(self.by_vertices.items())]
+
+    @classmethod
+    def from_json(cls, rows: Iterable[list[Any]]) -> Self:
+        """What has those rows."""
+        kept = []
+        for *numbers, sigma, alpha in rows:
+            vertices, rooted, worst, best, tests, wrong = numbers
+            row = ScheduleCosts(
+                vertices, rooted, worst, best, tests, wrong, tuple(sigma), tuple(alpha)
+            )
+            kept.append(row)
+        return cls({row.vertices: row for row in kept})
+
+
+def _joined(a: ScheduleCosts, b: ScheduleCosts) -> ScheduleCosts:
+    """Sums, maxima, and the least of the worlds that attain the worst cost."""
+    most_expensive = min(
+        (d for d in (a, b) if d.sigma), key=lambda d: (-d.worst, d.sigma, d.alpha), default=a
+    )
+    return replace(
+        most_expensive,
+        rooted=a.rooted + b.rooted,
+        best=max(a.best, b.best),
+        tests=a.tests + b.tests,
+        wrong=a.wrong + b.wrong,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class ScheduleSearch:
+    """The engine."""
+
+    extent: Extent
+    transit: Transit
+    flag: Any = field(default_factory=flag)
+
+    def halt(self) -> None:
+        """Give up."""
+        self.flag[0] = 1
+
+    def is_compiled(self) -> bool:
+        """An earlier use has left the compiled code behind."""
+        return is_compiled(search)
+
+    def parts(self, unit: LevelUnit) -> Iterator[ScheduleCostsBySize]:
+        """The most expensive worlds of the unit."""
+        map_class = self.extent.map_class
+        rows = schedule_costs_of_unit(
+            unit.edges,
+            self.extent.vertex_limit(unit.edges),
+            unit.prefix,
+            self.transit,
+            self.flag,
+            simple=map_class.simple,
+            planar=map_class.planar,
+        )
+        yield ScheduleCostsBySize.of(rows)

@@ -1,0 +1,266 @@
+"""Every schedule of Algorithm 1 in one world.
+
+In a fixed world S is determined by the set of explored edges.  What the robot knows between
+two passes is that set and the vertex where it stands, and rejected hypotheses add up whatever
+their order.  So the worst and the best cost follow by going back from the explored world.
+The robot's S is spoken of by the darts of the world: S lies in the world by I-1.
+
+Source: Algorithm 1, Section IV.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Literal, TypeAlias, TypeVar
+
+from allworlds.maps import CombinatorialMap, Dart
+from allworlds.protocol import Choices, Kind
+
+T = TypeVar("T")
+
+Transit: TypeAlias = Literal["shortest", "simple"]
+"""How line 4 is read: the robot goes through S on a shortest path, or on any simple path."""
+
+Explored: TypeAlias = frozenset[Dart]
+"""The darts of the explored edges, both of each."""
+
+Path: TypeAlias = tuple[Dart, ...]
+"""The darts by which a simple path in S leaves its vertices."""
+
+
+class WrongTest(Exception):
+    """A false hypothesis has been confirmed: Algorithm 1 would be refuted."""
+
+
+@dataclass(frozen=True, slots=True)
+class TestCost:
+    """A hypothesis, the path on which it is tested, and what the test costs."""
+
+    hypothesis: Dart
+    path: Path
+    cost: int
+
+
+@dataclass(frozen=True, slots=True)
+class PassCosts:
+    """One pass, but for the way to its dart.
+
+    Attributes:
+        dart: the dart e that leaves U.
+        worst, best: the tests of the most expensive and of the cheapest pass.
+        explored: the explored darts after it.
+        robot: the robot's vertex after it.
+    """
+
+    dart: Dart
+    worst: tuple[TestCost, ...]
+    best: tuple[TestCost, ...]
+    explored: Explored
+    robot: int
+
+
+@dataclass(frozen=True, slots=True)
+class PassCost:
+    """What a pass can cost at most.
+
+    Attributes:
+        vertices, explored: of S when it begins; the explored edges.
+        cost: traversals, with the way to its dart.
+    """
+
+    vertices: int
+    explored: int
+    cost: int
+
+
+class EverySchedule:
+    """All schedules of Algorithm 1 from one vertex of a map.
+
+    Args:
+        map_: the world.
+        start: the dart faced at the start; the costs depend on its vertex alone.
+        transit: how line 4 is read.
+    """
+
+    def __init__(self, map_: CombinatorialMap, start: Dart, transit: Transit = "simple") -> None:
+        self._map, self._start, self._transit = map_, start, transit
+        self._owner, self._v0 = map_.vertex_of, map_.vertex_of[start]
+        self._passes = cache(self._find_passes)
+        self._worst = cache(self._find_worst)
+        self._best = cache(self._find_best)
+
+    @property
+    def worst(self) -> int:
+        """The traversals of the most expensive schedule.
+
+        Raises:
+            WrongTest: if a false hypothesis can be confirmed.
+        """
+        return self._worst(frozenset(), self._v0)
+
+    @property
+    def best(self) -> int:
+        """The traversals of the cheapest schedule; raises as :attr:`worst`."""
+        return self._best(frozenset(), self._v0)
+
+    def most_expensive_picks(self) -> list[int]:
+        """A most expensive schedule: the darts of S that are picked, in the order of the picks."""
+        numbers: dict[Dart, int] = {}
+        self._number(numbers, self._start)
+        explored, robot = Explored(), self._v0
+        picks: list[Dart] = []
+        while len(explored) < len(self._map.sigma):
+            chosen = max(self._passes(explored), key=lambda p: self._onward(explored, robot, p))
+            picks.append(numbers[chosen.dart])
+            goal = self._owner[chosen.dart]
+            picks += [numbers[d] for d in self._transits(explored, robot, goal)[-1]]
+            for test in chosen.worst:
+                picks += [numbers[d] for d in (test.hypothesis, *test.path)]
+            entry = self._map.alpha[chosen.dart]
+            if entry not in numbers:
+                self._number(numbers, entry)
+            explored, robot = chosen.explored, chosen.robot
+        return picks
+
+    def most_expensive_passes(self) -> Iterator[PassCost]:
+        """The most expensive pass with each dart, in each state that a schedule can come to.
+
+        Raises:
+            WrongTest: if a false hypothesis can be confirmed.
+        """
+        queue: list[tuple[Explored, int]] = [(Explored(), self._v0)]
+        met = set(queue)
+        for explored, robot in queue:
+            vertices = len({self._v0} | {self._owner[d] for d in explored})
+            for chosen in self._passes(explored):
+                transit = self._transits(explored, robot, self._owner[chosen.dart])[-1]
+                tests = sum(test.cost for test in chosen.worst)
+                yield PassCost(vertices, len(explored) // 2, len(transit) + 1 + tests)
+                following = (chosen.explored, chosen.robot)
+                if following not in met:
+                    met.add(following)
+                    queue.append(following)
+
+    def _number(self, numbers: dict[Dart, int], first: Dart) -> None:
+        """S numbers the darts of a vertex clockwise, from the one it was discovered by."""
+        for i in range(self._map.degree_at[first]):
+            numbers[self._map.turn(first, i)] = len(numbers)
+
+    def _find_worst(self, explored: Explored, robot: int) -> int:
+        return max((self._onward(explored, robot, p) for p in self._passes(explored)), default=0)
+
+    def _onward(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
+        """The largest cost of a pass and of all that comes behind it."""
+        transit = self._transits(explored, robot, self._owner[chosen.dart])[-1]
+        tests = sum(test.cost for test in chosen.worst)
+        return len(transit) + 1 + tests + self._worst(chosen.explored, chosen.robot)
+
+    def _find_best(self, explored: Explored, robot: int) -> int:
+        costs = (
+            len(self._transits(explored, robot, self._owner[p.dart])[0])
+            + 1
+            + sum(test.cost for test in p.best)
+            + self._best(p.explored, p.robot)
+            for p in self._passes(explored)
+        )
+        return min(costs, default=0)
+
+    def _transits(self, explored: Explored, robot: int, goal: int) -> Sequence[Path]:
+        """The legal ways to the known end of a dart, ascending by length."""
+        ways = sorted(self._simple_paths(explored, robot, goal), key=len)
+        return ways if self._transit == "simple" else ways[:1]
+
+    def _find_passes(self, explored: Explored) -> tuple[PassCosts, ...]:
+        """What can be done next where these edges are explored."""
+        known = {self._v0} | {self._owner[d] for d in explored}
+        unexplored = [d for d in self._map.darts if self._owner[d] in known and d not in explored]
+        return tuple(self._pass(explored, known, unexplored, dart) for dart in unexplored)
+
+    def _pass(
+        self, explored: Explored, known: set[int], unexplored: list[Dart], e: Dart
+    ) -> PassCosts:
+        entry = self._map.alpha[e]
+        vertex = self._owner[entry]
+        after = explored | {e, entry}
+        if vertex == self._v0:
+            # The direction tells the dart: a test without a step.
+            test = (TestCost(entry, (), 0),)
+            return PassCosts(e, test, test, after, vertex)
+        degree_at = self._map.degree_at
+        rivals = [
+            h
+            for h in unexplored
+            if h not in (e, entry)
+            and self._owner[h] != self._v0
+            and degree_at[h] == degree_at[entry]
+        ]
+        false = [self._tests(explored, h, entry) for h in rivals]
+        most_expensive = tuple(max(tests, key=lambda test: test.cost) for tests in false)
+        cheapest = tuple(min(tests, key=lambda test: test.cost) for tests in false)
+        if vertex not in known:
+            return PassCosts(e, most_expensive, cheapest, after, vertex)
+        true = self._tests(explored, entry, entry)
+        last = max(true, key=lambda test: test.cost)
+        first = min(true, key=lambda test: test.cost)
+        return PassCosts(e, (*most_expensive, last), (first,), after, self._v0)
+
+    def _tests(self, explored: Explored, hypothesis: Dart, entry: Dart) -> list[TestCost]:
+        """The tests of a hypothesis on every simple path.
+
+        Raises:
+            WrongTest: if its outcome is not its truth.
+        """
+        tests = []
+        for path in self._simple_paths(explored, self._owner[hypothesis], self._v0):
+            mismatch = self._mismatch(hypothesis, path, entry)
+            if (mismatch is None) != (hypothesis == entry):
+                raise WrongTest(f"hypothesis {hypothesis} for {entry} on the path {path}")
+            tests.append(
+                TestCost(hypothesis, path, len(path) if mismatch is None else 2 * mismatch)
+            )
+        return tests
+
+    def _mismatch(self, hypothesis: Dart, path: Path, robot: Dart) -> int | None:
+        """After how many steps a percept is not the expected one, or None if all match."""
+        turn, alpha = self._map.turn, self._map.alpha
+        at = hypothesis
+        for steps, dart in enumerate(path, 1):
+            motion = self._map.offset(at, dart)
+            at, robot = alpha[dart], alpha[turn(robot, motion)]
+            if self._sensed(at) != self._sensed(robot):
+                return steps
+        return None
+
+    def _sensed(self, dart: Dart) -> tuple[int, Dart | None]:
+        """The percept on arriving by a dart; at v0 the bearing tells the dart."""
+        marked = self._owner[dart] == self._v0
+        return self._map.degree_at[dart], dart if marked else None
+
+    def _simple_paths(
+        self, explored: Explored, start: int, goal: int, avoiding: frozenset[int] = frozenset()
+    ) -> Iterator[Path]:
+        if start == goal:
+            yield ()
+            return
+        avoiding |= {start}
+        for dart in self._map.vertices[start]:
+            following = self._owner[self._map.alpha[dart]]
+            if dart in explored and following not in avoiding:
+                for rest in self._simple_paths(explored, following, goal, avoiding):
+                    yield (dart, *rest)
+
+
+class Planned(Choices):
+    """Choices that have been made beforehand, as darts of S."""
+
+    def __init__(self, darts: Sequence[Dart]) -> None:
+        super().__init__()
+        self._darts = iter(darts)
+
+    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:  # noqa: ARG002
+        """The next dart of the plan."""
+        index = list(options).index(next(self._darts))  # type: ignore[arg-type]  # S's darts
+        self.record.append(index)
+        return options[index]

@@ -1,0 +1,158 @@
+"""The corpus that ships with the package: everything known, and everything ever caught.
+
+A manifest, and a file for each of its entries: named worlds, findings, pairs of worlds that
+no motion tells apart, counts, and checks, with their provenance and what is expected of them.
+"""
+
+from __future__ import annotations
+
+import errno
+import hashlib
+import os
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any, Literal, TypeAlias, get_args
+
+from allworlds.inputs import InputError, parse_json, show
+
+Kind: TypeAlias = Literal["world", "finding", "pair", "counts", "check"]
+KINDS: tuple[Kind, ...] = get_args(Kind)
+
+MANIFEST = "manifest.json"
+SCHEMA = 1
+
+
+@dataclass(frozen=True, slots=True)
+class CorpusEntry:
+    """One thing that is kept.
+
+    Attributes:
+        name: unique in the corpus.
+        kind: what the file holds: a WORLD, a FINDING, a pair of worlds, counts, or the options
+            of a check.
+        file: where it stands, below the corpus.
+        sha256: of the file, in hexadecimal.
+        provenance: where it comes from.
+        expected: what must come out when it is tried.
+    """
+
+    name: str
+    kind: Kind
+    file: str
+    sha256: str
+    provenance: str
+    expected: Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Corpus:
+    """A directory with its manifest, which has been checked for shape.
+
+    Files are checked against their digests when they are read.
+    """
+
+    directory: Path
+    entries: tuple[CorpusEntry, ...]
+
+    def of_kind(self, kind: Kind) -> list[CorpusEntry]:
+        """The entries that hold that, in the order of the manifest."""
+        return [entry for entry in self.entries if entry.kind == kind]
+
+    def named(self, name: str) -> CorpusEntry:
+        """The entry of that name.
+
+        Raises:
+            InputError: naming those that there are.
+        """
+        for entry in self.entries:
+            if entry.name == name:
+                return entry
+        raise InputError(
+            f"corpus entry {show(name)} is not one of "
+            f"{', '.join(entry.name for entry in self.entries)}"
+        )
+
+    def document(self, entry: CorpusEntry) -> Any:
+        """The JSON document of an entry.
+
+        Raises:
+            InputError: naming the entry, if its file is missing or is not what it was.
+        """
+        try:
+            content = _bytes(self.directory / entry.file)
+            text = content.decode()
+        except OSError as error:
+            raise InputError(f"corpus entry {show(entry.name)}: {error.strerror}") from None
+        except UnicodeDecodeError:
+            raise InputError(
+                f"corpus entry {show(entry.name)}: {show(entry.file)} is no text"
+            ) from None
+        digest = hashlib.sha256(content).hexdigest()
+        if digest != entry.sha256:
+            raise InputError(
+                f"corpus entry {show(entry.name)}: {show(entry.file)} has the digest "
+                f"{digest[:12]}..., but its manifest says {show(entry.sha256[:12])}..."
+            )
+        return parse_json(text)
+
+
+def load_corpus(directory: Path) -> Corpus:
+    """The corpus of a directory.
+
+    Raises:
+        InputError: if there is no manifest, or naming what in it is none.
+    """
+    try:
+        text = _bytes(directory / MANIFEST).decode()
+    except OSError as error:
+        raise InputError(f"corpus {directory}: {MANIFEST}: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError(f"corpus {directory}: {MANIFEST} is no text") from None
+    manifest = parse_json(text)
+    if not isinstance(manifest, dict) or manifest.get("schema") != SCHEMA:
+        raise InputError(f"corpus {directory}: {MANIFEST} is not of schema {SCHEMA}")
+    rows = manifest.get("entries", [])
+    if not isinstance(rows, list):
+        raise InputError(f"corpus {directory}: entries are a list, not {show(rows)}")
+    entries = [_entry(row) for row in rows]
+    names = Counter(entry.name for entry in entries)
+    for name, times in names.items():
+        if times > 1:
+            raise InputError(f"corpus entry {show(name)} occurs twice")
+    return Corpus(directory, tuple(entries))
+
+
+def _bytes(file: Path) -> bytes:
+    """What a file holds; a name that no file can have is that of none."""
+    try:
+        return file.read_bytes()
+    except ValueError:
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT)) from None
+
+
+@cache
+def own_corpus() -> Corpus:
+    """The corpus that ships with the package."""
+    package = Path(__file__).parents[1]
+    installed = package / "corpus"
+    return load_corpus(installed if installed.is_dir() else package.parents[1] / "corpus")
+
+
+def _entry(row: object) -> CorpusEntry:
+    match row:
+        case {
+            "name": str(name),
+            "kind": str(kind),
+            "file": str(file),
+            "sha256": str(digest),
+            "provenance": str(provenance),
+            "expected": dict(expected),
+        } if kind in KINDS:
+            return CorpusEntry(name, kind, file, digest, provenance, expected)
+    raise InputError(
+        "a corpus entry has name, kind (world, finding, pair, counts or check), file, sha256, "
+        f"provenance and expected, not {show(row)}"
+    )

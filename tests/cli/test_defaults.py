@@ -1,0 +1,43 @@
+"""What is meant where an option is left out, written down a second time."""
+
+import inspect
+
+import pytest
+
+import allworlds
+from allworlds import ambiguity
+from allworlds.engines import Limits
+from allworlds.judging import Rules
+
+# All that are not None, where None says that something else decides.
+DEFAULTS = {
+    allworlds.check: {
+        "explore": "algorithm1",
+        "schedules": "one",
+        "engine": "auto",
+        "max_findings": 1,
+    },
+    allworlds.fuzz: {"explore": "algorithm1", "min_edges": 1, "seed": 0},
+    allworlds.run: {"choices": ()},
+    allworlds.compare: {},
+    allworlds.replay: {"answer_timeout": 10.0},
+    allworlds.mutants: {"edges": 4},
+    allworlds.optimum: {"edges": 3},
+    allworlds.count: {"map_class": "maps"},
+    allworlds.worst: {"explore": "algorithm1", "map_class": "maps", "workers": 1},
+    allworlds.worlds: {"map_class": "maps", "lighthouse": "directional", "places": "first"},
+    allworlds.twins: {},
+    allworlds.search: {"map_class": "maps", "motions": (), "percepts": ()},
+    allworlds.bench: {"edges": 7, "rounds": 3, "peers": ()},
+    ambiguity.census: {"map_class": "maps"},
+    ambiguity.class_of: {"limit": 1000, "map_class": "maps"},
+    Limits: {"workers": 1, "answer_timeout": 10.0},
+    Rules: {"lighthouse": "directional", "policy": "fifo", "promised": False},
+}
+
+
+@pytest.mark.parametrize("function", DEFAULTS, ids=lambda function: function.__name__)
+def test_an_option_left_out_means_what_it_always_meant(function):
+    parameters = inspect.signature(function).parameters.values()
+    found = {p.name: p.default for p in parameters if p.default not in (p.empty, None)}
+    assert found == DEFAULTS[function]

@@ -1,0 +1,178 @@
+"""Assertions for authors' test suites: what they let pass, and what they say when they fail."""
+
+import sys
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.explorers import BUILT_IN
+from allworlds.inputs import InputError
+from allworlds.maps import rooted_code
+from allworlds.strategies import sampled_maps
+from allworlds.studies.check import Interrupted, check
+from allworlds.testing import (
+    AtLevel,
+    assert_conforms,
+    assert_explores,
+    conformance,
+    known_hard_maps,
+    levels_of,
+)
+
+pytestmark = pytest.mark.usefixtures("without_workers")
+
+MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
+RIGHT = BUILT_IN["algorithm1"].explore
+
+
+def wrong(name="mirror-image"):
+    return MUTANTS[name].explorer()
+
+
+@pytest.fixture
+def cached(tmp_path, monkeypatch):
+    """A corpus as the plugin names it."""
+    plugin = SimpleNamespace(corpus_of_test=lambda: tmp_path / "past")
+    monkeypatch.setitem(sys.modules, "_allworlds_pytest", plugin)
+    return tmp_path / "past"
+
+
+@pytest.mark.no_cover
+def test_a_right_explorer_passes_and_the_report_says_how_much_was_tried():
+    report = assert_explores(RIGHT, edges=3, corpus=None)
+    assert (report.worlds, report.runs) == (86, 309)
+    assert assert_explores("algorithm1", corpus=None).scope.extent.edges == 4
+
+
+def test_a_wrong_one_fails_with_the_smallest_finding_and_its_picture():
+    with pytest.raises(AssertionError) as failed:
+        assert_explores(wrong(), edges=4, corpus=None)
+    text = str(failed.value)
+    assert "breaks the law 'pose' in a world with 2 edges" in text
+    assert "the world\n" in text
+    assert "╭" in text
+    assert text.endswith("in finished levels")
+
+
+def test_a_check_that_says_nothing_is_no_pass():
+    def stays(first):
+        return None
+        yield
+
+    with pytest.raises(AssertionError, match="INCONCLUSIVE: the time limit"):
+        assert_explores(RIGHT, edges=3, engine="python", time_limit=1e-9, corpus=None)
+    with pytest.raises(AssertionError, match="no-estimate"):
+        assert_explores(stays, edges=1, corpus=None)
+
+
+def test_bad_options_are_refused_as_everywhere():
+    with pytest.raises(InputError, match="class"):
+        assert_explores(RIGHT, map_class="planr", corpus=None)
+    with pytest.raises(InputError, match="edges"):
+        levels_of({"edges": 0})
+
+
+def test_levels_are_those_of_the_extent():
+    assert [*levels_of({})] == [1, 2, 3, 4]
+    assert [*levels_of({"edges": 2})] == [1, 2]
+    assert [*levels_of({"vertices": 3, "map_class": "simple"})] == [1, 2, 3]
+
+
+def test_a_finding_is_kept_and_tried_first_and_forgotten_when_it_is_fixed(cached):
+    with pytest.raises(AssertionError):
+        assert_explores(wrong(), edges=4)
+    (kept,) = cached.iterdir()
+    with pytest.raises(AssertionError) as failed:
+        assert_explores(wrong(), edges=4)
+    assert "0 worlds" in str(failed.value), "the past finding was enough"
+    assert [*cached.iterdir()] == [kept]
+    assert_explores(RIGHT, edges=3)
+    assert [*cached.iterdir()] == []
+
+
+@pytest.mark.no_cover
+def test_a_corpus_of_ones_own_keeps_everything(tmp_path):
+    with pytest.raises(AssertionError):
+        assert_explores(wrong(), edges=3, corpus=tmp_path)
+    (kept,) = tmp_path.iterdir()
+    assert_explores(RIGHT, edges=3, corpus=tmp_path)
+    assert [*tmp_path.iterdir()] == [kept]
+
+
+def test_a_level_tells_only_of_its_own_findings(cached):
+    assert AtLevel(1, {})(wrong()).worlds == 2
+    with pytest.raises(AssertionError, match="FINDING"):
+        AtLevel(2, {})(wrong())
+    with pytest.raises(AssertionError) as failed:
+        AtLevel(3, {"corpus": None})(wrong())
+    assert str(failed.value) == (
+        "refuted already in a world with 2 edges, by the law 'pose': see the test edges-2"
+    )
+
+
+def test_an_interrupt_is_no_verdict(monkeypatch):
+    report = replace(check(edges=1), ending=Interrupted())
+    monkeypatch.setattr("allworlds.testing.check", lambda *_, **__: report)
+    with pytest.raises(KeyboardInterrupt):
+        assert_explores(RIGHT, edges=1, corpus=None)
+
+
+def test_the_kit_has_a_part_for_each_thing_that_is_tried():
+    names = [str(part) for part in conformance(RIGHT, edges=3)]
+    assert names == [
+        "known-hard-maps",
+        *(f"edges-{level}" for level in (1, 2, 3)),
+        "every-schedule",
+        "drawn-maps",
+    ]
+    assert "every-schedule" not in map(str, conformance("algorithm1"))
+
+
+@pytest.mark.no_cover
+def test_algorithm_1_conforms():
+    assert_conforms(RIGHT, edges=2, drawn=5, drawn_edges=5, corpus=None)
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("part", ["edges-2", "drawn-maps"])
+def test_a_wrong_explorer_fails_each_part_that_goes_far_enough(part):
+    parts = {str(part): part for part in conformance(wrong(), drawn=8, drawn_edges=6)}
+    with pytest.raises(AssertionError, match="FINDING: mutants:mirror-image breaks"):
+        parts[part]()
+
+
+@pytest.mark.no_cover
+def test_what_conforms_no_longer_is_told_with_the_part():
+    with pytest.raises(AssertionError, match=r"^known-hard-maps: \nFINDING"):
+        assert_conforms(wrong(), corpus=None)
+
+
+def test_a_drawn_finding_is_shrunk_to_the_smallest_of_all():
+    part = conformance(wrong(), drawn=5, drawn_edges=7)[-1]
+    with pytest.raises(AssertionError, match="'pose' in a world with 2 edges, 1 vertex"):
+        part()
+
+
+def test_a_schedule_that_is_wrong_is_found():
+    def last_schedule(first, *, choices):
+        answer = yield from RIGHT(first, choices=choices)
+        return None if any(choices.record) else answer
+
+    part = {str(part): part for part in conformance(last_schedule, edges=2)}["every-schedule"]
+    assert_explores(last_schedule, edges=2, corpus=None)
+    with pytest.raises(AssertionError, match="no-estimate"):
+        part()
+
+
+def test_known_hard_maps_are_different_and_hard():
+    maps = known_hard_maps()
+    assert len(maps) == len({rooted_code(map_.sigma, map_.alpha, 0) for map_ in maps})
+    assert len(maps) > 20
+
+
+def test_a_sample_is_the_same_every_time():
+    assert sampled_maps("planar", 6, 9) == sampled_maps("planar", 6, 9)
+    assert len(sampled_maps("maps", 6, 9)) == 9
+    assert max(map_.edge_count for map_ in sampled_maps("maps", 6, 30)) <= 6

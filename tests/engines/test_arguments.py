@@ -1,0 +1,47 @@
+"""A run directory knows every argument on which a report depends."""
+
+import inspect
+from typing import get_type_hints
+
+import pytest
+from kept_jobs import EXPLORERS
+
+from allworlds import check
+from allworlds.inputs import InputError
+from allworlds.studies.check import ManyRunsOptions
+
+FIRST = {"explore": "algorithm1", "edges": 2, "engine": "python"}
+# Of every such argument a value with which the report may be another one.
+OTHERS = {
+    "explore": f"{EXPLORERS / 'wrong.py'}:right",
+    "edges": 3,
+    "vertices": 2,
+    "map_class": "planar",
+    "lighthouse": "none",
+    "schedules": "all",
+    "policy": "lifo",
+    "bound": "4*m",
+    "laws": ["map"],
+    "step_budget": 50,
+    "shard": (0, 2),
+    "max_findings": 2,
+    "engine": "kernel",
+    "answer_timeout": 20.0,
+    "memory": 3000,
+}
+APART = {"workers", "time_limit", "dask", "run", "corpus", "listener"}
+"""Where and how long it is done, and what is made of it."""
+
+
+def test_each_argument_makes_another_report_or_does_not():
+    named = {*inspect.signature(check).parameters, *get_type_hints(ManyRunsOptions)} - {"options"}
+    assert named == OTHERS.keys() | APART
+
+
+@pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize("name", OTHERS)
+def test_who_asks_for_something_else_is_refused(name, tmp_path):
+    check(**FIRST, run=tmp_path / "run")
+    with pytest.raises(InputError, match="run directory"):
+        check(**{**FIRST, name: OTHERS[name]}, run=tmp_path / "run")
+    assert check(**FIRST, run=tmp_path / "run").exit_code == 0

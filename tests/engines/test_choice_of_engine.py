@@ -1,0 +1,147 @@
+import pytest
+
+from allworlds import check
+from allworlds.engines import ENGINES, Job, Limits, Scope, engine_for
+from allworlds.engines.compiled.agreement import AGREED
+from allworlds.engines.kernel.engine import COMPILING
+from allworlds.explorers import Subject, load
+from allworlds.inputs import InputError
+from allworlds.judging import make_rules
+from allworlds.maps import Extent, MapClass
+from allworlds.outcome import Verdict
+from allworlds.progress import Silent
+from allworlds.studies.check.time_estimate import is_worth_a_guess
+
+pytestmark = pytest.mark.usefixtures("compiled")
+
+
+class Stopper(Silent):
+    """A listener that presses Ctrl-C, or only listens."""
+
+    def __init__(self, after=None):
+        self.worlds, self.after, self.notices = 0, after, []
+
+    def level(self, edges, worlds):
+        pass
+
+    def progress(self, worlds):
+        self.worlds += worlds
+        if self.after is not None and self.worlds > self.after:
+            raise KeyboardInterrupt
+
+    def notice(self, text):
+        self.notices.append(text)
+
+
+def closure():
+    def foreign(first):
+        yield from ()
+
+    return foreign
+
+
+@pytest.mark.parametrize(
+    ("options", "reason"),
+    [
+        ({"policy": "random:1"}, "random:1"),
+        ({"schedules": "all", "edges": 2}, "schedule"),
+        ({"step_budget": 100_000}, "100000"),
+        ({"edges": 13}, "13"),
+        ({"explore": closure()}, "foreign"),
+    ],
+)
+def test_what_the_kernel_cannot_do_is_refused_by_name(options, reason):
+    options = {"edges": 3, **options}
+    with pytest.raises(InputError, match="engine 'kernel'") as refusal:
+        check(engine="kernel", **options)
+    assert reason in str(refusal.value)
+
+
+def test_an_engine_that_is_none_is_refused():
+    with pytest.raises(InputError, match=r"'warp' is not one of auto, python, kernel"):
+        check(edges=2, engine="warp")
+
+
+@pytest.mark.slow
+def test_auto_takes_the_kernel_from_five_edges_on_wherever_it_can():
+    assert check(edges=4).engine == "python"
+    assert check(edges=5).engine == "kernel"
+    report = check(edges=6)
+    assert report.engine == "kernel"
+    assert report.exit_code == 0
+    assert report.worlds == 2 + 10 + 74 + 706 + 8162 + 110410
+    assert check(vertices=3, map_class="simple", edges=6).engine == "kernel"
+    assert check(edges=5, vertices=2, policy="random:1").engine == "python"
+
+
+def scope_to(edges, lighthouse="directional"):
+    return Scope(Extent(MapClass.MAPS, edges, None), make_rules({}, lighthouse, "none"))
+
+
+MINE, PROGRAM = Subject("mine.py:explore", frozenset()), Subject("exec:./mine", frozenset())
+LIBRARY, CLOSURE = Subject("native:mine.so", frozenset()), Subject("f", frozenset(), closure())
+
+
+@pytest.mark.parametrize(
+    ("subject", "memory", "engine"),
+    [
+        (MINE, None, "kernel"),
+        (PROGRAM, None, "kernel"),
+        (CLOSURE, None, "python"),
+        # A compiler needs more than an explorer in Python may be meant to have.
+        (MINE, 500, "python"),
+        (PROGRAM, 500, "python"),
+        (LIBRARY, 500, "kernel"),
+    ],
+)
+def test_auto_takes_it_for_explorers_of_ones_own_too(subject, memory, engine):
+    assert engine_for("auto", scope_to(5), subject, memory).name == engine
+    assert engine_for("auto", scope_to(4), subject, memory).name == "python"
+    assert engine_for("auto", scope_to(5, "movable"), subject, memory).name == "python"
+
+
+@pytest.mark.parametrize(
+    ("subject", "worth"), [(MINE, True), (LIBRARY, False), (load("algorithm1"), False)]
+)
+def test_what_plays_slowly_is_worth_a_guess_whoever_judges(subject, worth):
+    job = Job(scope_to(6), subject, Limits(), 1, None, str)
+    assert is_worth_a_guess(job, ENGINES["kernel"]) == worth
+    assert is_worth_a_guess(job, ENGINES["python"])
+
+
+@pytest.mark.parametrize("kept", [False, True])
+def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, kept):
+    for module in ("agreement", "tallies"):
+        monkeypatch.setattr(f"allworlds.engines.compiled.{module}.is_compiled", lambda _: kept)
+    apart = []
+    monkeypatch.setattr("allworlds.engines.kernel.engine.compile_apart", apart.append)
+    listener = Stopper()
+    AGREED.clear()
+    assert check(edges=5, vertices=2, listener=listener).engine == "kernel"
+    assert listener.notices == ([] if kept else [COMPILING])
+    assert apart == ([] if kept else ["algorithm1"])
+
+
+@pytest.mark.no_cover
+def test_ctrl_c_leaves_the_finished_levels():
+    listener = Stopper(after=50_000)
+    report = check(edges=8, engine="kernel", workers=2, listener=listener)
+    assert report.interrupted
+    assert report.exit_code == 130
+    assert report.levels == (1, 2, 3, 4, 5)
+    assert listener.worlds < 1_000_000
+
+
+@pytest.mark.slow
+def test_a_time_limit_is_kept():
+    report = check(edges=10, engine="kernel", workers=2, time_limit=2.5)
+    assert report.verdict is Verdict.INCONCLUSIVE
+    assert report.exit_code == 3
+    assert "2.5 s" in report.ending.reason
+    assert report.levels == tuple(range(1, len(report.levels) + 1))
+
+
+@pytest.mark.slow
+def test_threads_do_not_change_the_report():
+    one, three = (check(edges=6, engine="kernel", workers=n).to_json() for n in (1, 3))
+    assert one == three

@@ -1,0 +1,418 @@
+"""Units on a Dask cluster: the report is the same, whatever becomes of its workers."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from contextlib import ExitStack, contextmanager, suppress
+from types import SimpleNamespace
+from typing import ClassVar
+
+import processes
+import pytest
+from clusters import cluster_here
+from kept_jobs import EXPLORERS
+
+from allworlds import ambiguity, check, worst
+from allworlds.engines import ClusterLost, Dask, ThisThread
+from allworlds.engines.compiled import tallies as compiled
+from allworlds.engines.transports import dask_cluster as cluster, dask_lanes as lanes
+from allworlds.explorers import Subject, content_digest, not_alike, with_content
+from allworlds.inputs import InputError
+from allworlds.progress import Silent
+from allworlds.version import __version__
+
+distributed = pytest.importorskip("distributed")
+pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+WRONG = EXPLORERS / "wrong.py"
+PROGRAM = EXPLORERS / "program.py"
+
+
+@pytest.fixture(scope="module")
+def here():
+    """The address of a scheduler whose workers are threads of this process."""
+    with cluster_here(distributed) as address:
+        yield address
+
+
+@pytest.fixture(autouse=True)
+def _nothing_is_too_small_to_be_sent(monkeypatch):
+    monkeypatch.setattr(compiled, "SOON", 0)
+    monkeypatch.setattr(compiled, "SOON_WALKED", 0)
+
+
+def test_small_levels_are_not_sent(here, monkeypatch):
+    sent = set()
+
+    class Noted(Dask):
+        def map(self, engine, units):
+            for part in super().map(engine, units):
+                sent.add(part.unit.edges)
+                yield part
+
+    monkeypatch.setattr("allworlds.engines.engine_table.Dask", Noted)
+    monkeypatch.setattr(compiled, "SOON", 100)
+    monkeypatch.setattr(compiled, "SOON_WALKED", 200_000)
+    assert check(edges=6, engine="kernel", dask=here).worlds == 119_364
+    assert sent == {4, 5}
+
+
+JOBS = {
+    "python": lambda **more: check(edges=3, engine="python", **more),
+    "kernel": lambda **more: check(edges=5, engine="kernel", **more),
+    "foreign": lambda **more: check(f"{WRONG}:right", edges=2, **more),
+    "refuted": lambda **more: check(f"{WRONG}:everywhere", edges=2, max_findings=3, **more),
+    "worst": lambda **more: worst(edges=4, **more),
+    "census": lambda **more: ambiguity.census(edges=3, **more),
+}
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("name", JOBS)
+def test_a_cluster_says_the_same(name, here, tmp_path):
+    whole = JOBS[name]().to_json()
+    assert JOBS[name](dask=here, run=tmp_path).to_json() == whole
+    assert JOBS[name](run=tmp_path).to_json() == whole
+
+
+def test_an_explorer_of_a_module_travels_as_its_text(here, tmp_path, monkeypatch):
+    (tmp_path / "travels.py").write_text(
+        "from allworlds.explorers import algorithm1\n\n"
+        "def explore(first):\n    return (yield from algorithm1(first))\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    sent = with_content(Subject("travels:explore", frozenset()))
+    assert "algorithm1" in sent.source.text
+    (tmp_path / "travels.py").rename(tmp_path / "gone.py")
+    assert not_alike(sent, content_digest(sent), 1) == ""
+    for name in ("algorithm1", "package.module:explore", "exec:ls", f"{WRONG}:right"):
+        subject = Subject(name, frozenset())
+        assert with_content(subject) is subject or subject.name.endswith("right")
+
+
+def test_what_a_worker_lacks_is_named(here, monkeypatch, tmp_path):
+    program = tmp_path / "robot"
+    program.write_bytes(PROGRAM.read_bytes())
+    subject = Subject(f"exec:{sys.executable} {program} right", frozenset())
+    digest = content_digest(subject)
+    assert not_alike(subject, digest, 1) == ""
+    program.write_text("something else")
+    assert "has another text here" in not_alike(subject, digest, 1)
+    missing = Subject(f"exec:{tmp_path / 'nobody'}", frozenset())
+    assert f"{tmp_path / 'nobody'}" in not_alike(missing, digest, 1)
+    monkeypatch.setattr("allworlds.engines.engine_table.not_alike", lacks)
+    with pytest.raises(InputError, match=r"the Dask worker \S+: it lacks the program"):
+        check(f"{WRONG}:right", edges=1, dask=here)
+
+
+def lacks(*_):
+    return "it lacks the program"
+
+
+def test_a_worker_of_another_version_is_named(here, monkeypatch):
+    monkeypatch.setattr(cluster, "done", done_for_another_version)
+    with pytest.raises(InputError, match=r"the Dask worker .* has allworlds .*, not 0\.0"):
+        check(edges=1, engine="python", dask=here)
+
+
+def done_for_another_version(job, _, *more):
+    return lanes.done(job, "0.0", *more)
+
+
+def test_an_explorer_of_this_process_is_not_sent(here):
+    def explore(first):
+        yield
+
+    with pytest.raises(InputError, match="lives in this process alone"):
+        check(explore, edges=1, dask=here)
+
+
+def test_no_scheduler_is_refused(refused, monkeypatch):
+    monkeypatch.setattr(cluster, "PATIENCE", 0.5)
+    for address in ("tcp://127.0.0.1:9", "nonsense://x"):
+        said = refused("worst", "--edges", "1", "--dask", address)
+        assert f"dask '{address}': no scheduler answers there" in said
+
+
+@contextmanager
+def another_service(words):
+    """The address of one that says these words to whoever comes, and nothing else."""
+    came = []
+    with socket.create_server(("127.0.0.1", 0)) as server:
+
+        def serve():
+            with suppress(OSError):
+                while True:
+                    came.append(server.accept()[0])
+                    came[-1].sendall(words)
+
+        threading.Thread(target=serve, daemon=True).start()
+        yield f"tcp://127.0.0.1:{server.getsockname()[1]}"
+        server.shutdown(socket.SHUT_RDWR)
+    for connection in came:
+        connection.close()
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (b"", "no scheduler answers there (TimeoutError); legal"),
+        (b"HTTP/1.1 400 Bad Request\r\n\r\n", "what answers there is no scheduler"),
+        (b"\0" * 400, "what answers there is no scheduler"),
+    ],
+)
+def test_what_answers_may_be_no_scheduler(refused, monkeypatch, words, told):
+    monkeypatch.setattr(cluster, "PATIENCE", 0.5)
+    with another_service(words) as address:
+        said = refused("worst", "--edges", "1", "--dask", address)
+    assert f"dask '{address}': {told}" in said
+    assert said.count("\n") == 1
+
+
+def test_the_address_of_a_worker_is_refused(refused, here):
+    with distributed.Client(here) as client:
+        worker = next(iter(client.scheduler_info()["workers"]))
+    said = refused("worst", "--edges", "1", "--dask", worker)
+    assert f"dask '{worker}': a worker answers there; give the address of its scheduler" in said
+
+
+def test_without_the_package_it_is_named(refused, monkeypatch):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    said = refused("ambiguity", "census", "--edges", "1", "--dask", "local")
+    assert "pip install 'allworlds[distributed]'" in said
+
+
+def test_the_time_limit_ends_what_is_done_elsewhere(here):
+    report = check(edges=5, engine="python", dask=here, time_limit=0.2)
+    assert report.exit_code == 3
+    assert report.levels != (1, 2, 3, 4, 5)
+
+
+class Interrupts(Silent):
+    def progress(self, worlds):
+        raise KeyboardInterrupt
+
+
+def test_an_interrupt_cancels_what_is_done_elsewhere(here, tmp_path):
+    report = check(edges=5, engine="kernel", dask=here, listener=Interrupts(), run=tmp_path)
+    assert report.exit_code == 130
+    with distributed.Client(here) as client:
+        assert processes.end(lambda: [v for v in client.processing().values() if v])
+    assert check(edges=5, run=tmp_path).to_json() == check(edges=5).to_json()
+
+
+class Tally(list):
+    worlds = 1
+    add = list.extend
+
+
+class Loses:
+    """An engine whose workers are lost each time, or that never ends but by a halt."""
+
+    def __init__(self, error):
+        self.error = error
+
+    def parts(self, unit):
+        raise self.error
+
+
+class Unit(int):
+    key = property(str)
+
+
+def test_a_unit_that_costs_workers_again_and_again_is_said_to(here):
+    from distributed.scheduler import KilledWorker
+
+    for error, said in (
+        (
+            KilledWorker("task", SimpleNamespace(address="tcp://gone"), 3),
+            "were lost over the same units",
+        ),
+        (distributed.CancelledError("task"), "is gone"),
+    ):
+        with Dask(here) as transport, pytest.raises(ClusterLost, match=said):
+            list(transport.map(Loses(error), [Unit(1)]))
+
+
+def test_what_is_lost_is_said_by_the_verbs(cli, monkeypatch, here):
+    def lost(*_):
+        raise ClusterLost("three workers were lost")
+
+    monkeypatch.setattr(Dask, "_result", lost)
+    code, out, _ = cli("check", "--edges", "1", "--dask", here)
+    assert (code, "three workers were lost" in out) == (3, True)
+    assert cli("worst", "--edges", "1", "--dask", here, "-q") == (
+        3,
+        "",
+        "allworlds: three workers were lost\n",
+    )
+
+
+class Lane:
+    """A lane that is noted when it is closed."""
+
+    closed: ClassVar = []
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.closed.append(self)
+
+    def map(self, engine, units):
+        yield from ThisThread().map(engine, units)
+
+
+class Twice:
+    def parts(self, unit):
+        yield Tally([unit])
+        yield Tally([unit])
+
+
+@pytest.fixture
+def task(monkeypatch):
+    """A task as it comes to a worker; the list of the lanes that were closed."""
+    monkeypatch.setattr(Lane, "closed", [])
+    packed = lanes.Errand(Lane, cluster.all_well, Twice()).packed()
+
+    def do(job):
+        told = lanes.done(job, __version__, packed, [Unit(7)])
+        assert told.results == [[7, 7]]
+        return told
+
+    return do, Lane.closed
+
+
+def test_lanes_that_nobody_uses_are_closed(monkeypatch, task):
+    do, closed = task
+    monkeypatch.setattr(lanes, "IDLE", 0.0)
+    do("a")
+    assert processes.wait(lambda: closed)
+    assert processes.wait(lambda: not lanes._JOBS["a"].errands)
+    do("a")
+    assert processes.wait(lambda: len(closed) == 2)
+
+
+def test_lanes_that_somebody_uses_are_looked_at_again(monkeypatch, task):
+    do, closed = task
+    looks = []
+    monkeypatch.setattr(lanes, "_look_in", lambda *look: looks.append(look))
+    do("b")
+    do("b")
+    assert looks == [("b", lanes.IDLE)]
+    lanes._close_unused("b")
+    assert (len(looks), closed) == (2, [])
+    lanes.end_job("b")
+    assert len(closed) == 1
+    with pytest.raises(ClusterLost, match="has ended"):
+        do("b")
+    lanes._close_unused("b")
+    assert len(looks) == 2
+
+
+def test_what_is_done_when_its_job_ends_is_given_up(task, monkeypatch):
+    do, closed = task
+    monkeypatch.setattr(Twice, "parts", lambda self, _: iter([lanes.end_job("c"), Tally([1])]))
+    monkeypatch.setattr(Tally, "worlds", 1)
+    with pytest.raises(ClusterLost, match="has ended"):
+        do("c")
+    assert len(closed) == 1
+
+
+def test_what_is_the_same_in_all_tasks_is_unpacked_once(task, monkeypatch):
+    do, _ = task
+    do("d")
+    assert do("d").seconds >= 0
+    monkeypatch.setattr("distributed.protocol.pickle.loads", None)
+    do("d")
+
+
+@pytest.mark.no_cover
+def test_a_task_holds_as_many_units_as_are_worth_sending():
+    pace = cluster.Pace()
+    pace.took(1, None)
+    pace.begin_level()
+    assert pace.units(100, 2) == 1
+    pace.took(1, 0.01)
+    assert pace.units(1000, 2) == 100
+    assert pace.units(80, 2) == 20
+    assert pace.units(3, 2) == 4
+    assert pace.units(10**6, 1000) == 500
+    assert pace.units(10**6, 10_000) == 50
+    pace.begin_level()
+    assert pace.units(1000, 2) == 6
+    pace.took(50, 500.0)
+    assert pace.units(1000, 2) == 1
+    pace.took(10, 0.0)
+    assert pace.units(1000, 2) == 1
+    assert cluster.Pace(1e-6).units(1000, 2) == 40_000
+
+
+# ---------------------------------------------------------------- real processes
+
+
+@contextmanager
+def started(*words):
+    process = subprocess.Popen(
+        [sys.executable, "-m", "distributed.cli." + words[0], *words[1:]],
+        stderr=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+    )
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+
+
+class Kills(Silent):
+    """Kills a worker when so many worlds are done."""
+
+    def __init__(self, process, worlds):
+        self.process, self.left = process, worlds
+
+    def progress(self, worlds):
+        self.left -= worlds
+        if self.left < 0 and self.process.poll() is None:
+            os.kill(self.process.pid, signal.SIGKILL)
+            self.process.wait()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["python", "kernel", "foreign"])
+def test_a_worker_that_is_killed_changes_nothing(name, tmp_path):
+    job, after = {
+        "python": (lambda **more: check(edges=4, engine="python", **more), 300),
+        "kernel": (lambda **more: check(edges=7, engine="kernel", **more), 50_000),
+        "foreign": (lambda **more: check(f"{WRONG}:right", edges=3, **more), 40),
+    }[name]
+    whole = job().to_json()
+    file = tmp_path / "scheduler.json"
+    with ExitStack() as stack:
+        scheduler = started(
+            "dask_scheduler", "--port=0", "--no-dashboard", f"--scheduler-file={file}"
+        )
+        stack.enter_context(scheduler)
+        assert processes.wait(file.exists)
+        workers = [
+            stack.enter_context(
+                started(
+                    "dask_worker",
+                    f"--scheduler-file={file}",
+                    "--nthreads=1",
+                    "--no-nanny",
+                    "--no-dashboard",
+                )
+            )
+            for _ in range(2)
+        ]
+        with distributed.Client(scheduler_file=str(file)) as client:
+            client.wait_for_workers(2, timeout=processes.PATIENCE)
+            address = client.scheduler.address
+        killer = Kills(workers[0], after)
+        report = job(dask=address, listener=killer, run=tmp_path / "run")
+        assert workers[0].poll() is not None, "nobody was killed"
+        assert workers[1].poll() is None
+    assert report.to_json() == whole

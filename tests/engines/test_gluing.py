@@ -1,0 +1,46 @@
+import pytest
+
+from allworlds.engines import by_vertices_and_faces
+from allworlds.maps import Extent, MapClass, prefixes
+from allworlds.maps.counting.any_genus import rooted_of_genus
+from allworlds.studies.count import counter
+from allworlds.studies.count.counter import count_compiled, count_one_by_one
+
+pytestmark = pytest.mark.usefixtures("compiled")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("vertices", [None, 2, 4])
+@pytest.mark.parametrize("edges", [1, 2, 3, 4, 5])
+def test_the_compiled_count_is_the_count_one_by_one(edges, vertices):
+    bounds = Extent(MapClass.MAPS, edges, vertices)
+    compiled, slow = count_compiled(bounds, edges), count_one_by_one(bounds, edges)
+    assert compiled.rooted == slow.rooted
+    assert compiled.by_vertices == slow.by_vertices
+    assert compiled.by_genus == slow.by_genus
+
+
+@pytest.mark.parametrize("depth", [1, 2, 3, 4, 5])
+def test_however_the_work_is_cut_the_maps_are_the_same(depth):
+    total = {}
+    for prefix in prefixes(4, depth=depth):
+        for key, maps in by_vertices_and_faces(4, 5, prefix).items():
+            total[key] = total.get(key, 0) + maps
+    # By duality as many maps have n vertices and f faces as f vertices and n faces.
+    assert total == {(f, n): maps for (n, f), maps in total.items()}
+    assert sum(total.values()) == 706
+
+
+def test_a_level_beyond_python_agrees_with_its_sources():
+    row = count_compiled(Extent(MapClass.MAPS, 7), 7)
+    # OEIS A000698; by genus after Carrell and Chapuy.
+    assert row.rooted == 1_708_394
+    assert dict(row.by_genus) == {g: sum(rooted_of_genus(7, g).values()) for g in range(4)}
+
+
+def test_counting_passes_to_the_compiled_count(monkeypatch):
+    monkeypatch.setattr(counter, "UNROOTED_LIMIT", 3)
+    census = counter.count(edges=4)
+    assert census.exit_code == 0
+    assert [row.unrooted for row in census.rows] == [2, 5, 20, None]
+    assert [row.rooted for row in census.rows] == [2, 10, 74, 706]

@@ -1,0 +1,190 @@
+"""What is finished is kept: a job that was ended goes on, and ends as if nothing had been."""
+
+import json
+import os
+import random
+import signal
+import sqlite3
+import subprocess
+import sys
+from contextlib import closing, suppress
+from importlib import import_module
+
+import processes
+import pytest
+from kept_jobs import EXPLORERS, stable
+
+from allworlds import ambiguity, check, worst
+from allworlds.engines.python.python_engine import BoundPythonEngine
+from allworlds.progress import Silent
+from allworlds.studies.worst.compiled_engine import ScheduleSearch
+
+pytestmark = pytest.mark.usefixtures("compiled")
+
+CENSUS = "allworlds.studies.ambiguity.marked_worlds"
+
+
+class Ended(BaseException):
+    """The process is ended here, and has no time to do anything about it."""
+
+
+class Ends(Silent):
+    """Ends the process when so many worlds are done."""
+
+    def __init__(self, worlds):
+        self.left = worlds
+
+    def progress(self, worlds):
+        self.left -= worlds
+        if self.left < 0:
+            raise Ended
+
+
+def wrong(name):
+    return f"{EXPLORERS / 'wrong.py'}:{name}"
+
+
+VERBS = {
+    "own": lambda **more: check(edges=3, engine="python", **more),
+    "compiled": lambda **more: check(edges=5, engine="kernel", **more),
+    "foreign": lambda **more: check(wrong("right"), edges=3, **more),
+    "refuted": lambda **more: check(wrong("here_of_another"), edges=3, max_findings=3, **more),
+    "worst": lambda **more: worst(edges=4, **more),
+    "census": lambda **more: ambiguity.census(edges=4, **more),
+}
+
+
+def units_in(directory):
+    # To look must make no file: a command that is killed before it has made its own would find it.
+    address = f"{(directory / 'units.sqlite').absolute().as_uri()}?mode=ro"
+    with closing(sqlite3.connect(address, uri=True)) as connection:
+        return {key for (key,) in connection.execute("SELECT key FROM units")}
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("name", VERBS)
+def test_a_job_that_was_ended_goes_on_and_says_the_same(name, tmp_path):
+    job = VERBS[name]
+    whole = job().to_json()
+    before = set()
+    for worlds in (0, 10, 30):
+        with pytest.raises(Ended):
+            job(run=tmp_path / "run", listener=Ends(worlds))
+        assert before <= units_in(tmp_path / "run")
+        before = units_in(tmp_path / "run")
+    assert before
+    assert job(run=tmp_path / "run").to_json() == whole
+    assert before < units_in(tmp_path / "run")
+
+
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("name", ["own", "worst", "census"])
+def test_what_is_finished_is_not_done_again(name, tmp_path, monkeypatch):
+    job = VERBS[name]
+    whole = job(run=tmp_path / "run").to_json()
+
+    def nobody(*_):
+        raise AssertionError("a unit was done again")
+
+    for engine in (BoundPythonEngine, ScheduleSearch, import_module(CENSUS).Classify):
+        monkeypatch.setattr(engine, "parts", nobody)
+    assert job(run=tmp_path / "run").to_json() == whole
+    with pytest.raises(AssertionError):
+        job(run=tmp_path / "another")
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("name", ["raises", "everywhere", "here_of_another", "sys_exit"])
+def test_a_finding_that_was_kept_is_the_same_finding(name, tmp_path):
+    job = lambda **more: check(wrong(name), edges=3, max_findings=4, **more)  # noqa: E731
+    whole = job()
+    assert whole.findings
+    first = job(run=tmp_path / "run")
+    again = job(run=tmp_path / "run")
+    assert first.to_json() == again.to_json() == whole.to_json()
+    assert [(f.place, f.machine, f.traced, f.key) for f in again.findings] == [
+        (f.place, f.machine, f.traced, f.key) for f in whole.findings
+    ]
+    assert [f.rules for f in again.findings] == [f.rules for f in whole.findings]
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_a_finding_is_confirmed_once(tmp_path, monkeypatch):
+    job = lambda: check(wrong("everywhere"), edges=2, run=tmp_path / "run")  # noqa: E731
+    whole = job().to_json()
+    assert whole["findings"][0]["confirmed"]
+    monkeypatch.setattr("allworlds.studies.check.exhaustive.confirmed", lambda *_: 1 / 0)
+    assert job().to_json() == whole
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+def test_a_time_limit_is_no_part_of_the_job(tmp_path):
+    job = lambda **more: check(edges=3, engine="python", **more)  # noqa: E731
+    stopped = job(run=tmp_path / "run", time_limit=1e-9)
+    assert stopped.exit_code == 3
+    assert job(run=tmp_path / "run", workers=2).to_json() == job().to_json()
+
+
+def started(command, directory):
+    return subprocess.Popen(
+        [sys.executable, "-m", "allworlds", *command.split(), "--run", str(directory), "--json"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+
+
+def count(directory):
+    try:
+        return len(units_in(directory))
+    except sqlite3.Error:
+        return 0
+
+
+def wait_for_units(process, directory, goal):
+    assert processes.end(lambda: process.poll() is None and count(directory) < goal)
+
+
+def killed_often(command, directory, times, seed):
+    """How often the command could be killed, each time after some more units."""
+    draw, kills = random.Random(seed), 0
+    for _ in range(times):
+        process = started(command, directory)
+        wait_for_units(process, directory, count(directory) + draw.randrange(3))
+        with suppress(subprocess.TimeoutExpired):
+            process.wait(draw.random() / 10)
+        if process.poll() is None:
+            os.kill(process.pid, signal.SIGKILL)
+            kills += 1
+        process.communicate()
+    return kills
+
+
+LONGER = {
+    "foreign": f"check {EXPLORERS}/wrong.py:right --edges 6 --class simple --workers 2",
+    "compiled": "check --edges 7 --engine kernel",
+    "worst": "worst --edges 5",
+    "census": "ambiguity census --edges 4",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", LONGER)
+def test_a_job_that_is_killed_at_random_moments_says_the_same(name, tmp_path):
+    command, times = LONGER[name], 20 if name == "foreign" else 4
+    whole = subprocess.run(
+        [sys.executable, "-m", "allworlds", *command.split(), "--json"],
+        check=True,
+        capture_output=True,
+    )
+    kills = killed_often(command, tmp_path / "run", times, seed=13)
+    assert kills >= times // 4  # those before the first unit at least
+    last = started(command, tmp_path / "run")
+    out, err = last.communicate()
+    assert last.returncode == 0, err
+    assert stable(out) == stable(whole.stdout)
+    # Byte for byte: but for the one key the texts are the same, too.
+    cut = [json.dumps(stable(text), indent=2) for text in (out, whole.stdout)]
+    assert cut[0] == cut[1]

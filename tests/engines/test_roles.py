@@ -1,0 +1,210 @@
+"""A player and a referee, each in this process, and asked from a thread.
+
+So what they do is seen from inside, too; elsewhere they are forked, and killed when they are
+no longer needed.
+"""
+
+import os
+import signal
+import socket
+import threading
+from contextlib import suppress
+from multiprocessing import Pipe
+from pathlib import Path
+
+import pytest
+import small
+
+from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, subject_of
+from allworlds.engines.isolation import process
+from allworlds.engines.isolation.jobs import (
+    Appointment,
+    Casting,
+    Described,
+    HarnessError,
+    Played,
+    PlayRecords,
+    PlayRuns,
+    Tallied,
+    Trace,
+    TraceEvent,
+    UnitJob,
+)
+from allworlds.engines.isolation.messages import read
+from allworlds.engines.isolation.player import PlayerProcess
+from allworlds.engines.isolation.process import Guardian, guardian
+from allworlds.engines.isolation.referee import RefereeProcess
+from allworlds.engines.python.play import Record
+from allworlds.explorers import load
+from allworlds.inputs import InputError
+from allworlds.judging import Fault, Rules, UncheckedAnswer
+from allworlds.maps import Extent, MapClass
+from allworlds.protocol import Percept
+from allworlds.world import Directional, World
+
+WRONG = Path(__file__).parents[1] / "support" / "explorers_for_tests" / "wrong.py"
+EDGE, LOOP = World(small.EDGE, Directional(0)), World(small.LOOP, Directional(0))
+UNIT = GivenWorlds(((EDGE, 0), (LOOP, 0)))
+EXAMINATION = PythonEngine(Scope(Extent(MapClass.MAPS, 1), Rules()), 4)
+
+
+def casting(name):
+    limits = Limits(1)
+    subject = subject_of(f"{WRONG}:{name}", limits)
+    return Casting(subject.name, subject.source, limits.answer_timeout, None)
+
+
+@pytest.fixture
+def live():
+    """Live a life here while a thread talks to it; the thread's result."""
+    before = signal.getsignal(signal.SIGTERM)
+
+    def run(life, talk):
+        ours, theirs = Pipe()
+        told, beat = [], [0, 0]
+
+        def in_thread():
+            try:
+                told.append(talk(ours))
+            finally:
+                ours.close()
+
+        thread = threading.Thread(target=in_thread)
+        thread.start()
+        try:
+            with suppress(EOFError, OSError):
+                life(theirs, beat).run()
+        finally:
+            theirs.close()
+            thread.join(60)
+        return told[0]
+
+    yield run
+    signal.signal(signal.SIGTERM, before)
+
+
+def of_player(*messages):
+    """A talk: each is sent after the answers to the one before; all answers."""
+
+    def talk(connection):
+        told = []
+        for message in messages:
+            connection.send(message)
+            told.append(read(connection.recv_bytes()))
+            while isinstance(told[-1], TraceEvent):
+                told.append(read(connection.recv_bytes()))
+        return told
+
+    return talk
+
+
+def test_a_player_describes_itself_and_plays_runs_records_and_a_trace(live):
+    runs = PlayRuns(EXAMINATION, UNIT, (0, 1), 7, None)
+    record = Record((Percept(1, 1, 0), Percept(1)), None, (), 10, "")
+    trace = Trace(Rules(), EDGE, "one", ())
+    described, played, again, *traced = live(
+        PlayerProcess, of_player(casting("right"), runs, PlayRecords((record,), "fifo", 3), trace)
+    )
+    assert isinstance(described, Described)
+    assert len(described.digest) == 64
+    assert isinstance(played, Played)
+    logs = dict(played.logs)
+    assert sorted(played.done) == [0, 1]
+    assert logs[0].ending == UncheckedAnswer((0, 1), (1, 0), 1)
+    assert [log.actions for log in again] == [logs[0].actions]
+    assert traced[0] == TraceEvent(None)
+    assert traced[1] == TraceEvent((0, Percept(1)))
+    assert traced[-1][0].ending == logs[0].ending
+
+
+def test_a_player_traces_every_schedule_and_its_choices(live):
+    trace = Trace(Rules(), LOOP, "all", ())
+    _, *told, logs = live(PlayerProcess, of_player(casting("one_schedule"), trace))
+    assert told[0] == TraceEvent(None)
+    assert {type(one.what) for one in told} >= {type(None), int}
+    assert len(logs) == 1
+
+
+def test_a_player_tells_a_crash(live):
+    runs = PlayRuns(EXAMINATION, UNIT, (0,), 7, None)
+    _, played = live(PlayerProcess, of_player(casting("raises"), runs))
+    ((_, log),) = played.logs
+    assert isinstance(log.ending, Fault)
+    assert log.ending.law == "crash"
+
+
+def test_a_player_that_cannot_load_its_explorer_refuses(live, tmp_path):
+    (tmp_path / "broken.py").write_text("def explore(first): yield\n")
+    given = Casting(f"{tmp_path / 'broken.py'}:another", None, 10.0, None)
+    (refused,) = live(PlayerProcess, of_player(given))
+    assert isinstance(refused, InputError)
+
+
+def test_a_player_that_fails_says_so(live):
+    broken = PlayRecords((None,), "fifo", 3)
+    _, failed = live(PlayerProcess, of_player(casting("right"), broken))
+    assert isinstance(failed, HarnessError)
+
+
+def test_a_referee_examines_a_unit_and_tells_tallies(live):
+    subject = subject_of(f"{WRONG}:right", Limits(1))
+    units = [UnitJob(EXAMINATION, UNIT, 0), UnitJob(EXAMINATION, UNIT, 0)]
+
+    def talk(connection):
+        connection.send(Appointment(subject, 10.0, None, 5))
+        told = []
+        for unit in units:
+            connection.send(unit)
+            told.append(connection.recv())
+            while not told[-1].last:
+                told.append(connection.recv())
+        return told
+
+    told = live(lambda pipe, beat: RefereeProcess(pipe, beat, guardian()), talk)
+    assert all(isinstance(one, Tallied) for one in told)
+    assert sum(one.result.runs for one in told) == 4
+    assert [one.result.findings for one in told if one.last] == [[], []]
+
+
+def test_a_referee_plays_an_explorer_of_ours_itself(live):
+    subject = subject_of("algorithm1", Limits(1))
+
+    def talk(connection):
+        connection.send(Appointment(subject, 10.0, None, 5))
+        connection.send(UnitJob(EXAMINATION, UNIT, 0))
+        return connection.recv()
+
+    told = live(lambda pipe, beat: RefereeProcess(pipe, beat, guardian()), talk)
+    assert (told.result.runs, told.result.findings) == (2, [])
+
+
+def test_a_guardian_of_nobody_is_gone():
+    ours, theirs = socket.socketpair()
+    theirs.close()
+    with pytest.raises(HarnessError, match="guardian"):
+        Guardian(ours).exit_code(1)
+
+
+@pytest.mark.early
+def test_a_guardian_that_has_been_stopped_is_not_waited_for(monkeypatch):
+    monkeypatch.setattr(process, "ANSWERS", 0.5)
+    stopped = process.started(hash_seed=0)
+    os.kill(stopped._process.pid, signal.SIGSTOP)
+    with pytest.raises(HarnessError, match="the guardian of the processes has gone: timed out"):
+        stopped.exit_code(1)
+    assert stopped._process.returncode == -signal.SIGKILL
+
+
+def test_an_explorer_of_ours_beats_while_it_walks_and_not_after():
+    class Heard(list):
+        def __setitem__(self, index, value):
+            beats.append((index, value))
+            super().__setitem__(index, value)
+
+    beats = []
+    scope = Scope(Extent(MapClass.MAPS, 2), Rules("directional"))
+    unit = next(iter(scope.units(2)))
+    for _ in PythonEngine(scope, 1).for_built_in(load("greedy"), Heard([0, 0])).parts(unit):
+        pass
+    assert max(beats) > (1, 0)
+    assert beats[-1] == (1, 0)

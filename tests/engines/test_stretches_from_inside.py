@@ -1,0 +1,101 @@
+"""What processes do for stretches, looked at without processes."""
+
+import gc
+import socket
+from multiprocessing import Pipe
+from random import Random
+
+import pytest
+from native_libraries import example
+
+from allworlds.engines import Scope
+from allworlds.engines.compiled.stretches import PlayedByStretches, StretchEngine
+from allworlds.engines.isolation.cast import Cast, PlayerLost
+from allworlds.engines.isolation.guardian import Prepare, _Guardian
+from allworlds.engines.isolation.jobs import Appointment, Casting, PlayStretch, Stretched
+from allworlds.engines.isolation.player import PlayerProcess
+from allworlds.engines.isolation.process import address_space
+from allworlds.engines.isolation.referee import RefereeProcess
+from allworlds.engines.isolation.shared_logs import Shared
+from allworlds.explorers import load
+from allworlds.judging import make_rules
+from allworlds.maps import Extent, MapClass
+
+JOB = PlayStretch("", 1, 0, 1, "fifo", again=False)
+CASTING = Casting("native:x", None, 1.0, None)
+
+pytestmark = pytest.mark.usefixtures("compiled")
+
+
+class Deaf:
+    """A process that hears nothing, and counts how often it is ended."""
+
+    def __init__(self):
+        self.ended = 0
+
+    def send(self, message):
+        assert message is JOB
+
+    def close(self):
+        self.ended += 1
+
+
+def answering(monkeypatch, answer):
+    cast, deaf = Cast(None, CASTING, Random(1)), Deaf()
+    cast._processes["first"] = deaf
+
+    def hear(*_):
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+    monkeypatch.setattr("allworlds.engines.isolation.cast.hear", hear)
+    return cast.stretch("first", JOB), deaf.ended
+
+
+def test_a_player_that_has_played_a_stretch_is_believed_and_kept(monkeypatch):
+    assert answering(monkeypatch, Stretched(5, 0)) == (Stretched(5, 0), 0)
+
+
+@pytest.mark.parametrize("answer", [PlayerLost("crash", "gone", None, machine=True), [], None])
+def test_a_player_that_is_lost_or_says_something_else_is_ended(monkeypatch, answer):
+    assert answering(monkeypatch, answer) == (None, 1)
+
+
+def test_what_is_prepared_is_called_once():
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        guardian = _Guardian(ours, {})
+        try:
+            for _ in range(2):
+                guardian._prepare(Prepare("os", "getpid"))
+        finally:
+            gc.unfreeze()
+        assert guardian._prepared == {Prepare("os", "getpid")}
+
+
+def test_a_player_plays_a_stretch_that_it_is_shown():
+    ours, theirs = Pipe()
+    with ours, theirs:
+        subject = load(f"native:{example('c/algorithm1.c')}")
+        player, shared = PlayerProcess(theirs, bytearray(16)), Shared(1)
+        job = PlayStretch(shared.file, 1, 0, 1, "fifo", again=False)
+        for _ in range(2):
+            assert player._stretch(subject, job) == Stretched(0, 0)
+        shared.close()
+
+
+def test_a_referee_takes_the_engine_of_native_explorers():
+    ours, theirs = Pipe()
+    with ours, theirs:
+        subject = load(f"native:{example('c/algorithm1.c')}")
+        scope = Scope(Extent(MapClass.MAPS, 1, None), make_rules({}, "directional", "paper"))
+        referee = RefereeProcess(theirs, bytearray(16), None)
+        cast = Cast(None, CASTING, Random(1))
+        engine = referee._engine(Appointment(subject, 1.0, None, 1), cast, StretchEngine(scope, 1))
+        assert isinstance(engine, PlayedByStretches)
+        assert engine.cast is cast
+
+
+def test_a_process_knows_how_large_it_is():
+    assert address_space() > 1

@@ -1,0 +1,67 @@
+from itertools import permutations
+
+from allworlds.engines import Row, Tally
+
+
+class Found:
+    def __init__(self, *key, kind=None):
+        self.key = key
+        self.kind = kind or key
+
+
+def tallies():
+    for i in (1, 2, 3):
+        tally = Tally(2)
+        tally.row(i, 2).add(Row(i, 2 * i, 2 * i, 5, 3, max_cost=i, bound=None if i == 2 else i))
+        tally.row(1, 1).add(Row(1, 1, 1, 1, 1, max_cost=7 - i, bound=i))
+        tally.witnesses["loop"] = i
+        tally.left_out = tally.checkpoints = i
+        tally.find(Found(i, 2))
+        tally.find(Found(4 - i, 1))
+        yield tally
+
+
+def test_the_order_of_the_parts_does_not_matter():
+    sums = []
+    for order in permutations(range(3)):
+        total, parts = Tally(2), list(tallies())
+        for i in order:
+            total.add(parts[i])
+        keys = [found.key for found in total.findings]
+        sums.append((total.rows, total.witnesses, total.left_out, total.checkpoints, keys))
+    assert all(each == sums[0] for each in sums)
+    assert sums[0][0][1, 1] == Row(3, 3, 3, 3, 3, max_cost=6, bound=3)
+    assert sums[0][4] == [(1, 1), (1, 2)]
+
+
+def test_only_what_may_be_among_the_smallest_is_wanted():
+    tally = Tally(1)
+    assert tally.wants(9, 9)
+    tally.find(Found(2, 2))
+    assert tally.wants(2, 2)
+    assert tally.wants(1, 9)
+    assert not tally.wants(2, 3)
+
+
+def test_the_largest_of_negative_bounds_is_negative():
+    row = Row(bound=-5)
+    row.add(Row(bound=-7))
+    row.add(Row())
+    assert row.bound == -5
+    row.bound_of(None)
+    row.bound_of(-3)
+    assert row.bound == -3
+
+
+def test_of_each_kind_the_smallest_is_kept_whatever_comes_first():
+    found = [Found(i, kind=kind) for i, kind in enumerate("aababcbdca")]
+    for order in permutations(found[:6]):
+        tally = Tally(2)
+        for one in order:
+            tally.find(one)
+        assert [(kept.key, kept.kind) for kept in tally.findings] == [((0,), "a"), ((2,), "b")]
+    parts = [Tally(3), Tally(3)]
+    for i, one in enumerate(reversed(found)):
+        parts[i % 2].find(one)
+    parts[0].add(parts[1])
+    assert [kept.key for kept in parts[0].findings] == [(0,), (2,), (5,)]

@@ -1,0 +1,91 @@
+"""What is claimed, and that the pages say the same."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from allworlds.evidence import claims as ledger
+from allworlds.evidence.claims.claim_table import CHECKS
+from allworlds.evidence.claims.manifest import SECTIONS, BadManifest, manifest, read
+from evidence.write import LEDGER, PLACES, README, beside_the_bound, between, short, whole
+
+ENTRY = """
+[two]
+section = "VI"
+says = "two"
+method = "algebra"
+scope = "up to {edges}"
+expected = "holds"
+source = "Section VI"
+quick = { bounds = { edges = 2 }, witnesses = { pairs = 1 } }
+"""
+
+
+def test_every_claim_has_its_function_and_every_function_its_claim():
+    assert {claim.name for claim in manifest()} == {*CHECKS}
+
+
+def test_there_are_as_many_claims_as_were_asked_for_and_from_every_section():
+    assert len(manifest()) >= 45
+    assert [section for section in SECTIONS if any(c.section == section for c in manifest())] == [
+        *SECTIONS
+    ]
+
+
+@pytest.mark.parametrize(
+    "name", ["printed-3", "printed-limit-of-2", "lower-bound-2m", "natural-multigraphs"]
+)
+def test_an_erratum_is_expected_to_be_refuted(name):
+    (claim,) = [claim for claim in manifest() if claim.name == name]
+    assert claim.expected == "refuted"
+
+
+def test_no_function_reads_what_is_expected():
+    paths = sorted(Path(ledger.__file__).parent.glob("*.py"))
+    finding = [path for path in paths if path.stem not in ("manifest", "ledger", "__init__")]
+    assert len(finding) >= 12
+    for path in finding:
+        code = re.sub(r'""".*?"""', "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        assert "manifest" not in code
+        assert "claims.toml" not in code
+
+
+def test_the_readme_shows_the_claims_and_the_page_all_about_them():
+    assert between(README.read_text(encoding="utf-8"), "claims").strip() == "\n".join(short())
+    assert (
+        between(LEDGER.read_text(encoding="utf-8"), "claims").strip() == "\n".join(whole()).strip()
+    )
+    assert {page for page, _, _ in PLACES} == {README, LEDGER}
+
+
+def test_the_page_shows_the_exact_worst_cases_beside_the_bound():
+    told = between(LEDGER.read_text(encoding="utf-8"), "worst").strip().splitlines()
+    found = list(beside_the_bound(3))
+    assert found[:2] == told[:2]
+    assert found[2:] == [row for row in told[2:] if int(row.split("|")[1]) <= 3]
+    assert len(found) == 11
+
+
+def test_a_claim_is_read_with_its_scope_in_words():
+    (claim,) = read(ENTRY)
+    assert claim.scopes["quick"].text == "up to 2"
+    assert claim.scopes["full"] is claim.scopes["quick"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('section = "VI"', 'section = "IX"', "section 'IX'"),
+        ('method = "algebra"', 'method = "guess"', "method 'guess'"),
+        ('expected = "holds"', 'expected = "perhaps"', "expected 'perhaps'"),
+        ('source = "Section VI"', "", "source"),
+        ('source = "Section VI"', 'source = "-"\nfrom = "-"', "from"),
+        ("{ pairs = 1 }", "{ pairs = 0 }", "more than zero"),
+        ("{ pairs = 1 }", "{}", "more than zero"),
+    ],
+)
+def test_a_claim_that_cannot_be_meant_is_refused(old, new, told):
+    assert old in ENTRY
+    with pytest.raises(BadManifest, match=told):
+        read(ENTRY.replace(old, new))

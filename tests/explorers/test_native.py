@@ -1,0 +1,344 @@
+"""Explorers in shared libraries: where they take part, and what they do to their process."""
+
+import _ctypes
+import ctypes
+import json
+import re
+
+import pytest
+import small
+from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, example, quotient
+from processes import PATIENCE, SOON
+
+from allworlds.engines.isolation.player import NATIVE_MEMORY
+from allworlds.explorers import NativeExplorer, load, shared_library as libraries, threads_left
+from allworlds.explorers.shared_library.guarded_memory import Guarded
+from allworlds.explorers.shared_library.header import header_text
+from allworlds.explorers.shared_library.library import (
+    INTERFACE_VERSION,
+    KINDS_OF_ACTION,
+    ROOM,
+    CAction,
+    CPercept,
+    Library,
+)
+from allworlds.inputs import InputError
+from allworlds.protocol import KINDS, Choices, ExplorerFault, Percept, Schedules
+from allworlds.studies.check import check, most_expensive_runs
+from allworlds.studies.fuzz import fuzz
+from allworlds.studies.replay import replay
+from allworlds.studies.run import run
+from allworlds.studies.worst import worst
+from allworlds.world import Directional, Position, World
+
+EDGE = World(small.EDGE, Directional(0))
+FIRST, BEHIND = Percept(1, 1, 0), Percept(1, 0, None)
+
+
+def native(library):
+    return f"native:{library}"
+
+
+def rows(report):
+    return report.to_json()["rows"]
+
+
+# ---------------------------------------------------------------- the header
+
+
+def test_the_header_says_the_numbers_that_we_go_by():
+    text = header_text()
+    defined = dict(re.findall(r"(ALLWORLDS_\w+) = (\d)", text))
+    for name, number in KINDS_OF_ACTION.items():
+        assert int(defined[name]) == number
+    for number, kind in enumerate(KINDS):
+        assert int(defined[f"ALLWORLDS_{kind.upper()}"]) == number
+    assert f"#define ALLWORLDS_VERSION {INTERFACE_VERSION}\n" in text
+    assert f"`capacity` is at least {ROOM}" in text
+    assert f"has {NATIVE_MEMORY // 1024} GB" in text
+    for structure, names in ((CPercept, "percept"), (CAction, "action")):
+        body = re.search(rf"struct allworlds_{names} {{(.*?)}}", text, re.DOTALL)[1]
+        assert re.findall(r"int32_t (\w+);", body) == [name for name, _ in structure._fields_]
+
+
+def test_the_header_is_printed_as_it_is(cli):
+    code, out, _ = cli("init", "--header")
+    assert (code, out) == (0, header_text())
+    code, out, _ = cli("init", "--header", "--json")
+    assert json.loads(out)["header"] == header_text()
+
+
+def test_a_skeleton_or_the_header_is_asked_for_and_not_both(refused, tmp_path):
+    assert "--header" in refused("init")
+    assert "not both: directory given" in refused("init", tmp_path / "new", "--header")
+    assert "not both: lang given" in refused("init", "--lang", "c", "--header")
+    assert not (tmp_path / "new").exists()
+
+
+# ---------------------------------------------------------------- wherever explorers take part
+
+
+@pytest.mark.parametrize("source", ["c/algorithm1.c", "cpp/algorithm1.cpp", "rust/algorithm1.rs"])
+@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
+def test_algorithm_1_in_another_language_walks_as_ours(source, policy):
+    report = check(native(example(source)), edges=2, policy=policy, engine="python")
+    assert report.exit_code == 0
+    assert rows(report) == rows(check(edges=2, policy=policy, engine="python"))
+
+
+def test_what_takes_choices_is_tried_with_every_schedule():
+    report = check(native(example("c/algorithm1.c")), edges=2, schedules="all")
+    assert report.exit_code == 0
+    one = check(edges=2, engine="python")
+    assert report.to_json()["traversals"] > one.to_json()["traversals"]
+
+
+def test_a_wrong_one_is_refuted_shown_and_found_again(tmp_path, cli):
+    library = example("c/hasty.c")
+    report = check(native(library), edges=2)
+    (finding,) = report.findings
+    assert (finding.law, finding.confirmed, finding.minimal) == ("map", True, True)
+    assert f"--native {library}" in finding.reproduce
+    file = tmp_path / "finding.json"
+    file.write_text(json.dumps(finding.to_json()))
+    assert replay(finding).exit_code == 0
+    assert cli("replay", file, "--native", example("c/algorithm1.c"))[0] == 5
+    code, out, _ = cli("run", "--native", library, "edge")
+    assert code == 1
+    assert "the answer" in out
+
+
+def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
+    assert fuzz(native(example("c/algorithm1.c")), edges=8, runs=20).exit_code == 0
+    wrong = native(example("c/hasty.c"))
+    assert fuzz(wrong, edges=8, runs=20).exit_code == 1
+    check(wrong, edges=2, corpus=tmp_path)
+    again = check(wrong, edges=2, corpus=tmp_path)
+    assert again.exit_code == 1
+    assert again.runs == 0
+
+
+def test_worst_says_that_the_python_engine_plays_a_library_that_takes_choices(cli):
+    code, out, err = cli("worst", "--native", example("c/algorithm1.c"), "--edges", 1)
+    assert code == 0
+    assert "every schedule" in out
+    assert "the python engine" in err
+
+
+@pytest.fixture(scope="module")
+def without_choices():
+    """Algorithm 1 in C without ``choose``."""
+    return native(built(EXAMPLES / "c/algorithm1.c", "-Dallworlds_choose=not_exported"))
+
+
+@pytest.mark.usefixtures("compiled")
+def test_the_worst_of_a_library_without_choices_is_that_of_its_check(without_choices):
+    found = worst(without_choices, edges=5)
+    ours = [*most_expensive_runs(check("algorithm1", edges=5, engine="kernel"))]
+    assert found.exit_code == 0
+    assert [(row.world, row.worst) for row in found.rows] == [
+        (run.world, run.outcome.cost) for run in ours
+    ]
+    assert all(row.best == row.worst == row.replayed for row in found.rows)
+    assert len(found.rows) == 20
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("compiled")
+def test_both_engines_find_the_same_most_expensive_runs_of_a_library(without_choices):
+    by_kernel, by_python = (
+        [(run.world, run.outcome.cost) for run in most_expensive_runs(report)]
+        for report in (
+            check(without_choices, edges=4, engine=engine) for engine in ("kernel", "python")
+        )
+    )
+    assert by_kernel == by_python
+
+
+def test_it_is_told_what_the_lighthouse_tells():
+    lighthouse = {"kind": "natural", "dart": 0}
+    world = {"sigma": [0, 2, 3, 1], "alpha": [1, 0, 3, 2], "start": 0, "lighthouse": lighthouse}
+    told = run(native(attack("if (told != 3) abort()")), json.dumps(world))
+    assert told.outcome.violation.law == "map"
+
+
+def test_it_may_say_that_several_worlds_look_alike():
+    position, ours = Position(0), native(quotient())
+    for map_ in (small.PLANE, small.TORUS):
+        assert run(ours, World(map_, position)).verdict.value == "holds"
+    report = check(ours, edges=2, lighthouse="position", engine="python")
+    twin = f"{FOR_TESTS / 'quotients.py'}:two_loops"
+    theirs = check(twin, edges=2, lighthouse="position", workers=1)
+    (finding,), (other,) = report.findings, theirs.findings
+    assert (finding.law, finding.world) == (other.law, other.world)
+    assert (finding.expected, finding.seen) == (other.expected, other.seen)
+
+
+def test_a_quotient_without_darts_or_with_too_many_is_no_answer():
+    for size in (0, 1 << 20):
+        found = run(native(quotient(SIZE=size)), World(small.PLANE, Position(0)))
+        assert found.finding.law == "no-estimate"
+
+
+# ---------------------------------------------------------------- what it may do to its process
+
+
+WAITED_FOR = "for (;;) pause()"
+"""Is waited for in three processes until the time for its answer is over."""
+
+
+@pytest.mark.early
+@pytest.mark.no_cover
+@pytest.mark.parametrize(
+    "code", [small.slow(code) if code == WAITED_FOR else code for code in ATTACKS]
+)
+def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
+    law, seen = ATTACKS[code]
+    limit = SOON if law == "timeout" else PATIENCE
+    report = check(native(attack(code)), edges=1, answer_timeout=limit)
+    assert report.runs == 3
+    if not law:
+        assert report.exit_code == 0
+        return
+    (finding,) = report.findings
+    assert (finding.law, finding.world, finding.minimal) == (law, EDGE, True)
+    assert seen in finding.seen
+
+
+# ---------------------------------------------------------------- what is refused
+
+
+@pytest.mark.parametrize(
+    ("path", "said"),
+    [("", "empty"), ("nowhere.so", "no such file"), (".", "no such file")],
+)
+def test_what_is_no_file_is_refused(refused, path, said):
+    assert said in refused("check", "--native", path)
+
+
+def test_what_is_no_library_is_refused(refused):
+    assert "no library that loads" in refused("check", "--native", EXAMPLES / "README.md")
+
+
+def test_a_library_without_the_functions_is_refused(refused):
+    library = _ctypes.__file__
+    assert "has no function allworlds_version" in refused("check", "--native", library)
+
+
+def test_another_version_is_refused(refused):
+    assert "version 2" in refused("check", "--native", attack("", VERSION="2"))
+
+
+def test_one_explorer_at_a_time(refused):
+    said = refused("check", "algorithm1", "--native", "x.so")
+    assert "EXPLORER 'algorithm1' or --native 'x.so', not both" in said
+
+
+# ---------------------------------------------------------------- from inside
+
+
+def episode(library, choices=None, told=None, answers=(BEHIND,)):
+    """What a library says in one episode in this process."""
+    explorer = NativeExplorer(Library(library))
+    said, replies = [], iter(answers)
+    going = explorer.explore(FIRST, choices=choices, told=told)
+    try:
+        message = next(going)
+        while True:
+            said.append(message)
+            message = going.send(next(replies, None))
+    except StopIteration as end:
+        said.append(end.value)
+    finally:
+        explorer.close()
+    return said
+
+
+def test_an_episode_in_this_process():
+    move, estimate = episode(attack(""))
+    assert move.k == 0
+    assert (estimate.map.sigma, estimate.map.alpha, estimate.here) == ((0, 1), (1, 0), 1)
+
+
+def test_markers_and_checkpoints_are_said_as_they_are_meant():
+    drop, _ = episode(attack("kind = ALLWORLDS_DROP"))
+    pick, _ = episode(attack("kind = ALLWORLDS_PICK"))
+    shown, _ = episode(attack("kind = ALLWORLDS_CHECKPOINT"))
+    assert [type(message).__name__ for message in (drop, pick, shown)] == [
+        *("Drop", "Pick", "Checkpoint")
+    ]
+    assert (shown.sigma, shown.alpha, shown.here) == ((0, 1), (1, 0), 1)
+
+
+@pytest.mark.parametrize(
+    ("code", "law", "seen"),
+    [
+        ("kind = 9", "illegal-action", "kind 9"),
+        ("kind = ALLWORLDS_CHECKPOINT; count = 1 << 20", "illegal-action", "1048576 darts"),
+        ("count = 1000000", "no-estimate", "1000000 darts"),
+        ("count = 3", "no-estimate", "no map"),
+    ],
+)
+def test_what_breaks_a_law_is_said_so(code, law, seen):
+    with pytest.raises(ExplorerFault, match=seen) as error:
+        episode(attack(code))
+    assert error.value.law == law
+
+
+def test_a_library_without_a_state_is_a_crash():
+    with pytest.raises(ExplorerFault, match="NULL"):
+        episode(attack("", NEW="0"))
+
+
+def test_choices_are_asked_with_their_costs():
+    class Noted(Choices):
+        def pick(self, options, of, cost=None):
+            noted.append((len(options), of, cost))
+            return super().pick(options, of, cost)
+
+    noted = []
+    episode(example("c/algorithm1.c"), choices=Noted())
+    assert noted == [(1, "edge", [0])]
+
+
+@pytest.mark.parametrize(("of", "options"), [(0, 0), (0, -1), (9, 1)])
+def test_a_choice_that_is_none_is_a_crash(of, options):
+    asks = attack(f"pick(0, {of}, {options}, 0)", CHOOSES="1")
+    with pytest.raises(ExplorerFault, match="a choice that is none"):
+        episode(asks)
+
+
+def test_every_schedule_of_a_library_is_one_sequence_of_answers():
+    asks = attack("pick(0, 1, 3, 0); pick(0, 2, 2, 0)", CHOOSES="1")
+    schedules = []
+    for choices in Schedules():
+        episode(asks, choices=choices)
+        schedules.append(tuple(choices.record))
+    assert schedules == [(i, j) for i in range(3) for j in range(2)]
+
+
+def test_threads_that_are_joined_are_not_left_behind():
+    before = len(list(libraries.native.os.listdir("/proc/self/task")))
+    assert threads_left(before) == 0
+    assert threads_left(before - 1) == 1
+
+
+def test_guarded_memory_is_zero_and_as_long_as_it_was_asked_for():
+    kept = Guarded(12).as_a(ctypes.c_int32 * 3)
+    assert list(kept) == [0, 0, 0]
+    kept[2] = 5
+    assert kept[2] == 5
+
+
+def test_a_player_knows_its_library():
+    subject = load(native(attack("")))
+    assert subject.keywords == {"told"}
+    with subject.running():
+        assert subject.from_user
+
+
+def test_a_path_that_cannot_be_read_is_refused():
+    with pytest.raises(InputError, match="no path"):
+        libraries.library.library_path("x\0y")
+    with pytest.raises(InputError, match="cannot be read"):
+        libraries.library.library_path("x" * 300)

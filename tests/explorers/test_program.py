@@ -1,0 +1,112 @@
+"""One process behind many episodes; see tests/engines/test_workers.py for what goes wrong."""
+
+import json
+import sys
+
+import pytest
+from processes import PATIENCE
+
+from allworlds.explorers import Program
+from allworlds.inputs import InputError
+from allworlds.protocol import Checkpoint, ExplorerFault, Move, Percept
+
+SCRIPT = """
+import sys, json, os
+for line in sys.stdin:
+    message = json.loads(line)
+    if message["percept"]["degree"] == 9: print("{}", flush=True); continue
+    print(json.dumps({"move": message.get("told", message.get("episode", 5))}), flush=True)
+    sys.stdin.readline()
+    print('{"checkpoint": {"sigma": [0], "alpha": [0], "here": 0}}', flush=True)
+    estimate = {"sigma": [0, 1], "alpha": [1, 0], "here": os.getpid()}
+    print(json.dumps({"estimate": estimate}), flush=True)
+"""
+
+
+@pytest.fixture
+def program(tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(SCRIPT)
+    program = Program(f"{sys.executable} {script}", 5.0)
+    yield program
+    program.close()
+    program.close()
+
+
+def episode(program, told=None):
+    walk = program.explore(Percept(1), told=told)
+    said = [next(walk), walk.send(Percept(1))]
+    with pytest.raises(StopIteration) as end:
+        walk.send(None)
+    return said, end.value.value
+
+
+def test_one_process_plays_many_episodes(program):
+    (one, checkpoint), first = episode(program)
+    assert checkpoint == Checkpoint([0], [0], 0)
+    (other, _), second = episode(program)
+    # It moves by the number of the episode, which tells nothing but that it is another one.
+    assert one != other
+    assert first.here == second.here
+
+
+def test_it_is_told_what_there_is_to_tell(program):
+    assert episode(program, told=4)[0][0] == Move(4)
+
+
+def test_a_new_process_begins_after_a_fault(program):
+    _, first = episode(program)
+    with pytest.raises(ExplorerFault, match=r"the line \{\}") as fault:
+        next(program.explore(Percept(9)))
+    assert fault.value.law == "illegal-action"
+    assert episode(program)[1].here != first.here
+
+
+def test_a_new_process_begins_after_an_episode_that_was_broken_off(program):
+    _, first = episode(program)
+    walk = program.explore(Percept(1))
+    next(walk)
+    walk.close()
+    assert episode(program)[1].here != first.here
+    assert json.dumps(first.map.to_json())
+
+
+def test_of_a_message_two_hundred_characters_are_shown(tmp_path):
+    script = tmp_path / "long.py"
+    script.write_text(
+        "import json\n"
+        "length = json.loads(input())['percept']['degree']\n"
+        "print(json.dumps({'estimate': {'x': 'a' * (length - len('{\"x\": \"\"}'))}}))\n"
+        "input()\n"
+    )
+    seen = {}
+    for length in (200, 201):
+        long = Program(f"{sys.executable} {script}", PATIENCE)
+        with pytest.raises(ExplorerFault) as fault:
+            next(long.explore(Percept(length)))
+        _, _, seen[length] = fault.value.seen.partition(": ")
+    assert seen[200] == json.dumps({"x": "a" * 191})
+    assert seen[201] == seen[200][:197] + "..."
+
+
+def test_a_file_that_cannot_be_executed_is_a_crash(tmp_path):
+    file = tmp_path / "nothing"
+    file.write_bytes(b"\0\1\2")
+    file.chmod(0o755)
+    with pytest.raises(ExplorerFault) as fault:
+        next(Program(str(file), 1.0).explore(Percept(1)))
+    assert fault.value.law == "crash"
+
+
+def test_what_cannot_be_run_is_told_apart_from_what_is_not_there(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "plain.py").touch()
+    for command, reason in {
+        "./folder": "a directory",
+        "./plain.py --fast": "not executable",
+        "plain.py": "write './plain.py'",
+        "./nothing": "there is no program './nothing'",
+    }.items():
+        with pytest.raises(InputError, match=reason):
+            Program(command, 1.0)

@@ -1,0 +1,127 @@
+"""Every skeleton is built, run and refuted, until it is filled in.  Nothing is overwritten."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from shells import shell_in
+from small import slow
+
+import allworlds
+from allworlds.explorers import LANGUAGES
+from allworlds.explorers.skeletons.languages import templates
+from allworlds.inputs import InputError
+from allworlds.studies.init import init
+
+
+@pytest.fixture
+def shell(tmp_path):
+    """A shell in an empty folder."""
+    return shell_in(tmp_path, tmp_path / "bin")
+
+
+def ready(lang):
+    """Skip where a program is missing that the language needs."""
+    for program in LANGUAGES[lang].needs:
+        if shutil.which(program) is None:
+            pytest.skip(f"there is no {program}")
+
+
+@pytest.mark.parametrize("lang", ["python", slow("c"), slow("javascript"), slow("rust")])
+def test_a_skeleton_builds_and_is_refuted_in_a_picture(lang, shell, tmp_path):
+    ready(lang)
+    made = shell(f"allworlds init mine --lang {lang}")
+    assert made.returncode == 0, made.stderr
+    command = next(line for line in made.stdout.splitlines() if line.startswith("  cd mine && "))
+    checked = shell(command)
+    assert checked.returncode == 1, checked.stdout + checked.stderr
+    assert "breaks the law 'map' in a world with 1 edge, 1 vertex" in checked.stdout
+    assert " ╭─╮\n(0 1)\n" in checked.stdout
+    if lang == "c":
+        assert "warning" not in checked.stderr
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("lang", [lang for lang in LANGUAGES if lang != "python"])
+def test_the_test_of_a_skeleton_fails_with_the_picture(lang, shell, tmp_path):
+    ready(lang)
+    init(tmp_path / "mine", lang=lang)
+    command = LANGUAGES[lang].test
+    if command == "npm test":  # which comes with Node, but not everywhere
+        command = json.loads((tmp_path / "mine" / "package.json").read_text())["scripts"]["test"]
+    tested = shell(command, tmp_path / "mine")
+    assert tested.returncode in (1, 2), tested.stderr
+    assert "breaks the law 'map'" in tested.stdout
+
+
+def test_the_code_that_makes_a_skeleton_right_fits_into_it(shell, tmp_path):
+    """What a reader does next: the skeleton's signature is the one that a right explorer has."""
+    init(tmp_path / "mine")
+    file = tmp_path / "mine" / "explorer.py"
+    right = (
+        "\n\nfrom allworlds.explorers import BUILT_IN\nexplore = BUILT_IN['algorithm1'].explore\n"
+    )
+    file.write_text(file.read_text() + right)
+    done = shell("allworlds check explorer.py:explore --edges 2 -q", tmp_path / "mine")
+    assert done.stdout.startswith("HOLDS"), done.stderr
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_what_is_said_to_be_written_is_all_that_is_written(lang, tmp_path, cli):
+    code, out, err = cli("init", tmp_path / "a b", "--lang", lang, "--json")
+    assert (code, err) == (0, "")
+    document = json.loads(out)
+    folder = tmp_path / "a b"
+    there = sorted(
+        file.relative_to(folder).as_posix() for file in folder.rglob("*") if file.is_file()
+    )
+    assert document["files"] == there
+    assert document["explorer"] in there
+    assert ".github/workflows/allworlds.yml" in there
+    assert document["check"].startswith(f"cd '{folder}' && ")
+    assert {name: (folder / name).read_text(encoding="utf-8") for name in there} == dict(
+        templates(lang)
+    )
+
+
+def test_what_a_language_needs_and_what_comes_next_is_told(tmp_path, cli):
+    out = cli("init", tmp_path / "c", "--lang", "c")[1]
+    assert "needs      cc, make\n" in out
+    assert f"next\n  cd {tmp_path}/c && make && allworlds check --native ./explorer.so" in out
+    assert "\nneeds " not in cli("init", tmp_path / "python")[1]
+
+
+def test_no_file_is_overwritten_and_then_none_is_written(tmp_path, refused):
+    (tmp_path / "explorer.c").write_text("mine")
+    (tmp_path / "README.md").symlink_to("nowhere")
+    line = refused("init", tmp_path, "--lang", "c")
+    assert "has README.md, explorer.c already, and nothing is overwritten" in line
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["README.md", "explorer.c"]
+    assert (tmp_path / "explorer.c").read_text() == "mine"
+
+
+def test_a_directory_with_other_files_is_no_obstacle(tmp_path):
+    (tmp_path / "notes.txt").write_text("mine")
+    made = init(tmp_path, lang="python")
+    assert "explorer.py" in made.files
+    assert (tmp_path / "notes.txt").read_text() == "mine"
+
+
+def test_a_language_without_a_skeleton_is_refused_with_those_that_have_one(tmp_path, refused):
+    line = refused("init", tmp_path / "new", "--lang", "cobol")
+    assert "'cobol' is not one of python, javascript, c, rust" in line
+    assert not (tmp_path / "new").exists()
+
+
+def test_a_place_that_cannot_be_written_is_refused(tmp_path):
+    (tmp_path / "file").touch()
+    with pytest.raises(InputError, match="cannot be written: Not a directory"):
+        init(tmp_path / "file" / "new")
+
+
+def test_every_language_has_its_folder_and_every_folder_its_language():
+    folder = Path(allworlds.__file__).parent / "explorers" / "skeletons"
+    there = {entry.name for entry in folder.iterdir() if entry.is_dir()} - {"__pycache__"}
+    assert there == set(LANGUAGES)
+    assert all(dict(templates(lang)) for lang in LANGUAGES)

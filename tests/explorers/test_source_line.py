@@ -1,0 +1,103 @@
+from pathlib import Path
+
+import pytest
+
+from allworlds.explorers import files_of_explorer, place_of_explorer
+
+TEXT = '''\
+"""An explorer."""
+
+from elsewhere import another as other
+
+
+class Inner:
+    x = 0
+
+    def explore(self):
+        yield
+
+
+def explore(first):
+    yield
+
+
+@decorated
+def late(first):
+    yield
+
+
+named = explore
+'''
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "placed.py").write_text(TEXT)
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("attribute", "line"),
+    [("explore", 13), ("Inner.explore", 9), ("other", 3), ("late", 18), ("named", 22), ("no", 1)],
+)
+@pytest.mark.parametrize("module", ["placed.py", "placed"])
+def test_the_line_of_a_python_explorer_is_that_of_its_definition(folder, module, attribute, line):
+    place = place_of_explorer(f"{module}:{attribute}")
+    assert (place.file, place.line) == ((folder / "placed.py").resolve(), line)
+    assert place.named_from(folder.resolve()) == "placed.py"
+    assert place.named_from(folder.resolve() / "deeper") == place.file.as_posix()
+
+
+def test_of_a_file_without_an_attribute_the_place_is_the_file(folder):
+    place = place_of_explorer("placed.py")
+    assert (place.file, place.line) == ((folder / "placed.py").resolve(), 1)
+
+
+def test_the_files_with_which_an_explorer_changes_are_those_it_is_made_of(folder):
+    for name in ("run.sh", "explorer.js", "fast.so", "fast.rs"):
+        (folder / name).touch()
+    assert files_of_explorer("exec:sh run.sh explorer.js x") == [
+        Path("run.sh"),
+        Path("explorer.js"),
+    ]
+    assert files_of_explorer("native:fast.so") == [Path("fast.so")]
+    assert files_of_explorer("placed:explore") == [(folder / "placed.py").resolve()]
+    for name in ("algorithm1", "exec:true", "exec:'", "native:missing.so", "missing.py:explore"):
+        assert files_of_explorer(name) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "file"),
+    [
+        ("exec:node explorer.js", "explorer.js"),
+        ("exec:sh run.sh explorer.js --fast", "explorer.js"),
+        ("native:./fast.so", "fast.rs"),
+        ("native:./libslow.so", "slow.c"),
+        ("native:./bare.so", "bare.so"),
+    ],
+)
+def test_of_another_language_the_file_is_found(folder, name, file):
+    for there in ("explorer.js", "run.sh", "fast.rs", "slow.c", "fast.so", "libslow.so", "bare.so"):
+        (folder / there).touch()
+    place = place_of_explorer(name)
+    assert (place.file, place.line) == ((folder / file).resolve(), 1)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "algorithm1",
+        "missing.py:explore",
+        "missing_module:explore",
+        "exec:true",
+        "exec:'",
+        "native:missing.so",
+        "broken.py:explore",
+        "binary.py:explore",
+    ],
+)
+def test_where_nobody_can_say_there_is_no_place(folder, name):
+    (folder / "broken.py").write_text("def (")
+    (folder / "binary.py").write_bytes(b"\xff\xfe")
+    assert place_of_explorer(name) is None

@@ -1,0 +1,73 @@
+"""Names that are nearly those of an explorer."""
+
+import inspect
+
+import pytest
+
+from allworlds.explorers import whole_name
+from allworlds.explorers.spelling import did_you_mean, generator_functions
+from allworlds.inputs import InputError
+from allworlds.studies.check import check
+
+TEXT = """
+from allworlds.explorers import algorithm1
+def explore(first):
+    return (yield from algorithm1(first))
+def helper(x):
+    def within():
+        yield x
+    return [lambda: (yield), within]
+class Other:
+    def method(self):
+        yield
+"""
+
+
+@pytest.fixture
+def file(tmp_path):
+    place = tmp_path / "mine.py"
+    place.write_text(TEXT)
+    return place
+
+
+def test_the_generator_functions_are_those_that_python_sees():
+    text = TEXT + "def second():\n    if 0:\n        x = yield\n"
+    module = {}
+    exec(text, module)
+    truth = [name for name, value in module.items() if inspect.isgeneratorfunction(value)]
+    assert [*generator_functions(text)] == [name for name in truth if name != "algorithm1"]
+
+
+def test_a_file_with_one_generator_function_is_its_name(file):
+    assert whole_name(str(file)) == f"{file}:explore"
+    report = check(str(file), edges=1)
+    assert (report.explorer, report.exit_code) == (f"{file}:explore", 0)
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ("def second():\n    yield\n", "has several generator functions; legal are "),
+        (None, "has no generator function"),
+    ],
+)
+def test_a_file_with_several_or_none_is_refused(file, more, words):
+    file.write_text(TEXT + more if more else "x = 1")
+    with pytest.raises(InputError, match=words):
+        check(str(file), edges=1)
+
+
+@pytest.mark.parametrize("name", ["algorithm1", "there_is_none.py", "a.py:explore"])
+def test_other_names_stay_as_they_are(name):
+    assert whole_name(name) == name
+
+
+def test_what_is_no_python_has_no_functions():
+    assert [*generator_functions("def")] == []
+
+
+def test_a_name_that_is_nearly_one_is_told():
+    assert did_you_mean("algorthm1", ["greedy", "algorithm1"]) == "; did you mean 'algorithm1'?"
+    assert did_you_mean("sun", ["greedy", "algorithm1"]) == ""
+    with pytest.raises(InputError, match="did you mean 'algorithm1'"):
+        check("algorthm1", edges=1)

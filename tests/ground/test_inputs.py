@@ -1,0 +1,157 @@
+"""Whatever is given, the answer keeps the law of inputs; and a fault that breaks it is found.
+
+Two thousand cases are drawn from a seed: the same every time, on every machine.  Each is named
+``SEED/NUMBER`` and drawn from its name alone.  ``INPUTS_SEED=7 pytest tests/ground -m ''``
+draws others.
+"""
+
+import json
+import os
+from contextlib import nullcontext
+from types import SimpleNamespace
+
+import pytest
+
+from allworlds.cli.app import call
+from ground.cases import KINDS, cases
+from ground.law import LONGEST, Case, Said, said, tried, written, wrong
+
+SEED = int(os.environ.get("INPUTS_SEED", "12"))
+QUICK, ALL, PART = 300, 2000, 500
+
+pytestmark = pytest.mark.usefixtures("without_workers")
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """An empty working directory."""
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def keep_the_law(numbers, folder):
+    for name, case in cases(SEED, numbers):
+        broken = tried(case, folder)
+        assert not broken, f"case {name}: {', '.join(broken)}\n{case}"
+
+
+def test_an_input_is_answered_or_refused_in_one_line(folder):
+    keep_the_law(range(QUICK), folder)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("first", range(0, ALL, PART))
+def test_every_input_is_answered_or_refused_in_one_line(first, folder):
+    keep_the_law(range(first, first + PART), folder)
+
+
+def test_the_cases_are_of_every_kind_and_the_same_every_time():
+    drawn = list(cases(SEED, range(QUICK)))
+    assert {case.kind for _, case in drawn} == set(KINDS)
+    assert drawn == list(cases(SEED, range(QUICK)))
+    assert len({str(case) for _, case in drawn}) > QUICK * 0.9
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize(
+    "kind", ["worlds", "findings", "expressions", "lines", "corpus", "options"]
+)
+def test_some_cases_are_answered_and_not_only_refused(kind, folder):
+    """A fuzzer whose inputs are all refused at the door tries the door alone."""
+    codes = {_said(case, folder).code for _, case in cases(SEED, range(QUICK)) if case.kind == kind}
+    assert codes - {2}
+    assert kind == "lines" or 2 in codes
+
+
+def _said(case, folder):
+    with written(case.files, folder):
+        return said(case)
+
+
+def _index_error(*_, **__):
+    raise IndexError("tuple index out of range")
+
+
+# A fault in the program, and the kind of input that must find it.
+FAULTS = {
+    "a loader that raises what nobody expects": (
+        ("allworlds.world.world.lighthouse_from_json", _index_error),
+        "worlds",
+    ),
+    "a start that is looked at after the lighthouse": (
+        ("allworlds.world.world._a_start", lambda given, _map: given),
+        "worlds",
+    ),
+    "findings that may be nested as deeply as they like": (
+        ("allworlds.judging.findings.finding.parse_json", json.loads),
+        "findings",
+    ),
+    "a manifest that is any JSON": (("allworlds.world.corpus.parse_json", json.loads), "manifests"),
+    "a corpus of files that are texts": (
+        ("allworlds.judging.findings.directory.Finding.from_json", json.loads),
+        "corpus",
+    ),
+    "lines as long as what is in them": (("allworlds.cli.output.LONGEST", 10**9), "options"),
+    "what Python thinks of a bound": (
+        (
+            "allworlds.judging.laws.bounds.warnings",
+            SimpleNamespace(catch_warnings=nullcontext, simplefilter=lambda _: None),
+        ),
+        "expressions",
+    ),
+    "control characters that come through": (
+        ("allworlds.cli.output.printable", lambda text: text),
+        "lines",
+    ),
+    "an exit code that stands nowhere": (
+        ("allworlds.cli.app._refuse", lambda _: 75),
+        "findings",
+    ),
+}
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_planted_fault_is_found(fault, folder, monkeypatch):
+    (place, value), kind = FAULTS[fault]
+    monkeypatch.setattr(place, value)
+    assert any(tried(case, folder) for _, case in cases(SEED, range(ALL)) if case.kind == kind)
+
+
+GOOD = '{"schema": 1, "made_by": {}}\n'
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told", "broken"),
+    [
+        (("count", "--json"), Said(0, GOOD, ""), []),
+        (("count",), Said(2, "", "allworlds: no\n"), []),
+        (("count",), Said(4, "nothing", "allworlds: a notice\n"), []),
+        (("replay", "f"), Said(5, "fixed", ""), []),
+        (("count",), Said(5, "fixed", ""), ["the exit code 5"]),
+        (("check",), Said(70, "a report", ""), ["the exit code 70"]),
+        (("check",), Said(130, "a report", ""), ["the exit code 130"]),
+        (("count",), Said(2, "", ""), ["no line on stderr, or several"]),
+        (
+            ("count",),
+            Said(2, "", "allworlds: a\nallworlds: b\n"),
+            ["no line on stderr, or several"],
+        ),
+        (("count",), Said(2, "a report", "allworlds: no\n"), ["a refusal with a report"]),
+        (("count",), Said(2, "", f"allworlds: {'x' * LONGEST}\n"), ["a line that is too long"]),
+        (("count",), Said(2, "", "Warning: no\n"), ["a line on stderr that is not ours"]),
+        (("count",), Said(0, "", ""), ["no report"]),
+        (("count",), Said(0, "\x1b[31m", ""), ["a control character"]),
+        (("count", "--json"), Said(0, "a report", ""), ["a document that is no JSON"]),
+        (("count", "--json"), Said(0, "[1]", ""), ["a document that is none of ours"]),
+        (("count", "--json"), Said(0, '{"schema": 1}', ""), ["a document that is none of ours"]),
+    ],
+)
+def test_the_law_finds_what_breaks_it(arguments, told, broken):
+    assert wrong(arguments, told) == broken
+
+
+def test_a_traceback_is_found(monkeypatch):
+    monkeypatch.setattr("allworlds.count", _index_error)
+    case = Case("options", ("count", "--edges", "1"))
+    assert wrong(case.arguments, said(case, call))[:2] == ["a traceback", "the exit code 70"]

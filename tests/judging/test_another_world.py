@@ -1,0 +1,61 @@
+"""Another world that agrees with the log: it is another one, and it does agree."""
+
+from itertools import product
+
+import pytest
+
+import allworlds
+from allworlds import Move, Percept
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.judging import explain, fold
+from allworlds.judging.explanations import another_world as another
+from allworlds.judging.explanations.another_world import another_world
+from allworlds.judging.laws.second_opinion import same_pose
+from allworlds.protocol import Transcript
+from allworlds.studies.check import check
+
+WORDS = [word for length in range(4) for word in product(range(2), repeat=length)]
+
+
+def log_of(world, word):
+    state, steps = world.initial, []
+    for k in word:
+        degree = (steps[-1][1] if steps else world.first).degree
+        action = Move(k % degree)
+        state, percept = world.step(state, action)
+        steps.append((action, percept))
+    return Transcript(world.first, tuple(steps))
+
+
+@pytest.mark.parametrize("map_class", [pytest.param("maps", marks=pytest.mark.slow), "simple"])
+def test_in_every_small_world_and_for_every_short_walk_it_is_another_and_senses_the_same(map_class):
+    others = 0
+    for world in allworlds.worlds(edges=3, map_class=map_class, places="all"):
+        for word in WORDS:
+            log = log_of(world, word)
+            other = another_world(world, log)
+            assert (other is None) == (fold(log).open_darts == 0)
+            if other is not None:
+                others += 1
+                assert log_of(other, word) == log
+                assert not same_pose(other.map, other.start, world.map, world.start)
+                assert other.map.is_simple or not world.map.is_simple
+    assert others > 100
+
+
+def test_a_log_that_is_not_one_of_the_folded_world_is_found_out(monkeypatch):
+    # The marker is sensed at the start alone; a completion that moves it does not agree.
+    (world,) = (w for w in allworlds.worlds(edges=1, places="all") if w.map.vertex_count == 2)
+    log = Transcript(Percept(1, 1, 0))
+    monkeypatch.setattr(another, "true_walk", lambda *_: [(world.initial, Percept(1, 1, None))])
+    with pytest.raises(StopIteration):
+        another_world(world, log)
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
+def test_findings_of_folding_name_it_and_no_others_do(mutant):
+    for finding in check(mutant.explorer(), edges=3, max_findings=3).findings:
+        told = explain(finding)
+        assert (told.other is not None) == (finding.law == "folding")
+        assert (told.to_json()["other"] is not None) == (finding.law == "folding")

@@ -1,0 +1,160 @@
+"""What each law tells of a run that breaks it."""
+
+from dataclasses import replace
+
+import pytest
+from small import EDGE, LASSO, PATH
+
+from allworlds.inputs import InputError
+from allworlds.judging import PRECEDENCE, explain
+from allworlds.judging.explanations.by_law import TELLERS
+from allworlds.studies.run import run
+from allworlds.world import Directional, World
+
+# ---------------------------------------------------------------- the run ended too early
+
+
+def test_a_crash_is_told_with_its_last_step_and_the_last_line_of_the_traceback(told):
+    law, _, text = told("crashes-at-leaves")
+    assert law == "crash"
+    assert "step 1, move 0: to v1, dart 1, where it sensed 'degree 1'" in text
+    # It stands in what was seen, and is not said twice.
+    assert text.count("IndexError: a vertex without another dart") == 1
+
+
+def test_of_what_a_program_wrote_the_line_that_tells_is_told(finding_of):
+    wrote = "/mine.js:3\n\nReferenceError: f is not defined\n    at g (/mine.js:3:1)\n\nNode.js v20"
+    finding = replace(finding_of("crashes-at-leaves"), seen="the end of its output", detail=wrote)
+    assert explain(finding).sentences[-1] == (
+        "What it wrote of it: ReferenceError: f is not defined"
+    )
+
+
+def test_a_run_that_ends_at_the_start_has_no_last_step(told):
+    law, _, text = told("drops-markers")
+    assert law == "illegal-action"
+    assert "It made no step" in text
+    assert "seen was: Drop()." in text
+
+
+@pytest.mark.parametrize(
+    ("name", "law", "words"),
+    [
+        ("no-answer", "no-estimate", "seen was: None."),
+        ("never-stops", "budget", "seen was: traversal 109."),
+        ("state-kept", "nondeterministic", "differs at step 1"),
+    ],
+)
+def test_other_endings_say_what_was_expected_and_seen(name, law, words, told):
+    found, step, text = told(name)
+    assert (found, step) == (law, None)
+    assert "Expected was: " in text
+    assert words in text
+
+
+def test_a_timeout_is_told(finding_of):
+    finding = replace(finding_of("crashes-at-leaves"), law="timeout", seen="silent", detail="")
+    text = " ".join(explain(finding).sentences)
+    assert "silent for too long" in text
+    assert "wrote of it" not in text
+    assert "flush" not in text
+
+
+def test_a_program_that_was_silent_is_asked_whether_it_flushes(finding_of):
+    finding = finding_of("crashes-at-leaves")
+    silent = replace(finding, explorer="exec:./mine", law="timeout", seen="silent", detail="")
+    assert "Does the program flush its output after every line?" in " ".join(
+        explain(silent).sentences
+    )
+
+
+# ---------------------------------------------------------------- the answer is wrong
+
+
+def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
+    law, step, text = told("pose-lost")
+    assert (law, step) == ("pose", 2)
+    # Two loops side by side, at dart 3; 'here' is dart 0, which the symmetry takes to dart 2.
+    assert "stands at v0, dart 3, and the answer says dart 0 of the same vertex" in text
+    assert "off by a turn of 3 of 4 darts" in text
+    assert "symmetric: 1 other dart" in text
+
+
+def test_a_robot_at_another_vertex_is_told_so(explained, answering):
+    # A vertex of degree 3 with a loop and a leaf: no symmetry.
+    explanation = explained(LASSO, answering(LASSO, 3, 0))
+    assert explanation.law == "pose"
+    assert "the answer says v1, dart 3, which is another vertex" in explanation.sentences[0]
+    assert explanation.slip == "another vertex"
+
+
+def test_a_pose_finding_whose_answer_is_another_map_is_refused(finding_of):
+    finding = finding_of("pose-lost")
+    with pytest.raises(InputError, match="not pose"):
+        explain(replace(finding, seen={**EDGE.to_json(), "here": 0}))
+
+
+@pytest.mark.parametrize("here", [99, -1, None, True, "0"])
+def test_an_answer_without_a_place_is_refused(here, finding_of):
+    finding = finding_of("pose-lost")
+    with pytest.raises(InputError, match=r"seen\.here"):
+        explain(replace(finding, seen={**finding.seen, "here": here}))
+
+
+# ---------------------------------------------------------------- a checkpoint is wrong
+
+
+@pytest.mark.parametrize(
+    ("name", "law"), [("place-shown-wrong", "invariant-1"), ("partner-shown-in-U", "invariant-2")]
+)
+def test_a_wrong_checkpoint_is_told_with_its_step(name, law, told):
+    found, step, text = told(name)
+    assert (found, step) == (law, 1)
+    assert "checkpoint came after step 1, where the robot stood at v0, dart 1" in text
+
+
+def test_a_pass_without_progress_is_told(told):
+    law, step, text = told("pass-without-progress")
+    assert (law, step) == ("variant", None)
+    assert "no progress" in text
+    assert "after step 1" in text
+
+
+# ---------------------------------------------------------------- the answer was guessed
+
+
+def test_folding_counts_the_open_darts_and_names_the_vertex_seen_as_several(told):
+    law, step, text = told("no-retracing")
+    assert (law, step) == ("folding", None)
+    assert "does not settle where 3 darts lead" in text
+    assert "came to v1 in 2 ways that may lead to as many places" in text
+
+
+# ---------------------------------------------------------------- the answer was dear
+
+
+def test_the_bound_is_told_with_the_moves_out_and_back(told):
+    # One loop: (1)+(2) is 1; it walks the loop, back, and on again.
+    law, _, text = told("walks-too-much")
+    assert law == "bound"
+    assert "the bound (paper) allows 1" in text
+    assert "3 traversals: 2 out, 1 to take one back" in text
+    assert "Of those out 1 went along an edge that was new" in text
+
+
+def test_a_way_back_takes_back_every_move_out(answering):
+    # Along a path to its end and back again.
+    finding = run(answering(PATH, 0, 0, 1, 0, 1), World(PATH, Directional(0)), bound="1").finding
+    assert "The robot made 4 traversals: 2 out, 2 to take one back." in explain(finding).sentences
+
+
+# ---------------------------------------------------------------- the table
+
+
+def test_every_law_of_the_judge_has_its_entry_in_the_judges_order():
+    assert tuple(TELLERS) == PRECEDENCE
+
+
+def test_a_law_that_only_later_versions_know_is_told_by_its_sentences(finding_of):
+    finding = replace(finding_of("no-answer"), law="harmony")
+    assert "The law 'harmony' is broken." in explain(finding).sentences

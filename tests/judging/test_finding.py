@@ -1,0 +1,127 @@
+import dataclasses
+import json
+from pathlib import Path
+
+import pytest
+from processes import PATIENCE
+
+from allworlds.inputs import InputError
+from allworlds.judging import Finding, canonical_world, place_of
+from allworlds.maps import named_map
+from allworlds.studies.check import check
+from allworlds.studies.replay import replay
+from allworlds.studies.run import run
+from allworlds.world import Directional, World, worlds
+
+EXPLORERS = Path(__file__).parents[1] / "support" / "explorers_for_tests"
+
+
+def lazy(first):
+    return (yield from algorithm(first)) if first.degree > 2 else None
+
+
+def algorithm(first):
+    from allworlds.explorers import algorithm1
+
+    return (yield from algorithm1(first))
+
+
+@pytest.fixture(scope="module")
+def finding():
+    return check(lambda first: (yield from lazy(first)), edges=1).findings[0]
+
+
+@pytest.fixture(scope="module")
+def one_schedule():
+    """The finding of an explorer that one schedule of four makes wrong."""
+    return check(f"{EXPLORERS / 'wrong.py'}:one_schedule", schedules="all", edges=1).findings[0]
+
+
+def test_a_finding_survives_its_json(finding):
+    document = finding.to_json()
+    again = Finding.from_json(json.dumps(document))
+    assert again.to_json() == document
+    assert again.key == finding.key
+
+
+def test_the_findings_of_all_numberings_are_one_finding():
+    map_ = named_map("k4")
+    findings = set()
+    for names in ([*range(12)], [*reversed(range(12))], [(5 * d + 3) % 12 for d in range(12)]):
+        world = World(map_, Directional(map_.turn(0, 2))).relabelled(names)
+        canonical = canonical_world(world)
+        assert canonical.start == 0
+        assert place_of(canonical) == place_of(world) == 2
+        findings.add(canonical)
+    assert len(findings) == 1
+
+
+@pytest.mark.parametrize(
+    ("change", "named"),
+    [
+        ({"version": 2}, "2"),
+        ({"explorer": 3}, "3"),
+        ({"law": "luck"}, "luck"),
+        ({"world": []}, r"\[\]"),
+        ({"options": []}, "options"),
+        ({"options": {"policy": 3}}, "policy"),
+        ({"options": {"policy": "nonsense"}}, "nonsense"),
+        ({"options": {"bound": "n +"}}, "n +"),
+        ({"options": {"laws": "map"}}, "map"),
+        ({"options": {"step_budget": True}}, "True"),
+        ({"choices": [-1]}, "-1"),
+        ({"choices": [True]}, "True"),
+        ({"transcript": []}, "transcript"),
+    ],
+)
+def test_a_document_that_is_no_finding_is_refused(finding, change, named):
+    with pytest.raises(InputError, match=named):
+        Finding.from_json({**finding.to_json(), **change})
+
+
+def test_the_recorded_choices_are_honoured(one_schedule, wrong):
+    again = replay(Finding.from_json(one_schedule.to_json()))
+    assert (again.outcome, again.again.outcome.choices) == ("reproduced", (1, 0))
+    assert replay(one_schedule, wrong("right")).outcome == "fixed"
+    assert replay(one_schedule, algorithm).exit_code == 5
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("choices", "notice"),
+    [
+        ((1, 0), ""),
+        ((1, 0, 0), "the recorded choice 2 is 0, but only 2 were asked for"),
+        ((1, 5), "the recorded choice 1 is 5, but there are fewer options"),
+    ],
+)
+def test_recorded_choices_that_do_not_fit_are_told(one_schedule, choices, notice):
+    finding = dataclasses.replace(one_schedule, choices=choices)
+    assert replay(finding).notice.startswith(notice)
+    assert not replay(finding, algorithm).notice
+
+
+def test_choices_of_an_explorer_that_takes_none_are_refused_unless_it_is_named(wrong):
+    finding = check(wrong("everywhere"), edges=1).findings[0]
+    assert replay(finding).notice == ""
+    finding = dataclasses.replace(finding, choices=(0, 0))
+    with pytest.raises(InputError, match=r"\[0, 0\], but .*:everywhere takes no choices"):
+        replay(finding)
+    named = replay(finding, wrong("everywhere"))
+    assert named.outcome == "reproduced"
+    assert "none was asked for" in named.notice
+
+
+def test_a_report_of_one_run_is_a_finding_too(finding):
+    report = run(lambda first: (yield from lazy(first)), finding.world).to_json()
+    assert Finding.from_json(report).key == finding.key
+
+
+@pytest.mark.early
+def test_all_zero_choices_are_told_where_another_policy_would_choose_otherwise(wrong, clock):
+    world = next(worlds(edges=1))
+    told = run(
+        wrong("hang_after_choices"), world, policy="lifo", choices=[0, 0], answer_timeout=PATIENCE
+    )
+    assert told.finding.choices == (0, 0)
+    assert "--choices 0,0" in told.finding.reproduce

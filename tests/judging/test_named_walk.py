@@ -1,0 +1,26 @@
+"""What a log tells of the walk."""
+
+from allworlds import Move
+from allworlds.judging import Walked
+from allworlds.protocol import Drop, Pick, Transcript
+from allworlds.world import world_named
+
+
+def walked(world, *actions):
+    state, steps = world.initial, []
+    for action in actions:
+        state, percept = world.step(state, action)
+        steps.append((action, percept))
+    return Walked(world, Transcript(world.first, tuple(steps)))
+
+
+def test_an_edge_is_discovered_by_the_first_step_along_it():
+    world = world_named("k4", "directional")
+    assert walked(world).discoveries == ()
+    assert walked(world, Move(1), Move(0), Move(0)).discoveries == (1,)
+    assert walked(world, Move(1), Move(1), Move(1), Move(1)).discoveries == (1, 2, 3)
+
+
+def test_who_drops_the_marker_walks_along_no_edge():
+    world = world_named("k4", "movable")
+    assert walked(world, Drop(), Move(1), Move(0), Pick(), Move(0)).discoveries == (2,)

@@ -1,0 +1,62 @@
+"""Where belief and truth part, in words."""
+
+from small import EDGE, LOOP, PATH, TRIANGLE
+
+from allworlds import CombinatorialMap
+from allworlds.maps import from_cycles
+
+
+def test_a_known_place_taken_for_a_new_vertex_is_where_they_part(told):
+    law, step, text = told("wrong-entry-label")
+    assert (law, step) == ("map", 2)
+    assert "back at v1" in text
+    assert "takes the place for a new vertex" in text
+    # The wrong place is sensed to be wrong only later.
+    assert "first percept against the answer came at step 7" in text
+
+
+def test_a_known_place_left_some_time_ago_is_named_with_the_step(explained, answering):
+    # A triangle on a stalk, walked once round; the answer goes on instead of closing it.
+    world = from_cycles(["a", "abd", "bc", "cd"])
+    answer = from_cycles(["a", "abe", "bc", "cd", "dfg", "e", "f", "g"])
+    explanation = explained(world, answering(answer, 8, 0, 1, 1, 1))
+    assert explanation.step == 4
+    text = " ".join(explanation.sentences)
+    assert "step 4 the robot was back at v1, which it had left at step 2, but its answer " in text
+    assert "takes the place for a new vertex" in text
+    assert "Every percept fits the answer all the same" in text
+    assert "The log does not settle where" in text
+
+
+def test_a_new_vertex_taken_for_a_known_one_is_where_they_part(explained, answering):
+    answer = CombinatorialMap([1, 0, 3, 2], [2, 3, 0, 1])
+    explanation = explained(TRIANGLE, answering(answer, 2, 0, 1, 1))
+    assert explanation.step == 2
+    text = " ".join(explanation.sentences)
+    assert "step 2 the robot came to v2 for the first time" in text
+    assert "takes the place for v0, which it had left at step 1" in text
+
+
+def test_another_dart_of_the_same_vertex_is_where_they_part(told):
+    law, step, text = told("bearing-ignored")
+    assert (law, step) == ("map", 1)
+    # The two loops cross: in truth the robot comes out at dart 2.
+    assert "takes dart 2, by which it came, for dart 1" in text
+    assert "it sensed 'degree 4, marked, bearing 2'" in text
+
+
+def test_a_start_of_another_degree_parts_at_once(explained, answering):
+    explanation = explained(LOOP, answering(EDGE, 0))
+    assert explanation.step == 0
+    assert "part at the start, at v0" in explanation.sentences[-1]
+
+
+def test_an_answer_that_fits_the_log_never_parts_and_its_open_darts_are_counted(
+    explained, answering
+):
+    explanation = explained(PATH, answering(EDGE, 0))
+    assert explanation.step is None
+    slip, guessed, open_darts = explanation.sentences
+    assert slip == "The answer lacks one edge of the world: that of darts 0 and 1."
+    assert guessed.startswith("The answer is another world that fits the whole log")
+    assert open_darts == "The log does not settle where 1 dart leads."

@@ -1,0 +1,189 @@
+import random
+from itertools import permutations
+
+import networkx as nx
+import pytest
+
+from allworlds.judging import same_map
+from allworlds.judging.laws.second_opinion import same_pose, verdict
+from allworlds.maps import CombinatorialMap, InvalidMap
+
+
+def drawn(*vertices):
+    """A map from the letters of the edges clockwise round each vertex; darts in reading order."""
+    letters = "".join(vertices)
+    sigma = []
+    for vertex in vertices:
+        first = len(sigma)
+        sigma += [first + (i + 1) % len(vertex) for i in range(len(vertex))]
+    alpha = [
+        next(e for e, other in enumerate(letters) if other == letter and e != d)
+        for d, letter in enumerate(letters)
+    ]
+    return CombinatorialMap(sigma, alpha)
+
+
+def dart_isomorphisms(a, b):
+    """By trying every bijection of darts."""
+    if len(a.sigma) != len(b.sigma):
+        return []
+    return [
+        names
+        for names in permutations(a.darts)
+        if all(
+            names[a.sigma[d]] == b.sigma[names[d]] and names[a.alpha[d]] == b.alpha[names[d]]
+            for d in a.darts
+        )
+    ]
+
+
+def all_maps(edges):
+    alpha = [d ^ 1 for d in range(2 * edges)]
+    for sigma in permutations(range(2 * edges)):
+        try:
+            yield CombinatorialMap(sigma, alpha)
+        except InvalidMap:
+            continue
+
+
+def graph(a):
+    result = nx.MultiGraph()
+    result.add_edges_from((a.vertex_of[d], a.vertex_of[e]) for d, e in a.edges)
+    return result
+
+
+def agree_on(a, b):
+    """Assert that the judge and the bijections agree on the pair; return whether it is one map."""
+    found = dart_isomorphisms(a, b)
+    assert same_map(a, b) == bool(found)
+    for here_a in a.darts:
+        for here_b in b.darts:
+            pose = any(names[here_a] == here_b for names in found)
+            assert same_pose(a, here_a, b, here_b) == pose
+            expected = "right" if pose else "pose" if found else "map"
+            assert verdict(a, here_a, b, here_b) == expected
+    return bool(found)
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+def test_the_judge_agrees_with_all_dart_bijections_on_up_to_two_edges():
+    maps = [*all_maps(1), *all_maps(2)]
+    outcomes = {agree_on(a, b) for a in maps for b in maps}
+    assert outcomes == {True, False}
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+def test_the_judge_agrees_with_all_dart_bijections_on_some_pairs_with_three_edges():
+    maps = list(all_maps(3))
+    rng = random.Random(3)
+    outcomes = []
+    for _ in range(10):
+        a, b = rng.sample(maps, 2)
+        outcomes.append(agree_on(a, b))
+        outcomes.append(agree_on(a, a.mirrored()))
+    assert set(outcomes) == {True, False}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "a",
+    [
+        drawn("aabbccdd"),
+        drawn("abcdabcd"),
+        drawn("abcd", "abcd"),
+        drawn("abcc", "bad", "d"),
+    ],
+)
+def test_relabelling_the_darts_gives_the_same_map_and_takes_the_pose_along(a):
+    rng = random.Random(4)
+    for _ in range(5):
+        names = rng.sample(a.darts, len(a.darts))
+        here = rng.choice(a.darts)
+        assert verdict(a, here, a.relabelled(names), names[here]) == "right"
+
+
+# A theta is three edges a, b, c from one vertex to another; t is the tail.  Reflection in the
+# middle edge b keeps the first two; in the third it takes the divided edge a to c.
+THETA_WITH_TAIL = drawn("abct", "cba", "t")
+MIDDLE_EDGE_DIVIDED = drawn("abct", "cda", "t", "bd")
+OUTER_EDGE_DIVIDED = drawn("abct", "cbd", "t", "ad")
+
+
+@pytest.mark.parametrize(
+    "chiral", [OUTER_EDGE_DIVIDED, drawn("abc", "a", "bd", "d", "ce", "ef", "f")]
+)
+def test_the_mirror_image_of_a_chiral_map_is_another_map_of_the_same_graph(chiral):
+    mirrored = chiral.mirrored()
+    assert nx.is_isomorphic(graph(chiral), graph(mirrored))
+    assert not same_map(chiral, mirrored)
+    assert verdict(chiral, 0, mirrored, 0) == "map"
+
+
+@pytest.mark.parametrize("achiral", [THETA_WITH_TAIL, MIDDLE_EDGE_DIVIDED])
+def test_a_map_with_a_reflection_is_its_mirror_image(achiral):
+    assert same_map(achiral, achiral.mirrored())
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        (drawn("aabb"), drawn("abab")),  # two loops in the plane, and on the torus
+        (drawn("abc", "cba"), drawn("abc", "abc")),  # theta in the plane, and on the torus
+        (drawn("abct", "cba", "t"), drawn("abct", "abc", "t")),
+    ],
+)
+def test_two_embeddings_of_one_graph_are_two_maps(a, b):
+    assert nx.is_isomorphic(graph(a), graph(b))
+    assert verdict(a, 0, b, 0) == "map"
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        (drawn("a", "a"), drawn("ab", "a", "b")),
+        (drawn("abc", "a", "b", "c"), drawn("ab", "bc", "a", "c")),
+        (drawn("ab", "ab"), drawn("aab", "b")),
+    ],
+)
+def test_maps_of_different_graphs_are_different(a, b):
+    assert verdict(a, 0, b, 0) == "map"
+    assert verdict(b, 0, a, 0) == "map"
+
+
+def test_turning_at_a_vertex_without_symmetry_is_another_pose():
+    # Darts 0, 1, 2 at the middle lead to two leaves and to the longer leg.
+    star = drawn("abc", "a", "b", "cd", "d")
+    assert verdict(star, 0, star, 0) == "right"
+    assert verdict(star, 0, star, 1) == "pose"
+    assert verdict(star, 0, star, 2) == "pose"
+
+
+def test_turning_by_an_automorphism_is_the_same_pose():
+    star = drawn("abc", "a", "b", "c")
+    assert [verdict(star, 0, star, here) for here in star.darts] == ["right"] * 3 + ["pose"] * 3
+
+
+def test_the_other_end_of_a_loop_is_the_same_pose_only_by_symmetry():
+    alone = drawn("aa")
+    assert verdict(alone, 0, alone, 1) == "right"
+    with_tail = drawn("aab", "b")
+    assert verdict(with_tail, 0, with_tail, 1) == "pose"
+
+
+def test_a_graph_automorphism_that_breaks_the_rotation_moves_no_pose():
+    # Swapping the two leaves is an automorphism of the graph, and a reflection of the map.
+    star = drawn("abc", "a", "b", "cd", "d")
+    leaf_a, leaf_b = 3, 4
+    assert not same_pose(star, leaf_a, star, leaf_b)
+    assert same_pose(star, leaf_a, star.mirrored(), leaf_b)
+
+
+@pytest.mark.parametrize(("here_a", "here_b"), [(0, 2), (2, 0), (-1, 0)])
+def test_a_pose_that_is_no_dart_is_refused(here_a, here_b):
+    edge = drawn("a", "a")
+    with pytest.raises(ValueError, match=r"(2|-1) is no dart; darts are 0\.\.1"):
+        same_pose(edge, here_a, edge, here_b)
+    with pytest.raises(ValueError, match="is no dart"):
+        verdict(edge, here_a, edge, here_b)

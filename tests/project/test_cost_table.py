@@ -1,0 +1,68 @@
+"""The tables of docs/cost.md and docs/how-to/bound.md against their sources."""
+
+import importlib.util
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def document():
+    return json.loads((ROOT / "benchmarks/results/kernel.json").read_text(encoding="utf-8"))
+
+
+def benchmark(name):
+    """The module that prints a table."""
+    spec = importlib.util.spec_from_file_location(name, ROOT / "benchmarks" / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module")
+def cost():
+    return benchmark("cost")
+
+
+def test_the_page_holds_the_table_of_the_measurement(document, cost):
+    page = (ROOT / "docs/cost.md").read_text(encoding="utf-8")
+    assert "\n".join(cost.table(document)) in page
+
+
+def test_the_page_names_the_rate_that_it_reckons_with(document):
+    page = (ROOT / "docs/cost.md").read_text(encoding="utf-8")
+    rate = document["contenders"][0]["worlds_per_second"]["median"]
+    assert f"/ {rate:,.0f}\n" in page
+
+
+def test_each_line_is_worlds_by_the_rate(cost):
+    rows = list(cost.rows(1000.0))
+    assert [row[0] for row in rows] == list(range(1, 13))
+    # OEIS A000698.
+    assert [row[1] for row in rows[:9]] == [
+        *(2, 10, 74, 706, 8162, 110410, 1708394, 29752066, 576037442),
+    ]
+    for _, worlds, total, seconds in rows:
+        assert total >= worlds
+        assert seconds == total / 1000
+
+
+def test_the_measurement_says_where_and_when_it_was_made(document):
+    assert document["schema"] == 1
+    assert re.fullmatch(r"[0-9]+\.[0-9]+\.[0-9]+", document["version"])
+    assert document["machine"]["processor"]
+    assert document["rounds"] >= 3
+
+
+def test_the_page_of_bounds_holds_the_table_of_the_effort():
+    document = json.loads((ROOT / "benchmarks/results/effort.json").read_text(encoding="utf-8"))
+    effort = benchmark("effort")
+    page = (ROOT / "docs/how-to/bound.md").read_text(encoding="utf-8")
+    assert "\n".join(effort.table(document)) in page
+    for kind in document["kinds"].values():
+        assert kind["worlds"] == effort.worlds(kind["edges"])
+        assert kind["seconds"] >= effort.LONG_ENOUGH > kind["smallest"]

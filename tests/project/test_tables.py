@@ -1,0 +1,577 @@
+"""Each table is one: what is said of its entries elsewhere is said of every one of them."""
+
+import inspect
+import json
+import re
+from dataclasses import replace
+from importlib import import_module
+from operator import attrgetter
+from pathlib import Path
+from pkgutil import iter_modules
+from typing import get_args, get_type_hints
+
+import pytest
+import typer
+
+import allworlds
+from allworlds import documents, reports, strategies
+from allworlds.cli import options as opt
+from allworlds.cli.app import app
+from allworlds.engines import (
+    ENGINES,
+    EffortOptions,
+    Limits,
+    Sample,
+    Schedule,
+    Scope,
+    engine_table as engines,
+)
+from allworlds.engines.kernel.law_numbers import CHECKED
+from allworlds.evidence.figures.figure_table import FIGURES
+from allworlds.evidence.mutants.judges import WEAK_JUDGES
+from allworlds.explorers import BUILT_IN, LANGUAGES, builtin as explorers, load
+from allworlds.inputs import InputError
+from allworlds.judging import LAWS, PRECEDENCE, Rules, RulesOptions, make_rules
+from allworlds.judging.explanations.by_law import TELLERS
+from allworlds.maps import (
+    Extent,
+    MapClass,
+    classes,
+    rooted_maps,
+    rooted_maps_by_permutations as all_rooted_maps,
+)
+from allworlds.maps.counting.sources import sources
+from allworlds.maps.families import FAMILIES
+from allworlds.outcome import Exit, Verdict
+from allworlds.protocol import POLICIES, SEEDED, Percept
+from allworlds.reports import FORMATS, text
+from allworlds.reports.html.pages import PAGES
+from allworlds.reports.rendering import FILES
+from allworlds.studies.ambiguity.smt.question import SEARCHED
+from allworlds.studies.check import ManyRunsOptions, RunOptions
+from allworlds.studies.compare.growing_families import GROWING
+from allworlds.studies.fuzz.sample import GENERATORS, batches
+from allworlds.studies.worst.every_schedule import Transit
+from allworlds.verbs import BY_NAME, GROUPS, RENAMED, REPLACED, VERBS, loaded
+from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouse_from_json, lighthouses
+from recorded.record import COMMANDS, LEAST
+
+ROOT = Path(__file__).parents[2]
+PACKAGE = Path(allworlds.__file__).parent
+
+
+def page(name):
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def rows(text):
+    """The first cells of all rows of all tables of a page, where they are names."""
+    return re.findall(r"^\| `([^`]+)`", text, re.MULTILINE)
+
+
+def section(text, heading):
+    return text.partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
+
+
+PROTOCOL = page("docs/protocol.md")
+VERDICTS = page("docs/verdicts.md")
+
+# ---------------------------------------------------------------- verbs
+
+
+def function_of(verb):
+    return loaded(verb.function)
+
+
+# Documents of verbs that have more than one.
+ALSO = {"compare": ["growth"], "init": ["header"]}
+
+
+def command_of(verb):
+    """The verb as click has it."""
+    command = typer.main.get_command(app)
+    for word in verb.name.split():
+        command = command.commands[word]
+    return command
+
+
+@pytest.mark.parametrize("name", BY_NAME)
+def test_a_verb_is_a_function_of_the_package(name):
+    verb = BY_NAME[name]
+    _, first, *rest = verb.python.split(".")
+    assert first in allworlds.__all__
+    assert attrgetter(".".join([first, *rest]))(allworlds) is function_of(verb)
+    assert first == name or verb.group
+    assert inspect.getdoc(function_of(verb))
+    if verb.group:
+        assert not verb.panel, "a verb of a group stands under the panel of the group"
+        assert verb.group in GROUPS
+
+
+def test_the_help_has_at_most_sixteen_entries_each_under_a_panel_that_issues_name():
+    entries = {verb.group or verb.name for verb in VERBS}
+    assert len(entries) <= 16
+    panels = dict.fromkeys(verb.panel or GROUPS[verb.group].panel for verb in VERBS)
+    assert [*panels] == [
+        *("Everyday", "Long runs", "Costs", "Worlds"),
+        *("What no robot can tell apart", "The paper and this program"),
+    ]
+
+
+@pytest.mark.parametrize("name", RENAMED)
+def test_a_verb_as_it_was_called_once_is_refused_with_its_new_name(name, cli):
+    assert name not in BY_NAME
+    code, out, err = cli(name, "--edges", "2")
+    assert (code, out) == (2, "")
+    assert err == f"allworlds: No such command: {name}; it is 'allworlds {RENAMED[name]}'\n"
+
+
+@pytest.mark.parametrize("name", REPLACED)
+def test_a_function_that_is_gone_names_what_does_the_same(name):
+    assert name not in allworlds.__all__
+    with pytest.raises(InputError, match=re.escape(f"call allworlds.{REPLACED[name]}")):
+        getattr(allworlds, name)("greedy")
+
+
+@pytest.mark.parametrize("name", BY_NAME)
+def test_a_verb_has_its_module_of_the_command_line_its_text_and_its_document(name):
+    verb = BY_NAME[name]
+    module = import_module(f"allworlds.cli.{verb.group or name}")
+    assert name.replace(verb.group, "").strip().rstrip("_") in {n.rstrip("_") for n in vars(module)}
+    where, _, text = verb.text.partition(":")
+    told = getattr(import_module(f"allworlds.{where}"), text)
+    assert [*inspect.signature(told).parameters][1:] == ["width"]
+    root = documents.PAGES[verb.document].root
+    result = get_type_hints(function_of(verb))["return"]
+    roots = {root, *(documents.PAGES[more].root for more in ALSO.get(name, ()))}
+    for one in get_args(result) or (result,):
+        hints = get_type_hints(one.to_json, localns={"documents": documents})
+        assert hints["return"] in roots
+    for document in get_args(root) or (root,):
+        assert {"schema", "made_by"} < set(document.__annotations__)
+
+
+def test_no_document_of_a_verb_is_forgotten_or_left_over():
+    """Each document that says who made it is that of a verb, or of an estimate."""
+    whole = {
+        name
+        for name, value in vars(documents).items()
+        if {"schema", "made_by"} < {*getattr(value, "__annotations__", {})} and name != "InRows"
+    }
+    pages = {verb.document for verb in VERBS if verb.name != "merge"}
+    pages |= {name for names in ALSO.values() for name in names} | {"estimate"}
+    roots = [documents.PAGES[page].root for page in sorted(pages)]
+    assert whole == {one.__name__ for root in roots for one in get_args(root) or (root,)}
+
+
+def test_the_documents_page_has_a_row_for_every_verb_in_their_order():
+    told = rows(page("docs/documents.md"))
+    assert told[: len(VERBS)] == [*BY_NAME]
+
+
+@pytest.mark.parametrize("name", BY_NAME)
+def test_the_help_of_a_verb_begins_with_an_example_of_it(name):
+    command = command_of(BY_NAME[name])
+    assert command.help.startswith(f"Example: allworlds {name}")
+    assert command.short_help == BY_NAME[name].summary
+
+
+def test_what_every_verb_says_is_recorded():
+    said = {
+        name
+        for command in COMMANDS.values()
+        for name in BY_NAME
+        if (command if isinstance(command, str) else " ".join(command)).startswith(name)
+    }
+    assert [*LEAST] == [*BY_NAME]
+    assert said == {*BY_NAME} - {"self bench"}, "bench says nothing but figures"
+
+
+# ---------------------------------------------------------------- options
+
+# What the command line has alone: how a result is printed, and what names worlds and explorers in
+# other words.  What a function takes alone: who listens, and values in place of their names.
+PRINTED = {"as_json", "quiet", "events", "help", *FORMATS}
+ONLY_CLI = {
+    "worst": {"explorer", "command", "native"},
+    "check": {"estimate", "explorer", "command", "native", "watch"},
+    "fuzz": {"explorer", "command", "native"},
+    "run": {"arguments", "command", "native", "family", "holes", "seed"},
+    "replay": {"file", "explorer", "command", "native"},
+    "explain": {"file"},
+    "ambiguity twins": {"lighthouse"},
+    "ambiguity class": {"lighthouse"},
+    "self bench": {"peer"},
+    "compare": {"csv", "plot", "command", "native"},
+}
+ONLY_PYTHON = {
+    "worst": {"explore"},
+    "check": {"explore"},
+    "fuzz": {"explore"},
+    "run": {"explore", "world"},
+    "replay": {"finding", "explore"},
+    "explain": {"finding"},
+    "self bench": {"peers"},
+    "play": {"player"},
+    # It runs no explorers but the built-in ones.
+    "paper figure": {"answer_timeout"},
+}
+
+
+def keywords_of(function):
+    """What a function takes, with the keywords that a typed dictionary packs."""
+    taken = set()
+    for name, parameter in inspect.signature(function).parameters.items():
+        if parameter.kind is parameter.VAR_KEYWORD:
+            (packed,) = get_args(get_type_hints(function)[name])
+            taken |= set(packed.__annotations__)
+        else:
+            taken.add(name)
+    return taken - {"listener"}
+
+
+@pytest.mark.parametrize("name", BY_NAME)
+def test_the_command_line_takes_what_the_function_takes(name):
+    shown = {param.name for param in command_of(BY_NAME[name]).params} - PRINTED
+    taken = keywords_of(function_of(BY_NAME[name]))
+    assert shown - taken == ONLY_CLI.get(name, set())
+    assert taken - shown == ONLY_PYTHON.get(name, set())
+
+
+def test_the_groups_of_options_are_those_of_the_functions():
+    assert set(opt.RulesGroup().options()) == set(RunOptions.__annotations__)
+    many = opt.many_runs("maps", None, opt.RulesGroup(), opt.EffortGroup())
+    assert set(many) == set(ManyRunsOptions.__annotations__)
+    assert set(RunOptions.__annotations__) == {*RulesOptions.__annotations__, "answer_timeout"}
+    assert set(EffortOptions.__annotations__) <= set(many)
+
+
+def test_what_is_left_out_means_the_same_on_the_command_line_and_in_python():
+    many = opt.many_runs("maps", None, opt.RulesGroup(), opt.EffortGroup(workers="1"))
+    for options in ({}, opt.RulesGroup().options(), many):
+        assert make_rules(options, "directional") == make_rules({}, "directional")
+    effort = {key: many[key] for key in EffortOptions.__annotations__}
+    assert Limits.of(effort) == Limits.of({}) == Limits()
+
+
+def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
+    assert set(documents.Options.__annotations__) == set(RulesOptions.__annotations__)
+    assert set(documents.OptionsRead.__annotations__) == set(RulesOptions.__annotations__)
+    assert set(RulesOptions.__annotations__) < set(documents.ScopeDocument.__annotations__)
+    others = {"policy": "lifo", "bound": "n", "laws": ("map",), "step_budget": 7}
+    assert set(others) == set(RulesOptions.__annotations__)
+    report = allworlds.check(silent(), edges=1)
+    assert set(report.to_json()["scope"]) == set(documents.ScopeDocument.__annotations__)
+    (finding,) = report.findings
+    for key, value in others.items():
+        object.__setattr__(finding, "rules", Rules(**{key: value}))
+        assert f"--{key.replace('_', '-')} " in finding.reproduce
+        document = finding.rules.to_json()
+        assert set(document) == set(documents.Options.__annotations__)
+        assert getattr(Rules.from_json(document, finding.world), key) == value
+
+
+def silent():
+    """An explorer that answers nothing; a closure, so that it runs in this process."""
+
+    def stays(_first):
+        return None
+        yield
+
+    return stays
+
+
+def option(verb, name):
+    (found,) = [param for param in command_of(BY_NAME[verb]).params if param.name == name]
+    return found
+
+
+@pytest.mark.parametrize(
+    ("verb", "name", "table"),
+    [
+        ("check", "engine", ["auto", *ENGINES]),
+        ("check", "schedules", get_args(Schedule)),
+        ("worst", "transit", get_args(Transit)),
+    ],
+)
+def test_an_option_with_few_values_shows_them_all(verb, name, table):
+    assert option(verb, name).metavar == "|".join(table)
+
+
+@pytest.mark.parametrize(
+    ("verb", "name", "table"),
+    [
+        ("check", "laws", LAWS),
+        ("check", "policy", [*POLICIES, SEEDED]),
+        ("check", "map_class", MapClass),
+        ("ambiguity twins", "lighthouse", LIGHTHOUSES),
+        ("ambiguity search", "lighthouse", SEARCHED),
+        ("init", "lang", LANGUAGES),
+    ],
+)
+def test_the_help_of_an_option_lists_every_name_of_its_table(verb, name, table):
+    words = re.findall(r"[\w:-]+", option(verb, name).help)
+    assert {*map(str, table)} <= {*words}
+
+
+def test_every_figure_is_told_and_asked_for():
+    told = rows(page("docs/figures.md"))
+    assert told[: len(FIGURES)] == [*FIGURES]
+    arguments = {param.name: param for param in command_of(BY_NAME["paper figure"]).params}
+    assert arguments["name"].metavar == "|".join(FIGURES)
+
+
+def test_the_help_of_the_families_lists_every_one():
+    help_ = option("run", "family").help
+    assert FAMILIES
+    assert all(kind.form in help_ for kind in FAMILIES)
+    assert all(growing.form in option("compare", "family").help for growing in GROWING.values())
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_a_format_is_an_option_of_every_check_and_told_of(name):
+    for verb in ("check", "fuzz"):
+        assert option(verb, name).help == FORMATS[name].help
+    assert f"--{name}" in VERDICTS + page("docs/trust.md") + page("README.md")
+
+
+def test_no_report_is_left_out_of_its_table():
+    told = [*(verb.text for verb in VERBS), *(form.home for form in FORMATS.values())]
+    told += [*FILES.values(), *PAGES.values()]
+    homes = {home.partition(":")[0].split(".")[1] for home in told}
+    sources = "".join(path.read_text(encoding="utf-8") for path in PACKAGE.rglob("*.py"))
+    for module in iter_modules(reports.__path__):
+        assert module.name in homes or f"allworlds.reports.{module.name}" in sources
+
+
+# ---------------------------------------------------------------- laws
+
+
+def test_every_law_is_explained_and_told_in_the_order_of_precedence():
+    assert tuple(TELLERS) == PRECEDENCE
+    assert tuple(rows(section(VERDICTS, "Laws"))) == PRECEDENCE
+    # One law of finished runs cannot be left out.
+    finished = [law for law in PRECEDENCE if law != "ambiguity"][-len(LAWS) :]
+    assert finished == [*LAWS]
+
+
+@pytest.mark.parametrize("law", [*LAWS, "ambiguity"])
+def test_every_law_of_finished_runs_has_its_mutants(law):
+    assert any(weak.law == law and weak.softer is None for weak in WEAK_JUDGES)
+    kept = page("tests/recorded/records/mutants.txt").partition("\n{")[2]
+    matrix = json.loads("{" + kept)["kill_matrix"]
+    assert law in {row["killed_by"] for row in matrix if row["kind"] == "explorer"}
+
+
+def test_the_compiled_engine_checks_no_law_that_is_none():
+    assert set(CHECKED) <= set(LAWS)
+
+
+def test_a_law_that_the_compiled_engine_does_not_know_is_left_to_the_other(monkeypatch):
+    scope = Scope(Extent(MapClass.MAPS, 6), Rules())
+    assert engines.engine_for("auto", scope, load("algorithm1")).name == "kernel"
+    monkeypatch.setattr("allworlds.engines.compiled.requests.CHECKED", CHECKED - {"map"})
+    assert "law 'map'" in ENGINES["kernel"].obstacle(scope, load("algorithm1"))
+    assert engines.engine_for("auto", scope, load("algorithm1")).name == "python"
+
+
+# ---------------------------------------------------------------- classes of maps
+
+
+@pytest.fixture
+def trees(monkeypatch):
+    """The class ``planar``, of which something further is true now: these are trees."""
+    kind = replace(
+        classes._KINDS[MapClass.PLANAR], further=lambda map_: map_.vertex_count > map_.edge_count
+    )
+    monkeypatch.setitem(classes._KINDS, MapClass.PLANAR, kind)
+    return MapClass.PLANAR
+
+
+def test_a_class_that_the_compiled_engine_does_not_know_is_left_to_the_other(trees):
+    simple, other = (Scope(Extent(known, 6), Rules()) for known in (MapClass.SIMPLE, trees))
+    assert engines.engine_for("auto", simple, load("algorithm1")).name == "kernel"
+    assert "class planar" in ENGINES["kernel"].obstacle(other, load("algorithm1"))
+    assert engines.engine_for("auto", other, load("algorithm1")).name == "python"
+
+
+def test_a_class_that_the_search_over_schedules_does_not_know_is_refused(trees):
+    with pytest.raises(InputError, match=r"'planar' is none .* maps, simple, planar-simple"):
+        allworlds.worst(edges=2, map_class=trees)
+
+
+def test_of_a_class_the_maps_are_enumerated_of_which_everything_is_true(trees):
+    # Rooted plane trees are counted by the Catalan numbers.
+    assert [sum(1 for _ in rooted_maps(m, trees)) for m in (1, 2, 3, 4)] == [1, 2, 5, 14]
+    assert trees.promises
+
+
+@pytest.mark.parametrize("map_class", MapClass)
+def test_every_class_is_counted_enumerated_drawn_and_told(map_class):
+    assert map_class.summary
+    assert len(sources(map_class)) >= 2
+    meant = [map_ for map_ in all_rooted_maps(3) if map_class.includes(map_)]
+    assert meant == [*all_rooted_maps(3, map_class)]
+    name = f"{map_class.value.replace('-', '_')}_maps" if map_class is not MapClass.MAPS else "maps"
+    assert name in strategies.__all__
+    assert f"| `{name}(" in page("docs/strategies.md")
+    assert f"| `{map_class}` | {map_class.summary} |" in page("docs/documents.md")
+
+
+@pytest.mark.parametrize("map_class", MapClass)
+def test_random_worlds_of_every_class_are_drawn(map_class):
+    (batch,) = batches(Sample(runs=6))
+    drawn = [map_ for map_, _ in batch.placed(Extent(map_class, 4), LIGHTHOUSES["directional"])]
+    assert len(drawn) == 6
+    assert all(map(map_class.includes, drawn))
+
+
+def test_a_class_without_generators_of_its_own_is_drawn_all_the_same(monkeypatch):
+    monkeypatch.delitem(GENERATORS, MapClass.SIMPLE)
+    test_random_worlds_of_every_class_are_drawn(MapClass.SIMPLE)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("map_class", MapClass)
+def test_algorithm_1_holds_in_every_class(map_class):
+    report = allworlds.check("algorithm1", edges=3, map_class=map_class.value)
+    assert (report.verdict, report.missing) == (Verdict.HOLDS, ())
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_class", MapClass)
+def test_a_search_stays_in_its_class(map_class, tmp_path):
+    found = allworlds.search(
+        lighthouse="none", map_class=map_class.value, vertices=4, edges=4, out=tmp_path
+    )
+    assert all(map_class.includes(world.map) for world in found.pair or ())
+
+
+# ---------------------------------------------------------------- lighthouses
+
+
+def members_of(package):
+    """Everything that the modules of a package define."""
+    for module in iter_modules(package.__path__, f"{package.__name__}."):
+        for found in vars(import_module(module.name)).values():
+            if getattr(found, "__module__", None) == module.name:
+                yield found
+
+
+def test_no_lighthouse_is_left_out_of_its_table():
+    kinds = {
+        kind
+        for kind in members_of(lighthouses)
+        if inspect.isclass(kind) and issubclass(kind, Lighthouse) and "kind" in vars(kind)
+    }
+    assert kinds == set(LIGHTHOUSES.values())
+
+
+@pytest.mark.parametrize("kind", LIGHTHOUSES)
+def test_every_lighthouse_is_told(kind):
+    assert kind in rows(section(PROTOCOL, "Words"))
+
+
+@pytest.mark.parametrize("kind", LIGHTHOUSES)
+def test_every_lighthouse_is_written_and_read_as_its_schema_says(kind):
+    lighthouse = LIGHTHOUSES[kind]
+    read = set(documents.LighthouseRead.__annotations__)
+    assert {"kind", *lighthouse.keys} <= read
+    hints = get_type_hints(lighthouse.to_json, localns={"documents": documents})
+    tried = 0
+    for map_ in all_rooted_maps(3):
+        for placed in lighthouse.places(map_, 0):
+            document = placed.to_json()
+            assert set(document) == set(hints["return"].__annotations__)
+            assert document["kind"] == kind
+            assert lighthouse_from_json(document, map_, 0) == placed
+            tried += 1
+    assert tried > 0
+
+
+def test_every_key_of_a_lighthouse_that_is_read_is_one_of_some_kind():
+    keys = {key for lighthouse in LIGHTHOUSES.values() for key in lighthouse.keys}
+    assert {"kind", *keys} == set(documents.LighthouseRead.__annotations__)
+
+
+@pytest.mark.parametrize("kind", LIGHTHOUSES)
+def test_under_every_lighthouse_a_run_is_checked_told_and_explained(kind):
+    found = allworlds.check(silent(), edges=3, lighthouse=kind, max_findings=2).findings
+    assert found
+    for finding in found:
+        assert finding.world.lighthouse.kind == kind
+        assert World.from_json(finding.world.to_json()) == finding.world
+        assert text("explain", allworlds.explain(finding), 100)
+        assert text("run", allworlds.run(silent(), finding.world), 100)
+
+
+# ---------------------------------------------------------------- where a new thing goes
+
+PLACES = [
+    [cell.strip() for cell in re.split(r"(?<!\\)\|", row)[1:-1]]
+    for row in section(page("docs/ARCHITECTURE.md"), "Where a new thing goes").splitlines()
+    if row.startswith("| ") and not row.startswith("| new ")
+]
+
+
+@pytest.mark.parametrize("row", PLACES, ids=lambda row: row[0])
+def test_what_is_said_of_a_new_thing_is_so(row):
+    new, files, number, _, noticed = row
+    places = re.findall(r"`([^`]+)`", files)
+    assert len(places) + files.count("the function") + files.count("where it acts") == int(number)
+    assert all((PACKAGE / place).exists() for place in places)
+    assert all((PACKAGE / place).is_dir() == place.endswith("/") for place in places)
+    sources = [
+        source.read_text(encoding="utf-8")
+        for place in places
+        for source in ([PACKAGE / place / "__init__.py"] if place[-1] == "/" else [PACKAGE / place])
+    ]
+    for name in re.findall(r"`(\w+)`", new):
+        assert any(re.search(rf"\b{name}\b", source) for source in sources), name
+    tests = "".join(
+        test.read_text(encoding="utf-8") for test in (ROOT / "tests").rglob("test_*.py")
+    )
+    for name in re.findall(r"`([^`]+)`", noticed):
+        assert f"\ndef {name}(" in tests, name
+
+
+def test_every_table_says_where_a_new_entry_goes():
+    told = {name for new, *_ in PLACES for name in re.findall(r"`(\w+)`", new)}
+    assert {"BUILT_IN", "LIGHTHOUSES", "LAWS", "VERBS", "FORMATS", "ENGINES", "POLICIES"} <= told
+    assert {"RulesOptions", "EffortOptions", "MapClass", "Transport"} <= told
+
+
+# ---------------------------------------------------------------- policies, explorers, exit codes
+
+
+def test_every_policy_is_told():
+    assert rows(section(PROTOCOL, "In Python"))[: len(POLICIES) + 1] == [*POLICIES, SEEDED]
+
+
+def test_no_explorer_is_left_out_of_its_table():
+    found = {
+        explore
+        for explore in members_of(explorers)
+        if inspect.isgeneratorfunction(explore)
+        and "notice" in inspect.signature(explore).parameters
+    }
+    assert found == {own.explore for own in BUILT_IN.values()}
+
+
+def test_every_built_in_explorer_is_told_and_runs_as_it_is_written_for():
+    told = PROTOCOL.partition("<!-- explorers -->")[2].partition("<!-- end -->")[0]
+    assert rows(told) == [*BUILT_IN]
+    for name, own in BUILT_IN.items():
+        assert own.about
+        assert allworlds.check(name, edges=2, workers=1).scope.rules.lighthouse == own.lighthouse
+
+
+def test_every_exit_code_and_every_verdict_is_told():
+    told = set(re.findall(r"^\| (\d+) \|", page("README.md"), re.MULTILINE))
+    assert told == {str(int(code)) for code in Exit} - {"75"}, "75 is for a merge of shards"
+    named = set(rows(section(VERDICTS, "Verdicts and exit codes")))
+    assert named == {verdict.value for verdict in Verdict}
+
+
+def test_what_is_sensed_has_one_shape_everywhere():
+    assert set(documents.PerceptDocument.__annotations__) == set(Percept.__slots__)

@@ -1,0 +1,95 @@
+"""Maps drawn and named like others: what agrees lies in the same place and has the same number."""
+
+import pytest
+
+from allworlds import worlds
+from allworlds.maps import CombinatorialMap, isomorphism, named_map
+from allworlds.reports import layout
+from allworlds.reports.drawing.alike import extended, layout_like, mirror_of, names_like
+
+MAPS = [named_map(name) for name in ("k4", "theta", "theta-torus", "wheel-4", "k4-torus")]
+
+
+def renamed(map_, shift=3):
+    """The same map with other numbers, and for each new dart the old one."""
+    size = len(map_.sigma)
+    new = [(d + shift) % size for d in range(size)]
+    sigma, alpha = [0] * size, [0] * size
+    for d in range(size):
+        sigma[new[d]], alpha[new[d]] = new[map_.sigma[d]], new[map_.alpha[d]]
+    return CombinatorialMap(sigma, alpha), {new[d]: d for d in range(size)}
+
+
+def test_from_one_vertex_the_whole_of_the_same_map_is_reached():
+    for map_ in MAPS:
+        other, old = renamed(map_)
+        vertex = other.vertices[0]
+        assert extended({d: old[d] for d in vertex}, other, map_) == old
+
+
+def test_no_dart_is_used_twice_where_the_maps_differ():
+    for a in MAPS:
+        for b in MAPS:
+            if a.degree_at[0] == b.degree_at[0]:
+                ties = {a.turn(0, k): b.turn(0, k) for k in range(a.degree_at[0])}
+                found = extended(ties, a, b)
+                assert len({*found.values()}) == len(found) >= len(ties)
+                for dart, other in found.items():
+                    assert found[a.sigma[dart]] == b.sigma[other]
+
+
+@pytest.mark.no_cover
+def test_the_same_map_lies_where_the_other_one_does_and_has_its_names():
+    for map_ in MAPS:
+        other, old = renamed(map_)
+        drawn = layout(map_, 0)
+        like = layout_like(old, other, 0, map_, drawn)
+        assert all(like.ways[d] == drawn.ways[old[d]] for d in other.darts)
+        names = names_like(old, other, map_)
+        assert names.darts == tuple(str(old[d]) for d in other.darts)
+        for vertex, name in zip(other.vertices, names.vertices, strict=True):
+            assert name == f"v{map_.vertex_of[old[vertex[0]]]}"
+
+
+def test_a_mirror_image_is_known_and_drawn_as_one():
+    chiral = [w.map for w in worlds(edges=4) if is_chiral(w.map)]
+    assert chiral
+    for map_ in chiral[:4]:
+        mirror = map_.mirrored()
+        ties = mirror_of(mirror, map_)
+        assert len(ties) == len(map_.sigma)
+        drawn = layout(map_, 0)
+        like = layout_like(ties, mirror, 0, map_, drawn)
+        for d in mirror.darts:
+            assert like.ways[d] == tuple(-p.conjugate() for p in drawn.ways[ties[d]])
+        assert mirror_of(map_, map_) == {}
+
+
+def is_chiral(map_):
+    """The map is not its own mirror image."""
+    return not isomorphism(map_, map_.mirrored())
+
+
+def test_what_is_new_gets_numbers_that_the_other_map_does_not_have():
+    small, large = named_map("edge"), named_map("theta")
+    names = names_like({0: 0, 1: 1}, large, small)
+    assert len({*names.darts}) == 6
+    assert {*names.darts} == {"0", "1", "2", "3", "4", "5"}
+    assert len({*names.vertices}) == large.vertex_count
+    assert names_like({}, small, large).darts == ("6", "7")
+
+
+def test_a_map_that_agrees_in_part_is_turned_towards_the_other():
+    a, b = named_map("theta"), named_map("k4")
+    ties = {0: 0, 1: 1, 2: 2}
+    drawn = layout(b, 0)
+    turned = layout_like(ties, a, 0, b, drawn)
+
+    def apart(one):
+        return sum(
+            abs(one.ways[d][0] - drawn.ways[e][0]) ** 2 + abs(one.stub(d) - drawn.stub(e)) ** 2
+            for d, e in ties.items()
+        )
+
+    assert apart(turned) < apart(layout(a, 0))
+    assert layout_like({}, a, 0, b, drawn) == layout(a, 0)

@@ -1,0 +1,337 @@
+"""The pictures of maps, read back from the SVG."""
+
+import re
+from cmath import exp, phase
+from importlib import import_module
+from itertools import combinations, pairwise
+from math import inf, tau
+from xml.etree import ElementTree as ET
+
+import pytest
+from curves import flat, points
+from small import slow
+
+from allworlds import worlds
+from allworlds.maps import CombinatorialMap, cycles, family, named_map
+from allworlds.reports.drawing.mesh import mesh, place
+from allworlds.reports.drawing.planar import planar
+from allworlds.reports.drawing.scene import Names, Scene
+from allworlds.reports.drawing.svg import in_words, picture
+
+layouts = import_module("allworlds.reports.drawing.layout")
+NS = "{http://www.w3.org/2000/svg}"
+SMALL = [world.map for world in worlds(edges=3)]
+FEW = [*SMALL[:12], *SMALL[12::5]]  # all with one or two edges, and some with three
+NAMED = [named_map(name) for name in ("k4-torus", "theta-torus", "cube", "fig1-left")]
+# One vertex and four loops, each opposite to itself: genus 2.
+GENUS_2 = CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3))
+MAPS = [*FEW, *NAMED, GENUS_2, family("random:12", holes=0, seed=1)]
+EACH = [*MAPS, *(slow(map_) for map_ in SMALL if map_ not in FEW)]
+
+
+def drawn(map_, **shown):
+    return ET.fromstring(ET.tostring(picture(Scene(map_, 0, 0, **shown), "p", "a map")))
+
+
+def stubs(svg):
+    """For each dart the ends of its straight beginning."""
+    found = {}
+    for stub in svg.iter(f"{NS}path"):
+        if stub.get("class") == "stub":
+            dart = int(stub.get("data-stub"))
+            assert dart not in found
+            found[dart] = points(stub.get("d"))
+    return found
+
+
+def edges(svg):
+    for path in svg.iter(f"{NS}path"):
+        if "data-darts" in path.attrib:
+            yield [int(dart) for dart in path.get("data-darts").split()], points(path.get("d"))
+
+
+def clockwise(darts, beginnings):
+    """The darts by growing angle; y grows downwards, so that is clockwise."""
+    return sorted(darts, key=lambda d: phase(beginnings[d][1] - beginnings[d][0]))
+
+
+@pytest.fixture
+def plain(monkeypatch):
+    """Every map is drawn in the plain way."""
+    monkeypatch.setattr(layouts, "MOST_DARTS", 0)
+    layouts.layout.cache_clear()
+    yield
+    layouts.layout.cache_clear()
+
+
+def going_round_gives_sigma(map_):
+    beginnings = stubs(drawn(map_))
+    assert set(beginnings) == set(map_.darts)
+    places = {beginnings[v[0]][0] for v in map_.vertices}
+    assert len(places) == map_.vertex_count
+    for vertex in map_.vertices:
+        assert len({beginnings[dart][0] for dart in vertex}) == 1
+        around = clockwise(vertex, beginnings)
+        for dart, after in zip(around, [*around[1:], around[0]], strict=True):
+            assert map_.sigma[dart] == after
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_", EACH, ids=str)
+def test_going_round_a_vertex_by_angle_gives_sigma(map_):
+    going_round_gives_sigma(map_)
+
+
+def test_so_it_does_in_the_plain_way(plain):
+    for map_ in MAPS:
+        going_round_gives_sigma(map_)
+
+
+@pytest.mark.no_cover
+def test_another_cyclic_order_would_be_seen():
+    beginnings = stubs(drawn(GENUS_2))
+    beginnings[0], beginnings[1] = beginnings[1], beginnings[0]
+    around = clockwise(range(8), beginnings)
+    assert any(GENUS_2.sigma[a] != b for a, b in pairwise(around))
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_", EACH, ids=str)
+def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
+    svg = drawn(map_)
+    beginnings = stubs(svg)
+    seen = []
+    for (dart, other), way in edges(svg):
+        assert map_.alpha[dart] == other
+        assert way[:2] == beginnings[dart]
+        assert way[:-3:-1] == beginnings[other]
+        seen += [dart, other]
+    assert sorted(seen) == list(map_.darts)
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_", EACH, ids=str)
+def test_every_dart_and_every_vertex_is_named_once(map_):
+    svg = drawn(map_)
+    texts = [text.text for text in svg.iter(f"{NS}text")]
+    names = [*map(str, map_.darts), *(f"v{v}" for v in range(map_.vertex_count))]
+    assert sorted(texts) == sorted(names)
+
+
+def meet(a, b, c, d):
+    """The segments ab and cd cross."""
+
+    def side(p, q, r):
+        return ((q - p).conjugate() * (r - p)).imag
+
+    return side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0
+
+
+def crossings(map_):
+    curves = [flat(way) for _, way in edges(drawn(map_))]
+    return sum(
+        meet(a, b, c, d)
+        for one, other in combinations(curves, 2)
+        for a, b in pairwise(one)
+        for c, d in pairwise(other)
+    )
+
+
+def test_planar_maps_are_drawn_without_crossings():
+    flat_ones = [map_ for map_ in MAPS if map_.genus == 0]
+    assert len(flat_ones) > 20
+    assert [map_ for map_ in flat_ones if crossings(map_)] == []
+
+
+@pytest.mark.no_cover
+def test_edges_that_must_cross_do():
+    for map_ in MAPS:
+        if map_.genus:
+            assert crossings(map_) >= 1
+            assert planar(map_).crossings >= map_.genus
+
+
+@pytest.mark.parametrize("map_", [*NAMED, GENUS_2], ids=str)
+def test_a_drawing_with_its_crossings_is_planar_and_keeps_sigma(map_):
+    plane = planar(map_)
+    assert CombinatorialMap(plane.sigma, plane.alpha).genus == 0
+    assert plane.sigma[: plane.own] == map_.sigma
+    for dart, other in map_.edges:
+        assert plane.way(dart)[-1] == other
+        assert plane.way(dart) == plane.way(other)[::-1]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("map_", [*NAMED, GENUS_2], ids=str)
+def test_no_triangle_of_the_mesh_is_turned_over(map_):
+    net = mesh(planar(map_))
+    where = place(net)
+    assert len(cycles(planar(map_).sigma)) + net.first_vertex <= len(net.links)
+    for point, link in enumerate(net.links):
+        assert len(set(link)) == len(link) >= 3
+        for one, other in zip(link, [*link[1:], link[0]], strict=True):
+            a, b = where[one] - where[point], where[other] - where[point]
+            assert (a.conjugate() * b).imag > 0
+
+
+def strain(net, where, point, at, count):
+    """How far the triangles round a point are from being alike, if it lay there.
+
+    By the formula of the docstring, with areas and sides by their definition: S/A + R/A + A/R for
+    a triangle with area A/2 and squares of sides of sum S, where R is four times as large at a
+    vertex of the map, and for one with a corner on the ring a twentieth of 1/A alone.
+    """
+    total = 0.0
+    centres = range(net.first_vertex, net.first_vertex + count)
+    for one, other in pairwise([*net.links[point], net.links[point][0]]):
+        corners = [at, where[one], where[other]]
+        area = ((corners[1] - at).conjugate() * (corners[2] - at)).imag
+        if area <= 0:
+            return inf
+        squares = sum(abs(p - q) ** 2 for p, q in combinations(corners, 2))
+        on_the_ring = one in net.ring or other in net.ring
+        wanted = 4 if {point, one, other} & {*centres} else 1
+        total += 0.05 / area if on_the_ring else (squares + wanted) / area + area / wanted
+    return total
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["edge", "theta", "k4", "theta-torus"])
+def test_no_point_of_the_mesh_would_lie_better_a_little_aside(name):
+    map_ = named_map(name)
+    net = mesh(planar(map_))
+    where = place(net)
+    count = map_.vertex_count
+    for point, at in enumerate(where[: len(net.links)]):
+        aside = [at + 0.02 * exp(1j * tau * k / 8) for k in range(8)]
+        here = strain(net, where, point, at, count)
+        assert here < min(strain(net, where, point, there, count) for there in aside)
+
+
+def test_everything_drawn_lies_in_the_box():
+    for map_ in MAPS:
+        svg = drawn(map_)
+        left, top, width, height = map(int, svg.get("viewBox").split())
+        for _, way in edges(svg):
+            for point in flat(way):
+                assert left <= point.real <= left + width
+                assert top <= point.imag <= top + height
+
+
+def test_a_picture_has_a_name_and_words_for_those_who_do_not_see_it():
+    map_ = named_map("theta-torus")
+    svg = drawn(map_)
+    named = {element.get("id"): element.text for element in svg}
+    title, words = (named[name] for name in svg.get("aria-labelledby").split())
+    assert (svg.get("role"), title, words) == ("img", "a map", in_words(Scene(map_, 0, 0)))
+    for dart, other in enumerate(map_.alpha):
+        assert f"{dart} to dart {other} of v{map_.vertex_of[other]}" in words
+
+
+def moved(group):
+    """Where the group's origin is put."""
+    return points(group.get("transform"))[0]
+
+
+def vertices(svg):
+    """Each vertex's group, with what in it keeps its size, by its number."""
+    for group in svg.iter(f"{NS}g"):
+        if "data-vertex" in group.attrib:
+            (fixed,) = group
+            assert fixed.get("class") == "fixed"
+            yield int(group.get("data-vertex")), group, fixed
+
+
+def test_the_marker_points_along_its_dart():
+    svg = drawn(named_map("k4"), pointed=[2], marks={0: 1, 1: 2})
+    flags = [
+        (vertex, path)
+        for vertex, _, fixed in vertices(svg)
+        for path in fixed.iter(f"{NS}path")
+        if path.get("class") == "flag"
+    ]
+    ((vertex, flag),) = flags
+    start, stub = stubs(svg)[2]
+    assert vertex == 0
+    assert abs(phase(points(flag.get("d"))[0] / (stub - start))) < 0.02
+    marked = [(v, fixed) for v, group, fixed in vertices(svg) if "marked" in group.get("class")]
+    assert [v for v, _ in marked] == [0, 1]
+    assert [t.text for t in marked[1][1] if t.get("class") == "marks"] == [
+        "\N{MULTIPLICATION SIGN}2"
+    ]
+
+
+@pytest.mark.parametrize("map_", EACH, ids=str)
+def test_a_darts_number_stands_beside_its_vertex_in_the_darts_direction(map_):
+    svg = drawn(map_)
+    beginnings, seen = stubs(svg), []
+    for vertex, group, fixed in vertices(svg):
+        for number in fixed.iter(f"{NS}g"):
+            if "data-dart" in number.attrib:
+                dart, at = int(number.get("data-dart")), moved(number)
+                start, stub = beginnings[dart]
+                assert map_.vertex_of[dart] == vertex
+                assert abs(moved(group) - start) < 0.2
+                assert 18 < abs(at) < 50
+                assert abs(phase(at / (stub - start))) < 0.06
+                seen.append(dart)
+    assert sorted(seen) == list(map_.darts)
+
+
+def test_numbers_round_a_vertex_do_not_touch():
+    few = [map_ for map_ in MAPS if max(map(len, map_.vertices)) <= 8]
+    assert len(few) > 20
+    for map_ in few:
+        for _, _, fixed in vertices(drawn(map_)):
+            places = [moved(g) for g in fixed.iter(f"{NS}g") if "data-dart" in g.attrib]
+            for a, b in combinations(places, 2):
+                assert abs(a - b) >= 13
+
+
+@pytest.mark.parametrize("map_", [*NAMED, GENUS_2, named_map("edge")], ids=str)
+def test_an_arrow_at_every_vertex_turns_clockwise_between_two_darts(map_):
+    svg = drawn(map_)
+    for vertex, _, fixed in vertices(svg):
+        (arrow,) = [g for g in fixed if g.get("class") == "clockwise"]
+        arc, head = arrow
+        numbers = [float(x) for x in re.findall(r"-?[0-9.]+", arc.get("d"))]
+        start, end = complex(*numbers[:2]), complex(*numbers[-2:])
+        # Clockwise: by a growing angle, for y grows downwards; and no dart lies between.
+        turn = phase(end / start)
+        assert 0 < turn < 2
+        assert " 0 0 1 " in arc.get("d")
+        for dart in map_.vertices[vertex]:
+            a, b = stubs(svg)[dart]
+            assert not 0 < phase((b - a) / start) < turn
+        assert (points(head.get("d"))[0] / end).imag > 0
+
+
+def test_the_lower_edge_leaves_a_gap_where_it_is_crossed():
+    for map_ in [*NAMED, GENUS_2]:
+        svg = drawn(map_)
+        bridges = [path for path in svg.iter(f"{NS}path") if path.get("class") == "bridge"]
+        # Each of two edges that cross has a gap made for it; that below is hidden by the other.
+        assert len(bridges) == 2 * planar(map_).crossings
+        curves = [flat(way) for _, way in edges(svg)]
+        for bridge in bridges:
+            at = sum(points(bridge.get("d"))) / 2
+            near = sorted(min(abs(at - p) for p in curve) for curve in curves)
+            assert near[0] < 12
+
+
+def test_letters_names_and_a_ring_are_drawn_and_told():
+    map_ = named_map("edge")
+    names = Names(("x", "y"), ("here", "there"))
+    scene = Scene(map_, 0, 0, labels=("a", "b"), ringed=1, names=names)
+    svg = ET.fromstring(ET.tostring(picture(scene, "p", "a map")))
+    texts = ["".join(text.itertext()) for text in svg.iter(f"{NS}text")]
+    assert sorted(texts) == ["here", "there", "xa", "yb"]
+    rings = [g for g in svg.iter(f"{NS}g") for c in g if c.get("class") == "ring"]
+    assert [g.get("data-dart") for g in rings] == ["1"]
+    colours = {g.get("data-dart"): g.get("class") for g in svg.iter(f"{NS}g") if g.get("data-dart")}
+    assert colours == {"0": "dart start class-0 here", "1": "dart class-1"}
+    assert "Clockwise round there its darts lead: y to dart x of here." in in_words(scene)
+    assert "Ringed is dart y." in in_words(scene)
+    assert "x a, y b" in in_words(scene)

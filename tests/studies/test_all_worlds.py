@@ -1,0 +1,198 @@
+"""Every schedule: the compiled program, its readable twin, and every run of the Python engine."""
+
+from dataclasses import replace
+
+import pytest
+
+from allworlds import check, run
+from allworlds.engines import Examiner
+from allworlds.explorers import load
+from allworlds.inputs import InputError
+from allworlds.judging import Rules
+from allworlds.maps import MapClass, rooted_maps
+from allworlds.maps.counting.any_genus import rooted_maps as counted
+from allworlds.protocol import Schedules
+from allworlds.reports.worst_text import worst_text
+from allworlds.studies.worst import EverySchedule, compiled_engine as most_expensive, worst
+from allworlds.studies.worst.every_schedule import WrongTest
+from allworlds.world import Directional, World
+
+pytestmark = pytest.mark.usefixtures("compiled")
+
+
+def twin(edges, transit, map_class=MapClass.MAPS):
+    """{vertices: (worst, best)} by the readable twin."""
+    rows = {}
+    for map_ in rooted_maps(edges, map_class):
+        schedules = EverySchedule(map_, 0, transit)
+        most, least = rows.get(map_.vertex_count, (0, 0))
+        rows[map_.vertex_count] = max(most, schedules.worst), max(least, schedules.best)
+    return rows
+
+
+def rows_of(report, edges):
+    return {row.vertices: (row.worst, row.best) for row in report.rows if row.edges == edges}
+
+
+@pytest.fixture(scope="module", params=["shortest", "simple"])
+def report(request):
+    return worst(edges=5, transit=request.param, workers=2)
+
+
+@pytest.mark.no_cover
+def test_the_compiled_program_agrees_with_its_twin(report):
+    for edges in (1, 2, 3, 4):
+        assert rows_of(report, edges) == twin(edges, report.transit)
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_class", ["simple", "planar", "planar-simple"])
+def test_other_classes_agree_with_the_twin(map_class):
+    report = worst(edges=4, map_class=map_class)
+    for edges in (1, 2, 3, 4):
+        assert rows_of(report, edges) == twin(edges, "simple", MapClass(map_class))
+    assert report.exit_code == 0
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+def test_in_each_world_every_run_of_the_python_engine_costs_what_the_twin_says():
+    examiner = Examiner(load("algorithm1"), Rules())
+    for edges in (1, 2, 3):
+        for map_ in rooted_maps(edges):
+            costs = {
+                examiner.examine(World(map_, Directional(0), 0), choices).cost
+                for choices in Schedules()
+            }
+            schedules = EverySchedule(map_, 0, "simple")
+            assert (schedules.worst, schedules.best) == (max(costs), min(costs))
+
+
+def test_no_start_dart_of_a_vertex_is_better_than_another():
+    for map_ in rooted_maps(3):
+        for dart in map_.vertices[map_.vertex_of[0]]:
+            one, other = EverySchedule(map_, 0), EverySchedule(map_, dart)
+            assert (one.worst, one.best) == (other.worst, other.best)
+
+
+@pytest.mark.slow
+def test_the_check_of_all_schedules_finds_the_same_largest_costs():
+    checked = check(edges=3, schedules="all", workers=2)
+    report = worst(edges=3)
+    largest = {(row["edges"], row["vertices"]): row["max_cost"] for row in checked.rows()}
+    assert largest == {(row.edges, row.vertices): row.worst for row in report.rows}
+
+
+def test_the_most_expensive_schedules_cost_what_an_independent_program_found(report):
+    # Over all worlds with 1, 2, 3, 4 edges: 1, 4, 11, 22, by a program in C.
+    worst_of = [max(cost for cost, _ in rows_of(report, m).values()) for m in (1, 2, 3, 4)]
+    assert worst_of == [1, 4, 11, 22]
+
+
+def test_every_row_is_attained_in_its_world(report):
+    assert report.exit_code == 0
+    for row in report.rows:
+        again = run("algorithm1", row.world, choices=row.choices)
+        assert again.finding is None
+        assert again.outcome.cost == row.worst == row.replayed
+        # The choices are all there: no policy has helped.
+        assert again.outcome.choices == row.choices
+        assert row.best <= row.worst <= row.bound
+        assert row.wrong == 0
+
+
+def test_the_worlds_are_all_there(report):
+    for edges in (1, 2, 3, 4, 5):
+        assert {r.vertices: r.worlds for r in report.rows if r.edges == edges} == counted(edges)
+
+
+@pytest.mark.slow
+def test_any_simple_path_may_be_dearer_than_a_shortest_one_and_not_cheaper():
+    shortest, simple = (worst(edges=5, transit=way).rows for way in ("shortest", "simple"))
+    assert all(
+        a.worst <= b.worst and a.best == b.best for a, b in zip(shortest, simple, strict=True)
+    )
+    assert any(a.worst < b.worst for a, b in zip(shortest, simple, strict=True))
+
+
+def test_no_policy_walks_less_than_the_best_or_more_than_the_worst_schedule():
+    for policy in ("fifo", "lifo", "nearest"):
+        rules = Rules(policy=policy)
+        examiner = Examiner(load("algorithm1"), rules)
+        for map_ in rooted_maps(3):
+            cost = examiner.examine(World(map_, Directional(0), 0), rules.choices("")).cost
+            schedules = EverySchedule(map_, 0)
+            assert schedules.best <= cost <= schedules.worst
+
+
+def test_a_robot_that_cannot_see_the_bearing_confirms_a_false_hypothesis():
+    class Blind(EverySchedule):
+        def _sensed(self, dart):
+            degree, marked = super()._sensed(dart)
+            return degree, None if marked is None else 0
+
+    def errs(map_):
+        try:
+            Blind(map_, 0).worst  # noqa: B018
+        except WrongTest:
+            return True
+        return False
+
+    assert any(errs(map_) for map_ in rooted_maps(3))
+
+
+def test_a_replay_that_costs_something_else_is_an_internal_error(report):
+    damaged = replace(report.rows[3], replayed=report.rows[3].worst - 1)
+    broken = replace(report, rows=(*report.rows[:3], damaged))
+    assert broken.exit_code == 70
+    assert "the python engine walks" in worst_text(broken, 100)
+    lost = replace(report, missing=((5, 2),))
+    assert lost.exit_code == 70
+    assert "no map with 5 edges and 2 vertices" in worst_text(lost, 100)
+    doubled = replace(report, rows=(replace(report.rows[0], worlds=2),))
+    assert doubled.exit_code == 70
+    refuted = replace(report, rows=(replace(report.rows[0], wrong=1),))
+    assert refuted.exit_code == 1
+
+
+def test_a_wrong_kernel_is_found_out_by_the_replay(monkeypatch):
+    honest = most_expensive._joined
+
+    def damaged(a, b):
+        merged = honest(a, b)
+        return replace(merged, worst=merged.worst + 1)
+
+    monkeypatch.setattr(most_expensive, "_joined", damaged)
+    assert worst(edges=3).exit_code == 70
+
+
+def test_the_document_and_the_text(report):
+    document = report.to_json()
+    assert document["schema"] == 1
+    assert document["transit"] == report.transit
+    row = document["rows"][-1]
+    assert {"edges", "vertices", "worst", "best", "bound", "world", "choices"} <= set(row)
+    assert row["world"]["start"] == 0
+    text = worst_text(report, 100)
+    assert "all rejected" in text
+    assert "every worst cost was attained by the python engine" in text
+
+
+def test_threads_change_nothing():
+    assert worst(edges=4, workers=1) == worst(edges=4, workers=3)
+
+
+@pytest.mark.parametrize(
+    ("options", "value"),
+    [
+        ({"map_class": "round"}, "'round'"),
+        ({"transit": "fast"}, "'fast'"),
+        ({"edges": 0}, "0"),
+        ({"edges": 13}, "13"),
+        ({"workers": 0}, "0"),
+    ],
+)
+def test_bad_options_are_refused_by_name(options, value):
+    with pytest.raises(InputError, match=value):
+        worst(**options)

@@ -1,0 +1,227 @@
+"""Explorers side by side: against runs that are added up here, one by one."""
+
+import csv
+import io
+import json
+import sys
+from collections import defaultdict
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+from kept_jobs import EXPLORERS
+from native_libraries import example
+
+from allworlds import check, compare, run
+from allworlds.engines import TimeIsUp, Unsettled
+from allworlds.inputs import InputError
+from allworlds.maps import rooted_maps
+from allworlds.protocol import Estimate
+from allworlds.reports import page_of
+from allworlds.reports.compare_text import compare_csv, compare_text
+from allworlds.studies.check import Interrupted
+from allworlds.studies.compare import Comparison
+from allworlds.world import Directional, World
+
+CLUSTER = "algorithm1-cluster"
+
+
+@pytest.fixture(scope="module")
+def report():
+    return compare("algorithm1", "greedy", "remembering", edges=3, workers=2)
+
+
+def costs_by_hand(name, edges):
+    """{(vertices, map): costs over the bearings}."""
+    found = defaultdict(list)
+    for map_ in rooted_maps(edges):
+        for place in Directional.places(map_, 0):
+            outcome = run(name, World(map_, place, 0)).outcome
+            found[map_.vertex_count, map_].append(outcome.cost)
+    return found
+
+
+@pytest.mark.no_cover
+def test_means_and_comparisons_are_those_of_single_runs(report):
+    paper, mine = costs_by_hand("algorithm1", 3), costs_by_hand("greedy", 3)
+    means = {
+        key: (Fraction(sum(paper[key]), len(paper[key])), Fraction(sum(mine[key]), len(mine[key])))
+        for key in paper
+    }
+    for row in report.rows:
+        if row.edges == 3:
+            here = [pair for (vertices, _), pair in means.items() if vertices == row.vertices]
+            assert row.worlds == len(here)
+            assert row.mean["greedy"] == sum(b for _, b in here) / len(here)
+            assert row.less["greedy"] == sum(a < b for a, b in here)
+            assert row.equal["greedy"] == sum(a == b for a, b in here)
+            assert row.more["greedy"] == sum(a > b for a, b in here)
+    most = max(abs(a - b) for a, b in means.values())
+    assert report.differ_most.by == most
+    # The least in the order of the enumeration.
+    most_expensive = [key for key, (a, b) in means.items() if abs(a - b) == most]
+    vertices, least = min(most_expensive, key=lambda key: (key[0], key[1].sigma, key[1].alpha))
+    assert report.differ_most.map == least
+    assert report.differ_most.map.vertex_count == vertices
+
+
+def test_the_rows_agree_with_a_check(report):
+    for name in report.names:
+        checked = {(r["edges"], r["vertices"]): r for r in check(name, edges=3).to_json()["rows"]}
+        for row in report.rows:
+            told = checked[row.edges, row.vertices]
+            assert row.worst[name] == told["max_cost"]
+            assert row.worlds == told["worlds"]
+            assert row.runs == 3 * told["runs"]
+
+
+def test_an_explorer_beside_itself_under_another_name_differs_nowhere():
+    report = compare("greedy", "allworlds.explorers:greedy", edges=2)
+    assert report.exit_code == 0
+    assert report.differ_most is None
+    assert [*report.walks()] == []
+    assert all(row.equal["allworlds.explorers:greedy"] == row.worlds for row in report.rows)
+
+
+def test_a_map_without_a_place_for_one_is_left_out_for_all():
+    report = compare("greedy", CLUSTER, edges=2)
+    assert [(row.edges, row.vertices, row.worlds) for row in report.rows] == [
+        (1, 2, 1),
+        (2, 2, 4),
+        (2, 3, 2),
+    ]
+    assert compare("greedy", CLUSTER, edges=1, vertices=2).exit_code == 0
+
+
+def test_nothing_to_compare_is_vacuous():
+    report = compare("greedy", CLUSTER, family="bouquet:0", lighthouse="natural")
+    assert (report.verdict.value, report.exit_code) == ("vacuous", 4)
+    assert "no world" in compare_text(report, 100)
+
+
+def stops_at_once(first):
+    return Estimate(None, first.degree)
+    yield
+
+
+def test_a_broken_law_ends_the_comparison_with_a_finding():
+    report = compare("greedy", stops_at_once, edges=3)
+    assert (report.verdict.value, report.exit_code) == ("refuted", 1)
+    assert {row.edges for row in report.rows} == {1}
+    (finding,) = report.findings
+    assert finding.law == "no-estimate"
+    assert "broken a law" in compare_text(report, 100)
+
+
+def test_one_world_of_a_family_is_compared_over_every_place():
+    report = compare("algorithm1", "prudent", family="lattice:4x4", holes="10%", seed=5)
+    (row,) = report.rows
+    assert (row.edges, row.vertices, row.worlds) == (22, 16, 1)
+    assert row.ratio("prudent") < Fraction(3, 4)
+    document = report.to_json()
+    assert document["family"] == "lattice:4x4 with holes 10%, seed 5"
+    assert document["edges"] is None
+    assert "one world" in compare_text(report, 80)
+
+
+def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
+    def ends(error):
+        def level(contest, edges, transports):
+            if edges == 2:
+                raise error
+            begun(contest, edges, transports)
+
+        return level
+
+    from allworlds.studies.compare.contest import _Contest
+
+    begun = _Contest._level
+    for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
+        monkeypatch.setattr(_Contest, "_level", ends(error))
+        report = compare("algorithm1", "greedy", edges=3, time_limit=1000)
+        assert report.exit_code == code
+        assert [row.edges for row in report.rows] == [1, 1]
+        assert "finished levels" in compare_text(report, 100)
+        assert report.to_json()["complete"] is False
+
+
+def test_an_interrupt_goes_before_a_finding_and_a_count_that_disagrees_before_both(report):
+    found = replace(report, findings=tuple(check(stops_at_once, edges=1).findings))
+    assert (found.exit_code, replace(found, ending=Interrupted()).exit_code) == (1, 130)
+    wrong = replace(found, gate=(replace(report.gate[0], counted=7),), ending=Interrupted())
+    assert wrong.exit_code == 70
+
+
+def test_a_count_that_disagrees_is_an_error(report):
+    wrong = replace(report.gate[0], counted=7)
+    told: Comparison = replace(report, gate=(wrong,))
+    assert told.exit_code == 70
+    assert "disagree" in compare_text(told, 100)
+
+
+def test_the_csv_has_a_line_for_each_size_and_explorer(report):
+    rows = [*csv.DictReader(io.StringIO(compare_csv(report)))]
+    assert len(rows) == len(report.rows) * 3
+    last = rows[-2]
+    assert last["explorer"] == "greedy"
+    assert float(last["mean"]) == pytest.approx(float(report.rows[-1].mean["greedy"]))
+    assert int(last["more"]) == report.rows[-1].more["greedy"]
+
+
+def test_the_page_holds_both_walks_and_the_document(report):
+    page = page_of("compare", report)
+    assert page.count('class="viewer"') == 3
+    assert page.count("In the world that differs most") == 3
+    record = page.split('id="report-json"')[1].split(">", 1)[1].split("</script>")[0]
+    assert json.loads(record.replace("\\u003c", "<"))["rows"] == report.to_json()["rows"]
+
+
+@pytest.mark.parametrize(
+    ("explorers", "options", "said"),
+    [
+        (["greedy"], {"edges": 2}, "two explorers"),
+        (["greedy", "greedy"], {"edges": 2}, "named twice"),
+        (["greedy", "prudent"], {}, "edges, vertices or a family"),
+        (["greedy", "prudent"], {"edges": 2, "family": "cycle:3"}, "'cycle:3' is one world"),
+        (["greedy", "prudent"], {"edges": 2, "holes": "10%"}, "10%"),
+        (["greedy", "prudent"], {"family": "ring:3"}, "ring:3"),
+        (["greedy", "prudent"], {"edges": 0}, "0"),
+        (["greedy", "lazy"], {"edges": 1}, "lazy"),
+        (["greedy", "prudent"], {"edges": 1, "lighthouse": "lamp"}, "lamp"),
+    ],
+)
+def test_bad_input_is_named(explorers, options, said):
+    with pytest.raises(InputError, match=said):
+        compare(*explorers, **options)
+
+
+def test_an_unknown_option_is_a_type_error():
+    with pytest.raises(TypeError, match="colour"):
+        compare("greedy", "prudent", edges=1, colour="red")
+
+
+def test_the_command_writes_every_file(cli, tmp_path):
+    names = {kind: tmp_path / f"report.{kind}" for kind in ("csv", "html")}
+    options = [part for kind, path in names.items() for part in (f"--{kind}", path)]
+    code, out, _ = cli("compare", "algorithm1", "greedy", "--edges", 2, "--json", *options)
+    assert code == 0
+    assert json.loads(out)["explorers"][1]["name"] == "greedy"
+    assert names["csv"].read_text().startswith("edges,vertices")
+    assert names["html"].read_text().startswith("<!DOCTYPE html>")
+
+
+def program(kind):
+    return " ".join([sys.executable, str(EXPLORERS / "program.py"), kind])
+
+
+def test_a_program_and_a_shared_library_are_compared_like_any_other(cli):
+    library = example("c/algorithm1.c")
+    code, out, _ = cli(
+        *("compare", "algorithm1", "--edges", 2, "--json"),
+        *("--exec", program("right"), "--native", library),
+    )
+    document = json.loads(out)
+    names = [explorer["name"] for explorer in document["explorers"]]
+    assert code == 0
+    assert names == ["algorithm1", f"exec:{program('right')}", f"native:{library}"]
+    assert all(row["runs"] for row in document["rows"])

@@ -1,0 +1,46 @@
+import pytest
+
+from allworlds.inputs import InputError
+from allworlds.studies.count import count
+
+
+@pytest.mark.parametrize(
+    ("map_class", "rooted"),
+    [
+        ("maps", [2, 10, 74, 706]),  # A000698
+        ("planar", [2, 9, 54, 378]),  # Tutte
+    ],
+)
+def test_rooted_maps_by_edges(map_class, rooted):
+    census = count(edges=4, map_class=map_class)
+    assert [row.rooted for row in census.rows] == rooted
+    assert census.exit_code == 0
+    for row in census.rows:
+        assert sum(row.by_vertices.values()) == sum(row.by_genus.values()) == row.rooted
+
+
+def test_unrooted_maps_by_edges():
+    assert [row.unrooted for row in count(edges=4).rows] == [2, 5, 20, 107]
+
+
+def test_simple_maps_by_vertices():
+    census = count(map_class="simple", vertices=4)
+    rooted, labelled = {}, {}
+    for row in census.rows:
+        for n in row.by_vertices:
+            rooted[n] = rooted.get(n, 0) + row.by_vertices[n]
+            labelled[n] = labelled.get(n, 0) + row.labelled[n]
+    assert (rooted, labelled) == ({2: 1, 3: 3, 4: 32}, {2: 1, 3: 4, 4: 87})
+    assert census.exit_code == 0
+
+
+def test_no_edge_count_with_such_few_vertices_is_an_empty_row():
+    census = count(edges=5, vertices=2, map_class="simple")
+    assert [row.rooted for row in census.rows] == [1, 0, 0, 0, 0]
+    assert census.exit_code == 0
+
+
+@pytest.mark.parametrize("options", [{}, {"edges": 0}, {"vertices": 3}, {"map_class": "x"}])
+def test_bad_bounds_are_refused(options):
+    with pytest.raises(InputError):
+        count(**options)

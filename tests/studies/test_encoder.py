@@ -1,0 +1,126 @@
+import pytest
+import z3
+
+from allworlds.maps import MapClass, rooted_maps_by_permutations as rooted_maps
+from allworlds.studies.ambiguity.smt.formula import Formula
+from allworlds.studies.ambiguity.smt.one_world import Degrees, Size, one_world
+from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
+from allworlds.studies.ambiguity.smt.question import Sizes, question
+from allworlds.studies.ambiguity.smt.solvers import Clock, solve_with_z3
+
+ANY = Degrees()
+
+
+def models(path, formula, world):
+    """The maps that are models, each once: found by z3, one after the other."""
+    formula.write(path)
+    solver = z3.Solver()
+    solver.from_file(str(path))
+    found = []
+    while solver.check() == z3.sat:
+        model = solver.model()
+        true = [
+            [next(v for v in row if z3.is_true(model[z3.Bool(v)])) for row in block.rows()]
+            for block in (world.sigma, world.alpha)
+        ]
+        solver.add(z3.Or([z3.Not(z3.Bool(v)) for row in true for v in row]))
+        found.append(
+            tuple(
+                tuple(v - row[0] for v, row in zip(answers, block.rows(), strict=True))
+                for answers, block in zip(true, (world.sigma, world.alpha), strict=True)
+            )
+        )
+    return found
+
+
+def counted(path, edges, map_class, degrees=ANY, fewest=1, most=None):
+    formula = Formula()
+    size = Size(edges, fewest, most or edges + 1)
+    world = one_world(formula, "", size, MapClass(map_class), degrees)
+    return models(path, formula, world)
+
+
+# Rooted maps by edges: A000698 shifted; planar: Tutte 1963; simple: rotation systems of
+# connected simple graphs, counted over the graph atlas.
+@pytest.mark.no_cover
+@pytest.mark.parametrize(
+    ("map_class", "edges", "count"),
+    [
+        *(("maps", m, count) for m, count in enumerate((2, 10, 74), 1)),
+        *(("simple", m, count) for m, count in enumerate((1, 2, 6, 23), 1)),
+        *(("planar", m, count) for m, count in enumerate((2, 9, 54), 1)),
+        *(("planar-simple", m, count) for m, count in enumerate((1, 2, 6, 23), 1)),
+        pytest.param("maps", 4, 706, marks=pytest.mark.slow),
+        pytest.param("planar", 4, 378, marks=pytest.mark.slow),
+    ],
+)
+def test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
+    tmp_path, map_class, edges, count
+):
+    found = counted(tmp_path / "f.cnf", edges, map_class, fewest=2 if "simple" in map_class else 1)
+    assert len(found) == count
+    # z3 gives each model once; the codes are those of the enumeration by all permutations.
+    assert sorted(found) == [(m.sigma, m.alpha) for m in rooted_maps(edges, map_class)]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("map_class", ["maps", "planar"])
+@pytest.mark.parametrize(("fewest", "most"), [(1, 1), (2, 3), (4, 4)])
+def test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
+    tmp_path, map_class, fewest, most
+):
+    found = counted(tmp_path / "f.cnf", 3, map_class, fewest=fewest, most=most)
+    wanted = [m for m in rooted_maps(3, map_class) if fewest <= m.vertex_count <= most]
+    assert sorted(found) == [(m.sigma, m.alpha) for m in wanted]
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize(("root", "others"), [(2, None), (None, 2), (2, 2), (4, 1), (9, None)])
+def test_required_degrees_leave_exactly_the_maps_that_have_them(tmp_path, root, others):
+    found = counted(tmp_path / "f.cnf", 3, "maps", Degrees(root, others))
+    wanted = [
+        m
+        for m in rooted_maps(3)
+        if (root is None or m.degree_at[0] == root)
+        and (others is None or all(d == others for d in m.degrees[1:]))
+    ]
+    assert sorted(found) == [(m.sigma, m.alpha) for m in wanted]
+
+
+def solved(path, formula):
+    formula.write(path)
+    return solve_with_z3(path, Clock(None)).status
+
+
+@pytest.mark.slow
+def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(tmp_path):
+    # Planar simple, 6 edges: one map has two starts that look alike; nothing else does.
+    asked = question("position", "planar-simple", 6, 6)
+    sizes = list(asked.sizes())[-1]
+    formula, pair = pair_formula(asked, sizes)
+    assert solved(tmp_path / "f.cnf", formula) == "sat"
+    for start in range(1, 12):
+        forbid_other_start(formula, pair, start)
+    assert solved(tmp_path / "f.cnf", formula) == "unsat"
+
+
+def test_excluding_other_starts_keeps_a_pair_of_different_worlds(tmp_path):
+    asked = question("position", "maps", 3, 2)
+    formula, pair = pair_formula(asked, Sizes(Size(2, 1, 3), Size(2, 1, 3)))
+    for start in range(1, 4):
+        forbid_other_start(formula, pair, start)
+    assert solved(tmp_path / "f.cnf", formula) == "sat"
+
+
+def test_a_file_says_what_its_variables_and_clauses_mean(tmp_path):
+    asked = question("directional", "maps", 3, 2)
+    formula, _ = pair_formula(asked, next(asked.sizes()))
+    formula.write(tmp_path / "f.cnf")
+    lines = (tmp_path / "f.cnf").read_text().splitlines()
+    assert lines[0].startswith("c Two different worlds that no motion tells apart")
+    header = lines.index(f"p cnf {formula.variable_count} {len(formula.clauses)}")
+    named = [line.split()[2].split("..") for line in lines[:header] if "c variables" in line]
+    told = [line.split()[2].rstrip(":").split("..") for line in lines[header:] if "c cl" in line]
+    for ranges, last in ((named, formula.variable_count), (told, len(formula.clauses))):
+        covered = [number for a, b in ranges for number in range(int(a), int(b) + 1)]
+        assert covered == list(range(1, last + 1))

@@ -1,0 +1,532 @@
+"""The exhaustive check as a whole: its numbers, its order, its verdicts."""
+
+import importlib
+import itertools
+import json
+from dataclasses import replace
+from functools import cache, partial
+from typing import ClassVar
+
+import pytest
+from small import slow
+
+from allworlds.explorers import algorithm1
+from allworlds.inputs import InputError
+from allworlds.maps import (
+    CombinatorialMap,
+    MapClass,
+    rooted_code,
+    rooted_maps,
+    rooted_maps_by_permutations as every_rooted_map,
+)
+from allworlds.maps.counting.sources import CountSource
+from allworlds.outcome import Verdict
+from allworlds.progress import Silent
+from allworlds.protocol import Estimate, Move
+from allworlds.studies import check as checker
+from allworlds.studies.run import run
+from allworlds.world import Directional, World, worlds
+
+pytestmark = pytest.mark.usefixtures("no_orphans")
+check = partial(checker.check, engine="python")
+
+
+def document(report):
+    return json.dumps(report.to_json())
+
+
+def test_algorithm_1_holds_in_all_small_worlds():
+    report = check(edges=4)
+    # Rooted maps by edges: 2, 10, 74, 706 (A000698); runs: one for each bearing.
+    assert (report.worlds, report.runs) == (792, 3684)
+    assert (report.verdict, report.exit_code, report.complete) == (Verdict.HOLDS, 0, True)
+    assert report.tally.left_out == 0
+    by_edges = {}
+    for row in report.rows():
+        by_edges[row["edges"]] = by_edges.get(row["edges"], 0) + row["worlds"]
+        assert row["max_cost"] <= row["bound"]
+        assert row["traversals_rooted"] <= row["traversals"]
+    assert by_edges == {1: 2, 2: 10, 3: 74, 4: 706}
+    assert all(cell.agrees and cell.source for cell in report.gate)
+
+
+@pytest.mark.slow
+def test_the_default_job_has_8954_worlds():
+    report = check(workers=2)
+    assert (report.worlds, report.runs, report.verdict) == (8954, 50727, Verdict.HOLDS)
+
+
+@pytest.mark.parametrize("vertices", [4, slow(5)])
+def test_vertices_alone_bound_the_simple_classes(vertices):
+    report = check(map_class="simple", vertices=vertices, workers=2)
+    # Rooted simple maps on 2..5 vertices: 1, 3, 32, 3965; with a bearing: 1, 5, 79, 14239.
+    rows = {n: [0, 0] for n in range(2, vertices + 1)}
+    for row in report.rows():
+        rows[row["vertices"]][0] += row["worlds"]
+        rows[row["vertices"]][1] += row["runs"]
+    counted = {2: [1, 1], 3: [3, 5], 4: [32, 79], 5: [3965, 14239]}
+    assert rows == {n: counted[n] for n in rows}
+    assert report.verdict is Verdict.HOLDS
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize(
+    "policy", ["fifo", "random:1", *map(slow, ("lifo", "nearest", "random:2", "random:3"))]
+)
+@pytest.mark.parametrize(
+    ("map_class", "most"),
+    [("maps", 3), ("planar", 3), slow("planar", 4), ("simple", 5), ("planar-simple", 5)],
+)
+def test_no_witness_is_asked_for_that_cannot_occur(policy, map_class, most):
+    for edges in range(1, most + 1):
+        for vertices in (None, *range(2, edges + 1)):
+            options = {"edges": edges, "vertices": vertices, "map_class": map_class}
+            report = check(policy=policy, **options)
+            if not report.runs:
+                assert report.verdict is Verdict.VACUOUS, options
+                continue
+            assert report.missing == (), options
+            assert report.verdict is Verdict.HOLDS, options
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("edges", [4, 5])
+def test_the_witnesses_of_algorithm_1_occur(edges):
+    # Simple worlds with 4 edges know no mismatch of the direction under every policy.
+    seen = check(edges=edges, map_class="simple", policy="lifo").tally.witnesses
+    assert bool(seen["case-2"]) == (edges == 5)
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_a_missing_witness_is_no_success(monkeypatch):
+    explorers = importlib.import_module("allworlds.explorers")
+    built_in = explorers.BUILT_IN["algorithm1"]
+    forgetful = explorers.BuiltIn(
+        built_in.explore, "directional", {**built_in.witnesses, "case-4": ((2, 2), None)}
+    )
+    monkeypatch.setitem(explorers.BUILT_IN, "algorithm1", forgetful)
+    assert check(edges=1).missing == ()
+    report = check(edges=2)
+    assert (report.verdict, report.exit_code) == (Verdict.VACUOUS, 4)
+    assert [*report.missing] == report.to_json()["missing_witnesses"] == ["case-4"]
+    assert check(edges=2, map_class="simple").missing == ()
+
+
+def test_an_interrupt_of_a_closure_interrupts_the_check_and_that_of_a_worker_is_a_crash(tmp_path):
+    file = tmp_path / "rude.py"
+    file.write_text("def explore(first):\n    raise KeyboardInterrupt\n    yield\n")
+    assert check(f"{file}:explore", edges=1).findings[0].law == "crash"
+
+    def explore(first):
+        raise KeyboardInterrupt
+        yield
+
+    report = check(explore, edges=1)
+    assert (report.verdict, report.exit_code) == (Verdict.INCONCLUSIVE, 130)
+
+
+def test_a_finished_shard_may_hold_no_world(explorers):
+    report = check(explorers("right"), shard=(5, 6), edges=1)
+    assert (report.verdict, report.exit_code, report.runs) == (Verdict.HOLDS, 0, 0)
+
+
+@cache
+def brute_force(name, edges):
+    """The smallest finding of each law and map, level by level.
+
+    It judges every run of the other enumerator; maps are the same if they have a rooting in common.
+    """
+    import wrong
+
+    explore = getattr(wrong, name)
+    found = []
+    for m in range(1, edges + 1):
+        level, kinds = [], {}
+        for map_ in every_rooted_map(m):
+            code = rooted_code(map_.sigma, map_.alpha, 0)
+            for bearing in range(map_.degree_at[0]):
+                world = World(map_, Directional(map_.turn(0, bearing)))
+                told = run(lambda first: (yield from explore(first)), world)
+                if told.finding:
+                    assert told.finding.place == bearing
+                    level.append((m, map_.vertex_count, code, bearing, told.finding.law))
+                    kinds[code] = frozenset(
+                        rooted_code(map_.sigma, map_.alpha, d) for d in map_.darts
+                    )
+        firsts = {(kinds[one[2]], one[4]): one for one in sorted(level, reverse=True)}
+        found.append(sorted(firsts.values()))
+    return found
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("name", ["everywhere", "here_of_another"])
+@pytest.mark.parametrize("keep", [1, 2, 7, 40, 1000])
+def test_the_findings_are_the_smallest(explorers, wrong, name, keep):
+    explorers(name)
+    levels, expected = brute_force(name, 3), []
+    for level in levels:
+        expected += level
+        if len(expected) >= keep:
+            break
+    report = check(explorers(name), edges=3, max_findings=keep)
+    assert [(*finding.key[:4], finding.law) for finding in report.findings] == expected[:keep]
+    assert report.complete == (len(expected) < keep or [*report.levels] == [1, 2, 3])
+    assert all(finding.minimal and not finding.confirmed for finding in report.findings)
+
+
+def test_unless_more_are_asked_for_a_check_ends_with_its_first_finding(explorers):
+    (first,) = check(explorers("everywhere"), edges=3).findings
+    second = check(explorers("everywhere"), edges=3, max_findings=2).findings
+    assert (len(second), second[0].key) == (2, first.key)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("edges", "keep"), [(3, 3), slow(4, 12)])
+@pytest.mark.parametrize("name", ["everywhere", "here_of_another"])
+def test_one_worker_and_three_say_the_same(wrong, name, edges, keep):
+    reports = [
+        check(wrong(name), edges=edges, workers=workers, max_findings=keep) for workers in (1, 3)
+    ]
+    assert document(reports[0]) == document(reports[1])
+    assert reports[0].exit_code == 1
+    assert all(finding.minimal for finding in reports[0].findings)
+
+
+@pytest.mark.parametrize("edges", [3, slow(4)])
+def test_one_worker_and_three_say_the_same_of_algorithm_1(edges):
+    assert document(check(edges=edges, workers=3)) == document(check(edges=edges))
+
+
+@pytest.fixture(params=[(3, 309, 271), slow((4, 3684, 2718))])
+def planted(request, explorers, monkeypatch):
+    """A world in which the explorer ``planted`` is wrong, and in no other; edges and runs."""
+    import wrong
+
+    edges, runs, number = request.param
+    explorers("planted")
+    every = list(worlds(edges=edges, places="all"))
+    assert len(every) == runs
+    world = every[number]
+    transcript = run(
+        lambda first: (yield from wrong.right(first)), world
+    ).outcome.episode.transcript
+    log = [(None, transcript.first), *((move.k, seen) for move, seen in transcript.steps)]
+    assert all(type(move) is Move for move, _ in transcript.steps)
+    monkeypatch.setenv("PLANTED", wrong.signature(log))
+    return world, edges, runs
+
+
+@pytest.mark.slow
+def test_an_explorer_that_is_wrong_in_one_run_is_refuted_there(planted, wrong):
+    world, edges, runs = planted
+    reports = [check(wrong("planted"), edges=edges, workers=workers) for workers in (1, 3)]
+    assert document(reports[0]) == document(reports[1])
+    assert (reports[0].runs, reports[0].complete) == (runs, True)
+    (finding,) = reports[0].findings
+    assert (finding.law, finding.confirmed, finding.minimal) == ("map", True, True)
+    told = run(wrong("planted"), world)
+    assert told.finding.world == finding.world
+    # The walk determines the world: no other run has the same log.
+    assert check(wrong("planted"), edges=edges, workers=3, max_findings=2).findings == [finding]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("policy", ["fifo", "nearest"])
+def test_a_folding_explorer_of_somebody_else_holds(folding, policy):
+    report = check(folding, edges=3, policy=policy, bound="none", workers=2)
+    assert (report.verdict, report.worlds, report.runs) == (Verdict.HOLDS, 86, 309)
+    assert [row["bound"] for row in report.rows()] == [None] * len(report.rows())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("edges", "all_worlds", "runs"), [(3, 86, 309), slow(4, 792, 3684)])
+def test_a_program_of_somebody_else_holds(program, edges, all_worlds, runs):
+    report = check(program("right"), edges=edges, workers=3)
+    assert (report.verdict, report.worlds, report.runs) == (Verdict.HOLDS, all_worlds, runs)
+    ours = check(edges=edges)
+    # First in, first out: it is the same walk in every world.
+    assert report.rows() == ours.rows()
+
+
+def test_unknown_keys_checkpoints_and_large_motions_are_legal(program):
+    report = check(program("chatty"), edges=2, laws=["map", "pose", "bound", "folding"])
+    assert (report.verdict, report.runs) == (Verdict.HOLDS, 30)
+    assert report.tally.checkpoints == 30
+
+
+def test_a_shell_script_can_be_an_explorer():
+    from pathlib import Path
+
+    script = Path(__file__).parents[1] / "support" / "explorers_for_tests" / "edge.sh"
+    report = check(f"exec:{script}", edges=1, max_findings=5)
+    assert [(finding.law, finding.world.map.loop_count) for finding in report.findings] == [
+        ("map", 1)
+    ]
+    assert report.runs == 3
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize(
+    ("edges", "shards"), [(3, 1), (3, 2), (3, 5), slow(4, 1), slow(4, 2), slow(4, 5)]
+)
+def test_the_shards_make_the_whole(edges, shards):
+    whole = check(edges=edges)
+    parts = [check(edges=edges, shard=(k, shards)) for k in range(shards)]
+    assert sum(part.runs for part in parts) == whole.runs
+    assert sum(part.tally.traversals for part in parts) == whole.tally.traversals
+    assert sum((part.tally.witnesses for part in parts), whole.tally.witnesses.__class__()) == (
+        whole.tally.witnesses
+    )
+    assert all(part.missing == () for part in parts)
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_every_schedule_of_algorithm_1():
+    report = check(edges=2, schedules="all")
+    assert report.verdict is Verdict.HOLDS
+    # The worst schedule of Algorithm 1 costs 1 and 4 with 1 and 2 edges.
+    worst = {}
+    for row in report.rows():
+        worst[row["edges"]] = max(worst.get(row["edges"], 0), row["max_cost"])
+        assert row["episodes"] >= row["runs"]
+    assert worst == {1: 1, 2: 4}
+
+
+def test_schedules_need_an_explorer_that_asks(wrong):
+    with pytest.raises(InputError, match="schedules 'all' needs an explorer with choices"):
+        check(wrong("right"), schedules="all", edges=1)
+
+
+@pytest.mark.slow
+def test_one_wrong_schedule_of_many_is_found(wrong):
+    report = check(wrong("one_schedule"), schedules="all", edges=2, max_findings=100)
+    assert {finding.choices for finding in report.findings} == {(1, 0)}
+    assert all(finding.world.first.degree == 2 for finding in report.findings)
+    assert check(wrong("one_schedule"), edges=2).verdict is Verdict.HOLDS
+    # Both loops with one edge, and with two edges every run in which it begins at degree 2
+    # and the answer 'one edge' is wrong, which is all of them.
+    # Of each map the smallest is reported.
+    begins = [world.map for world in worlds(edges=2) if world.first.degree == 2]
+    codes = {min(rooted_code(m.sigma, m.alpha, dart) for dart in m.darts) for m in begins}
+    assert len(report.findings) == len(codes)
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@pytest.mark.parametrize("broken", ["drop", "duplicate"])
+@pytest.mark.parametrize("victim", [0, 50])
+def test_the_gate_notices_a_broken_enumerator(explorers, monkeypatch, broken, victim):
+    def tampered(*arguments):
+        for map_ in rooted_maps(*arguments):
+            if map_ != target or broken == "duplicate":
+                yield map_
+            if map_ == target and broken == "duplicate":
+                yield map_
+
+    target = list(rooted_maps(3))[victim]
+    monkeypatch.setattr("allworlds.engines.units.levels.rooted_maps", tampered)
+    report = check(explorers("right"), edges=4)
+    assert (report.verdict, report.exit_code, report.levels) == (Verdict.ERROR, 70, (1, 2, 3))
+    assert "count gate" in report.ending.reason
+    wrong_cells = [cell for cell in report.gate if not cell.agrees]
+    assert [(cell.edges, cell.vertices) for cell in wrong_cells] == [(3, target.vertex_count)]
+
+
+def test_the_gate_notices_a_class_that_is_mixed_up(explorers, monkeypatch):
+    monkeypatch.setattr(
+        "allworlds.engines.units.levels.rooted_maps",
+        lambda edges, _class, *rest: rooted_maps(edges, MapClass.MAPS, *rest),
+    )
+    assert check(explorers("right"), edges=4, map_class="planar").exit_code == 70
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch):
+    source = CountSource("abacus", lambda edges: {1: 1, 2: 2})
+    monkeypatch.setattr("allworlds.studies.check.gate.source_for", lambda _class: source)
+    report = check(edges=2)
+    assert (report.verdict, report.levels) == (Verdict.ERROR, (1,))
+    assert {cell.source for cell in report.gate} == {"abacus"}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("workers", [1, 2])
+def test_the_time_limit_leaves_unfinished_levels_out(workers):
+    report = check(edges=9, time_limit=2, workers=workers)
+    assert (report.verdict, report.exit_code) == (Verdict.INCONCLUSIVE, 3)
+    assert "2 s" in report.ending.reason
+    assert [*report.levels] == list(range(1, len(report.levels) + 1))
+    assert {row["edges"] for row in report.rows()} == set(report.levels)
+    assert report.worlds == sum((2, 10, 74, 706, 8162)[: len(report.levels)])
+    assert report.to_json()["scope"]["complete"] is False
+
+
+def wrong_at_leaves_and_interrupted(play):
+    """The user interrupts that play; whether leaves were met before is up to the order of units."""
+    plays = itertools.count()
+
+    def explore(first):
+        if next(plays) == play:
+            raise KeyboardInterrupt
+        if first.degree == 1:
+            raise ZeroDivisionError
+        return (yield from algorithm1(first))
+
+    return explore
+
+
+@pytest.mark.slow
+def test_a_finding_of_an_unfinished_level_is_not_called_minimal():
+    levels = set()
+    for play in range(200, 700, 20):
+        report = check(wrong_at_leaves_and_interrupted(play), edges=3, max_findings=6)
+        assert (report.exit_code, report.complete, report.levels) == (130, False, (1, 2))
+        for found in report.findings:
+            assert found.minimal == (found.key[0] in report.levels)
+            levels.add(found.key[0])
+    assert levels == {1, 2, 3}
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_a_bound_without_a_value_is_bad_input():
+    with pytest.raises(InputError, match=r"divides by zero at n=.* m=2"):
+        check(edges=2, bound="9 // (2 - m)")
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_the_bound_is_a_law():
+    report = check(edges=2, bound="m - 1")
+    (finding,) = report.findings
+    assert (finding.law, finding.expected, finding.seen) == ("bound", 0, 1)
+    assert check(edges=2, bound="m*n").verdict is Verdict.HOLDS
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_a_negative_bound_is_reported_as_it_is():
+    report = check(edges=1, bound="n - m - 3")
+    assert [row["bound"] for row in report.rows()] == [-3, -2]
+    assert report.findings[0].expected == -3
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_an_explorer_that_tampers_with_percepts_deceives_nobody(explorers):
+    def kept(percept):
+        own = replace(percept)
+        object.__setattr__(percept, "degree", 99)
+        return own
+
+    def tampering(first):
+        reply = None
+        walk = explorers("right")(kept(first))
+        try:
+            while True:
+                reply = yield walk.send(reply)
+                reply = reply and kept(reply)
+        except StopIteration as stop:
+            return stop.value
+
+    report = check(tampering, edges=2)
+    assert (report.verdict, report.runs) == (Verdict.HOLDS, 30)
+    for world in worlds(edges=2):
+        told = run(tampering, world).outcome.episode.transcript
+        assert told == run("algorithm1", world).outcome.episode.transcript
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_that_nothing_was_walked_is_told():
+    class Listener(Silent):
+        told = ()
+
+        def notice(self, text):
+            self.told += (text,)
+
+    def motionless(first):
+        map_ = CombinatorialMap((0, 1), (1, 0))
+        return Estimate(map_ if first.degree == 1 else map_.dual(), 0)
+        yield
+
+    silent, telling = Listener(), Listener()
+    assert check(edges=1, laws=["map"], listener=silent).verdict is Verdict.HOLDS
+    assert check(motionless, edges=1, laws=["map"], listener=telling).verdict is Verdict.HOLDS
+    assert not silent.told
+    assert "walked an edge" in telling.told[0]
+
+
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize(("budget", "law"), [(1, None), (4, None), (3, "budget")])
+def test_reaching_the_budget_is_legal_and_passing_it_is_not(budget, law):
+    edges = 1 if budget == 1 else 2
+    report = check(edges=edges, step_budget=budget)
+    assert [finding.law for finding in report.findings] == ([law] if law else [])
+
+
+def test_a_closure_runs_in_this_process_and_a_function_elsewhere(explorers):
+    import wrong
+
+    assert not check(explorers("everywhere"), edges=1).findings[0].confirmed
+    assert check(wrong.everywhere, edges=1).findings[0].confirmed
+
+
+def test_the_listener_is_told_of_every_world():
+    class Listener(Silent):
+        told: ClassVar[list[list[int]]] = []
+
+        def level(self, edges, worlds):
+            self.told.append([edges, worlds, 0])
+
+        def progress(self, worlds):
+            self.told[-1][2] += worlds
+
+        def notice(self, text):
+            raise AssertionError(text)
+
+    check(edges=3, workers=2, listener=Listener())
+    assert Listener.told == [[1, 2, 2], [2, 10, 10], [3, 74, 74]]
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"edges": 0},
+        {"edges": -1},
+        {"vertices": 1, "edges": 2},
+        {"vertices": 3, "edges": None},
+        {"map_class": "nonsense"},
+        {"lighthouse": "nonsense"},
+        {"lighthouse": "directional:x=1"},
+        {"policy": "nonsense"},
+        {"policy": "random:"},
+        {"laws": ["nonsense"]},
+        {"laws": ["folding"], "map_class": "planar"},
+        {"schedules": "nonsense"},
+        {"engine": "nonsense"},
+        {"bound": "n +"},
+        {"bound": "n / 2"},
+        {"step_budget": 0},
+        {"shard": (2, 2)},
+        {"shard": (-1, 2)},
+        {"shard": (0, 0)},
+        {"workers": 0},
+        {"answer_timeout": 0},
+        {"answer_timeout": float("nan")},
+        {"answer_timeout": float("inf")},
+        {"time_limit": -1},
+        {"time_limit": float("inf")},
+        {"memory": 0},
+        {"max_findings": 0},
+    ],
+)
+def test_options_out_of_their_range_are_refused(options):
+    with pytest.raises(InputError) as refusal:
+        check(**{"edges": 1, **options})
+    assert "\n" not in str(refusal.value)
+
+
+def test_a_huge_bound_costs_nothing_when_a_finding_ends_the_check(explorers):
+    assert check(explorers("everywhere"), edges=100_000).levels == (1,)

@@ -1,0 +1,137 @@
+import pytest
+from small import slow
+
+from allworlds.engines import TimeIsUp
+from allworlds.inputs import InputError
+from allworlds.progress import Silent
+from allworlds.reports.check_words import scope_words, size_table
+from allworlds.reports.junit import junit
+from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.shrink import shrink
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("begins", "edges", "runs"), [((5, 4), 9, 100), slow((9, 6), 16, 500)])
+def test_an_error_that_begins_at_some_size_is_found_and_shrunk(planted_file, begins, edges, runs):
+    report = fuzz(planted_file(*begins), edges=edges, runs=runs, workers=2)
+    assert (report.verdict, report.exit_code) == ("refuted", 1)
+    assert not report.ending.reason
+    (finding,) = report.findings
+    assert (finding.law, finding.world.map.edge_count) == ("pose", begins[0])
+    assert finding.confirmed
+    assert not report.complete
+    assert not finding.minimal
+
+
+@pytest.mark.slow
+def test_the_report_does_not_depend_on_the_number_of_workers(planted_file):
+    explore = planted_file(5, 4)
+    one, three = (
+        fuzz(explore, edges=7, runs=60, seed=3, workers=workers).to_json() for workers in (1, 3)
+    )
+    assert one == three
+    assert one["findings"]
+
+
+def test_algorithm_1_is_not_refuted_and_that_is_no_proof():
+    report = fuzz("algorithm1", edges=14, runs=200)
+    assert (report.verdict, report.exit_code) == ("not-refuted", 0)
+    assert not report.complete
+    assert report.runs == 200
+    document = report.to_json()
+    assert document["scope"]["sample"] == {
+        "edges": 14,
+        "min_edges": 1,
+        "runs": 200,
+        "seed": 0,
+    }
+    assert document["scope"]["gate"] == "absent"
+    assert not document["scope"]["complete"]
+    assert sum(row["runs"] for row in document["rows"]) == 200
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("map_class", ["maps", "simple", "planar", "planar-simple"])
+def test_the_sample_follows_its_class_and_its_seed(map_class):
+    one, again, other = (
+        fuzz(edges=8, runs=30, seed=seed, map_class=map_class).to_json() for seed in (1, 1, 2)
+    )
+    assert one == again
+    assert one["rows"] != other["rows"]
+
+
+def test_a_sample_beyond_the_exhaustive_bound_has_a_row_for_each_number_of_edges():
+    report = fuzz("algorithm1", edges=9, runs=40, min_edges=6)
+    assert {row["edges"] for row in report.to_json()["rows"]} == {6, 7, 8, 9}
+    header, rows = size_table(report)
+    assert [row[0] for row in rows] == ["6", "7", "8", "9"]
+    for what in ("worlds", "runs", "traversals"):
+        told = sum(int(row[header.index(what)].replace(",", "")) for row in rows)
+        assert told == sum(row[what] for row in report.to_json()["rows"])
+    assert "of the class maps with 6 to 9 edges" in dict(scope_words(report))["scope"]
+    assert 'name="40 random worlds with 6 to 9 edges"' in junit(report)
+
+
+@pytest.mark.parametrize(
+    ("least", "words"), [(0, "min-edges = 0 is not positive"), (10, "is more than edges = 9")]
+)
+def test_a_least_number_of_edges_that_no_world_can_have_is_refused(least, words):
+    with pytest.raises(InputError, match=words):
+        fuzz("algorithm1", edges=9, runs=1, min_edges=least)
+
+
+def test_whoever_listens_is_told_of_every_world():
+    told = []
+
+    class Listening(Silent):
+        def level(self, edges, size):
+            told.append((edges, size))
+
+        def progress(self, worlds):
+            told.append(worlds)
+
+    fuzz(edges=6, runs=150, listener=Listening())
+    assert told[0] == (6, 150)
+    assert sum(told[1:]) == 150
+
+
+@pytest.mark.slow
+def test_what_has_been_reached_when_the_time_is_up_is_reported(planted, monkeypatch):
+    reached = []
+
+    def out_of_time(finding, scope, refute):
+        step = next(shrink(finding, scope, refute))
+        reached.append(step)
+        yield step
+        raise TimeIsUp
+
+    monkeypatch.setattr("allworlds.studies.fuzz.drive.shrink", out_of_time)
+    report = fuzz(planted(5, 4), edges=7, runs=40, seed=1)
+    assert report.verdict == "refuted"
+    assert report.findings == reached
+
+
+def test_a_time_limit_leaves_an_unfinished_sample_inconclusive():
+    report = fuzz("algorithm1", edges=60, runs=100_000, time_limit=0.5)
+    assert (report.verdict, report.exit_code) == ("inconclusive", 3)
+    assert "time limit of 0.5 s" in report.ending.reason
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"edges": 0}, "edges = 0"),
+        ({"runs": 0}, "runs = 0 is not positive"),
+        ({"workers": 0}, "workers 0"),
+        ({"map_class": "trees"}, "'trees'"),
+        ({"lighthouse": "lamp"}, "'lamp'"),
+        ({"policy": "best"}, "'best'"),
+        ({"laws": ("gravity",)}, "gravity"),
+        ({"explore": "nobody"}, "nobody"),
+        ({"time_limit": 0.0}, "time-limit 0.0"),
+    ],
+)
+def test_a_bad_option_is_refused_by_name(options, message):
+    with pytest.raises(InputError, match=message):
+        fuzz(**{"edges": 5, "runs": 5, **options})

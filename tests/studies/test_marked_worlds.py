@@ -1,0 +1,191 @@
+from collections import defaultdict
+from dataclasses import replace
+
+import pytest
+from small import slow
+
+from allworlds.inputs import InputError
+from allworlds.maps import Disagreement, bruteforce, rooted_maps
+from allworlds.progress import Silent
+from allworlds.studies.ambiguity import census
+from allworlds.studies.ambiguity.marked_code import is_least_rooting, least_rooting
+
+
+def numbers(row):
+    return tuple(row.to_json().values())
+
+
+def second_route(edges, map_class):
+    """The row from all permutations, and from percepts alone: words of motions are tried.
+
+    Two starts are alike if all words up to a length give equal percepts; 4m motions are enough
+    for two maps with 2m darts each, since each length that separates more splits a class.
+    """
+    marked = {}
+    for map_ in bruteforce.rooted_maps_by_permutations(edges, map_class):
+        at_v0 = map_.vertices[map_.vertex_of[0]]
+        codes = []
+        for dart in at_v0:
+            order, seen = [dart], {dart}
+            for x in order:
+                for y in (map_.sigma[x], map_.alpha[x]):
+                    if y not in seen:
+                        seen.add(y)
+                        order.append(y)
+            number = {x: i for i, x in enumerate(order)}
+            codes.append(
+                (
+                    [number[map_.sigma[x]] for x in order],
+                    [number[map_.alpha[x]] for x in order],
+                )
+            )
+        marked.setdefault(str(min(codes)), map_)
+    colours = {}
+    for key, map_ in marked.items():
+        for d in map_.darts:
+            colours[key, d] = (map_.degree_at[d], map_.vertex_of[d] == map_.vertex_of[0])
+    for _ in range(4 * edges):
+        names = {}
+        colours = {
+            (key, d): names.setdefault(
+                (
+                    colour,
+                    *(
+                        colours[key, marked[key].alpha[marked[key].turn(d, k)]]
+                        for k in range(marked[key].degree_at[d])
+                    ),
+                ),
+                len(names),
+            )
+            for (key, d), colour in colours.items()
+        }
+    groups = defaultdict(int)
+    for key, map_ in marked.items():
+        groups[frozenset(colours[key, d] for d in map_.vertices[map_.vertex_of[0]])] += 1
+    sizes = [size for size in groups.values() if size > 1]
+    return edges, len(marked), sum(sizes), len(sizes), max(sizes, default=0)
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_class", ["maps", "simple", "planar", "planar-simple"])
+def test_grouping_by_what_words_of_motions_show_gives_the_same_table(map_class):
+    rows = census(edges=4, map_class=map_class).rows
+    assert [numbers(row) for row in rows] == [second_route(m, map_class) for m in range(1, 5)]
+
+
+@pytest.mark.slow
+def test_grouping_gives_the_same_table_with_five_edges():
+    assert numbers(census(edges=5).rows[-1]) == second_route(5, "maps")
+
+
+def test_the_smallest_ambiguous_worlds_have_two_edges():
+    # One vertex with two loops, in the plane and on the torus.
+    assert [numbers(row) for row in census(edges=2).rows] == [(1, 2, 0, 0, 0), (2, 7, 2, 1, 2)]
+
+
+def test_the_smallest_simple_ambiguous_worlds_have_six_edges_and_three_classes():
+    rows = census(edges=6, map_class="simple").rows
+    assert [row.classes for row in rows] == [0, 0, 0, 0, 0, 3]
+    assert rows[-1].ambiguous_worlds == 6
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("edges", [6, slow(7)])
+def test_no_planar_simple_world_with_fewer_than_eight_edges_is_ambiguous(edges):
+    rows = census(edges=edges, map_class="planar-simple").rows
+    assert [row.classes for row in rows] == [0] * edges
+
+
+@pytest.mark.slow
+def test_the_smallest_planar_simple_ambiguous_worlds_have_eight_edges_and_seven_vertices():
+    rows = census(edges=8, map_class="planar-simple").rows
+    assert rows[7].classes > 0
+    assert census(edges=8, vertices=6, map_class="planar-simple").rows[-1].classes == 0
+    seven = census(edges=8, vertices=7, map_class="planar-simple").rows[-1]
+    assert seven.classes == rows[7].classes
+
+
+@pytest.mark.no_cover
+def test_marked_worlds_weighed_by_their_rootings_are_the_rooted_maps():
+    # A marked map has deg(v0) / |Aut| rootings at v0; 2, 10, 74, 706 rooted maps (A000698).
+    for row, rooted in zip(census(edges=4).rows, (2, 10, 74, 706), strict=True):
+        marked = [m for m in rooted_maps(row.edges) if is_least_rooting(m)]
+        weights = [m.degree_at[0] // least_rooting(m, m.vertices[0]).times for m in marked]
+        assert sum(weights) == row.rooted == row.counted == rooted
+        assert len(marked) == row.marked_worlds
+
+
+def test_a_bound_on_the_vertices_is_one_for_every_row():
+    all_rows = census(edges=3).rows
+    few = census(edges=3, vertices=2).rows
+    assert few[0] == all_rows[0]
+    assert few[2].marked_worlds < all_rows[2].marked_worlds
+    assert census(vertices=3, map_class="simple").rows[-1].edges == 3
+
+
+def test_the_document_has_the_promised_parts():
+    found = census(edges=2)
+    document = found.to_json()
+    assert document["rows"][1] == {
+        "edges": 2,
+        "marked_worlds": 7,
+        "ambiguous_worlds": 2,
+        "classes": 1,
+        "largest_class": 2,
+    }
+    assert document["gate"]["agrees"] is True
+    assert (document["class"], document["edges"], document["vertices"]) == ("maps", 2, None)
+    assert found.exit_code == 0
+
+
+def test_the_listener_hears_every_rooted_map():
+    class Listener(Silent):
+        def __init__(self):
+            self.heard = []
+
+        def level(self, edges, worlds):
+            self.heard.append([edges, worlds, 0])
+
+        def progress(self, worlds):
+            self.heard[-1][2] += worlds
+
+        def notice(self, text):
+            raise AssertionError(text)
+
+    listener = Listener()
+    census(edges=3, listener=listener)
+    # 2, 10, 74 rooted maps (A000698).
+    assert listener.heard == [[1, 2, 2], [2, 10, 10], [3, 74, 74]]
+
+
+def test_a_class_without_worlds_is_vacuous(monkeypatch):
+    monkeypatch.setattr("allworlds.engines.units.levels.rooted_maps", lambda *_: iter(()))
+    found = census(edges=1)
+    assert not found.agrees
+    assert found.exit_code == 70
+    rows = tuple(replace(row, counted=0) for row in found.rows)
+    assert replace(found, rows=rows).exit_code == 4
+
+
+def test_a_forgotten_world_is_noticed(monkeypatch):
+    def plane(*scope):
+        return (map_ for map_ in rooted_maps(*scope) if map_.is_planar)
+
+    monkeypatch.setattr("allworlds.engines.units.levels.rooted_maps", plane)
+    with pytest.raises(Disagreement, match="1 worlds were met of a class of 2"):
+        census(edges=2)
+
+
+@pytest.mark.parametrize(
+    ("options", "named"),
+    [
+        ({"edges": 0}, "edges = 0"),
+        ({}, "needs a bound"),
+        ({"vertices": 3}, "vertices = 3 alone"),
+        ({"edges": 2, "map_class": "round"}, "'round' is not one of maps"),
+    ],
+)
+def test_bad_options_are_named(options, named):
+    with pytest.raises(InputError, match=named):
+        census(**options)

@@ -1,0 +1,104 @@
+"""The most expensive run of each size is the least of those that cost most, in every engine."""
+
+import pytest
+
+from allworlds.engines import AtRun, Examiner, Row
+from allworlds.engines.compiled.requests import level_of
+from allworlds.engines.kernel.engine import judge, reached_in, walk
+from allworlds.explorers import load
+from allworlds.judging import Rules
+from allworlds.maps import Extent, MapClass, prefixes, rooted_code, rooted_maps
+from allworlds.studies.check import check, most_expensive_runs
+from allworlds.world import World
+
+
+def most_expensive(report):
+    """By size the cost, the map and the place; the choices are told by the python engine alone."""
+    return {
+        size: (row.max_cost, row.most_expensive and row.most_expensive[:3])
+        for size, row in report.tally.rows.items()
+    }
+
+
+def test_it_is_the_least_of_all_that_cost_most():
+    report, examiner = check(edges=3), Examiner(load("algorithm1"), Rules())
+    found = {}
+    for edges in (1, 2, 3):
+        for map_ in rooted_maps(edges):
+            for place, lighthouse in enumerate(Rules().kind.places(map_, 0)):
+                cost = examiner.examine(World(map_, lighthouse, 0), Rules().choices("")).cost
+                at = (-cost, *rooted_code(map_.sigma, map_.alpha, 0), place)
+                size = edges, map_.vertex_count
+                found[size] = min(found.get(size, at), at)
+    assert most_expensive(report) == {
+        size: (-cost, (sigma, alpha, place)) for size, (cost, sigma, alpha, place) in found.items()
+    }
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize(
+    ("explorer", "map_class", "edges"),
+    [
+        ("algorithm1", "maps", 4),
+        pytest.param("algorithm1-cluster", "maps", 3, marks=pytest.mark.slow),
+        pytest.param("algorithm1-natural", "simple", 5, marks=pytest.mark.slow),
+        ("algorithm1", "planar", 4),
+    ],
+)
+def test_both_engines_find_the_same(explorer, map_class, edges):
+    by_python, by_kernel = (
+        check(explorer, map_class=map_class, edges=edges, engine=engine)
+        for engine in ("python", "kernel")
+    )
+    assert most_expensive(by_python) == most_expensive(by_kernel)
+
+
+@pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
+def test_where_worlds_are_walked_once_it_is_the_same_as_where_every_run_is_judged(policy):
+    rules, extent = Rules(policy=policy), Extent(MapClass.MAPS, 5)
+    level = level_of("algorithm1", rules, extent, 5)
+    for prefix in prefixes(5, depth=1):
+        judged, walked = (does(level, prefix) for does in (judge, walk))
+        assert judged.most_expensive == walked.most_expensive
+        assert [run.vertices for run in walked.most_expensive] == [
+            row.vertices for row in walked.counts
+        ]
+
+
+@pytest.mark.usefixtures("compiled")
+def test_what_is_known_to_be_dearer_is_not_looked_for_and_nothing_else_changes():
+    level = level_of("algorithm1", Rules(), Extent(MapClass.MAPS, 5), 5)
+    alone, known, found = {}, reached_in(5), {}
+    for prefix in prefixes(5, depth=2):
+        own, told = walk(level, prefix), walk(level, prefix, reached=known)
+        assert own.counts == told.counts
+        cost = {row.vertices: row.largest for row in own.counts}
+        looked = [run for run in own.most_expensive if cost[run.vertices] == known[run.vertices]]
+        assert list(told.most_expensive) == looked
+        for runs, least in ((own.most_expensive, alone), (told.most_expensive, found)):
+            for run in runs:
+                at = (-cost[run.vertices], run)
+                least[run.vertices] = min(least.get(run.vertices, at), at)
+    assert alone == found
+    assert known.tolist() == [0, 5, 37, 31, 32, 25, 19]  # as in test_algorithm1.py
+
+
+def test_rows_that_are_added_up_keep_the_least_of_the_most_expensive():
+    few, first, second = (AtRun((0, 1), (1, 0), place, ()) for place in (0, 1, 2))
+    for rows in ([(3, few), (4, second), (4, first)], [(4, first), (3, few), (4, second)]):
+        total = Row()
+        for cost, run in rows:
+            total.add(Row(max_cost=cost, most_expensive=run))
+        assert (total.max_cost, total.most_expensive) == (4, first)
+
+
+def test_each_is_played_again_at_its_cost():
+    report = check("greedy", edges=3)
+    played = [*most_expensive_runs(report)]
+    rows = sorted(report.tally.rows.items())
+    assert len(rows) == len(played) == 9
+    for (_, row), run in zip(rows, played, strict=True):
+        assert run.outcome.cost == row.max_cost
+        assert (run.world.map.sigma, run.world.map.alpha) == row.most_expensive[:2]

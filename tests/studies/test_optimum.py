@@ -1,0 +1,193 @@
+"""Minimax: the best that any explorer can do, and the strategy that does it."""
+
+from dataclasses import replace
+from functools import cache
+from itertools import product
+
+import pytest
+from small import EDGE, LOOP, all_maps, slow
+
+import allworlds
+from allworlds.maps import CombinatorialMap, rooted_code
+from allworlds.outcome import Exit
+from allworlds.protocol import Estimate, Move
+from allworlds.reports import text
+from allworlds.studies.optimum import OptimumReport, OptimumRow, minimax
+from allworlds.studies.optimum.in_every_world import most_expensive
+from allworlds.studies.optimum.optimum_table import Solved
+from allworlds.studies.optimum.strategy import Leaf, Step, Strategy
+from allworlds.world import Directional, World
+
+
+def worlds(edges):
+    return [
+        World(map_, place)
+        for map_ in all_maps(edges)
+        if map_.edge_count == edges
+        for place in Directional.places(map_, 0)
+    ]
+
+
+def given(worlds):
+    return [(world.map, world.start, world.lighthouse.dart) for world in worlds]
+
+
+def matchings(darts):
+    if not darts:
+        yield []
+        return
+    first, *others = darts
+    for other in others:
+        rest = [dart for dart in others if dart != other]
+        yield from ([(first, other), *pairs] for pairs in matchings(rest))
+
+
+def bouquets(loops):
+    """v0 of degree 1, joined to a vertex with so many loops, matched in every way."""
+    size = 2 * loops + 2
+    for pairs in matchings(list(range(2, size))):
+        alpha = [1, 0, *[0] * (2 * loops)]
+        for a, b in pairs:
+            alpha[a], alpha[b] = b, a
+        yield World(CombinatorialMap([0, *range(2, size), 1], alpha), Directional(0))
+
+
+# Found by an independent program, too.
+@pytest.mark.parametrize(("edges", "best"), [(1, 0), (2, 1), (3, 4), slow(4, 9)])
+def test_the_optimum_over_all_worlds_is_that_of_its_strategy(edges, best):
+    found = minimax(given(worlds(edges)))
+    assert found.at_least == best
+    assert most_expensive(found.strategy, worlds(edges)) == best
+
+
+@pytest.mark.parametrize(("loops", "best"), [(1, 0), (2, 4), slow(3, 9)])
+def test_bouquets_alone_force_as_much(loops, best):
+    found = minimax(given(bouquets(loops)))
+    assert found.at_least == best
+    assert most_expensive(found.strategy, bouquets(loops)) == best
+
+
+def brute_force(group, most):
+    """Whether so many traversals are enough, by trying every strategy in worlds as they are."""
+    codes = {rooted_code(world.map.sigma, world.map.alpha, state.dart) for world, state in group}
+    if len(codes) == 1:
+        return True
+    if most == 0:
+        return False
+    degree = group[0][0].sensed(group[0][1]).degree
+    for k in range(degree):
+        parts = {}
+        for world, state in group:
+            after, percept = world.step(state, Move(k))
+            parts.setdefault(percept, []).append((world, after))
+        if all(brute_force(part, most - 1) for part in parts.values()):
+            return True
+    return False
+
+
+@pytest.mark.parametrize(("edges", "best"), [(1, 0), (2, 1), (3, 4)])
+def test_a_search_without_any_memory_finds_the_same(edges, best):
+    starts = {}
+    for world in worlds(edges):
+        starts.setdefault(world.first, []).append((world, world.initial))
+    assert all(brute_force(group, best) for group in starts.values())
+    assert best == 0 or not all(brute_force(group, best - 1) for group in starts.values())
+
+
+@cache
+def best_for_three():
+    return minimax(given(worlds(3))).strategy
+
+
+def test_every_spoilt_strategy_is_noticed():
+    strategy = best_for_three()
+    first = next(i for i, node in enumerate(strategy.nodes) if isinstance(node, Step))
+    leaf = next(i for i, node in enumerate(strategy.nodes) if isinstance(node, Leaf))
+    step = strategy.nodes[first]
+    answer = strategy.nodes[leaf].answer
+    shorter = dict(list(step.then.items())[1:])
+    spoilt = [
+        (first, replace(step, then=shorter)),
+        (first, Step(step.k, dict.fromkeys(step.then, first))),
+        (leaf, Leaf(Estimate(LOOP, 0))),
+        (leaf, Leaf(Estimate(answer.map.mirrored(), answer.map.sigma[answer.here]))),
+    ]
+    for number, node in spoilt:
+        nodes = [*strategy.nodes]
+        nodes[number] = node
+        assert most_expensive(replace(strategy, nodes=tuple(nodes)), worlds(3)) is None
+    assert most_expensive(replace(strategy, start={}), worlds(3)) is None
+
+
+def test_a_strategy_for_fewer_worlds_is_none_for_more():
+    found = minimax([(EDGE, 0, 0)])
+    assert found == Solved(0, found.strategy, 0)
+    assert most_expensive(found.strategy, [World(EDGE, Directional(0))]) == 0
+    assert most_expensive(found.strategy, worlds(1)) is None
+
+
+def test_what_is_known_of_the_bearing_does_not_matter_but_the_place_does():
+    for edges in (1, 2):
+        strategy = minimax(given(worlds(edges))).strategy
+        answers = [node.answer for node in strategy.nodes if isinstance(node, Leaf)]
+        assert all(answer.here in answer.map.darts for answer in answers)
+
+
+def test_relabelling_the_worlds_changes_nothing():
+    shifted = [
+        (world.map.relabelled(names), names[world.start], names[world.lighthouse.dart])
+        for world in worlds(2)
+        for names in [[(dart + 1) % 4 for dart in world.map.darts]]
+    ]
+    assert minimax(shifted).strategy == minimax(given(worlds(2))).strategy
+
+
+@pytest.mark.parametrize("edges", [2, slow(4)])
+def test_the_table_has_every_directional_explorer_and_none_is_better(edges):
+    report = allworlds.optimum(edges=edges)
+    assert [row.optimum for row in report.rows] == [0, 1, 4, 9][:edges]
+    for row, most in zip(report.rows, [1, 4, 11, 22], strict=False):
+        assert row.explorers["algorithm1"] == most
+        assert {"remembering", "greedy", "folding"} < set(row.explorers)
+        assert all(cost >= row.optimum for cost in row.explorers.values())
+    assert report.exit_code == Exit.ANSWERED
+    told = text("optimum", report, 100)
+    assert "followed in every world" in told
+
+
+def test_where_the_time_is_up_there_is_a_lower_bound():
+    report = allworlds.optimum(edges=2, time_limit=1e-9)
+    last = report.rows[-1]
+    assert (last.optimum, last.replayed, last.solved.at_least) == (None, None, 1)
+    assert report.exit_code == Exit.INCONCLUSIVE
+    assert "1 or more" in text("optimum", report, 100)
+
+
+@pytest.mark.parametrize(("replayed", "seen"), [(None, "wrong in some world"), (7, "costs 7")])
+def test_a_replay_that_disagrees_is_an_error(replayed, seen):
+    strategy = Strategy({}, (Leaf(Estimate(EDGE, 0)),))
+    row = OptimumRow(1, 3, Solved(0, strategy, 0), replayed, {"algorithm1": 1})
+    report = OptimumReport((row,))
+    assert report.exit_code == Exit.DISAGREES
+    assert seen in text("optimum", report, 100)
+
+
+def test_an_interrupt_keeps_the_rows():
+    report = OptimumReport((), complete=False)
+    assert report.exit_code == Exit.INTERRUPTED
+    assert text("optimum", report, 100)
+
+
+def test_the_document_has_a_node_for_every_branch():
+    for row in allworlds.optimum(edges=2).to_json()["rows"]:
+        nodes = row["strategy"]["nodes"]
+        branches = [row["strategy"]["start"], *(node.get("then", []) for node in nodes)]
+        reached = {branch["node"] for branch in [b for some in branches for b in some]}
+        assert reached == set(range(len(nodes)))
+        assert all(("move" in node) != ("answer" in node) for node in nodes)
+
+
+def test_no_two_explorations_of_one_percept_are_mixed_up():
+    for one, other in product(worlds(1), repeat=2):
+        solved = minimax(given([one, other]))
+        assert most_expensive(solved.strategy, [one, other]) == solved.at_least == 0

@@ -1,0 +1,85 @@
+"""To play: whatever is answered is what the world says, and nothing else is told."""
+
+import io
+import json
+import sys
+
+import pytest
+from small import LOOP, PATH
+
+from allworlds import Drop, Move, Pick
+from allworlds.cli.app import call
+from allworlds.inputs import InputError
+from allworlds.studies.play import play
+from allworlds.world import Directional, Movable, World
+
+
+def script(*actions):
+    """A player that does these, and the list of what it is told."""
+    told, left = [], iter([*actions, None])
+
+    def player(percept, refused):
+        told.append((str(percept), refused))
+        return next(left)
+
+    return player, told
+
+
+def test_a_player_is_told_what_it_senses_and_its_walk_is_recorded():
+    world = World(PATH, Directional(0), 0)
+    player, told = script(Move(0), Move(1))
+    played = play(world, player=player)
+    assert [percept for percept, _ in told] == [str(p) for p in played.transcript.percepts]
+    assert played.transcript.actions == (Move(0), Move(1))
+    assert played.transcript.percepts == [world.percepts[d] for d in (0, 1, 3)]
+    assert played.exit_code == 0
+
+
+def test_what_cannot_be_done_is_told_and_is_no_step():
+    player, told = script(Pick(), Drop(), Drop(), Pick())
+    played = play(World(LOOP, Movable(), 0), player=player)
+    assert played.transcript.actions == (Drop(), Pick())
+    assert [refused for _, refused in told] == [
+        "",
+        "a Pick only where a marker lies",
+        "",
+        "a Drop only with a marker in hand",
+        "",
+    ]
+
+
+def test_without_a_player_nothing_is_done():
+    assert play("theta").transcript.steps == ()
+
+
+def test_a_world_that_is_none_is_refused():
+    with pytest.raises(InputError, match="is no World"):
+        play(3)
+
+
+@pytest.mark.parametrize("end", ["\n", ""])
+def test_a_line_is_an_action_and_the_conversation_is_no_result(end, capsys, monkeypatch):
+    monkeypatch.setattr(sys, "stdin", io.StringIO(f"0\n -1 \ndrop\nleft \x1b\n{end}"))
+    assert call(["play", "theta", "--json"]) == 0
+    said = capsys.readouterr()
+    document = json.loads(said.out)
+    assert [row.get("move") for row in document["transcript"]] == [None, 0, 2]
+    assert document["path"] is None
+    assert said.err.count("you sense: degree 3") == 3
+    assert "that cannot be done: the directional lighthouse gives no markers" in said.err
+    assert "is not one of a number, drop, pick, or an empty line to end" in said.err
+    assert "\x1b" not in said.err
+
+
+def test_a_page_is_written_and_nothing_is_played(tmp_path, capsys):
+    page = tmp_path / "play.html"
+    assert call(["play", "theta", "--html", str(page)]) == 0
+    assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+    said = capsys.readouterr()
+    assert "".join(said.out.split()) == f"PAGE{page},tobeopenedinawebbrowser"
+    assert not said.err
+
+
+def test_a_page_that_cannot_be_written_is_refused_before_anything_is_done(tmp_path, capsys):
+    assert call(["play", "theta", "--html", str(tmp_path)]) == 2
+    assert "cannot be written" in capsys.readouterr().err

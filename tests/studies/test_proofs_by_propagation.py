@@ -1,0 +1,101 @@
+from itertools import product
+from random import Random
+
+import pytest
+
+from allworlds.studies.ambiguity.smt.cadical_child import main
+from allworlds.studies.ambiguity.smt.formula import Formula
+from allworlds.studies.ambiguity.smt.lrat import check_lrat
+from allworlds.studies.ambiguity.smt.rup import ProofRefused, lrat_of_drat, write_lrat
+from allworlds.studies.ambiguity.smt.solvers import (
+    Clock,
+    python_sat_is_installed,
+    solve_with_python_sat,
+)
+
+# All eight clauses over three variables: no assignment is left.
+ALL = [
+    tuple(s * v for s, v in zip(signs, (1, 2, 3), strict=True))
+    for signs in product((1, -1), repeat=3)
+]
+DRAT = ["1 2 0", "1 -2 0", "1 0", "d 1 2 3 0", "-1 2 0", "2 0", "0"]
+
+
+def lines(steps, tmp_path):
+    write_lrat(steps, tmp_path / "p.lrat")
+    return (tmp_path / "p.lrat").read_text().splitlines()
+
+
+def test_what_propagation_proves_becomes_an_lrat_proof(tmp_path):
+    steps = lrat_of_drat(3, ALL, DRAT)
+    assert steps[-1][1] == ()
+    check_lrat(ALL, lines(steps, tmp_path))
+
+
+def test_lemmas_on_which_nothing_rests_are_left_out():
+    steps = lrat_of_drat(3, ALL, DRAT)
+    rests_on = {hint for _, _, hints in steps for hint in hints}
+    assert all(number in rests_on for number, clause, _ in steps if clause)
+    assert [number for number, _, _ in steps] == list(range(9, 9 + len(steps)))
+
+
+@pytest.mark.parametrize(
+    ("proof", "message"),
+    [
+        (["1 0"], "line 1.*unit propagation does not give"),
+        (["1 2 0", "d 1 2 -3 -1 0"], "line 2.*no clause at this point"),
+        (["1 2 0"], "ends without the empty clause"),
+        (["1 4 0"], "line 1.*over the formula's variables"),
+        (["1 2"], "line 1.*over the formula's variables"),
+        (["1 x 0"], "line 1"),
+        ([""], "line 1"),
+        (["1 -1 0"], "line 1.*contains"),
+        ([*DRAT[:2], "d 1 2 0", "d 1 2 0"], "line 4.*no clause"),
+    ],
+)
+def test_a_line_that_does_not_follow_is_refused_by_its_number(proof, message):
+    with pytest.raises(ProofRefused, match=message):
+        lrat_of_drat(3, ALL, proof)
+
+
+def test_a_satisfiable_formula_has_no_proof():
+    with pytest.raises(ProofRefused):
+        lrat_of_drat(3, ALL[1:], ["1 2 0", "1 -2 0", "1 0", "-1 2 0", "2 0", "0"])
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not python_sat_is_installed(), reason="python-sat is not installed")
+@pytest.mark.parametrize("seed", range(12))
+def test_random_formulas_are_either_solved_or_proved(tmp_path, seed):
+    chance = Random(seed)
+    variables = 20
+    formula = Formula()
+    formula.block("x", (variables,), "any")
+    formula.section("random")
+    for _ in range(110):
+        chosen = chance.sample(range(1, variables + 1), 3)
+        formula.add(*[chance.choice((1, -1)) * v for v in chosen])
+    formula.write(tmp_path / "f.cnf")
+    solved = solve_with_python_sat(tmp_path / "f.cnf", tmp_path / "f.drat", Clock(None))
+    if solved.status == "sat":
+        for clause in formula.clauses:
+            assert any((literal > 0) == (abs(literal) in solved.model) for literal in clause)
+        return
+    proof = (tmp_path / "f.drat").read_text().splitlines()
+    steps = lrat_of_drat(variables, formula.clauses, proof)
+    check_lrat(formula.clauses, lines(steps, tmp_path))
+    # Without its clauses nothing follows.
+    with pytest.raises(ProofRefused):
+        check_lrat(formula.clauses[: len(formula.clauses) // 8], lines(steps, tmp_path))
+
+
+@pytest.mark.skipif(not python_sat_is_installed(), reason="python-sat is not installed")
+def test_the_child_process_prints_its_verdict_as_solvers_do(tmp_path, capsys):
+    formula, proof = tmp_path / "f.cnf", tmp_path / "f.drat"
+    formula.write_text("p cnf 2 2\n1 2 0\n-1 0\n")
+    main(str(formula), str(proof))
+    assert capsys.readouterr().out == "s SATISFIABLE\nv -1 2 0\n"
+    formula.write_text("p cnf 1 2\n1 0\n-1 0\n")
+    main(str(formula), str(proof))
+    assert capsys.readouterr().out == "s UNSATISFIABLE\n"
+    assert "0" in proof.read_text().splitlines()

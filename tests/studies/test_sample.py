@@ -1,0 +1,117 @@
+from collections import Counter
+from random import Random
+
+import pytest
+
+from allworlds.engines import Sample
+from allworlds.inputs import InputError
+from allworlds.maps import CombinatorialMap, Extent, MapClass, random_map, rooted_code, rooted_maps
+from allworlds.studies.fuzz.sample import GENERATORS, batches
+from allworlds.world import Directional
+
+CLASSES = pytest.mark.parametrize("map_class", list(MapClass))
+
+
+def code(map_):
+    return rooted_code(map_.sigma, map_.alpha, 0)
+
+
+def drawn(map_class, edges, runs, seed=0):
+    extent = Extent(map_class, edges)
+    parts = batches(Sample(runs, seed))
+    return [placed for batch in parts for placed in batch.placed(extent, Directional)]
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@CLASSES
+def test_a_sample_is_a_function_of_its_seed(map_class):
+    assert drawn(map_class, 10, 100, seed=7) == drawn(map_class, 10, 100, seed=7)
+    assert drawn(map_class, 10, 100, seed=7) != drawn(map_class, 10, 100, seed=8)
+
+
+def test_a_longer_sample_begins_with_the_shorter():
+    assert drawn(MapClass.MAPS, 10, 150)[:70] == drawn(MapClass.MAPS, 10, 70)
+
+
+@pytest.mark.slow
+@CLASSES
+def test_every_run_has_one_valid_world_of_the_class_within_the_bound(map_class):
+    sample = drawn(map_class, 12, 200)
+    assert len(sample) == 200
+    for map_, places in sample:
+        assert CombinatorialMap(map_.sigma, map_.alpha) == map_
+        assert map_class.includes(map_)
+        assert map_.edge_count <= 12
+        ((place, lighthouse),) = places
+        assert lighthouse.dart == map_.turn(0, place)
+
+
+@CLASSES
+@pytest.mark.parametrize("least", [7, pytest.param(14, marks=pytest.mark.slow)])
+def test_no_world_of_a_sample_is_smaller_than_it_is_to_be(map_class, least):
+    # No lattice has 14 edges of which none is taken away: other maps take its place.
+    (batch,) = batches(Sample(30, min_edges=least))
+    sizes = [map_.edge_count for map_, _ in batch.placed(Extent(map_class, 14), Directional)]
+    assert len(sizes) == 30
+    assert min(sizes) >= least
+    assert max(sizes) <= 14
+
+
+@pytest.mark.no_cover
+@CLASSES
+def test_every_number_of_edges_and_every_bearing_comes(map_class):
+    sample = drawn(map_class, 6, 300)
+    assert {map_.edge_count for map_, _ in sample} == set(range(1, 7))
+    assert {places[0][0] for map_, places in sample if map_.degree_at[0] == 3} == {0, 1, 2}
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@CLASSES
+def test_every_generator_comes_in_turn_and_makes_what_the_class_can_use(map_class):
+    for generator in GENERATORS[map_class]:
+        random = Random(1)
+        found = [generator(8, random) for _ in range(100)]
+        assert all(map_.edge_count <= 8 for map_ in found)
+        assert len({code(map_) for map_ in found}) > 5
+        assert any(map_class.includes(map_) for map_ in found)
+
+
+def test_a_sample_of_plain_maps_has_loops_handles_and_planes():
+    sample = [map_ for map_, _ in drawn(MapClass.MAPS, 10, 200)]
+    for has in ("loop_count", "parallel_count", "genus", "is_planar", "is_simple"):
+        assert any(getattr(map_, has) for map_ in sample)
+
+
+@pytest.mark.no_cover
+def test_random_maps_are_uniform_among_all_rooted_maps_with_two_edges():
+    random = Random(2026)
+    draws = 5000
+    counted = Counter(code(random_map(2, random)) for _ in range(draws))
+    assert set(counted) == {code(map_) for map_ in rooted_maps(2)}
+    assert len(counted) == 10  # OEIS A000698
+    # 500 each; 100 are more than four and a half standard deviations.
+    assert all(abs(count - draws / 10) < 100 for count in counted.values())
+
+
+@pytest.mark.no_cover
+def test_gluing_at_random_is_not_uniform():
+    random = Random(2026)
+    glue = GENERATORS[MapClass.PLANAR][0]
+    counted = Counter(code(glue(2, random)) for _ in range(5000))
+    assert len(counted) == 9  # in the plane; OEIS A000168
+    assert not all(abs(count - 5000 / 9) < 100 for count in counted.values())
+
+
+def test_random_maps_with_one_edge_are_the_loop_and_the_link():
+    random = Random(0)
+    counted = Counter(random_map(1, random).vertex_count for _ in range(1000))
+    assert abs(counted[1] - 500) < 80
+    assert counted[1] + counted[2] == 1000
+
+
+@pytest.mark.parametrize(("runs", "message"), [(0, "runs = 0"), (-1, "runs = -1")])
+def test_a_sample_of_nothing_is_refused(runs, message):
+    with pytest.raises(InputError, match=f"{message} is not positive"):
+        Sample(runs)

@@ -1,0 +1,149 @@
+from dataclasses import replace
+
+import pytest
+from small import slow
+
+import allworlds
+from allworlds.engines import Scope
+from allworlds.judging import Rules
+from allworlds.maps import Extent, MapClass, contracted, deleted, rooted_code
+from allworlds.protocol import Estimate
+from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.shrink import shrink
+from allworlds.world import Directional, World
+
+
+@pytest.fixture(scope="module", params=[(5, 4), slow((9, 6))])
+def shrunk(request, planted, untraced):
+    """An explorer whose error begins at that size, how many edges these are, and the sample."""
+    edges, degree = request.param
+    explore = planted(edges, degree)
+    with untraced():
+        return explore, edges, fuzz(explore, edges=edges + 3, runs=60, seed=1)
+
+
+def refuted(explore, map_):
+    """Whether any start and any place of the marker in this map refutes the explorer."""
+    kind = Directional
+    return any(
+        allworlds.run(explore, World(map_, lighthouse, start)).finding
+        for start in map_.darts
+        for lighthouse in kind.places(map_, start)
+    )
+
+
+@pytest.mark.no_cover
+def test_an_error_that_begins_at_so_many_edges_is_shrunk_to_these_and_one_vertex(shrunk):
+    _, edges, report = shrunk
+    (finding,) = report.findings
+    map_ = finding.world.map
+    assert finding.law == "pose"
+    assert (map_.edge_count, map_.vertex_count) == (edges, 1)
+    assert finding.world.start == 0
+    assert finding.place == 0
+    assert rooted_code(map_.sigma, map_.alpha, 0) == (map_.sigma, map_.alpha)
+
+
+@pytest.mark.no_cover
+def test_what_is_found_is_refuted_and_nothing_with_one_edge_less_is(shrunk):
+    explore, _, report = shrunk
+    (finding,) = report.findings
+    map_ = finding.world.map
+    assert allworlds.run(explore, finding.world).finding.law == "pose"
+    smaller = [change(map_, dart) for dart, _ in map_.edges for change in (deleted, contracted)]
+    smaller = {rooted_code(m.sigma, m.alpha, 0): m for m in smaller if m}
+    assert smaller
+    assert not any(refuted(explore, other) for other in smaller.values())
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@pytest.mark.parametrize(("edges", "degree"), [(5, 4), slow(9, 6)])
+def test_shrinking_stays_in_its_class(planted, edges, degree):
+    # The smallest plane simple maps with so many edges and a vertex of that degree: a wheel's
+    # hub with all of its spokes, and some edges of its rim.
+    report = fuzz(planted(edges, degree), edges=edges + 5, runs=100, map_class="planar-simple")
+    (finding,) = report.findings
+    map_ = finding.world.map
+    assert MapClass.PLANAR_SIMPLE.includes(map_)
+    assert (map_.edge_count, map_.vertex_count) == (edges, degree + 1)
+
+
+class Recorder:
+    """Refutes exactly the worlds with a property, and remembers what it was asked."""
+
+    def __init__(self, finding, condition):
+        self.finding, self.condition, self.asked = finding, condition, []
+
+    def __call__(self, picked):
+        worlds = [(world, place) for one in picked for world, place in one.worlds]
+        self.asked += [self.found(*run).key[:4] for run in worlds]
+        found = [self.found(*run) for run in worlds if self.condition(run[0])]
+        return min(found, key=lambda f: f.key, default=None)
+
+    def found(self, world, place):
+        return replace(self.finding, world=world, place=place, choices=())
+
+
+@pytest.fixture
+def large():
+    """A finding in the cube."""
+
+    def wrong(first):
+        yield from ()
+        return Estimate(allworlds.CombinatorialMap((1, 0), (1, 0)), 0)
+
+    map_ = allworlds.maps.build.named_map("cube")
+    kind = Directional
+    return allworlds.run(wrong, World(map_, next(kind.places(map_, 0)), 0)).finding
+
+
+def smallest(large, condition, map_class="maps"):
+    recorder = Recorder(large, condition)
+    steps = list(shrink(large, Scope(Extent(MapClass.named(map_class), 12), Rules()), recorder))
+    return steps, recorder
+
+
+@pytest.mark.no_cover
+def test_every_step_is_smaller_and_only_smaller_worlds_are_tried(large):
+    steps, recorder = smallest(large, lambda world: world.map.vertex_count >= 3)
+    keys = [large.key[:4], *(step.key[:4] for step in steps)]
+    assert keys == sorted(set(keys), reverse=True)
+    assert max(recorder.asked) < large.key[:4]
+    # The least map with three vertices: a path.
+    assert keys[-1][:2] == (2, 3)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "condition",
+    [
+        lambda map_: map_.is_simple and max(map_.degrees) >= 3,
+        lambda map_: len(map_.faces) >= 3 and map_.vertex_count >= 3,
+        lambda map_: map_.genus == 0 and sorted(map_.degrees)[-2:] == [3, 3],
+    ],
+)
+def test_no_single_deletion_or_contraction_of_the_last_step_refutes(large, condition):
+    steps, _ = smallest(large, lambda world: condition(world.map))
+    map_ = steps[-1].world.map
+    assert condition(map_)
+    neighbours = [change(map_, dart) for dart in map_.darts for change in (deleted, contracted)]
+    assert not any(condition(other) for other in neighbours if other)
+
+
+@pytest.mark.slow
+def test_where_every_world_refutes_one_loop_is_left(large):
+    steps, _ = smallest(large, lambda world: True)
+    assert steps[-1].world.map == allworlds.CombinatorialMap((1, 0), (1, 0))
+
+
+def test_in_the_simple_class_one_link_is_left(large):
+    steps, _ = smallest(large, lambda world: True, "simple")
+    assert steps[-1].world.map == allworlds.CombinatorialMap((0, 1), (1, 0))
+
+
+@pytest.mark.no_cover
+def test_where_nothing_smaller_refutes_there_is_no_step(large):
+    steps, recorder = smallest(large, lambda world: False)
+    assert steps == []
+    assert len(set(recorder.asked)) == len(recorder.asked)

@@ -1,0 +1,196 @@
+import sys
+from itertools import combinations_with_replacement, pairwise, product
+
+import pytest
+from small import stepped
+
+from allworlds.inputs import InputError
+from allworlds.maps import Disagreement, named_map, rooted_code, rooted_maps
+from allworlds.protocol import Move
+from allworlds.studies.ambiguity import Bisimulation, Separation, twins
+from allworlds.studies.ambiguity.telling_apart import replayed, separation
+from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World, flaw
+
+twins_module = sys.modules["allworlds.studies.ambiguity.telling_apart"]
+KINDS = [Nothing, Position, Compass, Directional]
+
+
+def worlds(kind, largest):
+    return [
+        World(map_, place)
+        for m in range(1, largest + 1)
+        for map_ in rooted_maps(m)
+        for place in kind.places(map_, 0)
+    ]
+
+
+def named(name, kind="position", start=0):
+    map_ = named_map(name)
+    return World.from_json({**map_.to_json(), "start": start}, missing=kind)
+
+
+def walked(world, motions):
+    dart, seen = world.start, [world.first]
+    for k in motions:
+        dart, percept = stepped(world, dart, Move(k))
+        seen.append(percept)
+    return tuple(seen)
+
+
+def naive_separation(a, b, longest):
+    """All words of motions by length, then in lexicographic order, until one separates."""
+    if a.first != b.first:
+        return ()
+    most = max(p.degree for w in (a, b) for p in w.percepts)
+    for length in range(1, longest + 1):
+        for motions in product(range(most), repeat=length):
+            one, other = walked(a, motions), walked(b, motions)
+            if one != other:
+                return motions
+    return None
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_separating_motions_are_the_shortest_and_then_the_first(kind):
+    some = worlds(kind, 2)
+    for a, b in combinations_with_replacement(some[::2], 2):
+        found = twins(a, b)
+        # Two worlds with at most 8 darts in all differ within 7 motions if they differ.
+        longest = len(found.proof.motions) if found.distinguishable else 4
+        expected = naive_separation(a, b, longest)
+        if expected is None:
+            assert isinstance(found.proof, Bisimulation)
+        else:
+            assert found.proof.motions == expected
+            assert found.proof.percepts == (walked(a, expected), walked(b, expected))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_same_world_under_other_names_is_the_same(kind):
+    for world in worlds(kind, 3)[::5]:
+        other = world.relabelled([*reversed(world.map.darts)])
+        found = twins(world, other)
+        assert (found.relation, found.distinguishable, found.twins) == ("same", False, False)
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+def test_directional_worlds_are_told_apart_unless_they_are_the_same():
+    # All pairs with at most three edges: a directional marker settles the map and the pose.
+    known = {}
+    for world in worlds(Directional, 3):
+        code = rooted_code(world.map.sigma, world.map.alpha, 0)
+        known[code, world.first.bearing] = world
+    different = list(known.values())
+    assert len(different) == 309  # 2, 10, 74 rooted maps weighed by the degree of the root
+    for i, one in enumerate(different):
+        for other in different[:i]:
+            assert not same_start_class(one, other)
+    for one, other in pairwise(different):
+        assert twins(one, other).distinguishable
+
+
+def same_start_class(one, other):
+    labelled = [twins_module.Labelled(w.map, w.percepts, w.start) for w in (one, other)]
+    first, second = twins_module.classes_of_union(*labelled)
+    return first[one.start] == second[other.start]
+
+
+# ------------------------------------------------------------------------ known results
+
+
+def test_the_fig1_pair_cannot_be_told_apart_and_the_caption_holds_on_both():
+    # Fig. 1 (III): motions 1, 1, 2, 2, 1 give [3,A] four times and [4,P], from every start.
+    for start in range(4):
+        left, right = named("fig1-left", start=start), named("fig1-right", start=start)
+        found = twins(left, right)
+        assert found.twins
+        assert flaw((left, right), found.proof.classes) is None
+        for world in (left, right):
+            seen = [(p.degree, p.marks) for p in walked(world, (1, 1, 2, 2, 1))]
+            assert seen == [(4, 1), (3, 0), (3, 0), (3, 0), (3, 0), (4, 1)]
+
+
+@pytest.mark.parametrize("kind", ["none", "compass"])
+def test_cycles_of_any_lengths_are_twins_without_position(kind):
+    # Section III: a robot on a cycle of length three or four; with global orientation too.
+    for n, m in ((3, 4), (3, 7), (1, 2), (5, 50)):
+        assert twins(named(f"cycle-{n}", kind), named(f"cycle-{m}", kind)).twins
+
+
+def test_cycles_of_different_lengths_are_told_apart_by_position_after_going_round_the_shorter():
+    # Section III: 'the robot can easily distinguish graphs such as different sized cycles'.
+    for n, m in ((1, 2), (3, 4), (3, 9), (12, 5)):
+        found = twins(named(f"cycle-{n}"), named(f"cycle-{m}"))
+        # Motion 0 takes the way of the dart one faces; then 1 goes on.
+        assert found.proof.motions == (0, *[1] * (min(n, m) - 1))
+        assert [seen[-1].marks for seen in found.proof.percepts] == [int(n < m), int(m < n)]
+
+
+def test_a_world_entered_at_a_dart_that_looks_alike_is_the_same_map():
+    a = named("wheel-4")
+    b = World(a.map, Position(1), 1)
+    assert twins(a, b).relation == "same"  # the wheel turns
+    left = named("fig1-left")
+    found = twins(left, World(left.map, Position(1), 1))
+    assert (found.relation, found.twins) == ("same-map", False)
+
+
+def test_one_map_with_its_marker_at_two_vertices_is_two_worlds():
+    a = named("path-4")
+    b = World(a.map, Position(1), 1)
+    found = twins(a, b)
+    assert (found.relation, found.proof.motions) == ("different", ())
+
+
+# ------------------------------------------------------------------------ the documents
+
+
+def test_the_document_has_motions_and_percepts_or_a_bisimulation():
+    apart = twins(named("cycle-1"), named("cycle-2")).to_json()
+    assert (apart["distinguishable"], apart["motions"]) == (True, [0])
+    assert [seen[0] for seen in apart["percepts"]] == [
+        {"degree": 2, "marks": 1, "bearing": None}
+    ] * 2
+    assert "bisimulation" not in apart
+    alike = twins(named("two-loops-plane"), named("two-loops-torus")).to_json()
+    assert (alike["distinguishable"], alike["twins"]) == (False, True)
+    assert alike["bisimulation"] == [[0] * 4, [0] * 4]
+    assert "motions" not in alike
+
+
+def test_worlds_of_different_lighthouses_are_not_compared():
+    with pytest.raises(InputError, match="the lighthouses position and none"):
+        twins(named("k4"), named("k4", "none"))
+
+
+# ------------------------------------------------------------------------ self-checks
+
+
+def test_a_walk_is_walked_again_before_it_is_believed():
+    a, b = named("cycle-3"), named("cycle-4")
+    good = twins(a, b).proof
+    assert replayed(a, b, good) is None
+    one, other = good.percepts
+    assert replayed(a, b, Separation(good.motions, (other, one))) == "the walk shows other percepts"
+    shorter = good.motions[:-1]
+    bad = Separation(shorter, (walked(a, shorter), walked(b, shorter)))
+    assert replayed(a, b, bad) == "the last percepts are equal"
+    longer = (*good.motions, 1)  # now the other world is at its marker
+    bad = Separation(longer, (walked(a, longer), walked(b, longer)))
+    assert replayed(a, b, bad) == "a part of the motions is enough"
+
+
+def test_a_wrong_proof_is_an_internal_fault(monkeypatch):
+    a, b = named("cycle-3"), named("cycle-4")
+    monkeypatch.setattr(twins_module, "replayed", lambda *_: "so it is")
+    with pytest.raises(Disagreement, match="so it is"):
+        twins(a, b)
+    with pytest.raises(Disagreement, match="no motion tells"):
+        separation(a, a)
+
+
+def test_every_kind_of_lighthouse_can_be_compared():
+    for name in ("none", "position", "compass", "directional"):
+        assert name in LIGHTHOUSES
+        assert twins(named("k4", name), named("k4", name)).relation == "same"

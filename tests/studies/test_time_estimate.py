@@ -1,0 +1,151 @@
+"""How long a check will take is guessed from its last level."""
+
+import random
+
+import pytest
+
+from allworlds import check
+from allworlds.engines import EnginesDisagree, drawn_units, level_size
+from allworlds.engines.kernel.tables import MOST_EDGES
+from allworlds.maps import Extent, MapClass
+from allworlds.progress import Silent
+from allworlds.reports.check_text import check_text
+from allworlds.studies.check import estimate
+from allworlds.studies.check.time_estimate import Guess, worlds_of
+
+pytestmark = pytest.mark.usefixtures("compiled")
+
+
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("engine", [pytest.param("python", marks=pytest.mark.slow), "kernel"])
+def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
+    monkeypatch.setattr("allworlds.studies.check.time_estimate.SECONDS", 0.05)
+    monkeypatch.setattr("allworlds.studies.check.exhaustive.one_larger", lambda _: None)
+    said = estimate(edges=4, engine=engine)
+    guess = said.guess
+    assert guess.worlds == sum(level_size(Extent(MapClass.MAPS, 4), m) for m in range(1, 5))
+    assert guess.sampled > 0
+    assert guess.seconds == pytest.approx(guess.worlds / guess.rate)
+    assert "for 792 worlds: a guess" in check_text(said, 100)
+    assert estimate(edges=4, engine=engine, shard=(0, 4)).guess.worlds == guess.worlds // 4
+
+
+def measured(*rates):
+    """What stands in for a sample: rates one after the other."""
+    left = iter(rates)
+
+    def estimated(job, engine):
+        return Guess(job.scope.extent.levels[-1], engine.name, worlds_of(job), 9, next(left))
+
+    return estimated
+
+
+WORLDS = {3: 86, 4: 792, 5: 8_954, 6: 119_364}
+"""Rooted maps with at most so many edges: the sums of OEIS A053979's rows."""
+
+
+@pytest.mark.parametrize(
+    ("asked", "rates", "expected"),
+    [
+        (
+            {"edges": 3, "engine": "python"},
+            (100.0, 50.0),
+            [(3, "python", 9, 100.0), (4, "python", 9, 50.0), (5, "python", 0, 25.0)],
+        ),
+        (
+            {"edges": 4},
+            (100.0, 10_000.0),
+            [(4, "python", 9, 100.0), (5, "kernel", 9, 10_000.0), (6, "kernel", 0, 10_000.0)],
+        ),
+        (
+            {"edges": 4, "engine": "kernel"},
+            (100.0, 300.0),
+            [(4, "kernel", 9, 100.0), (5, "kernel", 9, 300.0), (6, "kernel", 0, 300.0)],
+        ),
+        (
+            {"edges": 3, "engine": "python"},
+            (100.0, None),
+            [(3, "python", 9, 100.0), (4, "python", 9, None)],
+        ),
+        ({"edges": 3, "engine": "python"}, (None,), [(3, "python", 9, None)]),
+    ],
+    ids=["slower", "another engine", "faster", "one alone", "none"],
+)
+def test_what_larger_checks_take_is_told_too(asked, rates, expected, monkeypatch):
+    monkeypatch.setattr("allworlds.studies.check.exhaustive.estimated", measured(*rates))
+    said = estimate(**asked)
+    guesses = (said.guess, *said.larger)
+    assert guesses == tuple(
+        Guess(edges, engine, WORLDS[edges], sampled, rate)
+        for edges, engine, sampled, rate in expected
+    )
+    table = check_text(said, 100).partition("\n\n")[2].splitlines()
+    known = [guess for guess in guesses if guess.rate]
+    assert len(table) == (1 + len(known) if said.larger else 0)
+    for line, guess in zip(table[1:], known, strict=bool(said.larger)):
+        assert line.split()[:2] == [str(guess.edges), f"{guess.worlds:,}"]
+
+
+def test_nothing_larger_is_told_where_there_is_nothing_or_too_much(monkeypatch):
+    for asked in (
+        {"map_class": "simple", "vertices": 3},
+        {"edges": MOST_EDGES, "engine": "kernel", "vertices": 2},
+        {"edges": 16},
+        {"map_class": "simple", "vertices": 3, "edges": 3},
+    ):
+        monkeypatch.setattr("allworlds.studies.check.exhaustive.estimated", measured(1.0, 1.0))
+        assert estimate(**asked).larger == ()
+
+
+def test_where_nothing_is_finished_there_is_no_guess(monkeypatch):
+    def never(*_):
+        raise EnginesDisagree("they do not agree")
+
+    monkeypatch.setattr("allworlds.studies.check.time_estimate._pieces", never)
+    said = estimate(edges=2, engine="kernel")
+    guess = said.guess
+    assert (guess.rate, guess.seconds, guess.sampled) == (None, None, 0)
+    assert said.to_json()["seconds"] is None
+    assert "takes very long" in check_text(said, 100)
+
+
+class Hears:
+    """A listener that is there."""
+
+    def __init__(self):
+        self.notices, silent = [], Silent()
+        self.level, self.stage, self.progress = silent.level, silent.stage, silent.progress
+        self.unit, self.finding, self.notice = silent.unit, silent.finding, self.notices.append
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_a_long_check_begins_with_an_estimate(monkeypatch):
+    room = "allworlds.studies.check.time_estimate"
+    monkeypatch.setattr(f"{room}.SECONDS", 0.01)
+    monkeypatch.setattr(f"{room}.MANY", {"python": 10})
+    monkeypatch.setattr("allworlds.studies.check.exhaustive.LONG", 1e-9)
+    listener = Hears()
+    report = check(edges=2, engine="python", listener=listener)
+    (said,) = listener.notices
+    assert said.startswith("this will take about ")
+    assert report.to_json() == check(edges=2, engine="python").to_json()
+    listener = Hears()
+    check(edges=2, engine="python", listener=listener, time_limit=100)
+    monkeypatch.setattr(f"{room}.MANY", {"python": 100})
+    check(edges=2, engine="python", listener=listener)
+    assert listener.notices == []
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("map_class", list(MapClass))
+def test_pieces_are_drawn_as_often_as_they_have_maps(map_class):
+    extent = Extent(map_class, 4)
+    draw = random.Random(1)
+    units = [unit for unit, _ in zip(drawn_units(extent, 4, 5, draw), range(300), strict=False)]
+    sizes = [sum(1 for _ in unit.maps(extent)) for unit in units]
+    assert max(sizes) <= 5
+    assert all(unit.edges == 4 for unit in units)
+    assert len({unit.prefix for unit in units}) > 3
+    if not map_class.simple:
+        assert min(sizes) > 0
+    assert sum(sizes) > 0

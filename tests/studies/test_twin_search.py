@@ -1,0 +1,399 @@
+import json
+import os
+import stat
+import sys
+from itertools import product
+
+import pytest
+from small import slow
+
+import allworlds
+from allworlds.inputs import InputError
+from allworlds.maps import CombinatorialMap, MapClass, rooted_maps
+from allworlds.studies.ambiguity.smt import solvers, twin_search as searching
+from allworlds.studies.ambiguity.smt.decode import sensed
+from allworlds.studies.ambiguity.smt.formula import read_dimacs
+from allworlds.studies.ambiguity.smt.lrat import check_lrat
+from allworlds.studies.ambiguity.smt.one_world import Size
+from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
+from allworlds.studies.ambiguity.smt.question import Sizes, question
+from allworlds.studies.ambiguity.smt.witness import bisimulation, code, same_world_from
+from allworlds.world import Compass, Directional, Nothing, Position, World, flaw
+
+CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
+needs_python_sat = pytest.mark.skipif(
+    not solvers.python_sat_is_installed(), reason="python-sat is not installed: no certificates"
+)
+
+
+def sizes(result):
+    return [(world.map.edge_count, world.map.vertex_count) for world in result.pair]
+
+
+# Smallest pairs with the position marked: any map m = 2, simple m = 6, planar simple m = 8.
+@pytest.mark.no_cover
+@pytest.mark.parametrize(
+    ("map_class", "edges", "found"),
+    [
+        ("maps", 2, (2, 1)),
+        ("planar", 3, (3, 1)),
+        ("simple", 6, (6, 4)),
+        pytest.param("planar-simple", 8, (8, 7), marks=pytest.mark.slow),
+    ],
+)
+def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class, edges, found):
+    bounds = {"vertices": 9, "map_class": map_class, "out": tmp_path}
+    result = allworlds.search(lighthouse="position", edges=edges, **bounds)
+    assert (result.status, result.exit_code) == ("sat", 0)
+    assert sizes(result) == [found, found]
+    assert [found.status for found in result.searched].count("unsat") >= edges - 1
+
+
+@pytest.mark.no_cover
+@needs_python_sat
+@pytest.mark.parametrize(
+    ("lighthouse", "map_class", "edges"),
+    [
+        ("position", "maps", 1),
+        ("position", "simple", 4),
+        slow("position", "planar-simple", 4),
+        ("directional", "maps", 3),
+        slow("position", "simple", 5),
+        slow("position", "planar-simple", 5),
+        slow("directional", "maps", 4),
+        pytest.param("directional", "maps", 5, marks=pytest.mark.slow),
+    ],
+)
+def test_where_there_is_no_pair_every_level_has_a_checked_proof(
+    tmp_path, lighthouse, map_class, edges
+):
+    bounds = {"vertices": 9, "edges": edges, "map_class": map_class}
+    result = allworlds.search(lighthouse=lighthouse, out=tmp_path, **bounds)
+    assert (result.status, result.exit_code, result.certificate) == ("unsat", 0, tmp_path)
+    assert [found.sizes.two.edges for found in result.searched] == list(range(1, edges + 1))
+    for found in result.searched:
+        # With a reader of its own: the producer's is the one that made the proof.
+        lines = [line.split() for line in found.formula.read_text().splitlines()]
+        clauses = [tuple(map(int, line[:-1])) for line in lines if line[0] not in {"c", "p"}]
+        check_lrat(clauses, found.proof.read_text().splitlines())
+        assert read_dimacs(found.formula)[1] == clauses
+
+
+@pytest.mark.slow
+def test_the_caption_of_fig_1_is_found_and_replays_from_every_start(tmp_path):
+    bounds = {"vertices": 9, "edges": 14, "map_class": "planar-simple", "out": tmp_path}
+    result = allworlds.search(
+        lighthouse="position", degree_marked=4, degree_others=3, **CAPTION, **bounds
+    )
+    assert sizes(result) == [(14, 9), (14, 9)]
+    for world in result.pair:
+        for start in world.map.vertices[world.map.vertex_of[world.start]]:
+            seen = sensed(World(world.map, world.lighthouse, start), CAPTION["motions"])
+            assert [(p.degree, p.marks) for p in seen] == [(3, 0)] * 4 + [(4, 1)]
+
+
+def placed(kind, map_):
+    """Every world with the lighthouse on a rooted map, started at its root."""
+    if kind == "compass":
+        for darts in product(*map_.vertices):
+            yield World(map_, Compass(tuple(sorted(darts))))
+    elif kind == "directional":
+        for dart in map_.vertices[map_.vertex_of[0]]:
+            yield World(map_, Directional(dart))
+    else:
+        yield World(map_, Position(0) if kind == "position" else Nothing())
+
+
+def percept(world, dart):
+    """Degree, marks, and the bearing where one is sensed, found by turning step by step."""
+    around, lighthouse = [dart], world.lighthouse
+    while world.map.sigma[around[-1]] != dart:
+        around.append(world.map.sigma[around[-1]])
+    darts = {
+        "none": (),
+        "position": [0],
+        "directional": [getattr(lighthouse, "dart", None)],
+        "compass": getattr(lighthouse, "darts", ()),
+    }[lighthouse.kind]
+    here = [place for place, other in enumerate(around) if other in darts]
+    marks = int(bool(here) and lighthouse.kind in ("position", "directional"))
+    bearing = here if lighthouse.kind in ("directional", "compass") else []
+    return (len(around), marks, *bearing)
+
+
+def looks(world):
+    """Equal exactly for worlds that no motion tells apart: the rooted quotient, naively."""
+    darts = world.map.darts
+    label = {d: percept(world, d) for d in darts}
+    for _ in darts:
+        label = {d: (label[d], label[world.map.sigma[d]], label[world.map.alpha[d]]) for d in darts}
+        names = {value: i for i, value in enumerate(sorted(set(label.values())))}
+        label = {d: names[value] for d, value in label.items()}
+    some = {c: d for d, c in label.items()}
+    walk = [label[world.start]]
+    for c in walk:
+        for step in (world.map.sigma, world.map.alpha):
+            if label[step[some[c]]] not in walk:
+                walk.append(label[step[some[c]]])
+    number = {c: i for i, c in enumerate(walk)}
+    steps = (world.map.sigma, world.map.alpha)
+    return tuple(
+        (percept(world, some[c]), *(number[label[step[some[c]]]] for step in steps)) for c in walk
+    )
+
+
+def smallest_by_enumeration(kind, map_class, edges):
+    """The largest number of edges of a pair with the fewest, and with the fewest in the other."""
+    known = {}
+    for m in range(1, edges + 1):
+        found = set()
+        for map_ in rooted_maps(m, map_class):
+            for world in placed(kind, map_):
+                others = known.setdefault(looks(world), [])
+                found |= {
+                    other.map.edge_count
+                    for other in others
+                    if same_world_from(other, world) is None
+                }
+                if all(code(other, 0) != code(world, 0) for other in others):
+                    others.append(world)
+        if found:
+            return (min(found), m)
+    return None
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("kind", "map_class", "edges"),
+    [
+        ("none", "maps", 2),
+        ("none", "simple", 4),
+        ("none", "planar-simple", 4),
+        ("position", "maps", 2),
+        ("position", "planar", 3),
+        ("position", "simple", 5),
+        ("compass", "maps", 2),
+        ("compass", "simple", 4),
+        ("directional", "maps", 3),
+    ],
+)
+def test_search_and_enumeration_give_the_same_answer(tmp_path, monkeypatch, kind, map_class, edges):
+    monkeypatch.setattr(searching, "python_sat_is_installed", lambda: False)
+    expected = smallest_by_enumeration(kind, MapClass(map_class), edges)
+    result = allworlds.search(
+        lighthouse=kind, map_class=map_class, vertices=edges + 1, edges=edges, out=tmp_path
+    )
+    found = None if result.pair is None else tuple(m for m, _ in sizes(result))
+    assert found == expected
+    assert result.status == ("unsat" if expected is None else "sat")
+
+
+@pytest.mark.slow
+def test_one_vertex_more_or_less_decides(tmp_path):
+    # K4 with its marker: n = 4; with three vertices a simple map has at most three edges.
+    bounds = {"lighthouse": "position", "map_class": "simple", "edges": 6, "out": tmp_path}
+    assert allworlds.search(vertices=4, **bounds).status == "sat"
+    result = allworlds.search(vertices=3, **bounds)
+    assert (result.status, result.vacuous) == ("unsat", False)
+    assert [found.sizes.two.edges for found in result.searched] == [1, 2, 3]
+
+
+@pytest.mark.parametrize(
+    "bounds",
+    [
+        {"degree_marked": 9, "vertices": 3, "edges": 3},
+        {"map_class": "simple", "vertices": 1, "edges": 3},
+        # The one world with one edge has two vertices: the first step leads away from v0.
+        {"degree_marked": 1, "degree_others": 1, "vertices": 2, "edges": 1}
+        | {"motions": (0,), "percepts": ("1P",)},
+    ],
+)
+def test_bounds_without_any_world_are_vacuous(tmp_path, bounds):
+    result = allworlds.search(lighthouse="position", out=tmp_path, **bounds)
+    assert (result.exit_code, result.vacuous, result.certificate) == (4, True, None)
+
+
+def test_when_the_time_is_over_the_answer_is_unknown_and_never_unsat(tmp_path):
+    bounds = {"vertices": 9, "edges": 6, "out": tmp_path}
+    result = allworlds.search(lighthouse="directional", time_limit=1e-6, **bounds)
+    assert (result.status, result.exit_code, result.pair) == ("unknown", 3, None)
+    assert "undecided" in result.notices[-1]
+
+
+def test_without_python_sat_there_is_no_certificate_but_a_notice(tmp_path, monkeypatch):
+    monkeypatch.setattr(searching, "python_sat_is_installed", lambda: False)
+    result = allworlds.search(lighthouse="position", vertices=2, edges=1, out=tmp_path)
+    assert (result.status, result.certificate) == ("unsat", None)
+    assert "allworlds[proofs]" in result.notices[0]
+
+
+@needs_python_sat
+def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path, monkeypatch):
+    monkeypatch.setattr(searching, "PROOF_LIMIT", 10)
+    result = allworlds.search(lighthouse="position", vertices=2, edges=1, out=tmp_path)
+    assert (result.status, result.certificate) == ("unsat", None)
+    assert "our checker takes up to 10" in result.notices[0]
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (
+            {"lighthouse": "gps"},
+            "lighthouse 'gps' is not one of none, position, directional, compass",
+        ),
+        ({"map_class": "trees"}, "class 'trees'"),
+        ({"edges": 0}, "edges = 0"),
+        ({"vertices": 0}, "vertices = 0"),
+        ({"degree_marked": 0}, "degree-marked = 0"),
+        ({"degree_others": -1}, "degree-others = -1"),
+        ({"motions": (1, 1), "percepts": ("3A",)}, "2 motions and 1 percepts"),
+        ({"motions": (1,), "percepts": ("3PP",)}, "2 position markers"),
+        ({"motions": (1,), "percepts": ("3AP",)}, "more than once"),
+        ({"motions": (1,), "percepts": ("A",)}, "percept 'A'"),
+        ({"motions": (1,), "percepts": ("3",)}, "percept '3'"),
+        ({"lighthouse": "none", "motions": (1,), "percepts": ("4P",)}, "4P needs a marked vertex"),
+        ({"time_limit": 0}, "time-limit = 0"),
+        ({"solver": "/nowhere/cadical"}, "'/nowhere/cadical' cannot be run"),
+        ({"solver": "/bin/true"}, "legal is CaDiCaL 2 or later"),
+    ],
+)
+def test_bad_input_is_refused_in_one_line_that_names_it(tmp_path, options, message):
+    asked = {"lighthouse": "position", "vertices": 3, "edges": 2, "out": tmp_path, **options}
+    with pytest.raises(InputError) as refusal:
+        allworlds.search(**asked)
+    assert message in str(refusal.value)
+    assert "\n" not in str(refusal.value)
+
+
+def script(path, body):
+    """A program that says it is CaDiCaL 2, and then does as it likes."""
+    version = "if '--version' in sys.argv:\n    print('2.1.3')\n    sys.exit()"
+    path.write_text(f"#!{sys.executable}\nimport sys\n{version}\n{body}\n")
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return str(path)
+
+
+def test_an_external_solver_whose_proof_is_wrong_is_not_believed(tmp_path):
+    body = "open(sys.argv[-1], 'w').write('9999 0 1 0\\n')\nprint('s UNSATISFIABLE')"
+    solver = script(tmp_path / "liar", body)
+    bounds = {"vertices": 3, "edges": 2, "solver": solver, "out": tmp_path / "out"}
+    result = allworlds.search(lighthouse="position", **bounds)
+    assert (result.status, result.exit_code, result.certificate) == ("unknown", 3, None)
+    assert "line 1 of the LRAT proof" in result.notices[0]
+
+
+def test_an_external_solver_whose_model_is_wrong_is_an_internal_error(tmp_path):
+    # Variables 1.. are sigma and alpha: all true is no map at all.
+    body = "print('s SATISFIABLE')\nprint('v', *range(1, 200), 0)"
+    solver = script(tmp_path / "liar", body)
+    with pytest.raises(RuntimeError, match="no pair of worlds"):
+        allworlds.search(lighthouse="position", vertices=2, edges=1, solver=solver, out=tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("body", "status"),
+    [("print('c UNKNOWN')", "unknown"), ("import time; time.sleep(60)", "unknown")],
+)
+def test_an_external_solver_that_does_not_know_gives_no_answer(tmp_path, body, status):
+    solver = script(tmp_path / "idle", body)
+    bounds = {"vertices": 3, "edges": 2, "out": tmp_path / "out", "time_limit": 2}
+    result = allworlds.search(lighthouse="position", solver=solver, **bounds)
+    assert (result.status, result.exit_code) == (status, 3)
+
+
+def test_an_external_solver_without_a_verdict_is_an_internal_error(tmp_path):
+    solver = script(tmp_path / "mute", "print('hello')")
+    with pytest.raises(RuntimeError, match="no verdict: hello"):
+        allworlds.search(lighthouse="position", vertices=2, edges=1, solver=solver, out=tmp_path)
+
+
+@needs_python_sat
+def test_two_solvers_that_disagree_are_an_internal_error(tmp_path, monkeypatch):
+    monkeypatch.setattr(searching, "solve_with_z3", lambda *_: solvers.SolverAnswer("unsat"))
+    monkeypatch.setattr(searching._TwinsSearch, "_some_world_exists", lambda _: True)
+    with pytest.raises(RuntimeError, match="disagree"):
+        allworlds.search(lighthouse="position", vertices=3, edges=2, out=tmp_path)
+
+
+def test_a_directory_that_cannot_be_made_is_bad_input(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InputError, match="cannot be made"):
+        allworlds.search(lighthouse="none", vertices=2, edges=1, out=tmp_path / "file" / "x")
+
+
+@pytest.mark.skipif("CADICAL" not in os.environ, reason="CADICAL does not name a CaDiCaL 2")
+def test_an_external_cadical_gives_the_same_answers_with_proofs(tmp_path):
+    asked = {"vertices": 9, "solver": os.environ["CADICAL"]}
+    none = allworlds.search(lighthouse="directional", edges=5, out=tmp_path / "none", **asked)
+    assert (none.status, none.certificate) == ("unsat", tmp_path / "none")
+    one = allworlds.search(lighthouse="position", edges=2, out=tmp_path / "one", **asked)
+    assert (one.status, sizes(one)) == ("sat", [(2, 1), (2, 1)])
+
+
+def test_the_document_holds_the_pair_its_bisimulation_and_its_files(tmp_path):
+    result = allworlds.search(lighthouse="position", vertices=3, edges=2, out=tmp_path)
+    document = json.loads(json.dumps(result.to_json()))
+    assert document["schema"] == 1
+    assert document["status"] == "sat"
+    a, b = (World.from_json(world) for world in document["pair"])
+    assert [list(classes) for classes in bisimulation(a, b)] == document["bisimulation"]
+    assert flaw((a, b), document["bisimulation"]) is None
+    certificate = json.loads((tmp_path / "pair.json").read_text())
+    assert certificate["pair"] == document["pair"]
+    assert document["certificate"] == str(tmp_path / "pair.json")
+
+
+def test_a_pair_that_can_be_told_apart_has_no_bisimulation():
+    theta = CombinatorialMap([2, 3, 4, 5, 0, 1], [1, 0, 3, 2, 5, 4])
+    other = CombinatorialMap([2, 5, 4, 1, 0, 3], [1, 0, 3, 2, 5, 4])
+    assert bisimulation(*(World(map_, Directional(0)) for map_ in (theta, other))) is None
+    # With the position alone nothing tells three parallel edges in the plane and on the torus.
+    marked = [World(map_, Position(0)) for map_ in (theta, other)]
+    assert flaw(marked, bisimulation(*marked)) is None
+
+
+def test_twins_agree_that_the_pairs_found_look_alike(tmp_path):
+    for lighthouse in ("position", "none", "compass"):
+        result = allworlds.search(
+            lighthouse=lighthouse, vertices=3, edges=2, out=tmp_path / lighthouse
+        )
+        assert not allworlds.twins(*result.pair).distinguishable
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["none", "position", "compass"])
+@pytest.mark.parametrize("edges", [2, 3])
+def test_with_every_other_start_excluded_a_level_has_a_pair_where_enumeration_has_one(
+    tmp_path, kind, edges
+):
+    known = {}
+    for map_ in rooted_maps(edges):
+        for world in placed(kind, map_):
+            known.setdefault(looks(world), []).append(world)
+    there = any(
+        same_world_from(group[0], other) is None for group in known.values() for other in group
+    )
+    size = Size(edges, 1, edges + 1)
+    asked = question(kind, "maps", edges + 1, edges)
+    formula, pair = pair_formula(asked, Sizes(size, size))
+    for start in range(1, 2 * edges):
+        forbid_other_start(formula, pair, start)
+    formula.write(tmp_path / "f.cnf")
+    solved = solvers.solve_with_z3(tmp_path / "f.cnf", solvers.Clock(None))
+    assert solved.status == ("sat" if there else "unsat")
+
+
+@pytest.mark.parametrize("error", [RuntimeError, InputError])
+def test_a_search_without_a_result_leaves_no_temporary_directory(tmp_path, monkeypatch, error):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+
+    def stop(*_):
+        assert [found.name[:17] for found in tmp_path.iterdir()] == ["allworlds-search-"]
+        raise error
+
+    monkeypatch.setattr(searching, "pair_formula", stop)
+    with pytest.raises(error):
+        allworlds.search(lighthouse="position", vertices=2, edges=2)
+    assert [*tmp_path.iterdir()] == []

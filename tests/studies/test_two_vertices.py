@@ -1,0 +1,289 @@
+"""The explorers without a direction, as a whole: checked, refuted, replayed and explained."""
+
+import json
+from functools import partial
+from pathlib import Path
+
+import pytest
+from small import slow
+
+from allworlds.explorers import Algorithm1
+from allworlds.explorers.builtin.undirected import TwoVertices
+from allworlds.inputs import InputError
+from allworlds.judging import Finding, explain
+from allworlds.judging.findings.walks import believed_percepts
+from allworlds.maps import from_cycles, named_map
+from allworlds.outcome import Verdict
+from allworlds.protocol import Move, Percept, Transcript
+from allworlds.reports.check_text import check_text
+from allworlds.reports.run_text import run_text
+from allworlds.studies import check as checker
+from allworlds.studies.fuzz import fuzz
+from allworlds.studies.replay import replay
+from allworlds.studies.run import run
+from allworlds.world import Cluster, Natural, World, worlds
+
+pytestmark = pytest.mark.usefixtures("no_orphans", "without_workers")
+check = partial(checker.check, max_findings=1)
+
+CLUSTER, NATURAL = "algorithm1-cluster", "algorithm1-natural"
+LAWS = ["map", "pose", "invariant-1", "invariant-2", "variant", "bound"]
+
+
+def links(map_):
+    """How many darts of the root's vertex lead elsewhere, and to how many vertices by one edge."""
+    v0 = map_.vertex_of[0]
+    ends = [map_.vertex_of[map_.alpha[d]] for d in map_.vertices[v0]]
+    away = [v for v in ends if v != v0]
+    return len(away), sum(away.count(v) == 1 for v in away)
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize(("edges", "all_worlds"), [(3, 86), slow(4, 792)])
+@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1"])
+def test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges, all_worlds):
+    report = check(CLUSTER, edges=edges, policy=policy)
+    assert (report.verdict, report.exit_code, report.missing) == (Verdict.HOLDS, 0, ())
+    counted = [links(world.map)[1] for world in worlds(edges=edges)]
+    assert report.worlds == len(counted) == all_worlds
+    assert report.runs == sum(counted)
+    assert report.tally.left_out == counted.count(0) > 0
+    scope = report.to_json()["scope"]
+    assert (scope["lighthouse"], scope["bound"]) == ("cluster:single=true", "two-vertices")
+    assert scope["laws"] == LAWS
+    assert all(row["max_cost"] <= row["bound"] for row in report.rows() if row["runs"])
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1"])
+def test_the_natural_explorer_holds_in_simple_worlds(policy):
+    report = check(NATURAL, edges=6, map_class="simple", policy=policy)
+    assert (report.verdict, report.missing) == (Verdict.HOLDS, ())
+    # Rooted simple maps with m edges: 1, 2, 6, 23, 108, 596; those with a place have 9, 10, 198.
+    assert (report.worlds, report.runs) == (736, 217)
+    assert report.to_json()["scope"]["lighthouse"] == "natural"
+    assert report.to_json()["scope"]["laws"] == LAWS
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("explorer", [CLUSTER, NATURAL])
+@pytest.mark.parametrize("map_class", ["maps", "planar", "simple", "planar-simple"])
+@pytest.mark.no_cover
+@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1", "random:2"])
+def test_no_witness_is_asked_for_that_cannot_occur(explorer, map_class, policy):
+    most = 4 if map_class.endswith("simple") else 2
+    for edges in range(1, most + 1):
+        for vertices in (None, *range(2, edges + 1)):
+            options = {"edges": edges, "vertices": vertices, "map_class": map_class}
+            report = check(explorer, policy=policy, **options)
+            if report.runs:
+                assert (report.missing, report.verdict) == ((), Verdict.HOLDS), options
+            else:
+                assert report.verdict is Verdict.VACUOUS, options
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+def test_every_schedule_holds():
+    report = check(CLUSTER, edges=3, schedules="all")
+    assert report.verdict is Verdict.HOLDS
+    assert report.runs == 67
+    assert sum(row["episodes"] for row in report.rows()) > 100 * report.runs
+    assert check(NATURAL, edges=4, map_class="simple", schedules="all").verdict is Verdict.HOLDS
+
+
+@pytest.mark.parametrize(
+    ("explorer", "options"), [(CLUSTER, {"lighthouse": "cluster"}), (NATURAL, {})]
+)
+def test_with_two_edges_between_v0_and_v1_the_smallest_finding_has_three(explorer, options):
+    report = check(explorer, edges=3, **options)
+    assert (report.verdict, report.exit_code) == (Verdict.REFUTED, 1)
+    (finding,) = report.findings
+    map_ = finding.world.map
+    assert (map_.vertex_count, map_.edge_count, finding.minimal) == (2, 3, True)
+    assert links(map_) == (2, 0)
+    assert finding.confirmed
+    assert (finding.rules.the_bound.name, finding.rules.bound) == ("two-vertices", None)
+
+
+def test_a_finding_is_a_value_that_replays_and_can_be_explained(tmp_path):
+    (finding,) = check(NATURAL, edges=3).findings
+    again = Finding.from_json(json.dumps(finding.to_json()))
+    assert again.to_json() == finding.to_json()
+    assert again.place == finding.place
+    replayed = replay(again)
+    assert replayed.outcome == "reproduced"
+    assert replayed.again.outcome.episode.transcript == finding.transcript
+    sentences = " ".join(explain(again).sentences)
+    assert str(finding.rules.budget(finding.world.map)) in sentences
+    assert "told before the start: 2" in run_text(replayed.again, 100)
+    # The corpus of a user keeps it, and tries it first.
+    first = check(NATURAL, edges=3, corpus=Path(tmp_path))
+    second = check(NATURAL, edges=3, corpus=Path(tmp_path))
+    assert len(first.corpus.written) == len(second.corpus.reproduced) == 1
+
+
+def test_a_run_by_itself_is_that_of_the_check_though_an_option_leaves_places_out():
+    alone = [
+        run(CLUSTER, world, policy="random:7").outcome.cost
+        for world in worlds(edges=3, lighthouse="cluster:single=true", places="all")
+    ]
+    report = check(CLUSTER, edges=3, policy="random:7")
+    assert (report.runs, report.tally.traversals) == (len(alone), sum(alone))
+
+
+def test_a_world_needs_no_option_to_be_run():
+    world = World(from_cycles(["abb", "a"]), Cluster(0))
+    told = run(CLUSTER, world)
+    # By hand: see the test of the explorer.
+    assert (told.outcome.cost, told.outcome.bound, told.finding) == (7, 21, None)
+    assert told.rules.to_json()["bound"] == "two-vertices"
+
+
+def test_the_explorers_own_bound_holds_under_its_own_kind_of_lighthouse_only():
+    edge = World(named_map("edge"), Cluster(0))
+    assert run(CLUSTER, edge).rules.the_bound.name == "two-vertices"
+    assert run(CLUSTER, edge, bound="paper").finding.law == "bound"  # 3 traversals, (1)+(2) = 1
+    assert run(CLUSTER, edge, bound="none").outcome.bound is None
+    assert run(CLUSTER, edge, laws=["map"]).outcome.bound is None
+    assert run("algorithm1", edge).rules.the_bound.name == "none"
+    report = check(CLUSTER, edges=1, lighthouse="directional")
+    assert report.to_json()["scope"]["bound"] == "paper"
+    assert check(NATURAL, edges=1, lighthouse="none").to_json()["scope"]["bound"] == "none"
+
+
+@pytest.mark.slow
+def test_an_explorer_under_a_lighthouse_it_is_not_written_for_is_refuted_not_stopped():
+    assert check("algorithm1", edges=3, lighthouse="cluster").findings[0].law == "map"
+    for explorer in (CLUSTER, NATURAL):
+        for lighthouse in ("none", "position", "compass", "directional"):
+            report = check(explorer, edges=3, lighthouse=lighthouse)
+            assert report.verdict is Verdict.REFUTED
+            assert report.findings[0].law != "crash"
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize("explorer", [CLUSTER, NATURAL])
+def test_both_engines_do_it_and_say_the_same(explorer):
+    options = {"edges": 5, "map_class": "planar-simple", "bound": "two-vertices"}
+    played, judged = (check(explorer, engine=name, **options) for name in ("python", "kernel"))
+    assert check(explorer, **options).engine == "kernel"
+    assert played.tally == judged.tally
+
+
+def test_the_law_folding_does_not_apply():
+    with pytest.raises(InputError, match="'folding' holds only under the directional lighthouse"):
+        check(CLUSTER, edges=2, laws=["folding"])
+
+
+def test_a_sample_of_larger_worlds_does_not_refute_the_cluster_explorer():
+    report = fuzz(CLUSTER, edges=14, runs=60)
+    assert report.verdict is Verdict.NOT_REFUTED
+    assert report.to_json()["scope"]["lighthouse"] == "cluster:single=true"
+    assert report.runs + report.tally.left_out == report.worlds == 60
+    assert 0 < report.tally.left_out < 60
+
+
+@pytest.mark.no_cover
+def test_a_sample_refutes_the_natural_explorer_and_shrinks_to_the_smallest_world():
+    report = fuzz(NATURAL, edges=8, runs=300, seed=1)
+    assert report.verdict is Verdict.REFUTED
+    map_ = report.findings[0].world.map
+    assert (map_.edge_count, map_.vertex_count) == (3, 2)
+
+
+def foreign(first, *, told):
+    """Wrong everywhere, with what it was told in its last breath."""
+    raise ValueError(f"told {told} at degree {first.degree}")
+    yield
+
+
+def test_a_foreign_explorer_is_told_the_degree_too():
+    world = World(from_cycles(["abb", "a"]), Natural(0))
+    assert run(foreign, world).finding.seen == "ValueError: told 1 at degree 3"
+    assert run(foreign, World(world.map, Cluster(0))).finding.seen.startswith("ValueError: told No")
+
+
+def test_what_was_left_out_is_shown():
+    text = check_text(check(CLUSTER, edges=2), 100)
+    assert "left out   5 worlds without a place for the lighthouse" in text
+    assert "of the cluster:single=true lighthouse in every map" in text
+    assert "bound (two-vertices)" in text
+
+
+def test_a_cluster_is_drawn_with_its_markers():
+    text = run_text(run(CLUSTER, World(from_cycles(["abb", "a"]), Cluster(0))), 100)
+    assert "v0 ●" in text
+    assert "v1 ●2" in text
+
+
+# ---------------------------------------------------------------- beside the right one, wrong ones
+
+
+class NoQuery(TwoVertices):
+    """Takes any dart of v0 for the one it came by."""
+
+    try_path = Algorithm1.try_path
+    confirmed_at = Algorithm1.confirmed_at
+
+
+class NoSearch(TwoVertices):
+    """Takes the dart that it faces at the start for the one that leads to v1."""
+
+    def search(self):
+        yield from ()
+
+
+class QueryNotUndone(TwoVertices):
+    """Forgets how it is turned after a query that has failed."""
+
+    def retrace(self, motions):
+        self.turned = 0
+        yield from super().retrace(motions)
+
+
+class TwoMarksSuffice(TwoVertices):
+    """Confirms a test when it has come to v0, but looks along any dart."""
+
+    def try_path(self, partner, path):
+        motions, matched = yield from Algorithm1.try_path(self, partner, path)
+        if matched:
+            yield Move(0)
+            yield Move(0)
+        return motions, matched
+
+    confirmed_at = Algorithm1.confirmed_at
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("wrong", [NoQuery, NoSearch, QueryNotUndone, TwoMarksSuffice])
+def test_with_one_thing_done_wrong_the_explorer_is_refuted(wrong):
+    def explore(first, *, choices):
+        marks = [lambda seen, n=n: seen.marks == n for n in (1, 2)]
+        return (yield from wrong(first, *marks, choices).explore())
+
+    report = check(explore, edges=3, lighthouse="cluster:single=true")
+    assert report.verdict is Verdict.REFUTED
+
+
+# ---------------------------------------------------------------- in a wrong answer
+
+
+def believed(world, answer):
+    (percept,) = believed_percepts(world, answer, [0], Transcript(world.first))
+    return percept
+
+
+def test_a_wrong_answer_has_the_lighthouse_where_the_truth_has_it():
+    # v0 with a loop a and an edge b; in the answer it is the other way round.
+    world, answer = (
+        World(from_cycles(c), Cluster(d)) for c, d in ((["aab", "b"], 2), (["baa", "b"], 0))
+    )
+    assert believed(world, world.map) == world.first == Percept(3, 1)
+    # There the dart leads back to v0, which is v0 then.
+    assert believed(world, answer.map) == Percept(3, 1)
+    assert believed(World(world.map, Natural(2)), answer.map) == Percept(3)
+    # A place is not asked for: degrees need not be unique in the answer.
+    assert believed(World(world.map, Natural(2)), named_map("edge")) == Percept(1)

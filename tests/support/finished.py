@@ -1,0 +1,25 @@
+"""Runs that have ended, as the judge is given them."""
+
+from small import stepped
+
+from allworlds.explorers import algorithm1
+from allworlds.judging import Case
+from allworlds.protocol import Checkpoint, Transcript
+
+
+def finished(world):
+    """Algorithm 1's run in a world, as a case."""
+    generator = algorithm1(world.first)
+    dart, reply, steps, checkpoints = world.start, None, [], []
+    while True:
+        try:
+            message = generator.send(reply)
+        except StopIteration as stop:
+            transcript = Transcript(world.first, tuple(steps))
+            return Case(world.map, world.start, transcript, tuple(checkpoints), stop.value)
+        if isinstance(message, Checkpoint):
+            checkpoints.append((len(steps), message))
+            reply = None
+        else:
+            dart, reply = stepped(world, dart, message)
+            steps.append((message, reply))

@@ -1,0 +1,181 @@
+import json
+import shutil
+
+import pytest
+from small import slow
+
+from allworlds.inputs import InputError
+from allworlds.judging import Finding
+from allworlds.maps import CombinatorialMap, automorphisms, unrooted_code
+from allworlds.studies.ambiguity import twins
+from allworlds.studies.check import check
+from allworlds.studies.count import count
+from allworlds.studies.replay import replay
+from allworlds.studies.run import run
+from allworlds.world import World, flaw, own_corpus
+from allworlds.world.corpus import MANIFEST, load_corpus
+
+CORPUS = own_corpus()
+
+
+def entries(kind, later=()):
+    """A test of each entry of a kind; these ones are left to ``pytest -m slow``."""
+    found = [slow(e) if e.name in later else e for e in CORPUS.of_kind(kind)]
+    return pytest.mark.parametrize("entry", found, ids=lambda entry: entry.name)
+
+
+@entries("world")
+def test_a_named_world_is_what_it_is_said_to_be(entry):
+    world, expected = World.from_json(CORPUS.document(entry)), entry.expected
+    map_ = world.map
+    assert (map_.edge_count, map_.vertex_count) == (expected["edges"], expected["vertices"])
+    assert (len(map_.faces), map_.genus) == (expected["faces"], expected["genus"])
+    assert automorphisms(map_) == expected["automorphisms"]
+
+
+@entries("world")
+def test_algorithm_1_explores_a_named_world_at_the_known_cost(entry):
+    told = run("algorithm1", World.from_json(CORPUS.document(entry)))
+    assert told.verdict.value == entry.expected["verdict"]
+    assert told.outcome.cost == entry.expected["cost"]
+
+
+@pytest.mark.usefixtures("without_workers")
+@entries("finding")
+def test_a_finding_is_reproduced_by_its_mutant_to_the_letter(entry):
+    finding = Finding.from_json(CORPUS.document(entry))
+    replayed = replay(finding)
+    assert replayed.outcome == entry.expected["outcome"]
+    again = replayed.again.finding
+    assert again.law == finding.law == entry.expected["law"]
+    assert again.world == finding.world
+    if finding.law != "nondeterministic":
+        # What such an explorer does depends on what it did before.
+        assert again.transcript == finding.transcript
+        assert (again.expected, again.seen) == (finding.expected, finding.seen)
+
+
+@pytest.mark.no_cover
+@entries("finding")
+def test_a_finding_is_fixed_by_algorithm_1(entry):
+    finding = Finding.from_json(CORPUS.document(entry))
+    assert replay(finding, "algorithm1").outcome == "fixed"
+
+
+@entries("pair")
+def test_the_worlds_of_a_pair_are_different_and_no_motion_tells_them_apart(entry):
+    document = CORPUS.document(entry)
+    worlds = [World.from_json(world) for world in document["worlds"]]
+    assert flaw(worlds, document["bisimulation"]) is None
+    assert unrooted_code(worlds[0].map) != unrooted_code(worlds[1].map)
+    assert twins(*worlds).twins == entry.expected["twins"]
+
+
+@entries("pair")
+def test_a_pair_with_one_class_changed_is_no_longer_proved(entry):
+    document = CORPUS.document(entry)
+    worlds = [World.from_json(world) for world in document["worlds"]]
+    left, right = document["bisimulation"]
+    for d in range(len(left)):
+        changed = [*left[:d], max(left) + 1, *left[d + 1 :]]
+        assert flaw(worlds, [changed, right]) is not None
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("most", [4, slow(6)])
+@entries("counts")
+def test_the_enumeration_gives_the_known_numbers(entry, most):
+    known = CORPUS.document(entry)
+    rooted, unrooted = known["rooted"][:most], known["unrooted"][:most]
+    census = count(edges=len(rooted), map_class=known["class"])
+    assert [row.rooted for row in census.rows] == rooted
+    assert [row.unrooted for row in census.rows][: len(unrooted)] == unrooted
+
+
+@pytest.mark.early
+@pytest.mark.no_cover
+@entries("check", later=["check-remembering-all-schedules"])
+def test_an_explorer_gets_its_verdict_at_the_known_cost(entry):
+    expected = dict(entry.expected)
+    report = check(**CORPUS.document(entry), workers=2).to_json()
+    most_expensive = dict.fromkeys(range(1, report["scope"]["edges"] + 1), 0)
+    for row in report["rows"]:
+        most_expensive[row["edges"]] = max(most_expensive[row["edges"]], row["max_cost"])
+    found = [finding["world"] for finding in report["findings"]]
+    sizes = [(len(world["sigma"]) // 2, World.from_json(world).map.vertex_count) for world in found]
+    smallest = [report["findings"][0]["law"], *sizes[0]] if found else None
+    told = {**report, "dearest": [*most_expensive.values()], "smallest": smallest}
+    told["bound"] = report["scope"]["bound"]
+    assert {key: told[key] for key in expected} == expected
+
+
+@pytest.fixture
+def copy(tmp_path):
+    target = tmp_path / "corpus"
+    shutil.copytree(CORPUS.directory, target)
+    return target
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("entry", CORPUS.entries, ids=lambda entry: entry.name)
+def test_an_entry_with_a_flipped_digit_is_refused_by_name(entry, copy):
+    path = copy / entry.file
+    text = path.read_text()
+    i = next(i for i, c in enumerate(text) if c in "01234")
+    path.write_text(text[:i] + str(int(text[i]) + 1) + text[i + 1 :])
+    with pytest.raises(InputError, match=entry.name):
+        load_corpus(copy).document(entry)
+
+
+def test_an_entry_whose_file_is_missing_is_refused_by_name(copy):
+    entry = CORPUS.entries[0]
+    (copy / entry.file).unlink()
+    with pytest.raises(InputError, match=entry.name):
+        load_corpus(copy).document(entry)
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [("kind", "rumour"), ("name", 3), ("expected", []), ("sha256", None), ("provenance", None)],
+)
+def test_a_manifest_with_a_wrong_entry_is_refused(copy, key, value):
+    manifest = json.loads((copy / MANIFEST).read_text())
+    manifest["entries"][0][key] = value
+    (copy / MANIFEST).write_text(json.dumps(manifest))
+    with pytest.raises(InputError, match="a corpus entry has"):
+        load_corpus(copy)
+
+
+def test_a_manifest_with_a_name_twice_is_refused(copy):
+    manifest = json.loads((copy / MANIFEST).read_text())
+    manifest["entries"].append(manifest["entries"][0])
+    (copy / MANIFEST).write_text(json.dumps(manifest))
+    with pytest.raises(InputError, match="twice"):
+        load_corpus(copy)
+
+
+@pytest.mark.parametrize("text", ["{", "[]", '{"schema": 2}'])
+def test_a_manifest_of_another_form_is_refused(copy, text):
+    (copy / MANIFEST).write_text(text)
+    with pytest.raises(InputError):
+        load_corpus(copy)
+
+
+def test_a_directory_without_a_manifest_is_no_corpus(tmp_path):
+    with pytest.raises(InputError, match=MANIFEST):
+        load_corpus(tmp_path)
+
+
+def test_an_unknown_name_is_refused_with_the_known_ones():
+    with pytest.raises(InputError, match="theta"):
+        CORPUS.named("atlantis")
+
+
+def test_every_file_of_the_corpus_stands_in_its_manifest():
+    files = {str(path.relative_to(CORPUS.directory)) for path in CORPUS.directory.rglob("*.json")}
+    assert files == {entry.file for entry in CORPUS.entries} | {MANIFEST}
+
+
+def test_the_worlds_of_the_corpus_are_maps():
+    for entry in CORPUS.of_kind("world"):
+        assert CombinatorialMap.from_json(CORPUS.document(entry)).edge_count >= 1

@@ -1,0 +1,71 @@
+"""A corpus that is none is refused in one line, whatever is wrong with it."""
+
+import hashlib
+import json
+
+import pytest
+
+from allworlds.inputs import InputError
+from allworlds.world.corpus import MANIFEST, load_corpus
+
+ENTRY = {
+    "name": "a",
+    "kind": "world",
+    "file": "a.json",
+    "sha256": "0",
+    "provenance": "made",
+    "expected": {},
+}
+
+
+def entries(rows):
+    return json.dumps({"schema": 1, "entries": rows}).encode()
+
+
+@pytest.mark.parametrize(
+    ("manifest", "said"),
+    [
+        (b"\xff\xfe", "is no text"),
+        (b"", "not JSON"),
+        (b"[" * 100_000, "not JSON"),
+        (b"[]", "is not of schema 1"),
+        (b'{"schema": 2}', "is not of schema 1"),
+        (b'{"schema": 1, "schema": 1}', "stands twice"),
+        (entries(True), "entries are a list, not True"),  # noqa: FBT003
+        (entries(None), "entries are a list, not None"),
+        (entries({"a": ENTRY}), "entries are a list, not {"),
+        (entries([3]), "a corpus entry has name"),
+        (entries([{**ENTRY, "kind": []}]), "a corpus entry has name"),
+        (entries([{**ENTRY, "name": None}]), "a corpus entry has name"),
+        (entries([ENTRY, ENTRY]), "corpus entry 'a' occurs twice"),
+    ],
+)
+def test_a_manifest_that_is_none_is_refused(tmp_path, manifest, said):
+    (tmp_path / MANIFEST).write_bytes(manifest)
+    with pytest.raises(InputError) as refusal:
+        load_corpus(tmp_path)
+    assert said in str(refusal.value)
+    assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("file", "content", "said"),
+    [
+        ("b.json", b"{}", "No such file"),
+        (".", b"{}", "Is a directory"),
+        ("a\0b", b"{}", "No such file"),
+        ("\ud800", b"{}", "No such file"),
+        ("x" * 5000, b"{}", "File name too long"),
+        ("a.json", b"\xff", "'a.json' is no text"),
+        ("a.json", b"[" * 100_000, "not JSON"),
+        ("a.json", None, "has the digest"),
+    ],
+)
+def test_a_file_that_is_none_is_refused(tmp_path, file, content, said):
+    digest = hashlib.sha256(content or b"").hexdigest()
+    (tmp_path / MANIFEST).write_bytes(entries([{**ENTRY, "file": file, "sha256": digest}]))
+    (tmp_path / "a.json").write_bytes(content or b"changed")
+    corpus = load_corpus(tmp_path)
+    with pytest.raises(InputError, match=said) as refusal:
+        corpus.document(corpus.entries[0])
+    assert "\n" not in str(refusal.value)
