@@ -1,11 +1,11 @@
 import json
 
 import pytest
-from printed import without_made_by
 
 import allworlds
 from allworlds.maps import named_map
 from allworlds.world import World, flaw
+from printed import without_made_by
 
 
 def test_twins_answer_yes_and_no_with_exit_code_zero(cli):

@@ -1,9 +1,9 @@
 """Functions of the package refuse bad arguments with a line that names them."""
 
 import pytest
-import small
 
 import allworlds
+import small
 from allworlds import strategies
 from allworlds.inputs import InputError
 from allworlds.world import Directional, World

@@ -9,11 +9,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-import processes
 import pytest
-from processes import PATIENCE
 
+import processes
 from allworlds.cli.app import call
+from processes import PATIENCE
 
 EXPLORERS = Path(__file__).parents[1] / "support" / "explorers_for_tests"
 WRONG = f"{EXPLORERS / 'wrong.py'}"

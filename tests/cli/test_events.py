@@ -6,7 +6,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from kept_jobs import EXPLORERS
 
 from allworlds import ambiguity, bench, count, mutants, search
 from allworlds.cli import events, output
@@ -14,6 +13,7 @@ from allworlds.engines import level_size
 from allworlds.maps import Extent, MapClass
 from allworlds.progress import Silent
 from allworlds.verbs import VERBS, loaded
+from kept_jobs import EXPLORERS
 from recorded.record import least
 from schemas.validating import complaints
 

@@ -8,11 +8,11 @@ import subprocess
 import sys
 
 import pytest
-from printed import without_made_by
 
 from allworlds import __version__
 from allworlds.cli.app import call
 from allworlds.verbs import VERBS
+from printed import without_made_by
 from recorded.record import least
 
 NAMES = [verb.name for verb in VERBS]

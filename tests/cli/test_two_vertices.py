@@ -3,6 +3,7 @@
 import json
 
 import pytest
+
 from printed import without_made_by
 
 pytestmark = pytest.mark.usefixtures("without_workers")

@@ -5,6 +5,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+
 from page_blocks import blocks, commands, shows, write
 from shells import shell_in
 

@@ -9,10 +9,10 @@ from importlib.metadata import metadata, requires
 from pathlib import Path
 
 import pytest
-from small import slow
 
 import allworlds
 from package_contents import NEEDED, flaws
+from small import slow
 
 ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]

@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import tuples
-from small import EDGE, LOOP, TORUS
 
 from allworlds import strategies
 from allworlds.explorers import Algorithm1
@@ -22,6 +21,7 @@ from allworlds.maps import (
 )
 from allworlds.protocol import Schedules
 from allworlds.world import Directional, World
+from small import EDGE, LOOP, TORUS
 
 OF_CLASS = {
     MapClass.MAPS: strategies.maps,

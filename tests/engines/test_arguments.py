@@ -4,11 +4,11 @@ import inspect
 from typing import get_type_hints
 
 import pytest
-from kept_jobs import EXPLORERS
 
 from allworlds import check
 from allworlds.inputs import InputError
 from allworlds.studies.check import ManyRunsOptions
+from kept_jobs import EXPLORERS
 
 FIRST = {"explore": "algorithm1", "edges": 2, "engine": "python"}
 # Of every such argument a value with which the report may be another one.

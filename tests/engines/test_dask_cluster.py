@@ -10,11 +10,9 @@ from contextlib import ExitStack, contextmanager, suppress
 from types import SimpleNamespace
 from typing import ClassVar
 
-import processes
 import pytest
-from clusters import cluster_here
-from kept_jobs import EXPLORERS
 
+import processes
 from allworlds import ambiguity, check, worst
 from allworlds.engines import ClusterLost, Dask, ThisThread
 from allworlds.engines.compiled import tallies as compiled
@@ -23,6 +21,8 @@ from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError
 from allworlds.progress import Silent
 from allworlds.version import __version__
+from clusters import cluster_here
+from kept_jobs import EXPLORERS
 
 distributed = pytest.importorskip("distributed")
 pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")

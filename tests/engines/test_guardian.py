@@ -8,9 +8,9 @@ import sys
 import threading
 from contextlib import suppress
 
-import processes
 import pytest
 
+import processes
 from allworlds.engines.isolation.guardian import Ask, EndProcesses, Spawn, kill_tree, receive, send
 
 # Two children in sessions of their own, one of them a grandchild; each tells its number.

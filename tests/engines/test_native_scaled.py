@@ -1,9 +1,9 @@
 """A native explorer in a run directory, in shards and on a cluster: the report is the same."""
 
 import pytest
-from native_libraries import example
 
 from allworlds import check, merge
+from native_libraries import example
 
 pytestmark = pytest.mark.slow
 

@@ -10,14 +10,14 @@ import sys
 from contextlib import closing, suppress
 from importlib import import_module
 
-import processes
 import pytest
-from kept_jobs import EXPLORERS, stable
 
+import processes
 from allworlds import ambiguity, check, worst
 from allworlds.engines.python.python_engine import BoundPythonEngine
 from allworlds.progress import Silent
 from allworlds.studies.worst.compiled_engine import ScheduleSearch
+from kept_jobs import EXPLORERS, stable
 
 pytestmark = pytest.mark.usefixtures("compiled")
 

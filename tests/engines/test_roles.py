@@ -13,8 +13,8 @@ from multiprocessing import Pipe
 from pathlib import Path
 
 import pytest
-import small
 
+import small
 from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, subject_of
 from allworlds.engines.isolation import process
 from allworlds.engines.isolation.jobs import (

@@ -4,9 +4,9 @@ from itertools import count
 from random import Random
 
 import pytest
-import small
 from numpy import int32
 
+import small
 from allworlds import Ambiguous, Checkpoint, Choices, CombinatorialMap, Drop, Estimate, Move
 from allworlds.engines import PythonEngine, Scope, Tally
 from allworlds.engines.compiled.requests import level_of

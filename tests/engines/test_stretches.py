@@ -7,10 +7,8 @@ from random import Random
 
 import numpy as np
 import pytest
-import small
-from native_libraries import ATTACKS, attack, example, quotient
-from processes import PATIENCE, SOON
 
+import small
 from allworlds.engines import (
     EnginesDisagree,
     GivenWorlds,
@@ -43,6 +41,8 @@ from allworlds.maps import Extent, MapClass
 from allworlds.outcome import Verdict
 from allworlds.studies.check import check
 from allworlds.world import Directional, World
+from native_libraries import ATTACKS, attack, example, quotient
+from processes import PATIENCE, SOON
 
 EDGE = World(small.EDGE, Directional(0))
 

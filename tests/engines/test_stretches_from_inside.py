@@ -6,7 +6,6 @@ from multiprocessing import Pipe
 from random import Random
 
 import pytest
-from native_libraries import example
 
 from allworlds.engines import Scope
 from allworlds.engines.compiled.stretches import PlayedByStretches, StretchEngine
@@ -20,6 +19,7 @@ from allworlds.engines.isolation.shared_logs import Shared
 from allworlds.explorers import load
 from allworlds.judging import make_rules
 from allworlds.maps import Extent, MapClass
+from native_libraries import example
 
 JOB = PlayStretch("", 1, 0, 1, "fifo", again=False)
 CASTING = Casting("native:x", None, 1.0, None)

@@ -1,9 +1,8 @@
 """Whatever an explorer does to its process, the check ends soon and says what was wrong."""
 
 import pytest
-import small
-from processes import PATIENCE, SOON
 
+import small
 from allworlds.engines.isolation.confirm import MOST_CHOICES
 from allworlds.engines.isolation.process import GRACE
 from allworlds.inputs import InputError
@@ -12,6 +11,7 @@ from allworlds.studies.check import check
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
+from processes import PATIENCE, SOON
 
 EDGE = World(small.EDGE, Directional(0))
 LOOP = World(small.LOOP, Directional(0))

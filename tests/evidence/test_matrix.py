@@ -1,7 +1,6 @@
 from collections import Counter
 
 import pytest
-from small import slow
 
 from allworlds.evidence.mutants import explorers, matrix, mutants
 from allworlds.evidence.mutants.explorers import (
@@ -12,6 +11,7 @@ from allworlds.evidence.mutants.explorers import (
 from allworlds.evidence.mutants.judges import WEAK_JUDGES
 from allworlds.inputs import InputError
 from allworlds.judging import LAWS, PRECEDENCE
+from small import slow
 
 SMALLER = 1
 # Whom it takes three edges to kill, and whom four: every smaller map is its own mirror image.

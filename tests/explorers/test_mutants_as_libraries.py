@@ -3,10 +3,10 @@
 from dataclasses import replace
 
 import pytest
-from native_libraries import FOLDER, PROJECT, built
 
 from allworlds import check
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from native_libraries import FOLDER, PROJECT, built
 
 HERE = PROJECT / "tests" / "support" / "explorers_for_tests"
 SOON_KILLED = ("lucky-guess", "crashes-at-leaves", "no-answer", "drops-markers")

@@ -6,10 +6,8 @@ import json
 import re
 
 import pytest
-import small
-from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, example, quotient
-from processes import PATIENCE, SOON
 
+import small
 from allworlds.engines.isolation.player import NATIVE_MEMORY
 from allworlds.explorers import NativeExplorer, load, shared_library as libraries, threads_left
 from allworlds.explorers.shared_library.guarded_memory import Guarded
@@ -30,6 +28,8 @@ from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.studies.worst import worst
 from allworlds.world import Directional, Position, World
+from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, example, quotient
+from processes import PATIENCE, SOON
 
 EDGE = World(small.EDGE, Directional(0))
 FIRST, BEHIND = Percept(1, 1, 0), Percept(1, 0, None)

@@ -4,11 +4,11 @@ import json
 import sys
 
 import pytest
-from processes import PATIENCE
 
 from allworlds.explorers import Program
 from allworlds.inputs import InputError
 from allworlds.protocol import Checkpoint, ExplorerFault, Move, Percept
+from processes import PATIENCE
 
 SCRIPT = """
 import sys, json, os

@@ -5,14 +5,14 @@ import shutil
 from pathlib import Path
 
 import pytest
-from shells import shell_in
-from small import slow
 
 import allworlds
 from allworlds.explorers import LANGUAGES
 from allworlds.explorers.skeletons.languages import templates
 from allworlds.inputs import InputError
 from allworlds.studies.init import init
+from shells import shell_in
+from small import slow
 
 
 @pytest.fixture

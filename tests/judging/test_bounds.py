@@ -6,11 +6,11 @@ import warnings
 from fractions import Fraction
 
 import pytest
-from small import LOLLIPOP
 
 from allworlds.inputs import InputError
 from allworlds.judging import bound_named, paper_bound
 from allworlds.judging.laws.bounds import Bound
+from small import LOLLIPOP
 
 
 def printed(m, n):

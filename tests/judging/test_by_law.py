@@ -3,13 +3,13 @@
 from dataclasses import replace
 
 import pytest
-from small import EDGE, LASSO, PATH
 
 from allworlds.inputs import InputError
 from allworlds.judging import PRECEDENCE, explain
 from allworlds.judging.explanations.by_law import TELLERS
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
+from small import EDGE, LASSO, PATH
 
 # ---------------------------------------------------------------- the run ended too early
 

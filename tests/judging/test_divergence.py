@@ -1,9 +1,8 @@
 """Where two walks part."""
 
-from small import EDGE, PATH
-
 from allworlds.judging import find_parting
 from allworlds.judging.findings.divergence import Parting
+from small import EDGE, PATH
 
 
 def test_a_walk_does_not_part_from_itself():

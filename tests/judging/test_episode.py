@@ -3,7 +3,6 @@ import os
 import signal
 
 import pytest
-from small import EDGE, PATH
 
 from allworlds.explorers import algorithm1
 from allworlds.judging import Answered, Fault, default_step_budget, play
@@ -21,6 +20,7 @@ from allworlds.protocol import (
     Pick,
 )
 from allworlds.world import Directional, World
+from small import EDGE, PATH
 
 WORLD = World(PATH, Directional(0))
 HUGE = 10**5000  # more digits than Python turns into text by default

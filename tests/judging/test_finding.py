@@ -3,7 +3,6 @@ import json
 from pathlib import Path
 
 import pytest
-from processes import PATIENCE
 
 from allworlds.inputs import InputError
 from allworlds.judging import Finding, canonical_world, place_of
@@ -12,6 +11,7 @@ from allworlds.studies.check import check
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
+from processes import PATIENCE
 
 EXPLORERS = Path(__file__).parents[1] / "support" / "explorers_for_tests"
 

@@ -2,7 +2,6 @@ from itertools import product
 from random import Random
 
 import pytest
-from small import stepped
 
 from allworlds.explorers import algorithm1
 from allworlds.judging import fold
@@ -10,6 +9,7 @@ from allworlds.judging.laws.folding import Contradiction, Folded
 from allworlds.maps import CombinatorialMap, cycle, rooted_code, rooted_maps
 from allworlds.protocol import Checkpoint, Drop, Move, Percept, Pick, Transcript
 from allworlds.world import Directional, World
+from small import stepped
 
 
 def worlds(largest):

@@ -4,14 +4,14 @@ from itertools import permutations
 from random import Random
 
 import pytest
-from finished import finished
-from small import EDGE, LOLLIPOP
 
 from allworlds.judging import Case, Violation
 from allworlds.judging.laws.invariants import invariant_1, invariant_2, variant
 from allworlds.maps import rooted_maps
 from allworlds.protocol import Checkpoint, Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World
+from finished import finished
+from small import EDGE, LOLLIPOP
 
 
 @cache

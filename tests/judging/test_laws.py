@@ -1,12 +1,12 @@
 import pytest
-from finished import finished
-from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS, stepped
 
 from allworlds.judging import LAWS, PRECEDENCE, Case, Setting, Violation, bound_law, judge, map_law
 from allworlds.judging.laws.law_table import folding_law, pose_law
 from allworlds.maps import CombinatorialMap, rooted_maps
 from allworlds.protocol import Drop, Estimate, Move, Percept, Transcript
 from allworlds.world import Directional, World
+from finished import finished
+from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS, stepped
 
 
 def walked(world, *motions):

@@ -1,9 +1,8 @@
 """Where belief and truth part, in words."""
 
-from small import EDGE, LOOP, PATH, TRIANGLE
-
 from allworlds import CombinatorialMap
 from allworlds.maps import from_cycles
+from small import EDGE, LOOP, PATH, TRIANGLE
 
 
 def test_a_known_place_taken_for_a_new_vertex_is_where_they_part(told):

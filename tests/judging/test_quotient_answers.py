@@ -3,12 +3,12 @@
 from dataclasses import replace
 
 import pytest
-from small import EDGE, PLANE, TORUS, all_maps
 
 from allworlds.judging import PRECEDENCE, Case, judge
 from allworlds.protocol import Ambiguous, Estimate, Move, Transcript
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Position, World
+from small import EDGE, PLANE, TORUS, all_maps
 
 DEEP = 8
 

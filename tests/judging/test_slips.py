@@ -1,7 +1,6 @@
 """Slips that are recognised: each claim is compared with what was done to a right answer."""
 
 import pytest
-from small import slow
 
 from allworlds import CombinatorialMap, Move
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
@@ -15,6 +14,7 @@ from allworlds.protocol import Estimate
 from allworlds.studies.check import check
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
+from small import slow
 
 
 def spoiling(spoil):

@@ -1,12 +1,12 @@
 """What traversals are spent on: counted on walks that can be counted by hand."""
 
 import pytest
-from small import PATH
 
 from allworlds.judging import Spending, explain
 from allworlds.reports.cost_curve import LONGEST, cost_lines, cost_picture
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
+from small import PATH
 
 
 @pytest.fixture

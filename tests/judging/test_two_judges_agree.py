@@ -8,7 +8,6 @@ from functools import cache
 from random import Random
 
 import pytest
-from small import all_maps, slow, stepped
 
 from allworlds.explorers import algorithm1
 from allworlds.judging import Case
@@ -16,6 +15,7 @@ from allworlds.judging.laws.second_opinion import verdict
 from allworlds.maps import CombinatorialMap, rooted_maps, unrooted_code
 from allworlds.protocol import Checkpoint, Estimate, Percept, Transcript
 from allworlds.world import Directional, World
+from small import all_maps, slow, stepped
 
 PARTS = 8
 EACH_PART = [slow(4, PARTS, k) for k in range(PARTS)]  # edges, one of so many, from the k-th

@@ -6,10 +6,10 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
-from page_blocks import blocks
 
 from allworlds.explorers import BUILT_IN
 from allworlds.judging import PRECEDENCE
+from page_blocks import blocks
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")

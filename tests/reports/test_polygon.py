@@ -8,13 +8,13 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
-from curves import crossings, flat, points
-from small import LOOP, slow, unrooted_maps
 
 from allworlds.maps import CombinatorialMap, family, isomorphism, named_map
 from allworlds.reports.drawing.polygon import polygon
 from allworlds.reports.drawing.polygon_svg import has_polygon, polygon_picture
 from allworlds.reports.drawing.scene import Scene
+from curves import crossings, flat, points
+from small import LOOP, slow, unrooted_maps
 
 NS = "{http://www.w3.org/2000/svg}"
 

@@ -10,13 +10,13 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
-from curves import crossings, flat, points
-from small import slow, unrooted_maps
 
 from allworlds.maps import CombinatorialMap, family
 from allworlds.reports.drawing.rays import spread
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import picture
+from curves import crossings, flat, points
+from small import slow, unrooted_maps
 
 NS = "{http://www.w3.org/2000/svg}"
 SQUARE = 75  # degrees: no crossing is more acute

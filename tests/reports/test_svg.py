@@ -8,8 +8,6 @@ from math import inf, tau
 from xml.etree import ElementTree as ET
 
 import pytest
-from curves import flat, points
-from small import slow
 
 from allworlds import worlds
 from allworlds.maps import CombinatorialMap, cycles, family, named_map
@@ -17,6 +15,8 @@ from allworlds.reports.drawing.mesh import mesh, place
 from allworlds.reports.drawing.planar import planar
 from allworlds.reports.drawing.scene import Names, Scene
 from allworlds.reports.drawing.svg import in_words, picture
+from curves import flat, points
+from small import slow
 
 layouts = import_module("allworlds.reports.drawing.layout")
 NS = "{http://www.w3.org/2000/svg}"

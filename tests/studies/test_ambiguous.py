@@ -6,13 +6,13 @@ import sys
 from pathlib import Path
 
 import pytest
-from small import EDGE, PLANE, TORUS
 
 import allworlds
 from allworlds.judging import Finding
 from allworlds.reports import text
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Directional, Position, World
+from small import EDGE, PLANE, TORUS
 
 FILE = str(Path(__file__).parents[1] / "support" / "explorers_for_tests" / "quotients.py")
 

@@ -8,7 +8,6 @@ from dataclasses import replace
 from math import log
 
 import pytest
-from kept_jobs import EXPLORERS
 
 from allworlds import compare, run
 from allworlds.engines import TimeIsUp, Unsettled
@@ -21,6 +20,7 @@ from allworlds.studies.check import Completed, Interrupted
 from allworlds.studies.compare import Climb, GrowRow, Growth
 from allworlds.studies.compare.growing_families import GROWING, members_of
 from allworlds.world import world_of_family
+from kept_jobs import EXPLORERS
 
 
 @pytest.fixture(scope="module")

@@ -9,8 +9,6 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from kept_jobs import EXPLORERS
-from native_libraries import example
 
 from allworlds import check, compare, run
 from allworlds.engines import TimeIsUp, Unsettled
@@ -22,6 +20,8 @@ from allworlds.reports.compare_text import compare_csv, compare_text
 from allworlds.studies.check import Interrupted
 from allworlds.studies.compare import Comparison
 from allworlds.world import Directional, World
+from kept_jobs import EXPLORERS
+from native_libraries import example
 
 CLUSTER = "algorithm1-cluster"
 

@@ -8,7 +8,6 @@ from functools import cache, partial
 from typing import ClassVar
 
 import pytest
-from small import slow
 
 from allworlds.explorers import algorithm1
 from allworlds.inputs import InputError
@@ -26,6 +25,7 @@ from allworlds.protocol import Estimate, Move
 from allworlds.studies import check as checker
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
+from small import slow
 
 pytestmark = pytest.mark.usefixtures("no_orphans")
 check = partial(checker.check, engine="python")

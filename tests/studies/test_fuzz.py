@@ -1,5 +1,4 @@
 import pytest
-from small import slow
 
 from allworlds.engines import TimeIsUp
 from allworlds.inputs import InputError
@@ -8,6 +7,7 @@ from allworlds.reports.check_words import scope_words, size_table
 from allworlds.reports.junit import junit
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.fuzz.shrink import shrink
+from small import slow
 
 
 @pytest.mark.slow

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 import pytest
-from small import slow
 
 from allworlds import run, worlds
 from allworlds.judging import true_trail
@@ -11,6 +10,7 @@ from allworlds.protocol import Percept
 from allworlds.studies.check import check
 from allworlds.studies.run import hypotheses_in
 from allworlds.studies.run.hypotheses import TELLING
+from small import slow
 
 LIGHTHOUSES = dict(zip(TELLING, ("directional", "cluster:single=true", "natural"), strict=True))
 

@@ -2,13 +2,13 @@ from collections import defaultdict
 from dataclasses import replace
 
 import pytest
-from small import slow
 
 from allworlds.inputs import InputError
 from allworlds.maps import Disagreement, bruteforce, rooted_maps
 from allworlds.progress import Silent
 from allworlds.studies.ambiguity import census
 from allworlds.studies.ambiguity.marked_code import is_least_rooting, least_rooting
+from small import slow
 
 
 def numbers(row):

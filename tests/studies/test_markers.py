@@ -5,7 +5,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from small import EDGE, LOLLIPOP, PATH
 
 import allworlds
 from allworlds.inputs import InputError
@@ -15,6 +14,7 @@ from allworlds.maps import MapClass
 from allworlds.protocol import Drop, Move, Percept, Pick, Transcript
 from allworlds.reports import text
 from allworlds.world import Labels, Movable, World
+from small import EDGE, LOLLIPOP, PATH
 
 FILE = str(Path(__file__).parents[1] / "support" / "explorers_for_tests" / "markers.py")
 

@@ -1,12 +1,12 @@
 """What is sharded and merged is the whole."""
 
 import pytest
-from kept_jobs import EXPLORERS, JOBS
 
 import allworlds
 from allworlds.engines import Gap
 from allworlds.inputs import InputError
 from allworlds.progress import Silent
+from kept_jobs import EXPLORERS, JOBS
 
 pytestmark = pytest.mark.usefixtures("compiled")
 

@@ -5,7 +5,6 @@ from functools import cache
 from itertools import product
 
 import pytest
-from small import EDGE, LOOP, all_maps, slow
 
 import allworlds
 from allworlds.maps import CombinatorialMap, rooted_code
@@ -17,6 +16,7 @@ from allworlds.studies.optimum.in_every_world import most_expensive
 from allworlds.studies.optimum.optimum_table import Solved
 from allworlds.studies.optimum.strategy import Leaf, Step, Strategy
 from allworlds.world import Directional, World
+from small import EDGE, LOOP, all_maps, slow
 
 
 def worlds(edges):

@@ -5,13 +5,13 @@ import json
 import sys
 
 import pytest
-from small import LOOP, PATH
 
 from allworlds import Drop, Move, Pick
 from allworlds.cli.app import call
 from allworlds.inputs import InputError
 from allworlds.studies.play import play
 from allworlds.world import Directional, Movable, World
+from small import LOOP, PATH
 
 
 def script(*actions):

@@ -1,10 +1,10 @@
 """A run directory says how far it is."""
 
 import pytest
-from kept_jobs import EXPLORERS
 
 import allworlds
 from allworlds.progress import Silent
+from kept_jobs import EXPLORERS
 
 
 @pytest.mark.usefixtures("without_workers")

@@ -1,7 +1,6 @@
 from dataclasses import replace
 
 import pytest
-from small import slow
 
 import allworlds
 from allworlds.engines import Scope
@@ -11,6 +10,7 @@ from allworlds.protocol import Estimate
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.fuzz.shrink import shrink
 from allworlds.world import Directional, World
+from small import slow
 
 
 @pytest.fixture(scope="module", params=[(5, 4), slow((9, 6))])

@@ -2,7 +2,6 @@ import sys
 from itertools import combinations_with_replacement, pairwise, product
 
 import pytest
-from small import stepped
 
 from allworlds.inputs import InputError
 from allworlds.maps import Disagreement, named_map, rooted_code, rooted_maps
@@ -10,6 +9,7 @@ from allworlds.protocol import Move
 from allworlds.studies.ambiguity import Bisimulation, Separation, twins
 from allworlds.studies.ambiguity.telling_apart import replayed, separation
 from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World, flaw
+from small import stepped
 
 twins_module = sys.modules["allworlds.studies.ambiguity.telling_apart"]
 KINDS = [Nothing, Position, Compass, Directional]

@@ -5,7 +5,6 @@ import sys
 from itertools import product
 
 import pytest
-from small import slow
 
 import allworlds
 from allworlds.inputs import InputError
@@ -19,6 +18,7 @@ from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formul
 from allworlds.studies.ambiguity.smt.question import Sizes, question
 from allworlds.studies.ambiguity.smt.witness import bisimulation, code, same_world_from
 from allworlds.world import Compass, Directional, Nothing, Position, World, flaw
+from small import slow
 
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 needs_python_sat = pytest.mark.skipif(

@@ -5,7 +5,6 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from small import slow
 
 from allworlds.explorers import Algorithm1
 from allworlds.explorers.builtin.undirected import TwoVertices
@@ -22,6 +21,7 @@ from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import Cluster, Natural, World, worlds
+from small import slow
 
 pytestmark = pytest.mark.usefixtures("no_orphans", "without_workers")
 check = partial(checker.check, max_findings=1)

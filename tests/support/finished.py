@@ -1,10 +1,9 @@
 """Runs that have ended, as the judge is given them."""
 
-from small import stepped
-
 from allworlds.explorers import algorithm1
 from allworlds.judging import Case
 from allworlds.protocol import Checkpoint, Transcript
+from small import stepped
 
 
 def finished(world):

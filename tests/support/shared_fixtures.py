@@ -4,12 +4,12 @@ import time
 from collections import Counter
 from pathlib import Path
 
-import processes
 import pytest
+
+import processes
+from allworlds.engines.isolation.process import GRACE
 from kept_jobs import reporting
 from processes import PATIENCE
-
-from allworlds.engines.isolation.process import GRACE
 
 EXPLORERS = Path(__file__).parent / "explorers_for_tests"
 

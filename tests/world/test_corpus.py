@@ -2,7 +2,6 @@ import json
 import shutil
 
 import pytest
-from small import slow
 
 from allworlds.inputs import InputError
 from allworlds.judging import Finding
@@ -14,6 +13,7 @@ from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import World, flaw, own_corpus
 from allworlds.world.corpus import MANIFEST, load_corpus
+from small import slow
 
 CORPUS = own_corpus()
 

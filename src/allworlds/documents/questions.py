@@ -10,7 +10,6 @@ from allworlds.documents.vocabulary import (
     Keywords,
     Named,
     Natural,
-    Numeral,
     OfShard,
     Positive,
     Seconds,
@@ -22,31 +21,6 @@ from allworlds.documents.vocabulary import (
 )
 from allworlds.documents.worlds import PerceptDocument, Rooted, Transcript, WorldDocument
 from allworlds.outcome import Exit
-
-
-class CountRowDocument(TypedDict):
-    """The maps with one number of edges."""
-
-    edges: Positive
-    rooted: Annotated[Natural, "rooted maps"]
-    unrooted: Annotated[
-        Natural | None, "maps up to orientation-preserving isomorphism; null beyond 6 edges"
-    ]
-    by_vertices: Annotated[dict[Numeral, Natural], "rooted maps by vertices"]
-    by_genus: Annotated[dict[Numeral, Natural], "rooted maps by genus"]
-    labelled: NotRequired[
-        Annotated[
-            dict[Numeral, Natural],
-            "in simple classes: rotation systems on labelled vertices, by vertices",
-        ]
-    ]
-
-
-class CountDocument(InRows, ExtentDocument):
-    """Report of 'count'."""
-
-    gate: Annotated[Gate, "the comparison of every row with an independent source"]
-    rows: Annotated[list[CountRowDocument], "one a number of edges, ascending"]
 
 
 class InitDocument(ReportDocument):

@@ -10,7 +10,6 @@ from allworlds.documents.findings import FindingDocument
 from allworlds.documents.questions import (
     AmbiguityCensusDocument,
     BenchDocument,
-    CountDocument,
     OptimumDocument,
     SearchDocument,
     WorstDocument,
@@ -63,7 +62,6 @@ Watched: TypeAlias = (
     | GrowthDocument
     | FigureDocument
     | MutantsDocument
-    | CountDocument
     | SearchDocument
     | BenchDocument
     | OptimumDocument

@@ -15,22 +15,22 @@ def count_text(census: Census, width: int) -> str:
             str(row.edges),
             number(row.rooted),
             "-" if row.unrooted is None else number(row.unrooted),
-            " ".join(f"{n}:{count}" for n, count in sorted(row.by_vertices.items())),
+            " ".join(f"{n}:{count}" for n, count in row.by_vertices.items()),
         ]
         for row in census.rows
     ]
     lines = table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "rrrl", width)
     total = sum(row.rooted for row in census.rows)
-    lines += ["", f"{plural(total, 'rooted map')} of the class {census.extent.map_class}", ""]
+    lines += ["", f"{plural(total, 'rooted map')} of the class {census.map_class}", ""]
     lines += interruption(complete=census.complete, width=width)
-    if all(row.agrees for row in census.rows):
-        lines += entry("gate", f"no map was forgotten: {counted(census.source)}", width)
+    if census.gate.agrees:
+        lines += entry("gate", f"no map was forgotten: {counted(census.gate.source)}", width)
     else:
         for row in census.rows:
             if not row.agrees:
                 text = (
-                    f"with {plural(row.edges, 'edge')} {dict(sorted(row.by_vertices.items()))} "
-                    f"were enumerated, but {census.source} counts {row.counted}"
+                    f"with {plural(row.edges, 'edge')} {row.by_vertices} "
+                    f"were enumerated, but {census.gate.source} counts {row.counted}"
                 )
                 lines += entry("MISMATCH", text, width)
     return "\n".join(lines)

@@ -4,7 +4,6 @@ import json
 import re
 
 import pytest
-from html_tree import read
 
 from allworlds import Estimate, Move, explain, replay, run, search, twins, worst
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
@@ -20,6 +19,7 @@ from allworlds.studies.check import check, most_expensive_runs
 from allworlds.studies.compare import compare
 from allworlds.verbs import VERBS
 from allworlds.world import Directional, World, world_named
+from html_tree import read
 
 OTHERS = {"paper claims", "play"}
 """They have tests of their own."""

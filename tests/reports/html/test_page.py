@@ -11,7 +11,6 @@ from collections import Counter
 from dataclasses import replace
 
 import pytest
-from html_tree import read
 
 from allworlds import Estimate, Move
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
@@ -21,6 +20,7 @@ from allworlds.reports.html.pages import check_page as page
 from allworlds.reports.markup import legal
 from allworlds.studies.check import Cell, check
 from allworlds.studies.fuzz import fuzz
+from html_tree import read
 
 HOSTILE = (
     "</script><script>alert(1)</script><!-- <b title='x\"'> &amp; \0 \x1b \ud800 \ufffe \u202e"

@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, field
 from math import factorial
-from typing import TYPE_CHECKING
+from typing import Annotated
 
+from allworlds.document import (
+    UNSET,
+    Aside,
+    Document,
+    Gate,
+    Natural,
+    Positive,
+    Report,
+    UnsetType,
+    about,
+    computed,
+    key,
+)
 from allworlds.engines import level_size, tell_of_size
 from allworlds.maps import Extent, MapClass, automorphisms, prefixes, rooted_maps, source_for
-from allworlds.outcome import SCHEMA, Exit, until_interrupted
+from allworlds.outcome import Exit, until_interrupted
 from allworlds.progress import Listener, Silent
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 SILENT = Silent()
 
@@ -24,82 +33,56 @@ UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
 
 
-@dataclass(slots=True)
-class CountRow:
+class CountRow(Document):
     """The maps with one number of edges.
 
-    Attributes:
-        edges: m.
-        rooted: rooted maps.
-        unrooted: maps up to orientation-preserving isomorphism; None past UNROOTED_LIMIT.
-        by_vertices, by_genus: rooted maps.
-        labelled: for simple classes the rotation systems on labelled vertices, by vertices.
-        counted: rooted maps by vertices according to the independent source.
+    ``counted`` holds the rooted maps by vertices according to the independent source.
     """
 
-    edges: int
-    rooted: int = 0
-    unrooted: int | None = None
-    by_vertices: Counter[int] = field(default_factory=Counter)
-    by_genus: Counter[int] = field(default_factory=Counter)
-    labelled: dict[int, int] | None = None
-    counted: dict[int, int] = field(default_factory=dict)
+    edges: Positive
+    rooted: Annotated[Natural, about("rooted maps")]
+    unrooted: Annotated[
+        Natural | None,
+        about("maps up to orientation-preserving isomorphism; null beyond 6 edges"),
+    ]
+    by_vertices: Annotated[dict[int, Natural], about("rooted maps by vertices")]
+    by_genus: Annotated[dict[int, Natural], about("rooted maps by genus")]
+    labelled: Annotated[
+        dict[int, Natural] | UnsetType,
+        about("in simple classes: rotation systems on labelled vertices, by vertices"),
+    ] = UNSET
+    counted: Aside[dict[int, int]]
 
     @property
     def agrees(self) -> bool:
         """The enumeration and its source give the same count for every number of vertices."""
-        return dict(self.by_vertices) == {n: count for n, count in self.counted.items() if count}
-
-    def to_json(self) -> documents.CountRowDocument:
-        """One row of the document."""
-        row: documents.CountRowDocument = {
-            "edges": self.edges,
-            "rooted": self.rooted,
-            "unrooted": self.unrooted,
-            "by_vertices": {str(n): count for n, count in sorted(self.by_vertices.items())},
-            "by_genus": {str(g): count for g, count in sorted(self.by_genus.items())},
-        }
-        if self.labelled is not None:
-            row["labelled"] = {str(n): count for n, count in sorted(self.labelled.items())}
-        return row
+        return self.by_vertices == {n: count for n, count in self.counted.items() if count}
 
 
-@dataclass(frozen=True, slots=True)
-class Census:
-    """Every level of a class, counted.
+class Census(Report):
+    """Report of 'count'.
 
-    Attributes:
-        extent: class and bounds.
-        source: the independent source that every row has been compared with.
-        rows: one a number of edges, ascending.
-        complete: False if the user has interrupted, and rows are missing.
+    Every level of a class, counted.
     """
 
-    extent: Extent
-    source: str
-    rows: tuple[CountRow, ...]
-    complete: bool = True
+    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
+    edges: Annotated[Positive | None, about("at most so many; null: not bounded")]
+    vertices: Annotated[Positive | None, about("at most so many; null: not bounded")]
+    gate: Annotated[Gate, about("the comparison of every row with an independent source")] = (
+        computed(lambda c: Gate(source=c.source, agrees=all(row.agrees for row in c.rows)))
+    )
+    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    rows: Annotated[tuple[CountRow, ...], about("one a number of edges, ascending")]
+    source: Aside[str]
 
     @property
     def exit_code(self) -> Exit:
         """0 counted, 4 nothing to count, 70 the source disagrees, 130 interrupted."""
-        if not all(row.agrees for row in self.rows):
+        if not self.gate.agrees:
             return Exit.DISAGREES
         if not self.complete:
             return Exit.INTERRUPTED
         return Exit.ANSWERED if any(row.rooted for row in self.rows) else Exit.VACUOUS
-
-    def to_json(self) -> documents.CountDocument:
-        """The document of ``count --json``."""
-        return {
-            "schema": SCHEMA,
-            "class": self.extent.map_class.value,
-            "edges": self.extent.edges,
-            "vertices": self.extent.vertices,
-            "gate": {"source": self.source, "agrees": all(row.agrees for row in self.rows)},
-            "complete": self.complete,
-            "rows": [row.to_json() for row in self.rows],
-        }
 
 
 def count(
@@ -129,19 +112,21 @@ def count(
     rows, complete = until_interrupted(
         _count_level(extent, level, heard) for level in extent.levels
     )
-    return Census(extent, source_for(map_class).name, rows, complete)
+    return Census(
+        map_class=extent.map_class,
+        edges=edges,
+        vertices=vertices,
+        complete=complete,
+        rows=rows,
+        source=source_for(extent.map_class).name,
+    )
 
 
 def _count_level(extent: Extent, edges: int, listener: Listener) -> CountRow:
     listener.level(edges, level_size(extent, edges))
     if extent.map_class is MapClass.MAPS and edges > UNROOTED_LIMIT:
-        row = count_compiled(extent, edges, listener)
-    else:
-        row = count_one_by_one(extent, edges, listener)
-    limit = extent.vertex_limit(edges)
-    cells = source_for(extent.map_class).cells(edges)
-    row.counted = {n: cells.get(n, 0) for n in range(1, limit + 1)}
-    return row
+        return count_compiled(extent, edges, listener)
+    return count_one_by_one(extent, edges, listener)
 
 
 def count_compiled(extent: Extent, edges: int, listener: Listener = SILENT) -> CountRow:
@@ -151,36 +136,50 @@ def count_compiled(extent: Extent, edges: int, listener: Listener = SILENT) -> C
     """
     from allworlds.engines import by_vertices_and_faces
 
-    row = CountRow(edges)
+    cells: Counter[tuple[int, int]] = Counter()
     limit = extent.vertex_limit(edges)
     for prefix in prefixes(edges, vertices=limit):
-        before = row.rooted
+        before = cells.total()
         for (vertices, faces), maps in by_vertices_and_faces(edges, limit, prefix).items():
-            row.rooted += maps
-            row.by_vertices[vertices] += maps
-            row.by_genus[(2 - vertices + edges - faces) // 2] += maps
-        listener.progress(row.rooted - before)
-    return row
+            cells[vertices, (2 - vertices + edges - faces) // 2] += maps
+        listener.progress(cells.total() - before)
+    return _row(extent, edges, cells)
 
 
 def count_one_by_one(extent: Extent, edges: int, listener: Listener = SILENT) -> CountRow:
     """A level of any class, each map made, and each looked at."""
-    row = CountRow(edges)
-    darts_fixed = 0
+    cells: Counter[tuple[int, int]] = Counter()
+    rooted = darts_fixed = 0
     for map_ in rooted_maps(edges, extent.map_class, extent.vertices):
-        row.rooted += 1
-        row.by_vertices[map_.vertex_count] += 1
-        row.by_genus[map_.genus] += 1
+        rooted += 1
+        cells[map_.vertex_count, map_.genus] += 1
         if edges <= UNROOTED_LIMIT:
             darts_fixed += automorphisms(map_)
-        if row.rooted % TOLD_EVERY == 0:
+        if rooted % TOLD_EVERY == 0:
             listener.progress(TOLD_EVERY)
-    listener.progress(row.rooted % TOLD_EVERY)
-    if edges <= UNROOTED_LIMIT:
-        # A map has 2m / |Aut| rootings, so its rootings weigh |Aut| / 2m each.
-        row.unrooted = darts_fixed // (2 * edges)
-    if extent.map_class.simple:
-        row.labelled = {
-            n: rooted * factorial(n) // (2 * edges) for n, rooted in row.by_vertices.items()
-        }
-    return row
+    listener.progress(rooted % TOLD_EVERY)
+    # A map has 2m / |Aut| rootings, so its rootings weigh |Aut| / 2m each.
+    unrooted = darts_fixed // (2 * edges) if edges <= UNROOTED_LIMIT else None
+    return _row(extent, edges, cells, unrooted)
+
+
+def _row(
+    extent: Extent, edges: int, cells: Counter[tuple[int, int]], unrooted: int | None = None
+) -> CountRow:
+    """The row of rooted maps by vertices and genus, beside what the source says."""
+    by_vertices: Counter[int] = Counter()
+    by_genus: Counter[int] = Counter()
+    for (vertices, genus), maps in sorted(cells.items()):
+        by_vertices[vertices] += maps
+        by_genus[genus] += maps
+    labelled = {n: maps * factorial(n) // (2 * edges) for n, maps in by_vertices.items()}
+    counted = source_for(extent.map_class).cells(edges)
+    return CountRow(
+        edges=edges,
+        rooted=cells.total(),
+        unrooted=unrooted,
+        by_vertices=dict(by_vertices),
+        by_genus=dict(sorted(by_genus.items())),
+        labelled=labelled if extent.map_class.simple else UNSET,
+        counted={n: counted.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)},
+    )

@@ -1,0 +1,250 @@
+"""A document, described once: the class of a result says its keys, their types and meanings.
+
+A result is a frozen :class:`Document`: its fields are the keys of its JSON object, in their order,
+each annotated with its type and, by :func:`about`, with one line of meaning.  From the same class
+come the JSON (:meth:`Document.to_json`), the strict reading (:func:`taken`), the JSON Schemas and
+the reference of keys.
+
+Three things are said beside a type:
+
+``key: T = computed(function)``
+    follows from the other fields, whatever the constructor is given;
+``key: T | UnsetType = UNSET``
+    may be missing in the object;
+``name: Aside[T]``
+    belongs to the result in Python, and is no key.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import fields as fields_of_dataclass, is_dataclass
+from enum import Enum
+from functools import cache
+from pathlib import PurePath
+from typing import (
+    Annotated,
+    Any,
+    Final,
+    Literal,
+    TypeAlias,
+    TypeVar,
+    dataclass_transform,
+    get_type_hints,
+)
+
+from msgspec import (
+    UNSET,
+    Meta,
+    Struct,
+    StructMeta,
+    UnsetType,
+    ValidationError,
+    convert,
+    field as key,
+)
+from msgspec.structs import fields, force_setattr, replace
+
+from allworlds.inputs import InputError, show
+
+__all__ = ["UNSET", "UnsetType", "key", "replace"]
+
+T = TypeVar("T")
+
+SCHEMA: Final = 1
+"""The version of every document that a verb writes, and of a corpus's manifest."""
+
+ASIDE = Meta(extra={"aside": True})
+Aside: TypeAlias = Annotated[T, ASIDE]
+"""A field that is no key of the document."""
+
+
+def about(meaning: str, **narrowed: Any) -> Meta:
+    """One line of meaning, and keywords of JSON Schema that narrow the type."""
+    return Meta(description=meaning, extra_json_schema=narrowed or None)
+
+
+def narrowed(**keywords: Any) -> Meta:
+    """Keywords of JSON Schema that narrow a type which needs no words."""
+    return Meta(extra_json_schema=keywords)
+
+
+def one_of(*values: object) -> Meta:
+    """One of these values of a wider type."""
+    return narrowed(enum=[*values])
+
+
+Natural = Annotated[int, Meta(ge=0)]
+Positive = Annotated[int, Meta(ge=1)]
+Seconds = Annotated[float, Meta(ge=0)]
+Figure = Annotated[float, Meta(ge=0)]
+Text = Annotated[str, Meta(min_length=1)]
+ShardText = Annotated[str, Meta(pattern="^[0-9]+/[0-9]+$")]
+Pair: TypeAlias = Annotated[tuple[T, ...], Meta(min_length=2, max_length=2)]
+Some: TypeAlias = Annotated[tuple[T, ...], Meta(min_length=1)]
+Different: TypeAlias = Annotated[tuple[T, ...], narrowed(uniqueItems=True)]
+
+
+class _Computed:
+    """Makes the value of a key that follows from the other fields, when these are known."""
+
+    def __init__(self, function: Callable[[Any], Any]) -> None:
+        self.function = function
+
+    def __call__(self) -> None:
+        """Stand for the value until then."""
+
+
+def computed(
+    function: Callable[[Any], Any],
+    *,
+    name: str | None = None,
+    init: Literal[False] = False,  # noqa: ARG001  # tells type checkers that none is given
+) -> Any:
+    """A key that follows from the other fields; ``name`` where its key is not its attribute."""
+    return key(default_factory=_Computed(function), name=name)
+
+
+class _Keywords(StructMeta):
+    """Every field is given by its name, in subclasses too."""
+
+    def __new__(mcs, name: str, bases: Any, namespace: Any, **options: Any) -> Any:
+        return super().__new__(mcs, name, bases, namespace, kw_only=True, **options)
+
+
+@dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(key, computed))
+class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=True):
+    """What is written, or a part of it."""
+
+    def __post_init__(self) -> None:
+        for name, function in _computed_keys(type(self)):
+            force_setattr(self, name, function(self))
+
+    def to_json(self) -> dict[str, Any]:
+        """The JSON object."""
+        return {
+            name: plain(value)
+            for attribute, name in keys_of(type(self))
+            if (value := getattr(self, attribute)) is not UNSET
+        }
+
+
+@cache
+def _computed_keys(kind: type[Document]) -> tuple[tuple[str, Callable[[Any], Any]], ...]:
+    defaults = ((field.name, field.default_factory) for field in fields(kind))
+    return tuple((name, told.function) for name, told in defaults if isinstance(told, _Computed))
+
+
+@cache
+def keys_of(kind: type[Document]) -> tuple[tuple[str, str], ...]:
+    """Attribute and name of each key, in the order of the document."""
+    hints = get_type_hints(kind, include_extras=True)
+    return tuple(
+        (field.name, field.encode_name)
+        for field in fields(kind)
+        if ASIDE not in getattr(hints[field.name], "__metadata__", ())
+    )
+
+
+def plain(value: Any) -> Any:
+    """A value as JSON holds it: of a dataclass an object, of anything else its ``to_json()``."""
+    match value:
+        case Enum():
+            return value.value
+        case None | bool() | int() | float() | str():
+            return value
+        case PurePath():
+            return str(value)
+        case Mapping():
+            return {str(plain(name)): plain(inner) for name, inner in value.items()}
+        case tuple() | list():
+            return [plain(inner) for inner in value]
+        case _ if is_dataclass(value) and not hasattr(value, "to_json"):
+            told = fields_of_dataclass(value)
+            return {field.name: plain(getattr(value, field.name)) for field in told}
+        case _:
+            return value.to_json()
+
+
+def taken(document: object, kind: type[T], what: str) -> T:
+    """What a JSON value says, as a value of that type.
+
+    Args:
+        document: as a parser of JSON hands it back.
+        kind: a type that msgspec knows.
+        what: the words for the whole.
+
+    Raises:
+        InputError: naming the offending value, where it stands, and what would be legal.
+    """
+    try:
+        return convert(document, kind)
+    except ValidationError as error:
+        said, _, path = str(error).partition(" - at `$")
+        path = path.removesuffix("`").lstrip(".")
+        where = f"{path} = {show(_at(document, path))}" if path else what
+        raise InputError(f"{where}: {said[:1].lower()}{said[1:].replace('`', '')}") from None
+
+
+def _at(document: Any, path: str) -> object:
+    """The value at a path such as ``rows[0].edges``; the last one on the way if it cannot be."""
+    for step in path.replace("[", ".[").split("."):
+        if step == "[...]":
+            return document
+        document = document[int(step[1:-1])] if step[:1] == "[" else document.get(step, document)
+    return document
+
+
+# ---------------------------------------------------------------- what many documents hold
+
+
+class Host(Document):
+    """A machine, and what runs on it."""
+
+    name: Annotated[str, about("in its network")]
+    system: Annotated[str, about("its operating system")]
+    machine: Annotated[str, about("its architecture")]
+    processor: Annotated[str, about("the model")]
+    cores: Annotated[Positive | None, about("of all processors")]
+    load: Annotated[Figure, about("how many processes wanted a core, over the last minute")]
+    python: Annotated[Text, about("the version of Python")]
+    numba: Annotated[Text, about("the version of the compiler")]
+
+
+class MadeBy(Document):
+    """Who made a document, where, when and how fast: nothing else in it depends on that."""
+
+    version: Annotated[Text, about("of this program")]
+    command: Annotated[tuple[str, ...], about("the words of the command line, as they were given")]
+    workers: Annotated[Positive | None, about("processes or threads; null: the verb takes none")]
+    host: Annotated[Host, about("where it ran")]
+    started: Annotated[
+        str,
+        Meta(
+            description="when the command began, in UTC",
+            pattern="^[0-9-]{10}T[0-9:]{8}Z$",
+        ),
+    ]
+    seconds: Annotated[Seconds, about("from then until this document was written")]
+    level_seconds: Annotated[
+        tuple[Seconds, ...] | UnsetType, about("of `search`: for each of its `levels`")
+    ] = UNSET
+    claim_seconds: Annotated[
+        tuple[Seconds, ...] | UnsetType, about("of `claims`: for each of them")
+    ] = UNSET
+
+
+class Report(Document):
+    """What a verb writes."""
+
+    schema: Annotated[Literal[1], about("the version of the document")] = SCHEMA
+    made_by: Annotated[MadeBy | UnsetType, about("in Python; always there on the command line")] = (
+        UNSET
+    )
+
+
+class Gate(Document):
+    """A count gate: the comparison of every count with an independent source."""
+
+    source: Annotated[Text, about("the independent source of the counts")]
+    agrees: Annotated[bool, about("each count is the source's")]
