@@ -11,6 +11,8 @@ Three things are said beside a type:
     follows from the other fields, whatever the constructor is given;
 ``key: T | UnsetType = UNSET``
     may be missing in the object;
+``key: IfAny[T]``
+    is missing while it is None or empty;
 ``name: Aside[T]``
     belongs to the result in Python, and is no key.
 """
@@ -18,7 +20,7 @@ Three things are said beside a type:
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import fields as fields_of_dataclass, is_dataclass
+from dataclasses import fields as fields_of_dataclass
 from enum import Enum
 from functools import cache
 from pathlib import PurePath
@@ -27,6 +29,7 @@ from typing import (
     Any,
     Final,
     Literal,
+    NamedTuple,
     TypeAlias,
     TypeVar,
     dataclass_transform,
@@ -57,6 +60,10 @@ SCHEMA: Final = 1
 ASIDE = Meta(extra={"aside": True})
 Aside: TypeAlias = Annotated[T, ASIDE]
 """A field that is no key of the document."""
+
+IF_ANY = Meta(extra={"if any": True})
+IfAny: TypeAlias = Annotated[T, IF_ANY]
+"""A key that is left out where its value is None or empty."""
 
 
 def about(meaning: str, **narrowed: Any) -> Meta:
@@ -123,10 +130,21 @@ class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=T
     def to_json(self) -> dict[str, Any]:
         """The JSON object."""
         return {
-            name: plain(value)
-            for attribute, name in keys_of(type(self))
-            if (value := getattr(self, attribute)) is not UNSET
+            key.name: plain(value)
+            for key in keys_of(type(self))
+            if (value := getattr(self, key.attribute)) is not UNSET and (value or not key.if_any)
         }
+
+
+class Written:
+    """A dataclass whose fields are the keys of its JSON object."""
+
+    __slots__ = ()
+
+    def to_json(self) -> dict[str, Any]:
+        """The JSON object."""
+        told = fields_of_dataclass(self)  # type: ignore[arg-type]  # a mixin of dataclasses
+        return {field.name: plain(getattr(self, field.name)) for field in told}
 
 
 @cache
@@ -135,19 +153,28 @@ def _computed_keys(kind: type[Document]) -> tuple[tuple[str, Callable[[Any], Any
     return tuple((name, told.function) for name, told in defaults if isinstance(told, _Computed))
 
 
+class Key(NamedTuple):
+    """A key of a document: its attribute, its name, and whether it is left out while empty."""
+
+    attribute: str
+    name: str
+    if_any: bool
+
+
 @cache
-def keys_of(kind: type[Document]) -> tuple[tuple[str, str], ...]:
-    """Attribute and name of each key, in the order of the document."""
+def keys_of(kind: type[Document]) -> tuple[Key, ...]:
+    """The keys, in the order of the document."""
     hints = get_type_hints(kind, include_extras=True)
+    notes = {name: getattr(hint, "__metadata__", ()) for name, hint in hints.items()}
     return tuple(
-        (field.name, field.encode_name)
+        Key(field.name, field.encode_name, IF_ANY in notes[field.name])
         for field in fields(kind)
-        if ASIDE not in getattr(hints[field.name], "__metadata__", ())
+        if ASIDE not in notes[field.name]
     )
 
 
 def plain(value: Any) -> Any:
-    """A value as JSON holds it: of a dataclass an object, of anything else its ``to_json()``."""
+    """A value as JSON holds it; what is no JSON by itself says what it is by ``to_json()``."""
     match value:
         case Enum():
             return value.value
@@ -159,15 +186,14 @@ def plain(value: Any) -> Any:
             return {str(plain(name)): plain(inner) for name, inner in value.items()}
         case tuple() | list():
             return [plain(inner) for inner in value]
-        case _ if is_dataclass(value) and not hasattr(value, "to_json"):
-            told = fields_of_dataclass(value)
-            return {field.name: plain(getattr(value, field.name)) for field in told}
         case _:
             return value.to_json()
 
 
 def taken(document: object, kind: type[T], what: str) -> T:
     """What a JSON value says, as a value of that type.
+
+    A type that msgspec does not know is made by its ``from_json``.
 
     Args:
         document: as a parser of JSON hands it back.
@@ -178,12 +204,18 @@ def taken(document: object, kind: type[T], what: str) -> T:
         InputError: naming the offending value, where it stands, and what would be legal.
     """
     try:
-        return convert(document, kind)
+        return convert(document, kind, dec_hook=_from_json)
     except ValidationError as error:
+        if isinstance(error.__cause__, InputError):
+            raise error.__cause__ from None
         said, _, path = str(error).partition(" - at `$")
         path = path.removesuffix("`").lstrip(".")
         where = f"{path} = {show(_at(document, path))}" if path else what
         raise InputError(f"{where}: {said[:1].lower()}{said[1:].replace('`', '')}") from None
+
+
+def _from_json(kind: Any, value: object) -> Any:
+    return kind.from_json(value)
 
 
 def _at(document: Any, path: str) -> object:
