@@ -20,7 +20,7 @@ Three things are said beside a type:
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import fields as fields_of_dataclass
+from dataclasses import fields as fields_of_dataclass, replace as replace_in_dataclass
 from enum import Enum
 from functools import cache
 from pathlib import PurePath
@@ -46,7 +46,7 @@ from msgspec import (
     convert,
     field as key,
 )
-from msgspec.structs import fields, force_setattr, replace
+from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
 from allworlds.inputs import InputError, show
 
@@ -64,6 +64,11 @@ Aside: TypeAlias = Annotated[T, ASIDE]
 IF_ANY = Meta(extra={"if any": True})
 IfAny: TypeAlias = Annotated[T, IF_ANY]
 """A key that is left out where its value is None or empty."""
+
+
+def read_by(kind: Any) -> Meta:
+    """The value is of that kind; where it is read, its class reads it, and not :func:`taken`."""
+    return Meta(extra={"kind": kind})
 
 
 def about(meaning: str, **narrowed: Any) -> Meta:
@@ -190,10 +195,15 @@ def plain(value: Any) -> Any:
             return value.to_json()
 
 
+def replace(value: T, **changes: Any) -> T:
+    """A copy of a document, or of a dataclass, with other values of some fields."""
+    copied: Any = replace_in_struct if isinstance(value, Document) else replace_in_dataclass
+    found: T = copied(value, **changes)
+    return found
+
+
 def taken(document: object, kind: type[T], what: str) -> T:
     """What a JSON value says, as a value of that type.
-
-    A type that msgspec does not know is made by its ``from_json``.
 
     Args:
         document: as a parser of JSON hands it back.
@@ -204,18 +214,12 @@ def taken(document: object, kind: type[T], what: str) -> T:
         InputError: naming the offending value, where it stands, and what would be legal.
     """
     try:
-        return convert(document, kind, dec_hook=_from_json)
+        return convert(document, kind)
     except ValidationError as error:
-        if isinstance(error.__cause__, InputError):
-            raise error.__cause__ from None
         said, _, path = str(error).partition(" - at `$")
         path = path.removesuffix("`").lstrip(".")
         where = f"{path} = {show(_at(document, path))}" if path else what
         raise InputError(f"{where}: {said[:1].lower()}{said[1:].replace('`', '')}") from None
-
-
-def _from_json(kind: Any, value: object) -> Any:
-    return kind.from_json(value)
 
 
 def _at(document: Any, path: str) -> object:

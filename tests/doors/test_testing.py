@@ -1,11 +1,11 @@
 """Assertions for authors' test suites: what they let pass, and what they say when they fail."""
 
 import sys
-from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError

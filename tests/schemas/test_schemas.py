@@ -4,12 +4,12 @@ import copy
 import functools
 import json
 import tempfile
-from dataclasses import replace
 
 import pytest
 from jsonschema import Draft202012Validator
 
 from allworlds import Move
+from allworlds.document import replace
 from allworlds.evidence.bench import bench
 from allworlds.evidence.claims import claims
 from allworlds.evidence.figures import figure

@@ -44,8 +44,8 @@ def depth_first_is_2m(means: Means, *, edges: int) -> Found:
     """Depth first where every vertex has a number; by the number of edges the largest cost."""
     report = check("dfs", edges=edges, bound="2*m", workers=means.workers)
     largest: dict[int, int] = {}
-    for row in report.rows():
-        largest[row["edges"]] = max(largest.get(row["edges"], 0), row["max_cost"])
+    for row in report.rows:
+        largest[row.edges] = max(largest.get(row.edges, 0), row.max_cost)
     return of_check(report, **{"largest cost": list(largest.values())})
 
 

@@ -11,7 +11,7 @@ from allworlds.engines import Limits, SingleRun, single_run
 from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap, Extent
 from allworlds.outcome import SCHEMA, Exit, Verdict
-from allworlds.studies.check import Cell, Completed, Ending, Interrupted, Stopped
+from allworlds.studies.check import Completed, Ending, GateCell, Interrupted, Stopped
 from allworlds.studies.compare.contestants import Contestant
 from allworlds.world import World
 
@@ -127,7 +127,7 @@ class Comparison:
     findings: tuple[Finding, ...]
     limits: Limits
     ending: Ending
-    gate: tuple[Cell, ...] = ()
+    gate: tuple[GateCell, ...] = ()
 
     @property
     def names(self) -> list[str]:

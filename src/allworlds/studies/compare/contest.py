@@ -23,7 +23,7 @@ from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap, Extent
 from allworlds.progress import Listener, Silent
 from allworlds.studies.check import (
-    Cell,
+    GateCell,
     ManyRunsOptions,
     count_gate,
     ending_of,
@@ -186,7 +186,7 @@ class _Contest:
     map: CombinatorialMap | None = None
     rows: list[ComparedRow] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
-    gate: list[Cell] = field(default_factory=list)
+    gate: list[GateCell] = field(default_factory=list)
     most: DifferMost | None = None
 
     def run(self) -> Comparison:

@@ -143,8 +143,8 @@ def _costs(verb: str, result: Any) -> Iterator[LargestCost]:
     """The largest costs of a unit, where its verb has costs."""
     match verb:
         case "check":
-            for edges, vertices, *row in result["rows"]:
-                yield LargestCost(edges, vertices, row[5])
+            for edges, vertices, row in result["rows"]:
+                yield LargestCost(edges, vertices, row["max_cost"])
         case "worst":
             for vertices, _, worst, *_, sigma, _ in result:
                 yield LargestCost(len(sigma) // 2, vertices, worst)
