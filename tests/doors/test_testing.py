@@ -43,7 +43,7 @@ def cached(tmp_path, monkeypatch):
 def test_a_right_explorer_passes_and_the_report_says_how_much_was_tried():
     report = assert_explores(RIGHT, edges=3, corpus=None)
     assert (report.worlds, report.runs) == (86, 309)
-    assert assert_explores("algorithm1", corpus=None).scope.extent.edges == 4
+    assert assert_explores("algorithm1", corpus=None).scope.edges == 4
 
 
 def test_a_wrong_one_fails_with_the_smallest_finding_and_its_picture():

@@ -4,12 +4,12 @@ import csv
 import io
 import json
 import sys
+from dataclasses import replace
 from math import log
 
 import pytest
 
 from allworlds import compare, run
-from allworlds.document import replace
 from allworlds.engines import TimeIsUp, Unsettled
 from allworlds.inputs import InputError
 from allworlds.maps import edges_of

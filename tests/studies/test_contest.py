@@ -5,12 +5,12 @@ import io
 import json
 import sys
 from collections import defaultdict
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 
 from allworlds import check, compare, run
-from allworlds.document import replace
 from allworlds.engines import TimeIsUp, Unsettled
 from allworlds.inputs import InputError
 from allworlds.maps import rooted_maps
@@ -148,13 +148,13 @@ def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
 def test_an_interrupt_goes_before_a_finding_and_a_count_that_disagrees_before_both(report):
     found = replace(report, findings=tuple(check(stops_at_once, edges=1).findings))
     assert (found.exit_code, replace(found, ending=Interrupted()).exit_code) == (1, 130)
-    wrong = replace(found, gate=(replace(report.cells[0], counted=7),), ending=Interrupted())
+    wrong = replace(found, gate=(replace(report.gate[0], counted=7),), ending=Interrupted())
     assert wrong.exit_code == 70
 
 
 def test_a_count_that_disagrees_is_an_error(report):
-    wrong = replace(report.cells[0], counted=7)
-    told: Comparison = replace(report, cells=(wrong,))
+    wrong = replace(report.gate[0], counted=7)
+    told: Comparison = replace(report, gate=(wrong,))
     assert told.exit_code == 70
     assert "disagree" in compare_text(told, 100)
 
@@ -224,4 +224,4 @@ def test_a_program_and_a_shared_library_are_compared_like_any_other(cli):
     names = [explorer["name"] for explorer in document["explorers"]]
     assert code == 0
     assert names == ["algorithm1", f"exec:{program('right')}", f"native:{library}"]
-    assert all(row.runs for row in document["rows"])
+    assert all(row["runs"] for row in document["rows"])

@@ -138,7 +138,7 @@ def test_a_world_needs_no_option_to_be_run():
     told = run(CLUSTER, world)
     # By hand: see the test of the explorer.
     assert (told.outcome.cost, told.outcome.bound, told.finding) == (7, 21, None)
-    assert told.rules.to_json()["bound"] == "two-vertices"
+    assert told.options.bound == "two-vertices"
 
 
 def test_the_explorers_own_bound_holds_under_its_own_kind_of_lighthouse_only():

@@ -13,27 +13,27 @@ from allworlds.protocol.actions import Action, Drop, Move, Pick
 from allworlds.protocol.percept import Percept
 
 
-class AtStart(Document):
+class AtStart(Document, forbid_unknown_fields=False):
     """The first row of a transcript."""
 
     percept: Annotated[Percept, about("what was sensed before any motion")]
 
 
-class Moved(Document):
+class Moved(Document, forbid_unknown_fields=False):
     """A motion."""
 
     move: Annotated[int, about("by how many darts clockwise the robot turned before it left")]
     percept: Annotated[Percept, about("what was sensed then")]
 
 
-class Dropped(Document):
+class Dropped(Document, forbid_unknown_fields=False):
     """A marker laid down."""
 
     drop: Literal[True] = True
     percept: Annotated[Percept, about("what was sensed then")]
 
 
-class Picked(Document):
+class Picked(Document, forbid_unknown_fields=False):
     """A marker taken up."""
 
     pick: Literal[True] = True

@@ -123,10 +123,13 @@ class Finding:
             raise InputError(
                 f"finding of version {show(document.get('version'))}; this program reads {VERSION}"
             )
+        explorer, law = document.get("explorer"), document.get("law")
+        if not isinstance(explorer, str):
+            raise InputError(f"a finding names its explorer, not {show(explorer)}")
+        if law not in PRECEDENCE:
+            raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
+        world = World.from_json(document.get("world", {}))
         read = taken(document, FindingDocument, "finding")
-        if read.law not in PRECEDENCE:
-            raise InputError(f"law {show(read.law)} is not one of {', '.join(PRECEDENCE)}")
-        world = World.from_json(read.world)
         own = own_bound(read.explorer, world.lighthouse.kind)
         return cls(
             read.explorer,

@@ -73,8 +73,10 @@ class Rules:
                 f"bound {show(self.bound)} has no effect without the law 'bound'; the laws are "
                 f"{', '.join(self.laws or ())}"
             )
-        if self.step_budget is not None and an_integer("step_budget", self.step_budget) < 1:
-            raise InputError(f"step budget {show(self.step_budget)} is not positive")
+        if self.step_budget is not None:
+            object.__setattr__(self, "step_budget", an_integer("step_budget", self.step_budget))
+            if self.step_budget < 1:
+                raise InputError(f"step budget {show(self.step_budget)} is not positive")
 
     @property
     def kind(self) -> type[Lighthouse]:
