@@ -38,13 +38,13 @@ class SchemaPage(NamedTuple):
     parts: Mapping[str, Any] = {}
 
 
-def _of_verb(document: str) -> SchemaPage:
+def _of_verb(document: str) -> dict[str, SchemaPage]:
     """The page of a verb's document: of ``two-words`` the class is ``TwoWordsDocument``."""
-    name = "".join(word.capitalize() for word in document.split("-"))
-    return SchemaPage(globals()[f"{name}Document"])
+    name = "".join(word.capitalize() for word in document.split("-")) + "Document"
+    return {document: SchemaPage(globals()[name])} if name in globals() else {}
 
 
-PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
+PAGES = {name: page for verb in VERBS for name, page in _of_verb(verb.document).items()} | {
     "finding": SchemaPage(FindingRead, {"written": FindingDocument, "options": Options}),
     "world": SchemaPage(
         WorldRead, {"written": WorldDocument, "rooted": Rooted, "rooted_quotient": RootedQuotient}
@@ -53,10 +53,7 @@ PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
         Transcript,
         {"percept": PerceptDocument, "read": TranscriptRead, "percept_read": PerceptRead},
     ),
-    "event": SchemaPage(Event),
     "growth": SchemaPage(GrowthDocument),
-    "header": SchemaPage(HeaderDocument),
-    "estimate": SchemaPage(EstimateResult),
     "made-by": SchemaPage(MadeBy),
     "names": SchemaPage(
         None,

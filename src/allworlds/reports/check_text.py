@@ -8,7 +8,7 @@ from textwrap import wrap
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
 from allworlds.reports.run_text import finding_text
 from allworlds.reports.text_layout import entry, table
-from allworlds.studies.check import CheckReport, TimeEstimate
+from allworlds.studies.check import CheckReport, Guess, TimeEstimate
 from allworlds.words import duration, number, plural
 
 
@@ -35,8 +35,7 @@ def verdict_line(report: CheckReport | TimeEstimate, _width: int) -> str:
     return f"{word}: {text}"
 
 
-def _guess(estimate: TimeEstimate, width: int) -> list[str]:
-    guess = estimate.guess
+def _guess(guess: TimeEstimate, width: int) -> list[str]:
     if guess.seconds is None or guess.rate is None:
         text = "no world of the last level was finished in time: this takes very long"
         return entry("estimate", text, width)
@@ -49,6 +48,7 @@ def _larger(estimate: TimeEstimate, width: int) -> list[str]:
     """A table of what the check would take with more edges; nothing if that is not known."""
     if not estimate.larger:
         return []
+    guesses: list[TimeEstimate | Guess] = [estimate, *estimate.larger]
     header = ("edges", "worlds", "engine", "sampled", "a second", "takes")
     rows = [
         (
@@ -59,7 +59,7 @@ def _larger(estimate: TimeEstimate, width: int) -> list[str]:
             number(round(guess.rate)),
             duration(guess.seconds),
         )
-        for guess in (estimate.guess, *estimate.larger)
+        for guess in guesses
         if guess.rate is not None and guess.seconds is not None
     ]
     return ["", *table(header, rows, "rrlrrr", width)]

@@ -138,7 +138,7 @@ def test_worlds_that_are_told_apart_are_walked_to_where_they_differ():
     root = read(page_of("ambiguity twins", result))
     assert "TOLD APART" in root.one("header").text
     items = [*root.one("ol").all("li")]
-    assert len(items) == len(result.proof.motions) + 1
+    assert len(items) == len(result.motions) + 1
     signs = [[*item.all(class_="misfits")] for item in items]
     assert [bool(sign) for sign in signs] == [False] * (len(items) - 1) + [True]
 

@@ -55,6 +55,6 @@ if TYPE_CHECKING:
         rules_for as rules_for,
     )
     from allworlds.studies.check.report import CheckReport as CheckReport
-    from allworlds.studies.check.time_estimate import TimeEstimate as TimeEstimate
+    from allworlds.studies.check.time_estimate import Guess as Guess, TimeEstimate as TimeEstimate
 else:
     open_door(__name__)

@@ -9,6 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Unpack
 
+from msgspec.structs import asdict
+
 from allworlds.engines import (
     ENDED,
     LOST,
@@ -150,7 +152,7 @@ def estimate(
             job, chosen = _asked(explore, {**options, "edges": extent.edges}, 1, heard)
             more = estimated(job, chosen)
             larger = (more, *extrapolated(job, (guess, more)))
-    return TimeEstimate(job.subject.name, guess, larger)
+    return TimeEstimate(explorer=job.subject.name, larger=larger, **asdict(guess))
 
 
 def _asked(
@@ -193,7 +195,7 @@ def _say_how_long(job: Job, engine: EngineKind, listener: Listener) -> None:
     """Say it beforehand, if it is long and somebody listens."""
     if not isinstance(listener, Silent) and is_worth_a_guess(job, engine):
         seconds = estimated(job, engine).seconds
-        if seconds and seconds > LONG:
+        if seconds is not None and seconds > LONG:
             listener.notice(f"this will take about {duration(seconds)}: a guess from a sample")
 
 
