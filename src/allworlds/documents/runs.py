@@ -2,9 +2,10 @@
 
 from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
+from allworlds.document import MadeBy
 from allworlds.documents.checks import CheckDocument, MutantsDocument
 from allworlds.documents.claims import ClaimsDocument
-from allworlds.documents.common import MadeBy, ReportDocument
+from allworlds.documents.common import ReportDocument
 from allworlds.documents.comparisons import CompareDocument, FigureDocument, GrowthDocument
 from allworlds.documents.findings import FindingDocument
 from allworlds.documents.questions import (
