@@ -57,7 +57,6 @@ PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
     "growth": SchemaPage(GrowthDocument),
     "header": SchemaPage(HeaderDocument),
     "estimate": SchemaPage(EstimateResult),
-    "made-by": SchemaPage(MadeBy),
     "names": SchemaPage(
         None,
         {
@@ -68,7 +67,6 @@ PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
             "engine": EngineName,
         },
     ),
-    "manifest": SchemaPage(Manifest),
 }
 """Every schema by its name: those of the verbs, then what they are built from."""
 

@@ -16,7 +16,6 @@ from allworlds.documents.vocabulary import (
     Some,
     Text,
     Two,
-    Version,
     code,
 )
 from allworlds.documents.worlds import PerceptDocument, Rooted, Transcript, WorldDocument
@@ -258,24 +257,6 @@ class BenchDocument(InRows):
     peak_mb: Annotated[Natural, "the largest memory that the process has had"]
     contenders: Annotated[list[ContenderDocument], Some, "the reference first"]
     ratios: Annotated[list[Ratio], "the reference to each other one"]
-
-
-class EntryDocument(TypedDict):
-    """One thing that a corpus keeps."""
-
-    name: Annotated[Text, "unique in the corpus"]
-    kind: Annotated[Literal["world", "finding", "pair", "counts", "check"], "what the file holds"]
-    file: Annotated[Text, "where it stands, below the corpus"]
-    sha256: Annotated[str, Keywords(pattern="^[0-9a-f]{64}$"), "of the file"]
-    provenance: Annotated[Text, "where it comes from"]
-    expected: Annotated[dict[str, object], "what must come out when it is tried"]
-
-
-class Manifest(TypedDict):
-    """Manifest of a corpus."""
-
-    schema: Version
-    entries: Annotated[list[EntryDocument], "what is kept, in the order in which it is told"]
 
 
 class Branch(TypedDict):
