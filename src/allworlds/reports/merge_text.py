@@ -31,7 +31,7 @@ def status_text(standing: Standing, width: int) -> str:
         for name, one, many in (("edges", "edge", ""), ("vertices", "vertex", "vertices"))
         if identity.parameters.get(name) is not None
     )
-    shard = f"; shard {identity.portion}" if identity.shards > 1 else ""
+    shard = f"; shard {identity.shard}" if identity.shards > 1 else ""
     lines += entry(
         "job", f"{what}: class {identity.parameters['class']}, at most {bounds}{shard}", width
     )

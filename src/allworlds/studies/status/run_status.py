@@ -84,7 +84,7 @@ class Standing:
             "verb": self.identity.verb,
             "version": self.identity.version,
             "explorer": self.identity.explorer["name"],
-            "shard": str(self.identity.portion),
+            "shard": self.identity.shard,
             "parameters": dict(self.identity.parameters),
             "state": self.state,
             "units": {"done": done["done"], "all": done["all"]},
