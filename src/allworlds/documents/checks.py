@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
-from allworlds.documents.common import ExtentDocument, InRows, ReportDocument
+from allworlds.documents.common import ExtentDocument, ReportDocument
 from allworlds.documents.findings import FindingDocument, Options
 from allworlds.documents.vocabulary import (
     Dart,
@@ -183,30 +183,3 @@ class ExplainDocument(ReportDocument):
         "the one thing that makes all the difference between answer and world, such as "
         "`mirror image`; null: none that is known",
     ]
-
-
-MutantKind: TypeAlias = Literal["explorer", "judge", "enumerator"]
-"""What is wrong on purpose."""
-
-
-class KillDocument(TypedDict):
-    """What became of one mutant."""
-
-    mutant: Annotated[Text, "its name"]
-    kind: MutantKind
-    breaks: Annotated[Text, "what is wrong with it"]
-    killed_by: Annotated[str | None, "the law or the check that caught it; null: it lives"]
-    world: Annotated[
-        WorldDocument | None,
-        "the smallest at which it is caught; null: it lives, or any may show it",
-    ]
-    equivalent: Annotated[str | None, "why it may live; null: it may not"]
-
-
-class MutantsDocument(InRows):
-    """Report of 'mutants'."""
-
-    edges: Annotated[Positive, "at most so many"]
-    mutants: Annotated[Natural, "how many there are"]
-    kill_matrix: Annotated[list[KillDocument], "one a mutant"]
-    survivors: Annotated[list[Text], Different, "those that live and may not, or may and do not"]

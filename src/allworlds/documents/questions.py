@@ -6,13 +6,11 @@ from allworlds.documents.common import ExtentDocument, Gate, InRows, OfClass, Re
 from allworlds.documents.findings import FindingDocument
 from allworlds.documents.vocabulary import (
     Dart,
-    Figure,
     Keywords,
     Named,
     Natural,
     OfShard,
     Positive,
-    Seconds,
     Some,
     Text,
     Two,
@@ -219,44 +217,6 @@ class SearchDocument(ReportDocument, OfClass):
         "pairs that look alike but are one map with two starts",
     ]
     notices: Annotated[list[Text], "sentences for the reader"]
-
-
-class SpreadDocument(TypedDict):
-    """A figure over the rounds."""
-
-    median: Figure
-    lowest: Figure
-    highest: Figure
-
-
-class ContenderDocument(TypedDict):
-    """A contender and what was measured of it."""
-
-    name: Annotated[Text, "what it is called"]
-    does: Annotated[Text, "what it does, in words, or its command"]
-    edges: Annotated[Positive, "the level that it walks"]
-    worlds: Annotated[Positive, "the rooted maps of that level"]
-    seconds: Annotated[list[Seconds], Some, "of each round"]
-    worlds_per_second: Annotated[SpreadDocument, "over the rounds"]
-
-
-class Ratio(TypedDict):
-    """Two rates side by side."""
-
-    of: Annotated[Text, "the kernel on one thread"]
-    to: Annotated[Text, "another contender"]
-    ratio: Annotated[SpreadDocument, "the rate of the one divided by that of the other"]
-
-
-class BenchDocument(InRows):
-    """Report of 'bench'."""
-
-    commit: Annotated[Text | None, "of the sources; null outside a checkout"]
-    edges: Annotated[int, Keywords(minimum=4, maximum=10), "the level of the compiled engines"]
-    rounds: Positive
-    peak_mb: Annotated[Natural, "the largest memory that the process has had"]
-    contenders: Annotated[list[ContenderDocument], Some, "the reference first"]
-    ratios: Annotated[list[Ratio], "the reference to each other one"]
 
 
 class Branch(TypedDict):

@@ -3,14 +3,13 @@
 from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
 from allworlds.document import MadeBy
-from allworlds.documents.checks import CheckDocument, MutantsDocument
+from allworlds.documents.checks import CheckDocument
 from allworlds.documents.claims import ClaimsDocument
 from allworlds.documents.common import ReportDocument
 from allworlds.documents.comparisons import CompareDocument, FigureDocument, GrowthDocument
 from allworlds.documents.findings import FindingDocument
 from allworlds.documents.questions import (
     AmbiguityCensusDocument,
-    BenchDocument,
     OptimumDocument,
     SearchDocument,
     WorstDocument,
@@ -62,9 +61,7 @@ Watched: TypeAlias = (
     | CompareDocument
     | GrowthDocument
     | FigureDocument
-    | MutantsDocument
     | SearchDocument
-    | BenchDocument
     | OptimumDocument
     | ClaimsDocument
     | EstimateResult
