@@ -2,7 +2,7 @@
 
 from typing import Annotated, TypedDict
 
-from allworlds.documents.common import InRows, OfClass, ReportDocument
+from allworlds.documents.common import InRows, OfClass
 from allworlds.documents.findings import FindingDocument
 from allworlds.documents.vocabulary import Figure, Natural, Positive, Some, Text, VerdictName, code
 from allworlds.documents.worlds import WorldDocument
@@ -109,22 +109,3 @@ class GrowthDocument(InRows):
     left_out: Annotated[Natural, "members in which a lighthouse had no place"]
     stopped: Annotated[str | None, "why it is not complete; null: it is, or by the user"]
     findings: Annotated[list[FindingDocument], "the smallest of each explorer in each family"]
-
-
-class FigureDocument(ReportDocument):
-    """Report of 'figure'."""
-
-    verdict: Annotated[VerdictName, "whether what is drawn is so"]
-    exit_code: Annotated[
-        int,
-        code(
-            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
-            Exit.INTERRUPTED,
-        ),
-    ]
-    figure: Annotated[Text, "its name"]
-    path: Annotated[Text, "the file of the picture"]
-    data: Annotated[Text, "the file of its data, CSV"]
-    caption: Annotated[list[Text], Some, "what is seen, a few sentences each"]
-    columns: Annotated[list[Text], Some, "of the data"]
-    rows: Annotated[Natural, "how many there are"]

@@ -6,7 +6,7 @@ from allworlds.document import MadeBy
 from allworlds.documents.checks import CheckDocument
 from allworlds.documents.claims import ClaimsDocument
 from allworlds.documents.common import ReportDocument
-from allworlds.documents.comparisons import CompareDocument, FigureDocument, GrowthDocument
+from allworlds.documents.comparisons import CompareDocument, GrowthDocument
 from allworlds.documents.findings import FindingDocument
 from allworlds.documents.questions import (
     AmbiguityCensusDocument,
@@ -60,7 +60,6 @@ Watched: TypeAlias = (
     | AmbiguityCensusDocument
     | CompareDocument
     | GrowthDocument
-    | FigureDocument
     | SearchDocument
     | OptimumDocument
     | ClaimsDocument
