@@ -2,7 +2,7 @@
 
 ``vocabulary``
     what narrows a type, and the narrowed types;
-``worlds``, ``findings``, ``checks``, ``questions``, ``claims``, ``comparisons``, ``runs``,
+``worlds``, ``findings``, ``checks``, ``questions``, ``comparisons``, ``runs``,
 ``common``
     the shapes: a typed dictionary each, with a sentence for every key.
 
@@ -15,7 +15,6 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from allworlds.documents.checks import *
-from allworlds.documents.claims import *
 from allworlds.documents.common import *
 from allworlds.documents.comparisons import *
 from allworlds.documents.findings import *

@@ -4,7 +4,6 @@ from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 
 from allworlds.document import MadeBy
 from allworlds.documents.checks import CheckDocument
-from allworlds.documents.claims import ClaimsDocument
 from allworlds.documents.common import ReportDocument
 from allworlds.documents.comparisons import CompareDocument, GrowthDocument
 from allworlds.documents.findings import FindingDocument
@@ -62,7 +61,6 @@ Watched: TypeAlias = (
     | GrowthDocument
     | SearchDocument
     | OptimumDocument
-    | ClaimsDocument
     | EstimateResult
 )
 """What a verb with `--events` may report."""
