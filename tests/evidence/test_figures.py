@@ -169,7 +169,7 @@ def test_nothing_known_is_drawn_as_nothing(cells, monkeypatch, tmp_path):
     empty = replace(cells, cells=())
     monkeypatch.setattr("allworlds.evidence.figures.figure_table.figure_bounds", lambda *_: empty)
     told = figure("bounds", out=str(tmp_path / "f.png"))
-    assert told.drawn.caption() == ("Interrupted before anything was known.",)
+    assert told.caption == ("Interrupted before anything was known.",)
 
 
 # ---------------------------------------------------------------- files

@@ -86,7 +86,9 @@ class Reference:
             return text + "\n".join(map(self.names, told["$defs"].values()))
         kinds = [self.parts[name_of(option)] for option in told.get("anyOf", [])]
         if kinds and not any(kind["title"] in self.headings.values() for kind in kinds):
-            return text + "\n".join(f"{kind['title']}.\n\n{TABLE}{self.rows(kind)}" for kind in kinds)
+            return text + "\n".join(
+                f"{kind['title']}.\n\n{TABLE}{self.rows(kind)}" for kind in kinds
+            )
         return f"{text}{self.value(told).capitalize()}.\n"
 
     def names(self, told: Schema) -> str:
@@ -155,7 +157,9 @@ class Reference:
         if "prefixItems" in told:
             first = self.row(told["prefixItems"][0])
             rest = told["items"] and told["items"]["anyOf"]
-            return f"list of {first}" + (f", then of {', '.join(map(self.row, rest))}" if rest else "")
+            return f"list of {first}" + (
+                f", then of {', '.join(map(self.row, rest))}" if rest else ""
+            )
         exactly = told.get("minItems", 0) == told.get("maxItems", -1)
         many = f"{told['minItems']} " if exactly else ""
         empty = "" if exactly or not told.get("minItems") else "non-empty "

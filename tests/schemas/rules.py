@@ -114,7 +114,9 @@ def inside(name, document):
     """The documents that this one holds."""
     match name:
         case "check":
-            yield from (("check#/$defs/FindingDocument", finding) for finding in document["findings"])
+            yield from (
+                ("check#/$defs/FindingDocument", finding) for finding in document["findings"]
+            )
         case "run" if document["finding"] is not None:
             yield "check#/$defs/FindingDocument", document["finding"]
         case "replay":

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import MISSING, fields as fields_of_dataclass, is_dataclass
 from functools import cache
 from pathlib import Path
@@ -30,7 +30,7 @@ from allworlds.protocol import AtStart, Dropped, Estimate, Moved, Picked, Rooted
 from allworlds.studies.check import TimeEstimate
 from allworlds.studies.merge import MergedReport
 from allworlds.verbs import VERBS, loaded
-from allworlds.world import LIGHTHOUSES, Lighthouse, World, WorldDocument
+from allworlds.world import LIGHTHOUSES, Lighthouse, Manifest, World, WorldDocument
 
 Schema: TypeAlias = dict[str, Any]
 
@@ -71,6 +71,7 @@ def pages() -> dict[str, Any]:
         "world": WorldDocument,
         "transcript": Transcript,
         "event": Event,
+        "manifest": Manifest,
         "made-by": MadeBy,
     }
 
@@ -112,7 +113,8 @@ class Shapes:
             return self._union(arguments)
         if not arguments or get_origin(tp) is Literal:
             return tp
-        return get_origin(tp)[*(arg if arg is ... else self.of(arg) for arg in arguments)]
+        origin = list if get_origin(tp) is Sequence else get_origin(tp)
+        return origin[*(arg if arg is ... else self.of(arg) for arg in arguments)]
 
     def _union(self, arguments: tuple[Any, ...]) -> Any:
         shown = [self.of(arg) for arg in arguments if arg is not UnsetType]
@@ -159,7 +161,7 @@ class Shapes:
 
     def _lighthouse(self, kind: type[Lighthouse]) -> Any:
         hints = get_type_hints(kind, include_extras=True)
-        keys = [("kind", Literal[kind.kind], True)]  # type: ignore[name-defined]  # a value
+        keys: list[tuple[str, Any, bool]] = [("kind", Literal[kind.kind], True)]
         keys += [(key, hints[key], self.written) for key in kind.keys if key in hints]
         if not self.written:
             keys += [(key, bool, False) for key in kind.keys if key not in hints]

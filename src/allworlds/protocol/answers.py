@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any, TypeAlias, TypeVar
 
-from allworlds.document import Document, Natural, Positive, Some, Written, about
+from msgspec import Meta
+
+from allworlds.document import Document, Natural, Positive, Written, about
 from allworlds.inputs import InputError, show
 from allworlds.maps import Alpha, CombinatorialMap, Dart, Sigma
+
+T = TypeVar("T")
+Entries: TypeAlias = Annotated[Sequence[T], Meta(min_length=1)]
 
 
 class RootedMap(Document):
@@ -58,12 +63,11 @@ class Ambiguous(Written):
     Nothing is validated here.
     """
 
-    sigma: Annotated[Some[Dart], about("for each dart the next one clockwise round its vertex")]
-    alpha: Annotated[
-        Some[Dart], about("for each dart the other one of its edge; of half an edge itself")
+    sigma: Annotated[Entries[Dart], about("for each dart the next one clockwise round its vertex")]
+    alpha: Annotated[Entries[Dart], about("for each dart the other one of its edge; of half an edge itself")
     ]
-    degree: Annotated[Some[Positive], about("for each dart the degree that is sensed there")]
-    marks: Annotated[Some[Natural], about("for each dart how many markers lie there")]
+    degree: Annotated[Entries[Positive], about("for each dart the degree that is sensed there")]
+    marks: Annotated[Entries[Natural], about("for each dart how many markers lie there")]
     here: Annotated[Dart, about("the robot's dart")]
 
 

@@ -195,7 +195,12 @@ class _CensusTask:
             "edges": self.extent.edges,
             "vertices": self.extent.vertices,
         }
-        return Identity("ambiguity census", parameters, {"name": ""}, self.portion)
+        return Identity(
+            verb="ambiguity census",
+            parameters=parameters,
+            explorer={"name": ""},
+            shard=str(self.portion),
+        )
 
     def census(
         self, transport: Transport[Any], engine: Any, records: Records, listener: Listener
