@@ -54,7 +54,6 @@ PAGES = {verb.document: _of_verb(verb.document) for verb in VERBS} | {
         {"percept": PerceptDocument, "read": TranscriptRead, "percept_read": PerceptRead},
     ),
     "event": SchemaPage(Event),
-    "growth": SchemaPage(GrowthDocument),
     "header": SchemaPage(HeaderDocument),
     "estimate": SchemaPage(EstimateResult),
     "made-by": SchemaPage(MadeBy),

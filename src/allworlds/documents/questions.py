@@ -3,7 +3,6 @@
 from typing import Annotated, Literal, NotRequired, TypedDict
 
 from allworlds.documents.common import ExtentDocument, Gate, InRows, OfClass, ReportDocument
-from allworlds.documents.findings import FindingDocument
 from allworlds.documents.vocabulary import (
     Dart,
     Figure,
@@ -19,7 +18,7 @@ from allworlds.documents.vocabulary import (
     Version,
     code,
 )
-from allworlds.documents.worlds import PerceptDocument, Rooted, Transcript, WorldDocument
+from allworlds.documents.worlds import PerceptDocument, Transcript, WorldDocument
 from allworlds.outcome import Exit
 
 
@@ -47,52 +46,6 @@ class HeaderDocument(ReportDocument):
 
     version: Annotated[Positive, "of the interface: `ALLWORLDS_VERSION`"]
     header: Annotated[Text, "`allworlds.h`"]
-
-
-class WorstRowDocument(TypedDict):
-    """What every schedule can cost in the worlds of one size."""
-
-    edges: Positive
-    vertices: Positive
-    worlds: Annotated[Positive, "rooted maps"]
-    worst: Annotated[Natural, "the largest cost of a schedule"]
-    best: Annotated[Natural, "the largest, over the worlds, of the cost of the cheapest schedule"]
-    bound: Annotated[int | None, "the largest of these worlds; null without a bound"]
-    tests: Annotated[
-        Natural | None, "different tests of false hypotheses; null: not of Algorithm 1"
-    ]
-    wrong_tests: Annotated[Natural | None, "those that confirmed one; null: not of Algorithm 1"]
-    world: Annotated[WorldDocument, "the least one that attains `worst`"]
-    choices: Annotated[list[Natural], "that attain it there"]
-    replayed: Annotated[
-        Natural | None,
-        "what they cost in the Python engine; null: it did not keep every law",
-    ]
-
-
-class WorstDocument(InRows, OfClass):
-    """Report of 'worst'."""
-
-    exit_code: Annotated[
-        int, code(Exit.ANSWERED, Exit.REFUTED, Exit.VACUOUS, Exit.DISAGREES, Exit.INTERRUPTED)
-    ]
-    explorer: Annotated[Text, "its name"]
-    lighthouse: Annotated[Text, "`KIND[:key=value,...]`"]
-    edges: Annotated[Positive, "at most so many"]
-    transit: Annotated[
-        Literal["shortest", "simple"] | None,
-        "the paths by which Algorithm 1 goes to the next edge; null: another explorer",
-    ]
-    schedules: Annotated[Literal["all", "one"], "one: the explorer takes no choices"]
-    symmetry: Annotated[
-        Text | None, "why one world stands for every direction; null: each was tried"
-    ]
-    shard: Annotated[str, OfShard, "`K/N`; `0/1` is the whole"]
-    gate: Annotated[Gate, "counts, of a shard left to the merge, and replays in the Python engine"]
-    rows: Annotated[list[WorstRowDocument], "one for each (edges, vertices), ascending"]
-    findings: Annotated[
-        list[FindingDocument], "the smallest, if a run of another explorer broke a law"
-    ]
 
 
 class QuotientDocument(TypedDict):
@@ -276,56 +229,3 @@ class Manifest(TypedDict):
 
     schema: Version
     entries: Annotated[list[EntryDocument], "what is kept, in the order in which it is told"]
-
-
-class Branch(TypedDict):
-    """What to do after a percept."""
-
-    percept: Annotated[PerceptDocument, "what is sensed"]
-    node: Annotated[Natural, "the node to go on with, by its place in `nodes`"]
-
-
-class StrategyStep(TypedDict):
-    """A node of a strategy: a motion."""
-
-    move: Annotated[Natural, "by how many darts clockwise the robot turns before it leaves"]
-    then: Annotated[list[Branch], Some, "where to go on"]
-
-
-class StrategyLeaf(TypedDict):
-    """A node of a strategy: the end."""
-
-    answer: Annotated[Rooted, "the map, and the robot's dart in it"]
-
-
-class StrategyDocument(TypedDict):
-    """A strategy."""
-
-    start: Annotated[list[Branch], Some, "where to begin after the first percept"]
-    nodes: Annotated[list[StrategyStep | StrategyLeaf], Some, "what to do"]
-
-
-class OptimumRowDocument(TypedDict):
-    """The worlds with one number of edges, which the explorer knows."""
-
-    edges: Positive
-    runs: Annotated[Positive, "worlds with every bearing"]
-    optimum: Annotated[
-        Natural | None,
-        "the fewest traversals that are enough in every world; null: the time was up",
-    ]
-    at_least: Annotated[Natural, "no explorer needs less in its worst world"]
-    replayed: Annotated[
-        Natural | None,
-        "what the strategy costs at its worst, followed in every world; null: there is none, or "
-        "it is wrong",
-    ]
-    states: Annotated[Natural, "how many states of knowledge were looked into"]
-    explorers: Annotated[dict[str, Natural], "the worst cost of each built-in explorer"]
-    strategy: Annotated[StrategyDocument | None, "one that attains the optimum"]
-
-
-class OptimumDocument(InRows):
-    """Report of 'optimum'."""
-
-    rows: Annotated[list[OptimumRowDocument], "by the number of edges"]

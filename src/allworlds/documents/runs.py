@@ -5,14 +5,12 @@ from typing import Annotated, Literal, NotRequired, TypeAlias, TypedDict
 from allworlds.documents.checks import CheckDocument, MutantsDocument
 from allworlds.documents.claims import ClaimsDocument
 from allworlds.documents.common import MadeBy, ReportDocument
-from allworlds.documents.comparisons import CompareDocument, FigureDocument, GrowthDocument
+from allworlds.documents.comparisons import FigureDocument
 from allworlds.documents.findings import FindingDocument
 from allworlds.documents.questions import (
     AmbiguityCensusDocument,
     BenchDocument,
-    OptimumDocument,
     SearchDocument,
-    WorstDocument,
 )
 from allworlds.documents.vocabulary import (
     EngineName,
@@ -25,7 +23,7 @@ from allworlds.documents.vocabulary import (
     Version,
 )
 
-MergeDocument: TypeAlias = CheckDocument | WorstDocument | AmbiguityCensusDocument
+MergeDocument: TypeAlias = CheckDocument | AmbiguityCensusDocument
 """What 'merge' writes: the report of the verb whose shards were joined."""
 
 
@@ -56,15 +54,11 @@ class EstimateResult(GuessOfTime):
 
 Watched: TypeAlias = (
     CheckDocument
-    | WorstDocument
     | AmbiguityCensusDocument
-    | CompareDocument
-    | GrowthDocument
     | FigureDocument
     | MutantsDocument
     | SearchDocument
     | BenchDocument
-    | OptimumDocument
     | ClaimsDocument
     | EstimateResult
 )
