@@ -59,7 +59,7 @@ class BoundsFigure:
     @property
     def verdict(self) -> Verdict:
         """Whether no schedule passes the bound, and nothing is below what is known from below."""
-        if not self.report.agrees:
+        if not self.report.gate.agrees:
             return Verdict.ERROR
         if not self.report.complete:
             return Verdict.INCONCLUSIVE
@@ -139,7 +139,6 @@ def _panel(axes: Any, vertices: int, cells: Sequence[BoundsCell]) -> None:
 def figure_bounds(edges: int, limits: Limits, listener: Listener) -> BoundsFigure:
     """Worst cases up to so many edges, and optima as far as they are known."""
     report = worst(edges=edges, workers=limits.workers, listener=listener)
-    assert isinstance(report, WorstReport)
     optima = _optima(min(edges, MOST_OPTIMAL))
     cells = [
         BoundsCell(r.edges, r.vertices, r.worst, r.best, optima.get((r.edges, r.vertices)))
