@@ -22,7 +22,7 @@ from mkdocs.structure.pages import Page
 
 import allworlds
 from allworlds.cli.app import app
-from allworlds.cli.schemas import schemas
+from allworlds.reports.schemas import schemas
 from allworlds.verbs import GROUPS, VERBS, Verb
 
 

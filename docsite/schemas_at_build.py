@@ -16,6 +16,6 @@ class SchemasHook(BuildHookInterface[Any]):
         """Write the schemas before the files of the package are collected."""
         source = Path(self.root) / "src"
         sys.path.insert(0, str(source))
-        from allworlds.cli.schemas import main
+        from allworlds.reports.schemas import main
 
         main(source / "allworlds" / "schemas")

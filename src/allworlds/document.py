@@ -20,7 +20,7 @@ Three things are said beside a type:
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields as fields_of_dataclass, replace as replace_in_dataclass
 from enum import Enum
 from functools import cache
@@ -94,6 +94,8 @@ Seconds = Annotated[float, Meta(ge=0)]
 Figure = Annotated[float, Meta(ge=0)]
 Text = Annotated[str, Meta(min_length=1)]
 ShardText = Annotated[str, Meta(pattern="^[0-9]+/[0-9]+$")]
+Entries: TypeAlias = Annotated[Sequence[T], Meta(min_length=1)]
+Permutation: TypeAlias = Annotated[tuple[Natural, ...], Meta(min_length=2)]
 Pair: TypeAlias = Annotated[tuple[T, ...], Meta(min_length=2, max_length=2)]
 Some: TypeAlias = Annotated[tuple[T, ...], Meta(min_length=1)]
 Different: TypeAlias = Annotated[tuple[T, ...], narrowed(uniqueItems=True)]
@@ -143,7 +145,7 @@ class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=T
         }
 
 
-class Written:
+class WrittenByFields:
     """A dataclass whose fields are the keys of its JSON object."""
 
     __slots__ = ()
@@ -281,7 +283,10 @@ def _alternatives(kind: inspect.Type) -> list[inspect.Type]:
 
 
 class Host(Document):
-    """A machine, and what runs on it."""
+    """Host.
+
+    A machine, and what runs on it.
+    """
 
     name: Annotated[str, about("in its network")]
     system: Annotated[str, about("its operating system")]
@@ -294,7 +299,10 @@ class Host(Document):
 
 
 class MadeBy(Document):
-    """Who made a document, where, when and how fast: nothing else in it depends on that."""
+    """Made by.
+
+    Who made a document, where, when and how fast: nothing else in it depends on that.
+    """
 
     version: Annotated[Text, about("of this program")]
     command: Annotated[tuple[str, ...], about("the words of the command line, as they were given")]

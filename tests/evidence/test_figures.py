@@ -10,7 +10,7 @@ import pytest
 from msgspec import structs
 
 from allworlds import figure, run
-from allworlds.engines import Limits
+from allworlds.engines import Limits, Silent
 from allworlds.evidence.figures import files_of, holes as fig3
 from allworlds.evidence.figures.augmentation import figure_2
 from allworlds.evidence.figures.bounds import figure_bounds
@@ -20,7 +20,6 @@ from allworlds.evidence.figures.twins import CAPTION, figure_1
 from allworlds.inputs import InputError
 from allworlds.judging import paper_bound, printed_bound
 from allworlds.outcome import Verdict
-from allworlds.progress import Silent
 from allworlds.studies.compare import Growth
 from allworlds.studies.optimum import optimum
 from allworlds.world import world_of_family

@@ -51,8 +51,8 @@ MOST_ROWS, MOST_ARROWS, MOST_ENTRIES = 12, 60, 21
 # Wings without a door of their own: each folder in them has one.
 BY_FOLDER = {"studies", "evidence"}
 
-# What lies beside the wings, and goes when results are their own documents.
-BESIDE = {"documents", "schemas", "py.typed"}
+# What lies beside the wings and holds no code.
+BESIDE = {"schemas", "py.typed"}
 
 # The only homes of each library that does not come with Python.
 HOMES = {
@@ -60,7 +60,7 @@ HOMES = {
     "distributed": ["engines.transports.dask_cluster", "engines.transports.dask_lanes"],
     "hypothesis": ["strategies"],
     "llvmlite": ["engines.kernel"],
-    "msgspec": ["cli.schemas", "document", "maps.combinatorial"],
+    "msgspec": ["document", "reports.schemas"],
     "matplotlib": ["reports.growth_plot", "evidence.figures"],
     "networkx": [
         "maps.networks",

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from allworlds.cli.schemas import pages, schemas
 from allworlds.explorers import BUILT_IN
+from allworlds.reports.schemas import NAMES, pages, schemas
 from allworlds.verbs import VERBS
 from allworlds.world import lighthouse_named
 
@@ -56,6 +56,7 @@ class Reference:
             name: told for schema in schemas.values() for name, told in schema["$defs"].items()
         }
         self.headings = {roots[page]: self.heading(page) for page in schemas if page in roots}
+        self.tables = [{*table} for _, table in NAMES.values()]
         self.headings |= {part: self.parts[part]["title"] for part in PARTS}
 
     def heading(self, page: str) -> str:
@@ -84,16 +85,18 @@ class Reference:
             return text + TABLE + self.rows({**told, "properties": own})
         if told["title"] == "Names":
             return text + "\n".join(map(self.names, told["$defs"].values()))
-        kinds = [self.parts[name_of(option)] for option in told.get("anyOf", [])]
-        if kinds and not any(kind["title"] in self.headings.values() for kind in kinds):
+        names = [name_of(option) for option in told.get("anyOf", [])]
+        if names and not self.headings.keys() & names:
+            kinds = [self.parts[name] for name in names]
             tables = (f"{kind['title']}.\n\n{TABLE}{self.rows(kind)}" for kind in kinds)
             return text + "\n".join(tables)
         return f"{text}{self.value(told).capitalize()}.\n"
 
     def names(self, told: Schema) -> str:
         """The names of a table."""
-        ones = told.get("oneOf") or [{"const": name, "description": ""} for name in told["enum"]]
-        rows = (f"| `{one['const']}` | {one['description']} |\n" for one in ones)
+        if "enum" in told:
+            return f"{told['title']}: {', '.join(f'`{name}`' for name in told['enum'])}.\n"
+        rows = (f"| `{one['const']}` | {one['description']} |\n" for one in told["oneOf"])
         return f"{told['title']}:\n\n| name | meaning |\n|---|---|\n" + "".join(rows)
 
     def verb_rows(self) -> Iterator[str]:
@@ -115,7 +118,7 @@ class Reference:
 
     def below(self, value: Schema) -> Iterator[tuple[Schema, str]]:
         """The objects inside a value; what has a section is told there."""
-        if "$ref" in value and name_of(value) not in self.headings:
+        if value.get("$ref", "")[:1] == "#" and name_of(value) not in self.headings:
             yield from self.below(self.parts[name_of(value)])
         elif "properties" in value:
             yield value, ""
@@ -129,12 +132,16 @@ class Reference:
         match told:
             case {"$ref": _} if name_of(told) in self.headings:
                 return link(self.headings[name_of(told)])
+            case {"$ref": str(file)} if file[0] != "#":
+                return link(self.heading(file.removesuffix(".schema.json")))
             case {"$ref": _}:
                 return self.value(self.parts[name_of(told)])
             case {"anyOf": options}:
                 return " or ".join(dict.fromkeys(map(self.value, options)))
             case {"const": one}:
                 return f"`{words(one)}`"
+            case {"enum": several} if {*several} in self.tables:
+                return link("Names")
             case {"enum": several}:
                 return ", ".join(f"`{words(each)}`" for each in several)
             case {"type": "array"}:

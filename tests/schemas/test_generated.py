@@ -8,7 +8,6 @@ from typing import Annotated
 import pytest
 
 import allworlds
-from allworlds.cli.schemas import main, schema_of, schemas
 from allworlds.document import (
     UNSET,
     Aside,
@@ -23,6 +22,7 @@ from allworlds.document import (
 )
 from allworlds.maps import MapClass
 from allworlds.outcome import Verdict
+from allworlds.reports.schemas import main, schema_of, schemas
 from allworlds.verbs import VERBS
 from allworlds.world import World
 from schemas.generate import package_text

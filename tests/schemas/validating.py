@@ -6,7 +6,7 @@ import json
 from jsonschema import Draft202012Validator
 from referencing import Registry, Resource
 
-from allworlds.cli.schemas import schemas
+from allworlds.reports.schemas import schemas
 
 SCHEMAS = schemas()
 REGISTRY = Registry().with_resources(

@@ -9,6 +9,7 @@ from typing import ClassVar
 
 import pytest
 
+from allworlds.engines import Silent
 from allworlds.explorers import algorithm1
 from allworlds.inputs import InputError
 from allworlds.maps import (
@@ -20,7 +21,6 @@ from allworlds.maps import (
 )
 from allworlds.maps.counting.sources import CountSource
 from allworlds.outcome import Verdict
-from allworlds.progress import Silent
 from allworlds.protocol import Estimate, Move
 from allworlds.studies import check as checker
 from allworlds.studies.run import run

@@ -3,7 +3,7 @@
 import pytest
 
 import allworlds
-from allworlds.progress import Silent
+from allworlds.engines import Silent
 from allworlds.studies.status.run_status import DoneOf
 from kept_jobs import EXPLORERS
 

@@ -5,10 +5,9 @@ import random
 import pytest
 
 from allworlds import check
-from allworlds.engines import EnginesDisagree, drawn_units, level_size
+from allworlds.engines import EnginesDisagree, Silent, drawn_units, level_size
 from allworlds.engines.kernel.tables import MOST_EDGES
 from allworlds.maps import Extent, MapClass
-from allworlds.progress import Silent
 from allworlds.reports.check_text import check_text
 from allworlds.studies.check import estimate
 from allworlds.studies.check.time_estimate import Guess, worlds_of

@@ -8,7 +8,11 @@ from contextlib import ExitStack, contextmanager, suppress
 from time import monotonic
 from typing import Any, TextIO
 
-from allworlds.cli.event_lines import (
+from allworlds.cli.options import LongOutputGroup
+from allworlds.cli.output import Progress, complain
+from allworlds.inputs import InputError, a_path, show
+from allworlds.outcome import Result
+from allworlds.reports import (
     Event,
     FindingEvent,
     LevelEvent,
@@ -18,10 +22,6 @@ from allworlds.cli.event_lines import (
     UnitEvent,
     VerdictEvent,
 )
-from allworlds.cli.options import LongOutputGroup
-from allworlds.cli.output import Progress, complain
-from allworlds.inputs import InputError, a_path, show
-from allworlds.outcome import Result
 
 EVERY = 1.0
 """Seconds between two lines that say how much is done."""

@@ -7,19 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
-from msgspec import Meta
-
-from allworlds.document import Written, about
+from allworlds.document import Natural, Permutation, WrittenByFields, about
 from allworlds.inputs import InputError, are_plain, integer, parse_json, show
 
-Dart: TypeAlias = Annotated[int, Meta(ge=0)]
+Dart: TypeAlias = Natural
 """A dart: an integer in ``0..2m-1``."""
 
 Vertex: TypeAlias = int
 """A vertex: an index into :attr:`CombinatorialMap.vertices`."""
-
-Permutation: TypeAlias = Annotated[tuple[Dart, ...], Meta(min_length=2)]
-"""A permutation of darts: for each the next one."""
 
 Sigma: TypeAlias = Annotated[
     Permutation, about("for each dart the next one clockwise round its vertex")
@@ -32,7 +27,7 @@ class InvalidMap(InputError):
 
 
 @dataclass(frozen=True, init=False)
-class CombinatorialMap(Written):
+class CombinatorialMap(WrittenByFields):
     """A connected embedded graph: ``sigma`` clockwise round vertices, ``alpha`` across edges.
 
     The one law: ``sigma`` is a permutation of ``0..2m-1`` with ``m >= 1``, ``alpha`` an

@@ -4,16 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, TypeAlias, TypeVar
+from typing import Annotated, Any, TypeAlias
 
-from msgspec import Meta
-
-from allworlds.document import Document, Natural, Positive, Written, about
+from allworlds.document import Document, Entries, Natural, Positive, WrittenByFields, about
 from allworlds.inputs import InputError, show
 from allworlds.maps import Alpha, CombinatorialMap, Dart, Sigma
-
-T = TypeVar("T")
-Entries: TypeAlias = Annotated[Sequence[T], Meta(min_length=1)]
 
 
 class RootedMap(Document):
@@ -56,7 +51,7 @@ class Estimate:
 
 
 @dataclass(frozen=True, slots=True)
-class Ambiguous(Written):
+class Ambiguous(WrittenByFields):
     """Rooted quotient.
 
     The most that a robot with position only can know of its world, and where it is in it.

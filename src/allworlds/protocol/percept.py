@@ -5,12 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from allworlds.document import Natural, Positive, Written, about
+from allworlds.document import Natural, Positive, WrittenByFields, about
 
 
 @dataclass(frozen=True, slots=True)
-class Percept(Written):
-    """All that is sensed at a vertex."""
+class Percept(WrittenByFields):
+    """Percept.
+
+    All that is sensed at a vertex.
+    """
 
     degree: Annotated[Positive, about("the number of darts")]
     marks: Annotated[Natural, about("the number of markers that lie here")] = 0

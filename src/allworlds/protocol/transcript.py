@@ -29,14 +29,14 @@ class Moved(Document, forbid_unknown_fields=False):
 class Dropped(Document, forbid_unknown_fields=False):
     """A marker laid down."""
 
-    drop: Literal[True] = True
+    drop: Literal[True]
     percept: Annotated[Percept, about("what was sensed then")]
 
 
 class Picked(Document, forbid_unknown_fields=False):
     """A marker taken up."""
 
-    pick: Literal[True] = True
+    pick: Literal[True]
     percept: Annotated[Percept, about("what was sensed then")]
 
 
@@ -96,9 +96,9 @@ def _row(step: tuple[Action, Percept]) -> Moved | Dropped | Picked:
         case Move(k):
             return Moved(move=k, percept=percept)
         case Drop():
-            return Dropped(percept=percept)
+            return Dropped(drop=True, percept=percept)
         case Pick():
-            return Picked(percept=percept)
+            return Picked(pick=True, percept=percept)
         case _:
             assert_never(action)
 

@@ -32,7 +32,7 @@ class WorldDocument(Document):
     start: Annotated[Dart, about("the dart that the robot faces; else 0")] = 0
     lighthouse: Annotated[
         Lighthouse, about("where it stands; else the explorer's own, or a directional one")
-    ]
+    ] = Directional(0)
 
 
 @dataclass(frozen=True)

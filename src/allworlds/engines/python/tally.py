@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, Self
 
-from allworlds.document import Document, Written, taken
+from allworlds.document import Document, WrittenByFields, taken
 from allworlds.judging import Finding, Rules
 
 
@@ -25,7 +25,7 @@ class AtRun(NamedTuple):
 
 
 @dataclass(slots=True)
-class Row(Written):
+class Row(WrittenByFields):
     """What was seen in the worlds with one number of edges and of vertices.
 
     Attributes:

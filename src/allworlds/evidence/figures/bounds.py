@@ -7,11 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from allworlds.engines import Limits
+from allworlds.engines import Limits, Listener
 from allworlds.evidence.figures.drawn import Table
 from allworlds.judging import paper_bound
 from allworlds.outcome import Exit, Verdict
-from allworlds.progress import Listener
 from allworlds.studies.optimum import minimax
 from allworlds.studies.worst import WorstReport, worst
 from allworlds.world import worlds

@@ -20,8 +20,9 @@ from allworlds.world import World
 class Explanation(Report):
     """Report of 'explain'.
 
-    Vertices and darts are those of the world, in the numbering of the finding. ``spent`` tells
-    what the traversals were spent on, where they were too many.
+    Vertices and darts are those of the world, in the numbering of the finding.
+
+    ``spent`` tells what the traversals were spent on, where they were too many.
     """
 
     explorer: Annotated[str, about("its name")] = computed(lambda told: told.finding.explorer)

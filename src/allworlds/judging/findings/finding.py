@@ -88,6 +88,7 @@ class Finding:
     def to_json(self) -> dict[str, Any]:
         """The document :class:`FindingDocument`."""
         return FindingDocument(
+            version=VERSION,
             explorer=self.explorer,
             law=self.law,
             world=self.world,
@@ -155,7 +156,7 @@ class FindingDocument(Document, forbid_unknown_fields=False):
     other keys are ignored, but not in its world.
     """
 
-    version: Annotated[Literal[1], about("the version of findings")] = VERSION
+    version: Annotated[Literal[1], about("the version of findings")]
     explorer: Annotated[str, about("its name")]
     law: Annotated[LawName, about("the broken law")]
     world: Annotated[

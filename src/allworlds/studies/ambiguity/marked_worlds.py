@@ -30,9 +30,11 @@ from allworlds.engines import (
     Dask,
     Identity,
     LevelUnit,
+    Listener,
     Portion,
     Records,
     Shard,
+    Silent,
     ThisThread,
     Transport,
     a_shard,
@@ -55,7 +57,6 @@ from allworlds.maps import (
     source_for,
 )
 from allworlds.outcome import Exit, until_interrupted
-from allworlds.progress import Listener, Silent
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.marked_code import is_least_rooting
 from allworlds.studies.ambiguity.members import SensedQuotient, projection_of

@@ -21,9 +21,12 @@ from allworlds.engines import (
     Identity,
     Job,
     Limits,
+    Listener,
+    Once,
     ReadyEngine,
     Records,
     Scope,
+    Silent,
     Tally,
     TimeIsUp,
     Unsettled,
@@ -44,7 +47,6 @@ from allworlds.inputs import InputError, a_path, an_integer, show
 from allworlds.judging import Finding
 from allworlds.maps import DEFAULT_EDGES, Extent
 from allworlds.outcome import Verdict
-from allworlds.progress import Listener, Once, Silent
 from allworlds.studies.check.ending import Completed, Disagreed, Ending, Interrupted, Stopped
 from allworlds.studies.check.gate import GateCell, count_gate, missing_witnesses
 from allworlds.studies.check.known_findings import UserCorpus

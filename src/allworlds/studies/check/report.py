@@ -88,9 +88,11 @@ class CheckRow(Document):
 class CheckReport(Report):
     """Report of 'check' and of 'fuzz'.
 
-    What a check has seen, and what follows from it. ``asked`` is what was to be checked,
-    ``tally`` holds the counts of the finished levels and the smallest findings, ``ending`` how the
-    check came to its end, ``cells`` the comparisons of the count gate.
+    What a check has seen, and what follows from it.
+
+    ``asked`` is what was to be checked, ``tally`` holds the counts of the finished levels and the
+    smallest findings, ``ending`` tells how the check came to its end, ``cells`` are the
+    comparisons of the count gate.
     """
 
     verdict: Annotated[Verdict, about("about the scope, and nothing else")] = computed(

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from allworlds.engines import CostTally, GivenWorlds, Limits, key_of, workers_for
+from allworlds.engines import CostTally, GivenWorlds, Limits, Listener, key_of, workers_for
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.judging import Finding, Rules
 from allworlds.maps import CombinatorialMap, Extent, MapClass
-from allworlds.progress import Listener
 from allworlds.studies.check import Completed, Stopped, ending_of
 from allworlds.studies.compare.contestants import Contestant
 from allworlds.studies.compare.growing_families import LEAST, Member, members_of

@@ -116,8 +116,10 @@ def _exit_code(report: Comparison) -> Exit:
 class Comparison(Report):
     """Report of 'compare'.
 
-    Explorers side by side in the same worlds.  ``all_counted`` tells that an independent source
-    counts the worlds that were enumerated; the contestants were run under ``limits``.
+    Explorers side by side in the same worlds.
+
+    ``all_counted`` tells that an independent source counts the worlds that were enumerated; the
+    contestants were run under ``limits``.
     """
 
     verdict: Annotated[Verdict, about("whether a run of any explorer broke a law")] = computed(

@@ -13,7 +13,9 @@ from allworlds.engines import (
     CostTally,
     GivenWorlds,
     Limits,
+    Listener,
     MapKey,
+    Silent,
     Transport,
     UnitOfRuns,
     level_size,
@@ -22,7 +24,6 @@ from allworlds.engines import (
 from allworlds.inputs import InputError, show
 from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap, Extent
-from allworlds.progress import Listener, Silent
 from allworlds.studies.check import (
     Completed,
     GateCell,

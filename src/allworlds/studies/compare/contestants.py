@@ -10,6 +10,7 @@ from allworlds.engines import (
     CostEngine,
     CostTally,
     Limits,
+    Listener,
     Scope,
     Transport,
     UnitOfRuns,
@@ -21,7 +22,6 @@ from allworlds.explorers import Subject
 from allworlds.inputs import InputError, show
 from allworlds.judging import Finding, Rules
 from allworlds.maps import CombinatorialMap, Extent
-from allworlds.progress import Listener
 from allworlds.studies.check import ManyRunsOptions, rules_for
 from allworlds.world import World
 

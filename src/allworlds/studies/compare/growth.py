@@ -70,7 +70,7 @@ def _exit_code(report: Growth) -> Exit:
 
 
 class Growth(Report):
-    """Report of 'grow'.
+    """Report of 'compare --to'.
 
     Explorers in worlds that grow.
     """

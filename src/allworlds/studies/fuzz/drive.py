@@ -9,9 +9,11 @@ from typing import Any, Unpack
 from allworlds.engines import (
     GivenWorlds,
     Limits,
+    Listener,
     PythonEngine,
     Sample,
     Scope,
+    Silent,
     Tally,
     TimeIsUp,
     Transport,
@@ -23,7 +25,6 @@ from allworlds.engines import (
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.judging import Finding
 from allworlds.maps import Extent
-from allworlds.progress import Listener, Silent
 from allworlds.studies.check import (
     CheckReport,
     ManyRunsOptions,

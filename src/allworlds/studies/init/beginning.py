@@ -15,7 +15,7 @@ from allworlds.outcome import Exit
 class Skeleton(Report):
     """Report of 'init'.
 
-    A skeleton that has been written; the names of its files have ``/``.
+    A skeleton that has been written; `/` stands in the names of its files.
     """
 
     exit_code: ClassVar[Exit] = Exit.ANSWERED

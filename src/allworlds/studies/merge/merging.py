@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from allworlds.engines import merged
+from allworlds.engines import Listener, Silent, merged
 from allworlds.inputs import InputError, show
-from allworlds.progress import Listener, Silent
 from allworlds.verbs import BY_NAME, loaded
 from allworlds.version import __version__
 

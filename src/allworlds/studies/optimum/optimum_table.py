@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from allworlds.document import Document, Natural, Positive, Report, about, computed
+from allworlds.engines import Listener, Silent
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.outcome import Exit, until_interrupted
-from allworlds.progress import Listener, Silent
 from allworlds.studies.check import check
 from allworlds.studies.optimum.fewest_traversals import Search
 from allworlds.studies.optimum.in_every_world import most_expensive

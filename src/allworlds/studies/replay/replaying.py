@@ -17,8 +17,10 @@ from allworlds.protocol import ANSWER_TIMEOUT
 class Replay(Report):
     """Report of 'replay'.
 
-    What became of a finding. ``notice`` tells the first recorded choice that this run has not
-    taken; it is empty if the run took all, or if another explorer was to answer by itself.
+    What became of a finding.
+
+    ``notice`` tells the first recorded choice that this run has not taken; it is empty if the run
+    took all, or if another explorer was to answer by itself.
     """
 
     outcome: Annotated[

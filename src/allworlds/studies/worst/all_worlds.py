@@ -15,9 +15,11 @@ from allworlds.engines import (
     Dask,
     Identity,
     Limits,
+    Listener,
     Portion,
     Records,
     Shard,
+    Silent,
     ThisThread,
     Threads,
     Transport,
@@ -35,7 +37,6 @@ from allworlds.inputs import InputError, an_integer, show
 from allworlds.judging import Answered, Rules, default_step_budget, paper_bound, play
 from allworlds.maps import CombinatorialMap, Extent, MapClass, source_for
 from allworlds.outcome import until_interrupted
-from allworlds.progress import Listener, Silent
 from allworlds.studies.check import own_rules
 from allworlds.studies.worst.any_explorer import worst_of_runs
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit

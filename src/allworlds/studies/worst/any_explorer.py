@@ -13,6 +13,7 @@ from allworlds.engines import (
     EnginesDisagree,
     Job,
     Limits,
+    Listener,
     ReadyEngine,
     Row,
     Scope,
@@ -29,7 +30,6 @@ from allworlds.explorers import Subject
 from allworlds.judging import Finding, Rules
 from allworlds.maps import Extent, source_for
 from allworlds.outcome import until_interrupted
-from allworlds.progress import Listener
 from allworlds.studies.check import rules_for, world_at
 from allworlds.studies.worst.worst_report import WorstReport, WorstRow, replayed_cost
 

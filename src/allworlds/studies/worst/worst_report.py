@@ -88,9 +88,10 @@ def _agrees(report: WorstReport) -> bool:
 class WorstReport(Report):
     """Report of 'worst'.
 
-    The worst and best costs of an explorer, by size.  ``source`` is that of the counts;
-    ``disagreement`` says what disagrees beside the rows, if anything does; ``subject`` is who was
-    run by the ``rules``.
+    The worst and best costs of an explorer, by size.
+
+    ``source`` is that of the counts; ``disagreement`` says what disagrees beside the rows, if
+    anything does; ``subject`` is who was run by the ``rules``.
     """
 
     exit_code: Annotated[

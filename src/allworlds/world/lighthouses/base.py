@@ -46,6 +46,7 @@ class Lighthouse(ABC):
         leaves_open: whether an explorer may answer with the rooted quotient, where several
             worlds look alike.
         keys: what its JSON may hold besides ``kind``.
+        asked: the types of those that are no attributes: they say which place is meant.
     """
 
     kind: ClassVar[str]
@@ -54,6 +55,7 @@ class Lighthouse(ABC):
     folds: ClassVar[bool]
     leaves_open: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ("dart",)
+    asked: ClassVar[Mapping[str, Any]] = {}
 
     @classmethod
     def with_options(cls, options: Mapping[str, str]) -> type[Lighthouse]:

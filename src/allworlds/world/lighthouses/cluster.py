@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
+from allworlds.document import about
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
@@ -36,6 +37,9 @@ class Cluster(Lighthouse):
     default_bound: ClassVar[str] = "none"
     folds: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ("dart", "single")
+    asked: ClassVar[Mapping[str, Any]] = {
+        "single": Annotated[bool, about("whether exactly one edge joins v0 and v1; else false")]
+    }
 
     @classmethod
     def with_options(cls, options: Mapping[str, str]) -> type[Cluster]:

@@ -68,7 +68,7 @@ def _exit_code(result: SearchResult) -> Exit:
 class SearchResult(Report):
     """Report of 'search'.
 
-    If it was interrupted by the user, the status is ``unknown``, or twins had been found before.
+    If it was interrupted by the user, the status is `unknown`, or twins had been found before.
     """
 
     status: Annotated[Status, about("`sat`: a pair; `unsat`: there is none in the bounds")]

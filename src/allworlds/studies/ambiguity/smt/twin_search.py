@@ -7,15 +7,14 @@ import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from msgspec import structs
-
+from allworlds.document import replace
+from allworlds.engines import Listener, Silent
 from allworlds.inputs import InputError, a_path, at_most, show
-from allworlds.progress import Listener, Silent
 from allworlds.studies.ambiguity.smt.decode import decoded
 from allworlds.studies.ambiguity.smt.formula import Formula, read_dimacs
 from allworlds.studies.ambiguity.smt.lrat import check_lrat
@@ -229,7 +228,11 @@ class _TwinsSearch:
         file = self.directory / "pair.json"
         file.write_text(json.dumps(twins.to_json()) + "\n", encoding="ascii")
         return self._result(
-            "sat", certificate=file, interrupted=interrupted, **structs.asdict(twins)
+            "sat",
+            certificate=file,
+            interrupted=interrupted,
+            pair=twins.pair,
+            bisimulation=twins.bisimulation,
         )
 
     def _result(self, status: Status, **more: Any) -> SearchResult:
@@ -270,7 +273,7 @@ class _TwinsSearch:
         if reason:
             self.notices.append(f"no certificate for {searched.formula.name}: {reason}")
             return searched
-        return structs.replace(searched, proof=searched.formula.with_suffix(".lrat"))
+        return replace(searched, proof=searched.formula.with_suffix(".lrat"))
 
     def _write_proof(self, formula: Path) -> str | None:
         """None, or the reason why there is no proof."""

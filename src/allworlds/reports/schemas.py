@@ -1,8 +1,7 @@
 """JSON Schema of every document, made from the classes that are the documents.
 
-``python -m allworlds.cli.schemas DIRECTORY`` writes one file for each page of :func:`pages`; the
-build of the package does so.  Every file is complete in itself: what it refers to stands under
-its ``$defs``.
+``python -m allworlds.reports.schemas DIRECTORY`` writes one file for each document; the build of
+the package does so.  Every file is complete in itself: what it refers to stands under ``$defs``.
 """
 
 from __future__ import annotations
@@ -20,13 +19,13 @@ from msgspec import UNSET, Meta, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
-from allworlds.cli.event_lines import Event
-from allworlds.document import Document, MadeBy, Written, keys_of
+from allworlds.document import Document, MadeBy, Text, WrittenByFields, keys_of, plain
 from allworlds.engines import ENGINES
 from allworlds.judging import LAWS, PRECEDENCE, Finding, FindingDocument
 from allworlds.maps import MapClass
 from allworlds.outcome import Result, Verdict
 from allworlds.protocol import AtStart, Dropped, Estimate, Moved, Picked, RootedMap, Transcript
+from allworlds.reports.event_lines import Event
 from allworlds.studies.check import TimeEstimate
 from allworlds.studies.merge import MergedReport
 from allworlds.verbs import VERBS, loaded
@@ -36,8 +35,13 @@ Schema: TypeAlias = dict[str, Any]
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
-WRITTEN_AS = {World: WorldDocument, Estimate: RootedMap, Finding: FindingDocument}
-"""The document of a class that writes it by itself."""
+WRITTEN_AS = {
+    World: WorldDocument,
+    Estimate: RootedMap,
+    Finding: FindingDocument,
+    Path: Text,
+}
+"""What is written in place of a value that is no JSON."""
 
 READ = {"finding", "world", "transcript", "manifest"}
 """The documents that are read; their schemas say what is taken, and may be left out."""
@@ -104,6 +108,10 @@ class Shapes:
             kind = next((n.extra["kind"] for n in notes if n.extra and "kind" in n.extra), base)
             shown = [note for note in notes if not note.extra]
             inner = self.of(kind)
+            for note in shown:
+                if values := (note.extra_json_schema or {}).get("enum"):
+                    inner = Literal[*map(plain, values)]
+                    shown.remove(note)
             return Annotated[inner, *shown] if shown else inner
         if tp is Result:
             files = [{"$ref": f"{name}.schema.json"} for name in reports()]
@@ -114,7 +122,7 @@ class Shapes:
             return self._transcript()
         if tp is Lighthouse:
             return self._one_of([self._lighthouse(kind) for kind in LIGHTHOUSES.values()])
-        if isinstance(tp, type) and issubclass(tp, Document | Written):
+        if isinstance(tp, type) and issubclass(tp, Document | WrittenByFields):
             return self._struct(tp)
         arguments = get_args(tp)
         if get_origin(tp) in (Union, UnionType):
@@ -172,7 +180,7 @@ class Shapes:
         keys: list[tuple[str, Any, bool]] = [("kind", Literal[kind.kind], True)]
         keys += [(key, hints[key], self.written) for key in kind.keys if key in hints]
         if not self.written:
-            keys += [(key, bool, False) for key in kind.keys if key not in hints]
+            keys += [(key, tp, False) for key, tp in kind.asked.items()]
         self._made[kind] = self._defined(f"{kind.__name__}Lighthouse", kind.__doc__ or "", keys)
         return self._made[kind]
 
@@ -271,9 +279,11 @@ def _plain(told: Any) -> Any:
     if kept.keys() & {"const", "enum"}:
         kept.pop("$ref", None)
     if "properties" in kept and "description" in kept:
-        title, _, rest = kept.pop("description").partition("\n\n")
-        said = {"title": title.removesuffix("."), "description": " ".join(rest.split())}
-        kept = {**kept, **said} if rest else {**kept, "title": said["title"]}
+        # What follows the second paragraph is for those who read the class.
+        title, *rest = kept.pop("description").split("\n\n")
+        kept["title"] = title.removesuffix(".")
+        if rest:
+            kept["description"] = " ".join(rest[0].split())
     return {key: kept[key] for key in sorted(kept, key=_place)}
 
 
