@@ -201,7 +201,7 @@ def entered(target):
 def defining(target):
     """The module in which a name is defined, behind however many doors; None for the root's."""
     own = entered(target)
-    if own is None or own == "documents" or own not in MODULES or not is_door(own):
+    if own is None or own not in MODULES or not is_door(own):
         return own
     behind = [i for i in MODULES[own] if i.typing and i.name == target.name]
     return defining(behind[0]) if behind else own
@@ -278,7 +278,7 @@ def test_inside_a_wing_modules_import_each_other_by_their_path():
 def test_only_doors_pass_names_on():
     for short in MODULES:
         package = ROOT.joinpath(*short.split("."), "__init__.py") if short else None
-        if package is None or not package.exists() or short in ("cli", "documents"):
+        if package is None or not package.exists() or short == "cli":
             continue
         if short == room(short) and short not in BY_FOLDER:
             assert is_door(short), f"{short} has no door"

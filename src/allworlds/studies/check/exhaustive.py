@@ -9,8 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Unpack
 
-from msgspec.structs import asdict
-
+from allworlds.document import asdict
 from allworlds.engines import (
     ENDED,
     LOST,
