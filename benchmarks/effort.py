@@ -74,7 +74,7 @@ def measure() -> dict[str, Any]:
             "exec": ["--exec", f"{sys.executable} {foreign} --program"],
         }
         kinds = {name: measured(explorer) for name, explorer in explorers.items()}
-    machine = {key: value for key, value in host().items() if key not in ("name", "load")}
+    machine = {key: value for key, value in host().to_json().items() if key not in ("name", "load")}
     made = {"schema": 1, "version": __version__, "commit": commit(), "machine": machine}
     return {**made, "kinds": kinds}
 

@@ -19,8 +19,9 @@ Three things are said beside a type:
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import fields as fields_of_dataclass
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields as fields_of_dataclass, replace as replace_in_dataclass
 from enum import Enum
 from functools import cache
 from pathlib import PurePath
@@ -45,12 +46,13 @@ from msgspec import (
     ValidationError,
     convert,
     field as key,
+    inspect,
 )
-from msgspec.structs import fields, force_setattr, replace
+from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
 from allworlds.inputs import InputError, show
 
-__all__ = ["UNSET", "UnsetType", "key", "replace"]
+__all__ = ["UNSET", "Meta", "UnsetType", "key", "replace"]
 
 T = TypeVar("T")
 
@@ -64,6 +66,11 @@ Aside: TypeAlias = Annotated[T, ASIDE]
 IF_ANY = Meta(extra={"if any": True})
 IfAny: TypeAlias = Annotated[T, IF_ANY]
 """A key that is left out where its value is None or empty."""
+
+
+def read_by(kind: Any) -> Meta:
+    """The value is of that kind; where it is read, its class reads it, and not :func:`taken`."""
+    return Meta(extra={"kind": kind})
 
 
 def about(meaning: str, **narrowed: Any) -> Meta:
@@ -190,10 +197,15 @@ def plain(value: Any) -> Any:
             return value.to_json()
 
 
+def replace(value: T, **changes: Any) -> T:
+    """A copy of a document, or of a dataclass, with other values of some fields."""
+    copied: Any = replace_in_struct if isinstance(value, Document) else replace_in_dataclass
+    found: T = copied(value, **changes)
+    return found
+
+
 def taken(document: object, kind: type[T], what: str) -> T:
     """What a JSON value says, as a value of that type.
-
-    A type that msgspec does not know is made by its ``from_json``.
 
     Args:
         document: as a parser of JSON hands it back.
@@ -204,27 +216,65 @@ def taken(document: object, kind: type[T], what: str) -> T:
         InputError: naming the offending value, where it stands, and what would be legal.
     """
     try:
-        return convert(document, kind, dec_hook=_from_json)
+        return convert(document, kind)
     except ValidationError as error:
-        if isinstance(error.__cause__, InputError):
-            raise error.__cause__ from None
-        said, _, path = str(error).partition(" - at `$")
-        path = path.removesuffix("`").lstrip(".")
-        where = f"{path} = {show(_at(document, path))}" if path else what
-        raise InputError(f"{where}: {said[:1].lower()}{said[1:].replace('`', '')}") from None
+        said, path = _PLACED.fullmatch(str(error)).groups("")  # type: ignore[union-attr]
+        steps = path.lstrip(".").replace("[", ".[").split(".") if path else []
+        where = f"{path.lstrip('.')} = {show(_at(document, steps))}" if path else what
+        if legal := _legal(kind, steps) if said.startswith("Invalid enum") else []:
+            raise InputError(f"{where} is not one of {', '.join(map(str, legal))}") from None
+        said = show(said[:1].lower() + said[1:].replace("`", ""))[1:-1]
+        raise InputError(f"{where}: {said}") from None
+    except UnicodeEncodeError:
+        raise InputError(f"{what}: a key or a word in it is no text") from None
 
 
-def _from_json(kind: Any, value: object) -> Any:
-    return kind.from_json(value)
+_PLACED = re.compile(r"(.*?)(?: - at `(?:key` in `)?\$([^`\n]*)`)?", re.DOTALL)
+"""What msgspec says, and where."""
 
 
-def _at(document: Any, path: str) -> object:
-    """The value at a path such as ``rows[0].edges``; the last one on the way if it cannot be."""
-    for step in path.replace("[", ".[").split("."):
+def _at(document: Any, steps: Iterable[str]) -> object:
+    """The value to which steps such as ``rows`` and ``[0]`` lead, or the last one on the way."""
+    for step in steps:
         if step == "[...]":
             return document
-        document = document[int(step[1:-1])] if step[:1] == "[" else document.get(step, document)
+        try:
+            document = document[int(step[1:-1])] if step[:1] == "[" else document[step]
+        except (LookupError, TypeError, ValueError):
+            return document
     return document
+
+
+def _legal(kind: Any, steps: Iterable[str]) -> list[object]:
+    """The values of an enumeration that stands where the steps lead."""
+    kinds = _alternatives(inspect.type_info(kind))
+    for step in steps:
+        kinds = [part for one in kinds for part in _part(one, step)]
+    legal: list[object] = []
+    for one in kinds:
+        if isinstance(one, inspect.LiteralType):
+            legal += one.values
+        elif isinstance(one, inspect.EnumType):
+            legal += [each.value for each in one.cls]
+    return legal
+
+
+def _part(kind: inspect.Type, step: str) -> list[inspect.Type]:
+    match kind:
+        case inspect.StructType(fields=told):
+            return [part for f in told if f.encode_name == step for part in _alternatives(f.type)]
+        case inspect.DictType(value_type=part) | inspect.CollectionType(item_type=part):
+            return _alternatives(part)
+    return []
+
+
+def _alternatives(kind: inspect.Type) -> list[inspect.Type]:
+    match kind:
+        case inspect.Metadata(type=one):
+            return _alternatives(one)
+        case inspect.UnionType(types=several):
+            return [one for each in several for one in _alternatives(each)]
+    return [kind]
 
 
 # ---------------------------------------------------------------- what many documents hold

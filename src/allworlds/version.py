@@ -10,24 +10,26 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from allworlds import documents
+    from allworlds.document import Host
 
 __version__ = "0.2.0"
 """The version of the program."""
 
 
-def host() -> documents.Host:
+def host() -> Host:
     """What a measurement depends on besides the program.  Cost: some milliseconds."""
-    return {
-        "name": platform.node(),
-        "system": platform.system(),
-        "machine": platform.machine(),
-        "processor": _processor(),
-        "cores": os.cpu_count(),
-        "load": round(os.getloadavg()[0], 2),
-        "python": platform.python_version(),
-        "numba": version("numba"),
-    }
+    from allworlds.document import Host
+
+    return Host(
+        name=platform.node(),
+        system=platform.system(),
+        machine=platform.machine(),
+        processor=_processor(),
+        cores=os.cpu_count(),
+        load=round(os.getloadavg()[0], 2),
+        python=platform.python_version(),
+        numba=version("numba"),
+    )
 
 
 def _processor() -> str:

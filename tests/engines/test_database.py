@@ -8,13 +8,19 @@ from contextlib import closing
 import pytest
 
 from allworlds import check
-from allworlds.engines import Identity, Shard, Whole, reading, records_in
+from allworlds.document import replace
+from allworlds.engines import Identity, reading, records_in
 from allworlds.engines.run_directory import database
 from allworlds.engines.run_directory.database import FILE, SCHEMA, checksum
 from allworlds.inputs import InputError
 from allworlds.progress import Silent
 
-JOB = Identity("check", {"edges": 2, "bound": "n+m"}, {"name": "a", "digest": "1"}, Whole())
+JOB = Identity(
+    verb="check",
+    parameters={"edges": 2, "bound": "n+m"},
+    explorer={"name": "a", "digest": "1"},
+    shard="0/1",
+)
 
 
 def nothing(text):
@@ -49,34 +55,22 @@ def test_what_is_kept_is_there_again(finished):
 
 
 OTHERS = {
-    "verb": (
-        Identity("worst", JOB.parameters, JOB.explorer, Whole()),
-        "is of 'check', not 'worst'",
-    ),
-    "version": (
-        Identity("check", JOB.parameters, JOB.explorer, Whole(), "9.9"),
-        "not '9.9'",
-    ),
-    "edges": (
-        Identity("check", {"edges": 3, "bound": "n+m"}, JOB.explorer, Whole()),
-        "is of edges = 2, not 3",
-    ),
+    "verb": (replace(JOB, verb="worst"), "is of 'check', not 'worst'"),
+    "version": (replace(JOB, version="9.9"), "not '9.9'"),
+    "edges": (replace(JOB, parameters={"edges": 3, "bound": "n+m"}), "is of edges = 2, not 3"),
     "bound": (
-        Identity("check", {"edges": 2, "bound": None}, JOB.explorer, Whole()),
+        replace(JOB, parameters={"edges": 2, "bound": None}),
         "is of bound = 'n+m', not None",
     ),
     "name": (
-        Identity("check", JOB.parameters, {"name": "b", "digest": "1"}, Whole()),
+        replace(JOB, explorer={"name": "b", "digest": "1"}),
         "is of the explorer 'a', not 'b'",
     ),
     "text": (
-        Identity("check", JOB.parameters, {"name": "a", "digest": "2"}, Whole()),
+        replace(JOB, explorer={"name": "a", "digest": "2"}),
         "another text of the explorer 'a'",
     ),
-    "shards": (
-        Identity("check", JOB.parameters, JOB.explorer, Shard(0, 2)),
-        "is of 0/1, one of 1 shard",
-    ),
+    "shards": (replace(JOB, shard="0/2"), "is of 0/1, one of 1 shard"),
 }
 
 
@@ -92,7 +86,7 @@ def test_a_directory_of_another_job_is_refused(finished, name):
 
 
 def test_another_shard_of_the_same_job_is_refused(tmp_path):
-    first, second = (Identity("check", {}, {"name": "a"}, Shard(k, 2)) for k in range(2))
+    first, second = (replace(JOB, shard=f"{k}/2") for k in range(2))
     opened(tmp_path, first)
     with pytest.raises(InputError, match="is of shard 0/2, not 1/2"):
         opened(tmp_path, second)
@@ -155,7 +149,7 @@ def test_a_file_that_was_changed_is_refused(finished, statement, said):
 
 
 def test_rows_of_another_directory_are_refused(finished, tmp_path):
-    other = Identity("check", {"edges": 3}, JOB.explorer, Whole())
+    other = replace(JOB, parameters={"edges": 3})
     with records_in(tmp_path / "other", lambda: other, nothing) as records:
         records.keep("2:-1", 1, {"rows": []})
     for name in ("run", "other"):

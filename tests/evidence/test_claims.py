@@ -24,7 +24,7 @@ from allworlds.judging import paper_bound
 from allworlds.protocol import Checkpoint, Move
 from allworlds.world import Directional, World
 
-BY_NAME = {claim.name: claim for claim in manifest()}
+BY_NAME = {claim.id: claim for claim in manifest()}
 
 
 def verdict(name, **bounds):
@@ -289,7 +289,7 @@ def test_every_theorem_that_is_named_is_a_headline():
 def test_every_certificate_that_is_named_has_its_checker():
     from evidence.write import ROOT
 
-    named = {c.scopes["quick"].bounds["claim"] for c in manifest() if c.name.startswith("cert-")}
+    named = {c.scopes["quick"].bounds["claim"] for c in manifest() if c.id.startswith("cert-")}
     assert named == {path.parent.name for path in (ROOT / "proofs").glob("*/checker.py")}
 
 

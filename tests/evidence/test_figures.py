@@ -2,14 +2,13 @@
 
 import csv
 from collections import defaultdict
-from dataclasses import replace
 from fractions import Fraction
 from statistics import stdev
 
 import pytest
-from msgspec import structs
 
 from allworlds import figure, run
+from allworlds.document import replace
 from allworlds.engines import Limits
 from allworlds.evidence.figures import files_of, holes as fig3
 from allworlds.evidence.figures.augmentation import figure_2
@@ -120,9 +119,7 @@ def test_the_printed_bound_lacks_what_the_paper_leaves_out():
 def test_the_caption_tells_when_a_mean_lies_below_twice_the_edges(small):
     row = small.growth.rows[0]
     for times, told in ((1, "some means lie below it"), (3, "every mean lies above it")):
-        growth = structs.replace(
-            small.growth, rows=(structs.replace(row, costs=(times * row.edges,) * 2),)
-        )
+        growth = replace(small.growth, rows=(replace(row, costs=(times * row.edges,) * 2),))
         assert any(told in said for said in replace(small, growth=growth).caption())
 
 
@@ -160,10 +157,10 @@ def test_a_worst_case_above_the_bound_or_below_the_optimum_is_refuted(cells):
     for spoilt in ({"worst": 10**6}, {"worst": 0, "best": 0}, {"optimum": 10**6}):
         wrong = (replace(cells.cells[-1], **spoilt), *cells.cells[:-1])
         assert replace(cells, cells=wrong).verdict is Verdict.REFUTED
-    some = structs.replace(cells.report, complete=False)
+    some = replace(cells.report, complete=False)
     assert replace(cells, report=some).verdict is Verdict.INCONCLUSIVE
-    disagrees = structs.replace(cells.report.rows[0], worlds=7)
-    error = structs.replace(cells.report, rows=(disagrees,))
+    disagrees = replace(cells.report.rows[0], worlds=7)
+    error = replace(cells.report, rows=(disagrees,))
     assert replace(cells, report=error).verdict is Verdict.ERROR
 
 
@@ -171,7 +168,7 @@ def test_nothing_known_is_drawn_as_nothing(cells, monkeypatch, tmp_path):
     empty = replace(cells, cells=())
     monkeypatch.setattr("allworlds.evidence.figures.figure_table.figure_bounds", lambda *_: empty)
     told = figure("bounds", out=str(tmp_path / "f.png"))
-    assert told.drawn.caption() == ("Interrupted before anything was known.",)
+    assert told.caption == ("Interrupted before anything was known.",)
 
 
 # ---------------------------------------------------------------- files

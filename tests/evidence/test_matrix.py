@@ -36,7 +36,7 @@ def small():
 
 
 def row(kill_matrix, name):
-    return next(kill for kill in kill_matrix.kills if kill.mutant == name)
+    return next(kill for kill in kill_matrix.kill_matrix if kill.mutant == name)
 
 
 # ---------------------------------------------------------------- the matrix
@@ -49,25 +49,29 @@ def test_no_mutant_survives(full):
 
 
 def test_there_are_enough_mutants_of_every_kind(full):
-    kinds = Counter(kill.kind for kill in full.kills if not kill.equivalent)
+    kinds = Counter(kill.kind for kill in full.kill_matrix if not kill.equivalent)
     assert kinds["explorer"] >= 12
     assert kinds["judge"] >= 6
     assert kinds["enumerator"] >= 4
     assert kinds.total() >= 22
-    names = [kill.mutant for kill in full.kills]
+    names = [kill.mutant for kill in full.kill_matrix]
     assert len(set(names)) == len(names)
 
 
 def test_every_mutant_says_what_is_wrong_with_it(full):
-    assert all(kill.breaks.endswith(".") for kill in full.kills)
+    assert all(kill.breaks.endswith(".") for kill in full.kill_matrix)
 
 
 def test_explorers_are_killed_by_laws_judges_by_the_sound_one_enumerators_by_two_checks(full):
     killers = {
-        kind: {kill.killed_by for kill in full.kills if kill.kind == kind and not kill.equivalent}
+        kind: {
+            kill.killed_by for kill in full.kill_matrix if kill.kind == kind and not kill.equivalent
+        }
         for kind in ("explorer", "judge", "enumerator")
     }
-    killers = {kind: by - {""} for kind, by in killers.items()}  # whom it takes four edges to kill
+    killers = {
+        kind: by - {None} for kind, by in killers.items()
+    }  # whom it takes four edges to kill
     assert killers["explorer"] <= set(PRECEDENCE)
     assert all(by.startswith("sound judge on ") for by in killers["judge"])
     assert killers["enumerator"] == {"count gate", "brute-force enumerator"}
@@ -75,7 +79,7 @@ def test_explorers_are_killed_by_laws_judges_by_the_sound_one_enumerators_by_two
 
 @pytest.mark.parametrize("law", [*LAWS, "ambiguity"])
 def test_every_law_kills_some_explorer_and_is_missed_by_some_judge(full, law):
-    assert law in {kill.killed_by for kill in full.kills if kill.kind == "explorer"}
+    assert law in {kill.killed_by for kill in full.kill_matrix if kill.kind == "explorer"}
     assert law in {weak.law for weak in WEAK_JUDGES}
 
 
@@ -84,13 +88,13 @@ ANY_WORLD = "nondeterministic"  # by what the explorer has kept from other world
 
 @pytest.mark.no_cover
 def test_every_kill_names_its_smallest_world(full, small):
-    for kill in full.kills:
+    for kill in full.kill_matrix:
         if kill.equivalent or kill.mutant in full.survivors or kill.killed_by == ANY_WORLD:
             assert kill.world is None
         else:
             assert 1 <= kill.world.map.edge_count <= full.edges
     # The bound does not change a kill that lies within it.
-    for kill in small.kills:
+    for kill in small.kill_matrix:
         if kill.killed_by:
             assert row(full, kill.mutant) == kill
 
@@ -113,7 +117,7 @@ def test_every_kill_names_its_smallest_world(full, small):
 def test_who_is_killed_by_what_and_where(full, mutant, law, edges):
     kill = row(full, mutant)
     if edges > full.edges:
-        assert (kill.killed_by, kill.world) == ("", None)
+        assert (kill.killed_by, kill.world) == (None, None)
     else:
         assert (kill.killed_by, kill.world.map.edge_count) == (law, edges)
 
@@ -122,13 +126,13 @@ def test_an_equivalent_mutant_is_listed_with_its_reason_and_lives(full):
     for mutant in EQUIVALENT_EXPLORERS:
         kill = row(full, mutant.name)
         assert kill.equivalent == mutant.equivalent != ""
-        assert kill.killed_by == ""
+        assert kill.killed_by is None
 
 
 def test_the_document_has_a_row_for_every_mutant(full):
     document = full.to_json()
-    assert document["mutants"] == len(document["kill_matrix"]) == len(full.kills)
-    assert document["survivors"] == full.survivors
+    assert document["mutants"] == len(document["kill_matrix"]) == len(full.kill_matrix)
+    assert document["survivors"] == [*full.survivors]
     assert {"mutant", "killed_by", "world"} <= set(document["kill_matrix"][0])
 
 
@@ -144,7 +148,7 @@ def test_without_any_one_law_a_mutant_survives_that_it_kills(full, monkeypatch, 
 
     explorers_ = [m for m in killed(WRONG_EXPLORERS) if row(full, m.name).killed_by == law]
     judges = [m for m in killed(WEAK_JUDGES) if m.law == law]
-    assert only(monkeypatch, explorers_, judges=judges).survivors == []
+    assert only(monkeypatch, explorers_, judges=judges).survivors == ()
     monkeypatch.delitem(LAWS, law)
     without = only(monkeypatch, explorers_, judges=judges)
     assert without.survivors
@@ -176,20 +180,20 @@ def only(monkeypatch, wrong, equivalent=(), judges=()):
 
 def test_a_mutant_that_is_not_killed_is_a_survivor(monkeypatch):
     result = only(monkeypatch, [WrongExplorer(Right)])
-    assert result.survivors == ["right"]
+    assert result.survivors == ("right",)
     assert result.exit_code == 1
 
 
 def test_an_equivalent_mutant_that_is_killed_is_a_survivor_too(monkeypatch):
     result = only(monkeypatch, [], [WrongExplorer(explorers.PoseLost, "it is said to be right")])
-    assert result.survivors == ["pose-lost"]
+    assert result.survivors == ("pose-lost",)
     assert result.exit_code == 1
 
 
 def test_where_all_is_as_it_should_be_the_exit_code_is_0(monkeypatch):
     killed, alive = WrongExplorer(explorers.PoseLost), WrongExplorer(Right, "it is Algorithm 1")
     result = only(monkeypatch, [killed], [alive])
-    assert result.survivors == []
+    assert result.survivors == ()
     assert result.exit_code == 0
 
 
@@ -225,4 +229,4 @@ def test_an_interruption_ends_the_matrix_and_makes_no_row_of_it(monkeypatch):
     monkeypatch.setattr(matrix, "WRONG_EXPLORERS", (first, Interrupted(first.kind)))
     told = mutants(edges=1)
     assert (told.complete, told.exit_code) == (False, 130)
-    assert [kill.mutant for kill in told.kills] == [first.name]
+    assert [kill.mutant for kill in told.kill_matrix] == [first.name]

@@ -32,7 +32,7 @@ def short() -> Iterator[str]:
     yield "|---|---|"
     for section, claims in groupby(manifest(), lambda claim: claim.section):
         names = [
-            f"`{claim.name}`" if claim.expected == "holds" else f"**`{claim.name}`**"
+            f"`{claim.id}`" if claim.expected == "holds" else f"**`{claim.id}`**"
             for claim in claims
         ]
         title = section if section != "ours" else "ours"
@@ -53,10 +53,12 @@ def whole() -> Iterator[str]:
 
 def _row(claim: Claim) -> str:
     quick, full = claim.scopes["quick"], claim.scopes["full"]
-    scope = quick.text if quick is full else f"{quick.text}; **full**: {full.text}"
+    scope = claim.scope_under("quick")
+    if quick is not full:
+        scope += f"; **full**: {claim.scope_under('full')}"
     cells = (
-        f"`{claim.name}`",
-        claim.says,
+        f"`{claim.id}`",
+        claim.statement,
         claim.expected if claim.expected == "holds" else f"**{claim.expected}**",
         f"{claim.method}: {scope}",
         _numbers({**full.witnesses, **full.figures}),

@@ -5,32 +5,32 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import allworlds
+from allworlds.document import replace
 from allworlds.evidence.claims.claim_types import Found, NotChecked
-from allworlds.evidence.claims.ledger import CheckedClaim, ClaimsReport
+from allworlds.evidence.claims.ledger import ClaimsReport, entry_with
 from allworlds.evidence.claims.manifest import manifest
 from allworlds.reports import brief, file_of, text
 
-BY_NAME = {claim.name: claim for claim in manifest()}
+BY_NAME = {claim.id: claim for claim in manifest()}
 
 
 def entry(name, found):
-    claim = BY_NAME[name]
-    return CheckedClaim(claim, claim.scopes["quick"], found, 0.0)
+    return entry_with(BY_NAME[name], "quick", found)
 
 
 @pytest.fixture(scope="module")
 def mixed():
     """One of each standing."""
     return ClaimsReport(
-        "quick",
-        (
-            allworlds.claims(only=["fig1"]).entries[0],
-            allworlds.claims(only=["printed-3"]).entries[0],
+        complete=True,
+        budget="quick",
+        required=("coq-2m",),
+        claims=(
+            *allworlds.claims(only=["fig1", "printed-3"]).claims,
             entry("bound", Found("refuted", {"worlds": 1, "sizes": 2, "sizes that attain it": 3})),
             entry("criterion", Found("holds", {"worlds": 0, "ambiguous": 0})),
             entry("coq-2m", NotChecked("Coq is not installed")),
         ),
-        required=("coq-2m",),
     )
 
 
@@ -65,14 +65,14 @@ def test_the_cases_of_junit_are_the_claims(mixed):
     }  # fmt: skip
     kinds = [case.find("failure").get("type") for case in suite.iter("testcase") if len(case)]
     assert kinds == ["unexpected", "vacuous", "required"]
-    free = ClaimsReport("quick", mixed.entries)
+    free = replace(mixed, required=())
     assert ET.fromstring(file_of("paper claims", "junit", free)).get("skipped") == "1"
 
 
 def test_the_page_has_every_claim_and_draws_its_worlds(mixed):
     page = file_of("paper claims", "html", mixed)
     assert page.count("<figure") == 2
-    for one in mixed.entries:
-        assert f'id="{one.claim.name}"' in page
+    for one in mixed.claims:
+        assert f'id="{one.id}"' in page
     assert "Left graph" in page
     assert "verdict refuted" in page

@@ -49,7 +49,7 @@ RULES = {
             }[d["verdict"]]
         ),
     },
-    "finding#/$defs/written": FINDING,
+    "check#/$defs/FindingDocument": FINDING,
     "run": {
         "refuted is what has a finding": lambda d: (
             (d["verdict"] == "refuted") == (d["finding"] is not None)
@@ -114,9 +114,11 @@ def inside(name, document):
     """The documents that this one holds."""
     match name:
         case "check":
-            yield from (("finding#/$defs/written", finding) for finding in document["findings"])
+            yield from (
+                ("check#/$defs/FindingDocument", finding) for finding in document["findings"]
+            )
         case "run" if document["finding"] is not None:
-            yield "finding#/$defs/written", document["finding"]
+            yield "check#/$defs/FindingDocument", document["finding"]
         case "replay":
             yield "run", document["run"]
 

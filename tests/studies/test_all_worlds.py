@@ -79,7 +79,7 @@ def test_no_start_dart_of_a_vertex_is_better_than_another():
 def test_the_check_of_all_schedules_finds_the_same_largest_costs():
     checked = check(edges=3, schedules="all", workers=2)
     report = worst(edges=3)
-    largest = {(row["edges"], row["vertices"]): row["max_cost"] for row in checked.rows()}
+    largest = {(row.edges, row.vertices): row.max_cost for row in checked.rows}
     assert largest == {(row.edges, row.vertices): row.worst for row in report.rows}
 
 

@@ -135,14 +135,21 @@ def test_an_entry_whose_file_is_missing_is_refused_by_name(copy):
 
 
 @pytest.mark.parametrize(
-    ("key", "value"),
-    [("kind", "rumour"), ("name", 3), ("expected", []), ("sha256", None), ("provenance", None)],
+    ("key", "value", "said"),
+    [
+        ("kind", "rumour", "'rumour' is not one of check, counts, finding, pair, world"),
+        ("name", 3, "3: expected str, got int"),
+        ("expected", [], r"\[\]: expected object, got array"),
+        ("sha256", None, "None: expected str, got null"),
+        ("sha256", "0", "'0': expected str matching regex"),
+        ("provenance", "", "'': expected str of length >= 1"),
+    ],
 )
-def test_a_manifest_with_a_wrong_entry_is_refused(copy, key, value):
+def test_a_manifest_with_a_wrong_entry_is_refused(copy, key, value, said):
     manifest = json.loads((copy / MANIFEST).read_text())
     manifest["entries"][0][key] = value
     (copy / MANIFEST).write_text(json.dumps(manifest))
-    with pytest.raises(InputError, match="a corpus entry has"):
+    with pytest.raises(InputError, match=rf"entries\[0\]\.{key} = {said}"):
         load_corpus(copy)
 
 

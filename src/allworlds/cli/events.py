@@ -6,19 +6,77 @@ import json
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
 from time import monotonic
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import Annotated, Any, Literal, TextIO
 
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import Progress, complain
+from allworlds.document import SCHEMA, Document, Natural, Positive, Text, about
 from allworlds.inputs import InputError, a_path, show
-from allworlds.outcome import SCHEMA, Result
-
-if TYPE_CHECKING:
-    from allworlds import documents
-
+from allworlds.outcome import Result
 
 EVERY = 1.0
 """Seconds between two lines that say how much is done."""
+
+
+class Event(Document):
+    """One line of what `--events FILE` writes."""
+
+    schema: Annotated[Literal[1], about("the version of the document")] = SCHEMA
+
+
+class LevelEvent(Event):
+    """A level begins."""
+
+    event: Literal["level"] = "level"
+    edges: Positive
+    worlds: Annotated[Natural, about("rooted maps; of a shard about so many")]
+
+
+class StageEvent(Event):
+    """A part of another kind begins."""
+
+    event: Literal["stage"] = "stage"
+    name: Annotated[Text, about("of the part")]
+    all: Annotated[Natural, about("how many are to be done")]
+    of: Annotated[Text, about("what is counted")]
+
+
+class ProgressEvent(Event):
+    """Once a second: what is done of the level or stage that began last."""
+
+    event: Literal["progress"] = "progress"
+    done: Annotated[Natural, about("worlds, or what the stage counts")]
+
+
+class UnitEvent(Event):
+    """A unit is finished."""
+
+    event: Literal["unit"] = "unit"
+    unit: Annotated[Text, about("its key, `EDGES:DECISION,...`")]
+    worlds: Annotated[Natural, about("rooted maps")]
+
+
+class FindingEvent(Event):
+    """A run that refutes was met in a unit that is finished."""
+
+    event: Literal["finding"] = "finding"
+    finding: Annotated[
+        Mapping[str, Any], about("not confirmed yet; the report may hold a smaller one")
+    ]
+
+
+class NoticeEvent(Event):
+    """Something that the user may want to know."""
+
+    event: Literal["notice"] = "notice"
+    text: Annotated[Text, about("what stands on stderr too")]
+
+
+class VerdictEvent(Event):
+    """The end."""
+
+    event: Literal["verdict"] = "verdict"
+    report: Annotated[Result, about("the whole report, as `--json` prints it, without `made_by`")]
 
 
 class Events:
@@ -35,13 +93,13 @@ class Events:
         """A level begins."""
         self._progress.level(edges, worlds)
         self._done = 0
-        self._write({"schema": SCHEMA, "event": "level", "edges": edges, "worlds": worlds})
+        self._write(LevelEvent(edges=edges, worlds=worlds))
 
     def stage(self, name: str, total: int, of: str) -> None:
         """A part of another kind begins."""
         self._progress.stage(name, total, of)
         self._done = 0
-        self._write({"schema": SCHEMA, "event": "stage", "name": name, "all": total, "of": of})
+        self._write(StageEvent(name=name, all=total, of=of))
 
     def progress(self, count: int) -> None:
         """So many more are done; written now and then."""
@@ -49,32 +107,30 @@ class Events:
         self._done += count
         if monotonic() >= self._told + EVERY:
             self._told = monotonic()
-            self._write({"schema": SCHEMA, "event": "progress", "done": self._done})
+            self._write(ProgressEvent(done=self._done))
 
     def unit(self, key: str, worlds: int) -> None:
         """A unit is finished."""
-        self._write({"schema": SCHEMA, "event": "unit", "unit": key, "worlds": worlds})
+        self._write(UnitEvent(unit=key, worlds=worlds))
 
     def finding(self, document: Mapping[str, Any]) -> None:
         """A run refutes."""
-        found: Any = document
-        self._write({"schema": SCHEMA, "event": "finding", "finding": found})
+        self._write(FindingEvent(finding=document))
 
     def notice(self, text: str) -> None:
         """Something that the user may want to know."""
         self._progress.notice(text)
-        self._write({"schema": SCHEMA, "event": "notice", "text": text})
+        self._write(NoticeEvent(text=text))
 
     def verdict(self, report: Result) -> None:
         """The end, with the whole report."""
-        told: Any = report.to_json()
-        self._write({"schema": SCHEMA, "event": "verdict", "report": told})
+        self._write(VerdictEvent(report=report))
 
-    def _write(self, event: documents.Event) -> None:
+    def _write(self, event: Event) -> None:
         if self._file is None:
             return
         try:
-            print(json.dumps(event), file=self._file, flush=True)
+            print(json.dumps(event.to_json()), file=self._file, flush=True)
         except OSError as error:
             self._file = None
             complain(f"no more events are written: {error.strerror}")

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, TypedDict
 from allworlds.version import __version__
 
 if TYPE_CHECKING:
-    from allworlds import documents
+    from allworlds.document import MadeBy, UnsetType
 
 
 class MeasuredEffort(TypedDict, total=False):
@@ -53,21 +53,22 @@ def beginning(command: Sequence[str]) -> Iterator[None]:
         _COMMAND.reset(token)
 
 
-def made_by(effort: MeasuredEffort) -> documents.MadeBy:
+def made_by(effort: MeasuredEffort) -> MadeBy:
     """Who makes a document, if it is written now."""
+    from allworlds.document import UNSET, MadeBy
     from allworlds.version import host
 
+    def rounded(each: Sequence[float] | None) -> tuple[float, ...] | UnsetType:
+        return UNSET if each is None else tuple(round(seconds, 3) for seconds in each)
+
     begun = _COMMAND.get()
-    document: documents.MadeBy = {
-        "version": __version__,
-        "command": list(begun.command),
-        "workers": effort.get("workers"),
-        "host": host(),
-        "started": begun.started.strftime("%Y-%m-%dT%H:%M:%SZ"),
-        "seconds": round(perf_counter() - begun.clock, 3),
-    }
-    if "level_seconds" in effort:
-        document["level_seconds"] = [round(seconds, 3) for seconds in effort["level_seconds"]]
-    if "claim_seconds" in effort:
-        document["claim_seconds"] = [round(seconds, 3) for seconds in effort["claim_seconds"]]
-    return document
+    return MadeBy(
+        version=__version__,
+        command=begun.command,
+        workers=effort.get("workers"),
+        host=host(),
+        started=begun.started.strftime("%Y-%m-%dT%H:%M:%SZ"),
+        seconds=round(perf_counter() - begun.clock, 3),
+        level_seconds=rounded(effort.get("level_seconds")),
+        claim_seconds=rounded(effort.get("claim_seconds")),
+    )

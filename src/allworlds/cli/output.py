@@ -73,7 +73,7 @@ def emit(result: Result, verb: str, output: OutputGroup, **effort: Unpack[Measur
     """
     try:
         if output.as_json:
-            print(json.dumps({**result.to_json(), "made_by": made_by(effort)}, indent=2))
+            print(json.dumps({**result.to_json(), "made_by": made_by(effort).to_json()}, indent=2))
         else:
             told = brief if output.quiet else text
             print(coloured(printable(told(verb, result, width()))))

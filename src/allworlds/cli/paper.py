@@ -83,7 +83,7 @@ def claims(
         )
         listener.verdict(report)
     write_files("paper claims", report, files)
-    seconds = [entry.seconds for entry in report.entries]
+    seconds = [one.seconds for one in report.claims]
     return emit(report, "paper claims", output, workers=threads, claim_seconds=seconds)
 
 

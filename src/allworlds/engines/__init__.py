@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from allworlds.engines.engine_table import (
         ENGINES as ENGINES,
         EngineKind as EngineKind,
+        EngineName as EngineName,
         ReadyEngine as ReadyEngine,
         engine_for as engine_for,
         why_not_compiled as why_not_compiled,

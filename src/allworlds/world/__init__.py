@@ -49,6 +49,10 @@ if TYPE_CHECKING:
         world_of_family as world_of_family,
     )
     from allworlds.world.state import State as State
-    from allworlds.world.world import IllegalAction as IllegalAction, World as World
+    from allworlds.world.world import (
+        IllegalAction as IllegalAction,
+        World as World,
+        WorldDocument as WorldDocument,
+    )
 else:
     open_door(__name__)

@@ -10,41 +10,40 @@ import errno
 import hashlib
 import os
 from collections import Counter
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any, Literal, TypeAlias, get_args
+from typing import Annotated, Any, Literal, TypeAlias
 
+from allworlds.document import SCHEMA, Document, Meta, Text, about, taken
 from allworlds.inputs import InputError, parse_json, show
 
 Kind: TypeAlias = Literal["world", "finding", "pair", "counts", "check"]
-KINDS: tuple[Kind, ...] = get_args(Kind)
 
 MANIFEST = "manifest.json"
-SCHEMA = 1
 
 
-@dataclass(frozen=True, slots=True)
-class CorpusEntry:
-    """One thing that is kept.
+class CorpusEntry(Document):
+    """One thing that a corpus keeps.
 
-    Attributes:
-        name: unique in the corpus.
-        kind: what the file holds: a WORLD, a FINDING, a pair of worlds, counts, or the options
-            of a check.
-        file: where it stands, below the corpus.
-        sha256: of the file, in hexadecimal.
-        provenance: where it comes from.
-        expected: what must come out when it is tried.
+    What a file holds is a WORLD, a FINDING, a pair of worlds, counts, or the options of a check.
     """
 
-    name: str
-    kind: Kind
-    file: str
-    sha256: str
-    provenance: str
-    expected: Mapping[str, Any]
+    name: Annotated[Text, about("unique in the corpus")]
+    kind: Annotated[Kind, about("what the file holds")]
+    file: Annotated[Text, about("where it stands, below the corpus")]
+    sha256: Annotated[str, Meta(pattern="^[0-9a-f]{64}$"), about("of the file")]
+    provenance: Annotated[Text, about("where it comes from")]
+    expected: Annotated[dict[str, Any], about("what must come out when it is tried")]
+
+
+class Manifest(Document):
+    """Manifest of a corpus."""
+
+    schema: Annotated[Literal[1], about("the version of the document")] = SCHEMA
+    entries: Annotated[
+        tuple[CorpusEntry, ...], about("what is kept, in the order in which it is told")
+    ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,18 +110,15 @@ def load_corpus(directory: Path) -> Corpus:
         raise InputError(f"corpus {directory}: {MANIFEST}: {error.strerror}") from None
     except UnicodeDecodeError:
         raise InputError(f"corpus {directory}: {MANIFEST} is no text") from None
-    manifest = parse_json(text)
-    if not isinstance(manifest, dict) or manifest.get("schema") != SCHEMA:
-        raise InputError(f"corpus {directory}: {MANIFEST} is not of schema {SCHEMA}")
-    rows = manifest.get("entries", [])
-    if not isinstance(rows, list):
-        raise InputError(f"corpus {directory}: entries are a list, not {show(rows)}")
-    entries = [_entry(row) for row in rows]
+    try:
+        entries = taken(parse_json(text), Manifest, MANIFEST).entries
+    except InputError as error:
+        raise InputError(f"corpus {directory}: {error}") from None
     names = Counter(entry.name for entry in entries)
     for name, times in names.items():
         if times > 1:
             raise InputError(f"corpus entry {show(name)} occurs twice")
-    return Corpus(directory, tuple(entries))
+    return Corpus(directory, entries)
 
 
 def _bytes(file: Path) -> bytes:
@@ -139,20 +135,3 @@ def own_corpus() -> Corpus:
     package = Path(__file__).parents[1]
     installed = package / "corpus"
     return load_corpus(installed if installed.is_dir() else package.parents[1] / "corpus")
-
-
-def _entry(row: object) -> CorpusEntry:
-    match row:
-        case {
-            "name": str(name),
-            "kind": str(kind),
-            "file": str(file),
-            "sha256": str(digest),
-            "provenance": str(provenance),
-            "expected": dict(expected),
-        } if kind in KINDS:
-            return CorpusEntry(name, kind, file, digest, provenance, expected)
-    raise InputError(
-        "a corpus entry has name, kind (world, finding, pair, counts or check), file, sha256, "
-        f"provenance and expected, not {show(row)}"
-    )

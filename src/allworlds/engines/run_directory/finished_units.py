@@ -154,7 +154,7 @@ class Merged:
 
     def _unfinished(self) -> str:
         names = [
-            f"{show(str(directory.path))} (shard {directory.identity.portion})"
+            f"{show(str(directory.path))} (shard {directory.identity.shard})"
             for directory in self.directories
             if directory.recall("ended") != ENDED
         ]
@@ -227,8 +227,8 @@ def _opened(path: Path, identity: Identity) -> Database:
     opened = database.opened(path)
     its = opened.identity
     said = identity.difference(its)
-    if not said and its.portion != identity.portion:
-        said = f"is of shard {its.portion}, not {identity.portion}"
+    if not said and its.shard != identity.shard:
+        said = f"is of shard {its.shard}, not {identity.shard}"
     if said:
         opened.close()
         raise InputError(f"run directory {show(str(path))} {said}")
@@ -297,7 +297,7 @@ def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
                 raise InputError(
                     f"run directory {show(str(one.path))} {said} as {show(str(first.path))}"
                 )
-            shard = str(one.identity.portion)
+            shard = one.identity.shard
             if shard in seen:
                 raise InputError(
                     f"run directories overlap: {show(str(seen[shard].path))} and "

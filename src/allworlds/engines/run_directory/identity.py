@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
+from allworlds.document import Document, Positive, ShardText, Text, about, taken
 from allworlds.engines.units.shards import Portion, a_shard, shards_of
 from allworlds.inputs import show
 from allworlds.version import __version__
@@ -19,39 +18,23 @@ FORMAT = 2
 """
 
 
-@dataclass(frozen=True, slots=True)
-class Identity:
-    """A verb, with everything that its result depends on.
+class Identity(Document):
+    """A verb, with everything that its result depends on."""
 
-    Attributes:
-        verb: its name.
-        parameters: by their names, as JSON values.
-        explorer: the name, and what else is to be known of it without loading it; its digest.
-        portion: which part of the units is done.
-        version: of this program.
-        format: of what is kept, one of the numbers of :data:`FORMAT`.
-    """
-
-    verb: str
-    parameters: Mapping[str, Any]
-    explorer: Mapping[str, Any]
-    portion: Portion
-    version: str = __version__
-    format: int = FORMAT
+    verb: Annotated[Text, about("its name")]
+    parameters: Annotated[dict[str, Any], about("by their names, as JSON values")]
+    explorer: Annotated[
+        dict[str, Any],
+        about("the name, and what else is to be known of it without loading it; its digest"),
+    ]
+    shard: Annotated[ShardText, about("which part of the units is done")]
+    version: Annotated[Text, about("of this program")] = __version__
+    format: Annotated[Positive, about("of what is kept: a number that `FORMAT` has had")] = FORMAT
 
     @property
     def text(self) -> str:
         """Canonical JSON, the same for equal identities."""
-        return canonical(
-            {
-                "verb": self.verb,
-                "version": self.version,
-                "format": self.format,
-                "parameters": dict(self.parameters),
-                "explorer": dict(self.explorer),
-                "shard": str(self.portion),
-            }
-        )
+        return canonical(self.to_json())
 
     @property
     def digest(self) -> str:
@@ -61,16 +44,13 @@ class Identity:
     @classmethod
     def of_text(cls, text: str) -> Self:
         """The identity of :attr:`text`."""
-        told = json.loads(text)
-        index, _, count = told["shard"].partition("/")
-        return cls(
-            told["verb"],
-            told["parameters"],
-            told["explorer"],
-            a_shard((int(index), int(count))),
-            told["version"],
-            told.get("format", 1),
-        )
+        return taken({"format": 1} | json.loads(text), cls, "identity")
+
+    @property
+    def portion(self) -> Portion:
+        """The part of the units."""
+        index, _, count = self.shard.partition("/")
+        return a_shard((int(index), int(count)))
 
     @property
     def shards(self) -> int:
@@ -99,7 +79,7 @@ class Identity:
         if other.explorer != self.explorer:
             return f"is of another text of the explorer {show(mine)}, or of its program"
         if other.shards != self.shards:
-            return f"is of {other.portion}, one of {other.shards} shards, not of {self.shards}"
+            return f"is of {other.shard}, one of {other.shards} shards, not of {self.shards}"
         return ""
 
 

@@ -15,19 +15,30 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
-from typing import TYPE_CHECKING
+from typing import Annotated
 
+from allworlds.document import (
+    Aside,
+    Document,
+    Figure,
+    Meta,
+    Natural,
+    Positive,
+    Report,
+    Seconds,
+    Some,
+    Text,
+    about,
+    computed,
+)
 from allworlds.engines import ENGINES, WALKED_FROM, Examiner, Job, Limits, Scope, Tally, gather
 from allworlds.explorers import load
 from allworlds.inputs import InputError, a_text, an_integer, at_most, show
 from allworlds.judging import Rules, default_step_budget, paper_bound
 from allworlds.maps import Extent, MapClass, prefixes, rooted_maps, source_for
-from allworlds.outcome import SCHEMA, Exit, until_interrupted
+from allworlds.outcome import Exit, until_interrupted
 from allworlds.progress import Listener, Silent
 from allworlds.world import Directional, World
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 REFERENCE = "kernel"
 """The contender to whose rate all others are compared."""
@@ -54,83 +65,95 @@ class Contender:
     does: str
     work: Callable[[], object]
 
-    @property
-    def worlds(self) -> int:
-        """The rooted maps of the level, from the count's source."""
-        return sum(source_for("maps").cells(self.edges).values())
+    def measured(self, seconds: Sequence[float]) -> Measured:
+        """The contender with the seconds that each of its rounds took."""
+        worlds = sum(source_for("maps").cells(self.edges).values())
+        return Measured(
+            name=self.name,
+            does=self.does,
+            edges=self.edges,
+            worlds=worlds,
+            seconds=tuple(round(each, 4) for each in seconds),
+            rates=tuple(worlds / each for each in seconds),
+        )
 
 
-@dataclass(frozen=True, slots=True)
-class Measured:
-    """A contender with the seconds that each of its rounds took."""
+class Spread(Document):
+    """A figure over the rounds."""
 
-    contender: Contender
-    seconds: tuple[float, ...]
+    median: Figure
+    lowest: Figure
+    highest: Figure
 
-    @property
-    def rates(self) -> list[float]:
-        """Worlds a second in each round."""
-        return [self.contender.worlds / seconds for seconds in self.seconds]
-
-    def to_json(self) -> documents.ContenderDocument:
-        """One row of the document."""
-        return {
-            "name": self.contender.name,
-            "does": self.contender.does,
-            "edges": self.contender.edges,
-            "worlds": self.contender.worlds,
-            "seconds": [round(seconds, 4) for seconds in self.seconds],
-            "worlds_per_second": _spread(self.rates, 1),
-        }
+    @classmethod
+    def over(cls, values: Sequence[float], digits: int) -> Spread:
+        """That of these values, rounded."""
+        return cls(
+            median=round(median(values), digits),
+            lowest=round(min(values), digits),
+            highest=round(max(values), digits),
+        )
 
 
-@dataclass(frozen=True, slots=True)
-class BenchReport:
-    """All contenders of one run.
+class Measured(Document):
+    """A contender and what was measured of it.
 
-    Attributes:
-        edges: the level of the compiled engines.
-        measured: the contenders; the first is the reference.
-        peak_mb: the largest memory that this process has had.
-        complete: False if the user has interrupted, and rounds are missing.
+    ``rates`` are worlds a second in each round.
     """
 
-    edges: int
-    measured: tuple[Measured, ...]
-    peak_mb: int
-    complete: bool = True
+    name: Annotated[Text, about("what it is called")]
+    does: Annotated[Text, about("what it does, in words, or its command")]
+    edges: Annotated[Positive, about("the level that it walks")]
+    worlds: Annotated[Positive, about("the rooted maps of that level")]
+    seconds: Annotated[Some[Seconds], about("of each round")]
+    worlds_per_second: Annotated[Spread, about("over the rounds")] = computed(
+        lambda measured: Spread.over(measured.rates, 1)
+    )
+    rates: Aside[tuple[float, ...]]
+
+
+class Ratio(Document):
+    """Two rates side by side."""
+
+    of: Annotated[Text, about("the kernel on one thread")]
+    to: Annotated[Text, about("another contender")]
+    ratio: Annotated[Spread, about("the rate of the one divided by that of the other")]
+
+
+class BenchReport(Report):
+    """Report of 'bench'.
+
+    All contenders of one run.
+    """
+
+    commit: Annotated[Text | None, about("of the sources; null outside a checkout")]
+    edges: Annotated[int, Meta(ge=4, le=10), about("the level of the compiled engines")]
+    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    rounds: Positive = computed(lambda report: len(report.contenders[0].seconds))
+    peak_mb: Annotated[Natural, about("the largest memory that the process has had")]
+    contenders: Annotated[Some[Measured], about("the reference first")]
+    ratios: Annotated[tuple[Ratio, ...], about("the reference to each other one")] = computed(
+        lambda report: _ratios(*report.contenders)
+    )
 
     @property
     def exit_code(self) -> Exit:
         """0 measured, 130 interrupted."""
         return Exit.ANSWERED if self.complete else Exit.INTERRUPTED
 
-    def ratios(self) -> list[documents.Ratio]:
-        """How many times the rate of each other contender the reference's is."""
-        reference = self.measured[0]
-        return [
-            {
-                "of": reference.contender.name,
-                "to": other.contender.name,
-                "ratio": _spread(
-                    [a / b for a, b in zip(reference.rates, other.rates, strict=True)], 4
-                ),
-            }
-            for other in self.measured[1:]
-        ]
 
-    def to_json(self) -> documents.BenchDocument:
-        """The document of ``bench --json``."""
-        return {
-            "schema": SCHEMA,
-            "commit": commit(),
-            "edges": self.edges,
-            "complete": self.complete,
-            "rounds": len(self.measured[0].seconds),
-            "peak_mb": self.peak_mb,
-            "contenders": [measured.to_json() for measured in self.measured],
-            "ratios": self.ratios(),
-        }
+def _ratios(reference: Measured, *others: Measured) -> tuple[Ratio, ...]:
+    """How many times the rate of each other contender the reference's is, round by round."""
+    return tuple(
+        Ratio(
+            of=reference.name,
+            to=other.name,
+            ratio=Spread.over(
+                [a / b for a, b in zip(reference.rates, other.rates, strict=True)], 4
+            ),
+        )
+        for other in others
+    )
 
 
 def bench(
@@ -169,9 +192,13 @@ def bench(
     if not finished:
         raise KeyboardInterrupt
     taken = zip(contenders, zip(*finished, strict=True), strict=True)
-    measured = tuple(Measured(contender, seconds) for contender, seconds in taken)
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
-    return BenchReport(edges, measured, peak, complete)
+    return BenchReport(
+        commit=commit(),
+        edges=edges,
+        complete=complete,
+        peak_mb=resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024,
+        contenders=tuple(contender.measured(seconds) for contender, seconds in taken),
+    )
 
 
 def _round(contenders: Sequence[Contender], listener: Listener) -> list[float]:
@@ -280,11 +307,3 @@ def commit() -> str | None:
     except (OSError, subprocess.CalledProcessError):
         return None
     return said.stdout.strip()
-
-
-def _spread(values: Sequence[float], digits: int) -> documents.SpreadDocument:
-    return {
-        "median": round(median(values), digits),
-        "lowest": round(min(values), digits),
-        "highest": round(max(values), digits),
-    }

@@ -184,7 +184,7 @@ def no_twins_by_smt(_: Means, *, edges: int) -> Found:
             raise KeyboardInterrupt
         if result.status == "unknown" or result.vacuous:
             raise Unfinished(f"the search has no answer: {result.status}")
-        sizes = len(result.searched)
+        sizes = len(result.levels)
     return Found(truth(result.status == "unsat"), {"pairs of sizes": sizes})
 
 

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 from allworlds.outcome import Verdict
-from allworlds.studies.check import Report
+from allworlds.studies.check import CheckReport
 from allworlds.world import World
 
 Truth: TypeAlias = Literal["holds", "refuted"]
 Budget: TypeAlias = Literal["quick", "full"]
-Number: TypeAlias = int | float
-Figure: TypeAlias = Number | str | list[int] | list[float] | list[str]
+Shown: TypeAlias = int | float | str | Sequence[int | float | str]
 """What a claim says besides that it holds: a number, a name, or a list of these."""
 
 
@@ -41,7 +40,7 @@ class Found:
 
     verdict: Truth
     witnesses: Mapping[str, int]
-    figures: Mapping[str, Figure] = field(default_factory=dict)
+    figures: Mapping[str, Shown] = field(default_factory=dict)
     pictures: tuple[Picture, ...] = ()
     told: str = ""
 
@@ -83,7 +82,7 @@ def truth(holds: object) -> Truth:
     return "holds" if holds else "refuted"
 
 
-def of_check(report: Report, *events: str, **figures: Figure) -> Found:
+def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
     """What an exhaustive check has found; its worlds, its runs and the named events are witnesses.
 
     Raises:
@@ -106,7 +105,7 @@ def of_check(report: Report, *events: str, **figures: Figure) -> Found:
     return Found(truth(whole.verdict is Verdict.HOLDS), seen, figures, pictures, told)
 
 
-def smallest(report: Report) -> dict[str, Figure]:
+def smallest(report: CheckReport) -> dict[str, Shown]:
     """The size of the smallest world that refutes; nothing where none does."""
     if not report.findings:
         return {}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from allworlds.evidence.claims.claim_types import NotChecked
 from allworlds.evidence.claims.claims_text import details, heading
 from allworlds.evidence.claims.ledger import CheckedClaim, ClaimsReport
 from allworlds.reports import JUnitCase, junit_text
@@ -15,17 +14,17 @@ def claims_junit(report: ClaimsReport) -> str:
         "exit_code": int(report.exit_code),
         "complete": report.complete,
     }
-    cases = [_case(one, required=one.claim.name in report.missed) for one in report.entries]
+    cases = [_case(one, required=one.id in report.missed) for one in report.claims]
     return junit_text("claims", "claims", properties, cases)
 
 
 def _case(one: CheckedClaim, *, required: bool) -> JUnitCase:
-    name = f"{heading(one.claim.section)}: {one.claim.name}: {one.claim.says}"
+    name = f"{heading(one.section)}: {one.id}: {one.statement}"
     told = "\n".join(f"{key}: {text}" for key, text in details(one))
-    if isinstance(one.found, NotChecked):
+    if one.standing == "not-checked":
         if required:
-            return JUnitCase(name, "failure", "required", one.found.reason, told)
-        return JUnitCase(name, "skipped", message=one.found.reason)
+            return JUnitCase(name, "failure", "required", one.told, told)
+        return JUnitCase(name, "skipped", message=one.told)
     if one.standing == "as-expected":
         return JUnitCase(name)
     return JUnitCase(name, "failure", one.standing, "; ".join(one.differences), told)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.etree import ElementTree as ET
 
-from allworlds.evidence.claims.claim_types import Found
 from allworlds.evidence.claims.claims_text import claims_line, details, heading
 from allworlds.evidence.claims.ledger import CheckedClaim, ClaimsReport
 from allworlds.reports import Page, counts, figure, scene_of, tag
@@ -19,14 +18,14 @@ def claims_page(report: ClaimsReport) -> Page:
     header = ["section", "claim", "sentence", "expected", "found", ""]
     rows = [
         [
-            heading(one.claim.section),
-            one.claim.name,
-            one.claim.says,
-            one.claim.expected,
+            heading(one.section),
+            one.id,
+            one.statement,
+            one.expected,
             one.verdict,
             one.standing.replace("-", " "),
         ]
-        for one in report.entries
+        for one in report.claims
     ]
     table = tag(
         "section",
@@ -39,35 +38,32 @@ def claims_page(report: ClaimsReport) -> Page:
         "allworlds paper claims",
         f"budget {report.budget}",
         (word, text, VERDICTS[int(report.exit_code)]),
-        [table, *(_section(one) for one in report.entries)],
+        [table, *(_section(one) for one in report.claims)],
         report.to_json(),
     )
 
 
 def _section(one: CheckedClaim) -> ET.Element:
-    name = one.claim.name
     told = [("verdict", f"{one.verdict}, {one.standing.replace('-', ' ')}"), *details(one)]
     if one.differences:
         told.append(("differs", "; ".join(one.differences)))
     terms = (part for key, text in told for part in (tag("dt", key), tag("dd", tag("bdi", text))))
     return tag(
         "section",
-        tag("h2", f"{heading(one.claim.section)}: ", tag("bdi", name), id=f"{name}-title"),
-        tag("p", tag("bdi", one.claim.says), class_="story"),
+        tag("h2", f"{heading(one.section)}: ", tag("bdi", one.id), id=f"{one.id}-title"),
+        tag("p", tag("bdi", one.statement), class_="story"),
         *_pictures(one),
         tag("dl", *terms),
         class_="finding",
-        id=name,
-        aria_labelledby=f"{name}-title",
+        id=one.id,
+        aria_labelledby=f"{one.id}-title",
     )
 
 
 def _pictures(one: CheckedClaim) -> Iterator[ET.Element]:
-    if isinstance(one.found, Found) and one.found.pictures:
+    if one.worlds:
         drawn = [
-            figure(
-                picture.caption.capitalize(), scene_of(picture.world), f"{one.claim.name}-{i}", ""
-            )
-            for i, picture in enumerate(one.found.pictures, 1)
+            figure(caption.capitalize(), scene_of(world), f"{one.id}-{i}", "")
+            for i, (caption, world) in enumerate(zip(one.captions, one.worlds, strict=True), 1)
         ]
         yield tag("div", *drawn, class_="pictures")

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from textwrap import wrap
 
-from allworlds.evidence.claims.claim_types import Found
 from allworlds.evidence.claims.ledger import CheckedClaim, ClaimsReport
 from allworlds.reports import draw, entry, in_lines, interruption, scene_of
 from allworlds.words import number, plural
@@ -24,16 +23,16 @@ def claims_text(report: ClaimsReport, width: int) -> str:
     """Section by section each claim with its verdict; of one alone all that was found."""
     lines: list[str] = []
     section = ""
-    name_width = max((len(e.claim.name) for e in report.entries), default=0)
-    for one in report.entries:
-        if one.claim.section != section:
-            section = one.claim.section
+    name_width = max((len(e.id) for e in report.claims), default=0)
+    for one in report.claims:
+        if one.section != section:
+            section = one.section
             lines += ["", heading(section)] if lines else [heading(section)]
-        lines += _told(one, name_width, width, at_length=len(report.entries) == 1)
+        lines += _told(one, name_width, width, at_length=len(report.claims) == 1)
     lines += ["", *interruption(complete=report.complete, width=width)]
-    for one in report.entries:
+    for one in report.claims:
         if one.standing in ("unexpected", "vacuous"):
-            lines += entry("DIFFERS", f"{one.claim.name}: {'; '.join(one.differences)}", width)
+            lines += entry("DIFFERS", f"{one.id}: {'; '.join(one.differences)}", width)
     for name in report.missed:
         lines += entry("REQUIRED", f"{name} was not checked", width)
     lines += [*in_lines(LEGEND, width), *wrap(claims_line(report, width), width)]
@@ -47,8 +46,8 @@ def heading(section: str) -> str:
 
 def claims_line(report: ClaimsReport, _width: int) -> str:
     """All in one line, which begins with the verdict."""
-    standings = Counter(one.standing for one in report.entries)
-    checked = [one for one in report.entries if one.standing == "as-expected"]
+    standings = Counter(one.standing for one in report.claims)
+    checked = [one for one in report.claims if one.standing == "as-expected"]
     held = sum(one.verdict == "holds" for one in checked)
     refuted = len(checked) - held
     parts = []
@@ -62,7 +61,7 @@ def claims_line(report: ClaimsReport, _width: int) -> str:
         parts.append(f"{number(standings['vacuous'])} vacuous")
     if standings["not-checked"]:
         parts.append(f"{number(standings['not-checked'])} not checked")
-    return f"{_word(report)}: {plural(len(report.entries), 'claim')}: {', '.join(parts)}"
+    return f"{_word(report)}: {plural(len(report.claims), 'claim')}: {', '.join(parts)}"
 
 
 def _word(report: ClaimsReport) -> str:
@@ -71,13 +70,12 @@ def _word(report: ClaimsReport) -> str:
 
 
 def _told(one: CheckedClaim, name_width: int, width: int, *, at_length: bool) -> Iterator[str]:
-    claim = one.claim
-    before = f"{SIGNS[one.standing]} {claim.name.ljust(name_width)}  {one.verdict.ljust(11)}  "
+    before = f"{SIGNS[one.standing]} {one.id.ljust(name_width)}  {one.verdict.ljust(11)}  "
     if width - len(before) < NARROWEST_SENTENCE:
         yield before.rstrip()
-        yield from (f"  {line}" for line in wrap(claim.says, width - 2, break_on_hyphens=False))
+        yield from (f"  {line}" for line in wrap(one.statement, width - 2, break_on_hyphens=False))
     else:
-        sentence = wrap(claim.says, width - len(before), break_on_hyphens=False)
+        sentence = wrap(one.statement, width - len(before), break_on_hyphens=False)
         for i, line in enumerate(sentence):
             yield (before if i == 0 else " " * len(before)) + line
     if at_length:
@@ -89,32 +87,30 @@ def _told(one: CheckedClaim, name_width: int, width: int, *, at_length: bool) ->
 
 def _drawn(one: CheckedClaim, width: int) -> Iterator[str]:
     """The worlds that show it, in characters."""
-    pictures = one.found.pictures if isinstance(one.found, Found) else ()
-    for picture in pictures:
-        yield from (picture.caption, "", *draw(scene_of(picture.world), width).splitlines(), "")
+    for caption, world in zip(one.captions, one.worlds, strict=True):
+        yield from (caption, "", *draw(scene_of(world), width).splitlines(), "")
 
 
 def details(one: CheckedClaim) -> list[tuple[str, str]]:
     """Everything else that there is to say about a claim, each with its name."""
     told = [
-        ("method", one.claim.method),
-        ("scope", one.scope.text),
-        ("expected", one.claim.expected),
-        ("source", one.claim.source),
+        ("method", one.method),
+        ("scope", one.scope),
+        ("expected", one.expected),
+        ("source", one.source),
     ]
-    if isinstance(one.found, Found):
-        told.append(("witnesses", _listed(one.found.witnesses)))
-        if one.found.figures:
-            told.append(("figures", _listed(one.found.figures)))
-        if one.found.told:
-            told.append(("seen", one.found.told))
-    else:
-        told.append(("reason", one.found.reason))
+    if one.standing == "not-checked":
+        return [*told, ("reason", one.told)]
+    told.append(("witnesses", _listed(one.witnesses)))
+    if one.figures:
+        told.append(("figures", _listed(one.figures)))
+    if one.told:
+        told.append(("seen", one.told))
     return told
 
 
-def _listed(values: object) -> str:
-    return ", ".join(f"{name} {_value(value)}" for name, value in values.items())  # type: ignore[attr-defined]
+def _listed(values: Mapping[str, object]) -> str:
+    return ", ".join(f"{name} {_value(value)}" for name, value in values.items())
 
 
 def _value(value: object) -> str:

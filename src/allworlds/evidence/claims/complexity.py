@@ -11,11 +11,11 @@ from typing import NamedTuple
 from allworlds.evidence.claims.algorithm import worst_rows
 from allworlds.evidence.claims.claim_types import (
     Checks,
-    Figure,
     Found,
     Means,
     NotChecked,
     Picture,
+    Shown,
     of_check,
     truth,
 )
@@ -44,8 +44,8 @@ def depth_first_is_2m(means: Means, *, edges: int) -> Found:
     """Depth first where every vertex has a number; by the number of edges the largest cost."""
     report = check("dfs", edges=edges, bound="2*m", workers=means.workers)
     largest: dict[int, int] = {}
-    for row in report.rows():
-        largest[row["edges"]] = max(largest.get(row["edges"], 0), row["max_cost"])
+    for row in report.rows:
+        largest[row.edges] = max(largest.get(row.edges, 0), row.max_cost)
     return of_check(report, **{"largest cost": list(largest.values())})
 
 
@@ -203,7 +203,7 @@ def printed_3_bounds(_: Means, *, edges: int) -> Found:
     beaten = [(m, n) for m, n in points if printed_bound(n, m) < m]
     first = list(beaten[0]) if beaten else []
     seen = {"pairs of n and m": len(points), "below (1)+(2)": len(below), "below m": len(beaten)}
-    figures: dict[str, Figure] = {
+    figures: dict[str, Shown] = {
         "first edges and vertices": first,
         "its value at n = 2, m = 1": str(printed_bound(2, 1)),
     }

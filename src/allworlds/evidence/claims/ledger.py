@@ -4,151 +4,129 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, TypeAlias, cast
+from typing import Annotated, Literal, TypeAlias, cast
 
-from allworlds.evidence.claims.claim_types import Budget, Check, Found, Means, NotChecked
-from allworlds.evidence.claims.manifest import BUDGETS, Claim, ClaimScope, manifest
+from allworlds.document import Aside, Positive, Report, about, computed, one_of
+from allworlds.evidence.claims.claim_types import (
+    Budget,
+    Check,
+    Found,
+    Means,
+    NotChecked,
+    Shown,
+    Truth,
+)
+from allworlds.evidence.claims.manifest import BUDGETS, Claim, Sentence, manifest
 from allworlds.inputs import InputError, a_path, an_integer, show
-from allworlds.outcome import SCHEMA, Exit, until_interrupted
+from allworlds.outcome import Exit, until_interrupted
 from allworlds.progress import Listener, Silent
-
-if TYPE_CHECKING:
-    from allworlds import documents
+from allworlds.world import World
 
 Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked"]
 Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]
 
-_NOTHING = Found("refuted", {})
-"""What is written of a claim that was not looked at; its verdict says so."""
+
+def _verdict(one: CheckedClaim) -> Seen:
+    """What was found in a word; ``vacuous`` where a witness is missing or zero."""
+    if one.truth is None:
+        return "not-checked"
+    seen = one.witnesses
+    met = seen and all(seen.values()) and seen.keys() >= one.expected_witnesses.keys()
+    return one.truth if met else "vacuous"
 
 
-@dataclass(frozen=True, slots=True)
-class CheckedClaim:
-    """One line of the ledger.
+def _standing(one: CheckedClaim) -> Standing:
+    """Whether it passes."""
+    if one.verdict in ("not-checked", "vacuous"):
+        return one.verdict
+    return "unexpected" if _differences(one) else "as-expected"
 
-    Attributes:
-        claim: the sentence, with what is expected.
-        scope: what it was checked on.
-        found: what was found.
-        seconds: how long that took.
+
+def _differences(one: CheckedClaim) -> tuple[str, ...]:
+    """Each thing that is not what is expected; of what was not checked nothing."""
+    if one.truth is None:
+        return ()
+    told = []
+    if one.verdict != one.expected:
+        told.append(f"verdict: {one.expected} expected, {one.verdict} found")
+    for expected, seen in (
+        (one.expected_witnesses, one.witnesses),
+        (one.expected_figures, one.figures),
+    ):
+        told += [
+            f"{name}: {expected.get(name)} expected, {seen.get(name)} found"
+            for name in sorted({*expected, *seen})
+            if expected.get(name) != seen.get(name)
+        ]
+    return tuple(told)
+
+
+class CheckedClaim(Sentence):
+    """A sentence that can be checked, what is expected of it, and what was found.
+
+    ``truth`` is the verdict of its function, None where nothing was checked, which took so many
+    ``seconds``; each of the ``worlds`` has its caption.
     """
 
-    claim: Claim
-    scope: ClaimScope
-    found: Found | NotChecked
-    seconds: float
-
-    @property
-    def verdict(self) -> Seen:
-        """What was found in a word; ``vacuous`` where a witness is missing or zero."""
-        if isinstance(self.found, NotChecked):
-            return "not-checked"
-        seen = self.found.witnesses
-        met = seen and all(seen.values()) and seen.keys() >= self.scope.witnesses.keys()
-        return self.found.verdict if met else "vacuous"
-
-    @property
-    def differences(self) -> list[str]:
-        """Each thing that is not what is expected, in words; of what was not checked nothing."""
-        if isinstance(self.found, NotChecked):
-            return []
-        told = []
-        if self.verdict != self.claim.expected:
-            told.append(f"verdict: {self.claim.expected} expected, {self.verdict} found")
-        for expected, seen in (
-            (self.scope.witnesses, self.found.witnesses),
-            (self.scope.figures, self.found.figures),
-        ):
-            for name in sorted({*expected, *seen}):
-                one, other = expected.get(name), seen.get(name)
-                if one != other:
-                    told.append(f"{name}: {one} expected, {other} found")
-        return told
-
-    @property
-    def standing(self) -> Standing:
-        """Whether it passes."""
-        verdict = self.verdict
-        if verdict in ("not-checked", "vacuous"):
-            return verdict
-        return "unexpected" if self.differences else "as-expected"
-
-    def to_json(self) -> documents.ClaimEntry:
-        """The entry as it stands in the document."""
-        found = self.found
-        told = found.reason if isinstance(found, NotChecked) else found.told
-        if isinstance(found, NotChecked):
-            found = _NOTHING
-        return {
-            "id": self.claim.name,
-            "section": self.claim.section,
-            "statement": self.claim.says,
-            "method": self.claim.method,
-            "scope": self.scope.text,
-            "source": self.claim.source,
-            "expected": self.claim.expected,
-            "verdict": self.verdict,
-            "standing": self.standing,
-            "witnesses": dict(found.witnesses),
-            "expected_witnesses": dict(self.scope.witnesses),
-            "figures": dict(found.figures),
-            "expected_figures": dict(self.scope.figures),
-            "differences": self.differences,
-            "told": told,
-            "worlds": [picture.world.to_json() for picture in found.pictures],
-        }
+    verdict: Annotated[Seen, about("what was found; `vacuous`: a witness was never met")] = (
+        computed(_verdict)
+    )
+    standing: Annotated[
+        Standing, about("whether verdict, witnesses and figures are those that are expected")
+    ] = computed(_standing)
+    witnesses: Annotated[
+        dict[str, int], about("how often each thing was met that the sentence is about")
+    ]
+    expected_witnesses: Annotated[dict[str, Positive], about("how often it must be met")]
+    figures: Annotated[dict[str, Shown], about("the numbers that the sentence names, as found")]
+    expected_figures: Annotated[dict[str, Shown], about("and as expected")]
+    differences: Annotated[tuple[str, ...], about("what is not as expected, in words")] = computed(
+        _differences
+    )
+    told: Annotated[str, about("what refutes it, what is to be seen, or why it was not checked")]
+    worlds: Annotated[tuple[World, ...], about("worlds that show it")]
+    captions: Aside[tuple[str, ...]]
+    truth: Aside[Truth | None]
+    seconds: Aside[float]
 
 
-@dataclass(frozen=True, slots=True)
-class ClaimsReport:
-    """The ledger as far as it was made.
+def _exit_code(report: ClaimsReport) -> Exit:
+    """130 interrupted, 1 a claim is not as expected, 3 a required one unchecked, 4 vacuous."""
+    standings = {one.standing for one in report.claims}
+    if not report.complete:
+        return Exit.INTERRUPTED
+    if "unexpected" in standings:
+        return Exit.REFUTED
+    if report.missed:
+        return Exit.INCONCLUSIVE
+    return Exit.VACUOUS if "vacuous" in standings else Exit.HOLDS
 
-    Attributes:
-        budget: under which it was made.
-        entries: in the order of the manifest.
-        required: claims that must have been checked.
-        complete: False if the user has interrupted, and entries are missing.
+
+class ClaimsReport(Report):
+    """Report of 'claims'.
+
+    The ledger as far as it was made.
     """
 
-    budget: Budget
-    entries: tuple[CheckedClaim, ...]
-    required: tuple[str, ...] = ()
-    complete: bool = True
+    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    exit_code: Annotated[
+        Exit,
+        one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
+    ] = computed(_exit_code)
+    budget: Annotated[Budget, about("how much was done")]
+    required: Annotated[tuple[str, ...], about("the claims that had to be checked")]
+    claims: Annotated[tuple[CheckedClaim, ...], about("in the order of the sections; then ours")]
 
     @property
     def missed(self) -> list[str]:
         """The required claims that were not checked."""
         return [
-            entry.claim.name
-            for entry in self.entries
-            if entry.claim.name in self.required and entry.standing == "not-checked"
+            one.id
+            for one in self.claims
+            if one.id in self.required and one.standing == "not-checked"
         ]
-
-    @property
-    def exit_code(self) -> Exit:
-        """130 interrupted, 1 a claim is not as expected, 3 a required one unchecked, 4 vacuous."""
-        standings = {entry.standing for entry in self.entries}
-        if not self.complete:
-            return Exit.INTERRUPTED
-        if "unexpected" in standings:
-            return Exit.REFUTED
-        if self.missed:
-            return Exit.INCONCLUSIVE
-        return Exit.VACUOUS if "vacuous" in standings else Exit.HOLDS
-
-    def to_json(self) -> documents.ClaimsDocument:
-        """The document of ``claims --json``."""
-        return {
-            "schema": SCHEMA,
-            "complete": self.complete,
-            "exit_code": self.exit_code,
-            "budget": self.budget,
-            "required": list(self.required),
-            "claims": [entry.to_json() for entry in self.entries],
-        }
 
 
 def claims(
@@ -179,32 +157,58 @@ def claims(
     if an_integer("workers", workers) < 1:
         raise InputError(f"workers = {workers}; legal is 1 or more")
     chosen, required = _named("only", only), _named("require", require)
-    wanted = [c for c in manifest() if not chosen or c.name in {*chosen, *required}]
+    wanted = [c for c in manifest() if not chosen or c.id in {*chosen, *required}]
     folder = None if proofs is None else _folder(proofs)
     means = Means(workers, folder, cast("Budget", budget))
     listener = listener or Silent()
     listener.stage("claims", len(wanted), "claims")
     entries, complete = until_interrupted(_entries(wanted, means, listener))
-    return ClaimsReport(means.budget, entries, required, complete)
+    return ClaimsReport(complete=complete, budget=means.budget, required=required, claims=entries)
 
 
 def _entries(wanted: Sequence[Claim], means: Means, listener: Listener) -> Iterator[CheckedClaim]:
     from allworlds.evidence.claims.claim_table import CHECKS
 
     for claim in wanted:
-        yield entry_of(claim, CHECKS[claim.name], means)
+        yield entry_of(claim, CHECKS[claim.id], means)
         listener.progress(1)
 
 
 def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
     """The claim, checked."""
-    scope, began = claim.scopes[means.budget], time.monotonic()
-    found = check(means, **scope.bounds)
-    return CheckedClaim(claim, scope, found, time.monotonic() - began)
+    began = time.monotonic()
+    found = check(means, **claim.scopes[means.budget].bounds)
+    return entry_with(claim, means.budget, found, time.monotonic() - began)
+
+
+def entry_with(
+    claim: Claim, budget: Budget, found: Found | NotChecked, seconds: float = 0
+) -> CheckedClaim:
+    """The claim, beside what was found on its scope."""
+    scope = claim.scopes[budget]
+    shown = Found("refuted", {}, told=found.reason) if isinstance(found, NotChecked) else found
+    return CheckedClaim(
+        id=claim.id,
+        section=claim.section,
+        statement=claim.statement,
+        method=claim.method,
+        scope=claim.scope_under(budget),
+        source=claim.source,
+        expected=claim.expected,
+        witnesses=dict(shown.witnesses),
+        expected_witnesses=scope.witnesses,
+        figures=dict(shown.figures),
+        expected_figures=scope.figures,
+        told=shown.told,
+        worlds=tuple(picture.world for picture in shown.pictures),
+        captions=tuple(picture.caption for picture in shown.pictures),
+        truth=None if isinstance(found, NotChecked) else found.verdict,
+        seconds=seconds,
+    )
 
 
 def _named(option: str, names: Iterable[str]) -> tuple[str, ...]:
-    legal = [claim.name for claim in manifest()]
+    legal = [claim.id for claim in manifest()]
     given = (names,) if isinstance(names, str) else tuple(names)
     for name in given:
         if name not in legal:

@@ -8,12 +8,16 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
-from typing import Any, Literal, TypeAlias, cast, get_args
+from typing import Annotated, Any, Literal, TypeAlias, get_args
 
-from allworlds.evidence.claims.claim_types import Budget, Figure, Truth
+from allworlds.document import Document, Meta, Positive, Text, about, key, taken
+from allworlds.evidence.claims.claim_types import Budget, Shown, Truth
+from allworlds.inputs import InputError
+
+Section: TypeAlias = Literal["II", "III", "IV", "V", "VI", "VII", "VIII", "ours"]
+SECTIONS: tuple[Section, ...] = get_args(Section)
 
 Method: TypeAlias = Literal[
     "exhaustive",
@@ -35,48 +39,48 @@ class BadManifest(ValueError):
     """The file of the claims says something that it cannot say."""
 
 
-@dataclass(frozen=True, slots=True)
-class ClaimScope:
+class ClaimScope(Document):
     """What a claim is checked on under a budget, and what must be found there.
 
-    Attributes:
-        text: in words.
-        bounds: the keywords of the function.
-        witnesses: expected, all of them more than zero.
-        figures: expected.
+    The bounds are the keywords of its function.
     """
 
-    text: str
-    bounds: Mapping[str, Any]
-    witnesses: Mapping[str, int]
-    figures: Mapping[str, Figure]
+    bounds: dict[str, Any] = key(default_factory=dict)
+    witnesses: Annotated[dict[str, Positive], Meta(min_length=1)]
+    figures: dict[str, Shown] = key(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
-class Claim:
-    """A sentence, and what must come out.
+class Sentence(Document):
+    """A sentence that can be checked, and what is expected of it."""
 
-    Attributes:
-        name: its id.
-        section: of the paper, by its number, or ``ours``.
-        says: the sentence in short.
-        method: how it is decided.
-        expected: the verdict that it must get.
-        source: where the sentence stands, and where the expected numbers come from.
-        scopes: by budget.
+    id: Annotated[Text, about("its name, for `--only` and `--require`")]
+    section: Annotated[Section, about("of the paper; `ours`: the sentence is not the paper's")]
+    statement: Annotated[Text, about("the sentence in short")]
+    method: Annotated[Method, about("how it is decided")]
+    scope: Annotated[Text, about("on what it was decided under this budget")]
+    source: Annotated[
+        Text, about("where the sentence stands, and where the expected numbers come from")
+    ]
+    expected: Annotated[Truth, about("the verdict that it must get; `refuted`: an erratum")]
+
+
+class Claim(Sentence):
+    """A sentence, and what must come out: a table of ``claims.toml``.
+
+    ``{names}`` in the scope are those of the bounds.
     """
 
-    name: str
-    section: str
-    says: str
-    method: Method
-    expected: Truth
-    source: str
-    scopes: Mapping[Budget, ClaimScope]
+    quick: ClaimScope
+    full: ClaimScope | None = None
 
+    @property
+    def scopes(self) -> Mapping[Budget, ClaimScope]:
+        """What it is checked on, by budget."""
+        return {"quick": self.quick, "full": self.full or self.quick}
 
-SECTIONS = ("II", "III", "IV", "V", "VI", "VII", "VIII", "ours")
-_KEYS = {"section", "says", "method", "scope", "expected", "source", "quick", "full"}
+    def scope_under(self, budget: Budget) -> str:
+        """The same in words."""
+        return self.scope.format(**self.scopes[budget].bounds)
 
 
 @cache
@@ -91,38 +95,12 @@ def manifest() -> tuple[Claim, ...]:
 
 def read(text: str) -> tuple[Claim, ...]:
     """The claims of a file; raises as :func:`manifest`."""
-    claims = [_claim(name, row) for name, row in tomllib.loads(text).items()]
+    claims = [_claim(name, table) for name, table in tomllib.loads(text).items()]
     return tuple(sorted(claims, key=lambda claim: SECTIONS.index(claim.section)))
 
 
-def _claim(name: str, row: Mapping[str, Any]) -> Claim:
-    wrong = sorted(set(row) - _KEYS) or sorted(_KEYS - {"full"} - set(row))
-    if wrong:
-        raise BadManifest(f"claim {name}: {', '.join(wrong)} missing, or not known")
-    for key, legal in (
-        ("section", SECTIONS),
-        ("method", get_args(Method)),
-        ("expected", get_args(Truth)),
-    ):
-        if row[key] not in legal:
-            raise BadManifest(f"claim {name}: {key} {row[key]!r} is not one of {', '.join(legal)}")
-    quick = _scope(name, row["scope"], row["quick"])
-    full = _scope(name, row["scope"], row["full"]) if "full" in row else quick
-    return Claim(
-        name,
-        row["section"],
-        row["says"],
-        row["method"],
-        row["expected"],
-        row["source"],
-        {"quick": quick, "full": full},
-    )
-
-
-def _scope(name: str, text: str, row: Mapping[str, Any]) -> ClaimScope:
-    bounds, witnesses = row.get("bounds", {}), row.get("witnesses", {})
-    if not witnesses or not all(type(n) is int and n > 0 for n in witnesses.values()):
-        raise BadManifest(f"claim {name}: witnesses must be there, and be more than zero")
-    return ClaimScope(
-        text.format(**bounds), bounds, witnesses, cast("dict[str, Figure]", row.get("figures", {}))
-    )
+def _claim(name: str, table: Mapping[str, Any]) -> Claim:
+    try:
+        return taken({"id": name, **table}, Claim, "it")
+    except InputError as error:
+        raise BadManifest(f"claim {name}: {error}") from None

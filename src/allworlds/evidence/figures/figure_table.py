@@ -7,8 +7,9 @@ import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Unpack
+from typing import Annotated, Any, Unpack
 
+from allworlds.document import Natural, Report, Some, Text, about, one_of
 from allworlds.engines import EffortOptions, Limits
 from allworlds.evidence.figures.augmentation import figure_2
 from allworlds.evidence.figures.bounds import figure_bounds
@@ -16,12 +17,9 @@ from allworlds.evidence.figures.drawn import Drawn
 from allworlds.evidence.figures.holes import figure_3
 from allworlds.evidence.figures.twins import figure_1
 from allworlds.inputs import InputError, an_integer, ensure_installed, show
-from allworlds.outcome import SCHEMA, Exit, Verdict
+from allworlds.outcome import Exit, Verdict
 from allworlds.progress import Listener, Silent
 from allworlds.studies.check import refuse_others
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 WORLDS, SEED, EDGES = 30, 1, 6
 """What is taken where nothing is said: graphs of a size, the first seed, the largest size."""
@@ -74,46 +72,26 @@ FIGURES: Mapping[str, Kind] = {
 """**The** table of the figures."""
 
 
-@dataclass(frozen=True, slots=True)
-class Figure:
-    """A figure that was written.
+class Figure(Report):
+    """Report of 'figure'.
 
-    Attributes:
-        name: one of :data:`FIGURES`.
-        drawn: its content.
-        path: the picture.
-        data: the CSV beside it.
+    A figure that was written: the picture, and the CSV beside it.
     """
 
-    name: str
-    drawn: Drawn
-    path: Path
-    data: Path
-
-    @property
-    def verdict(self) -> Verdict:
-        """Whether what is drawn is so."""
-        return self.drawn.verdict
-
-    @property
-    def exit_code(self) -> Exit:
-        """Of the command."""
-        return self.drawn.exit_code
-
-    def to_json(self) -> documents.FigureDocument:
-        """The document of ``figure --json``."""
-        header, rows = self.drawn.table()
-        return {
-            "schema": SCHEMA,
-            "verdict": self.verdict.value,
-            "exit_code": self.exit_code,
-            "figure": self.name,
-            "path": str(self.path),
-            "data": str(self.data),
-            "caption": list(self.drawn.caption()),
-            "columns": list(header),
-            "rows": len(rows),
-        }
+    verdict: Annotated[Verdict, about("whether what is drawn is so")]
+    exit_code: Annotated[
+        Exit,
+        one_of(
+            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
+            Exit.INTERRUPTED,
+        ),
+    ]
+    figure: Annotated[Text, about("its name")]
+    path: Annotated[Path, about("the file of the picture")]
+    data: Annotated[Path, about("the file of its data, CSV")]
+    caption: Annotated[Some[Text], about("what is seen, a few sentences each")]
+    columns: Annotated[Some[Text], about("of the data")]
+    rows: Annotated[Natural, about("how many there are")]
 
 
 class FigureOptions(EffortOptions, total=False):
@@ -158,7 +136,17 @@ def figure(
     drawn = kind.make(asked)
     path.write_bytes(_picture(drawn, path.suffix))
     data.write_text(_csv(drawn), encoding="utf-8")
-    return Figure(name, drawn, path, data)
+    header, rows = drawn.table()
+    return Figure(
+        verdict=drawn.verdict,
+        exit_code=drawn.exit_code,
+        figure=name,
+        path=path,
+        data=data,
+        caption=tuple(drawn.caption()),
+        columns=tuple(header),
+        rows=len(rows),
+    )
 
 
 def files_of(name: str, out: str | None) -> tuple[Path, Path]:

@@ -4,9 +4,19 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Annotated, Any, Literal, TypeAlias
 
+from allworlds.document import (
+    Different,
+    Document,
+    Natural,
+    Positive,
+    Report,
+    Text,
+    about,
+    computed,
+    replace,
+)
 from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from allworlds.evidence.mutants.explorers import (
     EQUIVALENT_EXPLORERS,
@@ -37,75 +47,60 @@ from allworlds.maps import (
     rooted_maps_by_permutations,
     source_for,
 )
-from allworlds.outcome import SCHEMA, Exit, until_interrupted
+from allworlds.outcome import Exit, until_interrupted
 from allworlds.progress import Listener, Silent
 from allworlds.protocol import Choices
 from allworlds.studies.check import check
 from allworlds.world import Directional, World, lighthouse_named
 
-if TYPE_CHECKING:
-    from allworlds import documents
-
 LARGEST_LEVEL = 4
 """The dumb enumerator, which some mutants need, goes no further in reasonable time."""
 
 
-@dataclass(frozen=True, slots=True)
-class Kill:
-    """One row of the matrix.
+MutantKind: TypeAlias = Literal["explorer", "judge", "enumerator"]
+"""What is wrong on purpose."""
 
-    Attributes:
-        mutant: its name.
-        kind: ``explorer``, ``judge`` or ``enumerator``.
-        breaks: what is wrong with it.
-        killed_by: the law or the check that caught it; empty for a survivor.
-        world: the smallest world at which it is caught; None for a survivor, and for one whose
-            plays differ: at which it is seen depends on the order in which it meets the worlds.
-        equivalent: why it may survive; empty for one that must be killed.
+
+class Kill(Document):
+    """What became of one mutant.
+
+    One whose plays differ is without a world: at which it is seen depends on the order in which it
+    meets the worlds.
     """
 
-    mutant: str
-    kind: documents.MutantKind
-    breaks: str
-    killed_by: str = ""
-    world: World | None = None
-    equivalent: str = ""
+    mutant: Annotated[Text, about("its name")]
+    kind: MutantKind
+    breaks: Annotated[Text, about("what is wrong with it")]
+    killed_by: Annotated[
+        str | None, about("the law or the check that caught it; null: it lives")
+    ] = None
+    world: Annotated[
+        World | None,
+        about("the smallest at which it is caught; null: it lives, or any may show it"),
+    ] = None
+    equivalent: Annotated[str | None, about("why it may live; null: it may not")] = None
 
     @property
     def as_it_should(self) -> bool:
         """Killed if it must be, alive if it is equivalent."""
         return bool(self.killed_by) != bool(self.equivalent)
 
-    def to_json(self) -> documents.KillDocument:
-        """The row as it stands in the document."""
-        return {
-            "mutant": self.mutant,
-            "kind": self.kind,
-            "breaks": self.breaks,
-            "killed_by": self.killed_by or None,
-            "world": self.world.to_json() if self.world else None,
-            "equivalent": self.equivalent or None,
-        }
 
+class KillMatrix(Report):
+    """Report of 'mutants'.
 
-@dataclass(frozen=True, slots=True)
-class KillMatrix:
-    """What became of every mutant within a bound.
-
-    Attributes:
-        edges: the largest number of edges that was tried.
-        kills: one row a mutant.
-        complete: False if the user has interrupted, and mutants are missing.
+    What became of every mutant within a bound.
     """
 
-    edges: int
-    kills: tuple[Kill, ...]
-    complete: bool = True
-
-    @property
-    def survivors(self) -> list[str]:
-        """The mutants that should have been killed, and the equivalent ones that were."""
-        return [kill.mutant for kill in self.kills if not kill.as_it_should]
+    edges: Annotated[Positive, about("at most so many")]
+    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    mutants: Annotated[Natural, about("how many there are")] = computed(
+        lambda matrix: len(matrix.kill_matrix)
+    )
+    kill_matrix: Annotated[tuple[Kill, ...], about("one a mutant")]
+    survivors: Annotated[
+        Different[Text], about("those that live and may not, or may and do not")
+    ] = computed(lambda matrix: tuple(k.mutant for k in matrix.kill_matrix if not k.as_it_should))
 
     @property
     def exit_code(self) -> Exit:
@@ -113,17 +108,6 @@ class KillMatrix:
         if not self.complete:
             return Exit.INTERRUPTED
         return Exit.REFUTED if self.survivors else Exit.HOLDS
-
-    def to_json(self) -> documents.MutantsDocument:
-        """The document of ``mutants --json``."""
-        return {
-            "schema": SCHEMA,
-            "edges": self.edges,
-            "complete": self.complete,
-            "mutants": len(self.kills),
-            "kill_matrix": [kill.to_json() for kill in self.kills],
-            "survivors": self.survivors,
-        }
 
 
 def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> KillMatrix:
@@ -143,7 +127,8 @@ def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> 
     heard = listener or Silent()
     tables = (_wrong(), EQUIVALENT_EXPLORERS, WEAK_JUDGES, BROKEN_ENUMERATORS)
     heard.stage("mutants", sum(map(len, tables)), "mutants")
-    return KillMatrix(edges, *until_interrupted(_told(_kills(edges), heard)))
+    kills, complete = until_interrupted(_told(_kills(edges), heard))
+    return KillMatrix(edges=edges, complete=complete, kill_matrix=kills)
 
 
 def _wrong() -> tuple[WrongExplorer | WrongLearner, ...]:
@@ -171,12 +156,17 @@ def _kills(edges: int) -> Iterator[Kill]:
 def _explorer(mutant: WrongExplorer | WrongLearner, edges: int) -> Kill:
     """Killed by the law that an ordinary check finds broken first."""
     report = check(mutant.explorer(), edges=edges, lighthouse=mutant.lighthouse).uninterrupted()
-    row = Kill(mutant.name, "explorer", mutant.breaks, equivalent=mutant.equivalent)
+    row = Kill(
+        mutant=mutant.name,
+        kind="explorer",
+        breaks=mutant.breaks,
+        equivalent=mutant.equivalent or None,
+    )
     if not report.findings:
         return row
     finding = report.findings[0]
     world = None if finding.law == "nondeterministic" else finding.world
-    return Kill(row.mutant, row.kind, row.breaks, finding.law, world, equivalent=row.equivalent)
+    return replace(row, killed_by=finding.law, world=world)
 
 
 def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:
@@ -199,7 +189,10 @@ def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:
             killed[weak_name] = (f"sound judge on {explorer}", world)
             del alive[weak_name]
     for weak in WEAK_JUDGES:
-        yield Kill(weak.name, "judge", weak.breaks, *killed.get(weak.name, ("", None)))
+        by, smallest_world = killed.get(weak.name, (None, None))
+        yield Kill(
+            mutant=weak.name, kind="judge", breaks=weak.breaks, killed_by=by, world=smallest_world
+        )
 
 
 def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, Checks, World, str]]:
@@ -236,6 +229,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, Che
 
 def _enumerator(mutant: BrokenEnumerator, edges: int) -> Kill:
     """Killed by the count gate, or else by the dumb enumerator."""
+    row = Kill(mutant=mutant.name, kind="enumerator", breaks=mutant.breaks)
     for level in range(1, edges + 1):
         level_maps = list(mutant.enumerate(level))
         counted = source_for("maps").cells(level)
@@ -244,11 +238,10 @@ def _enumerator(mutant: BrokenEnumerator, edges: int) -> Kill:
         wrong = _first_difference(level_maps, level)
         if wrong is not None:
             by = "brute-force enumerator" if gate_agrees else "count gate"
-            world = World(wrong, Directional(0))
-            return Kill(mutant.name, "enumerator", mutant.breaks, by, world)
+            return replace(row, killed_by=by, world=World(wrong, Directional(0)))
         if not gate_agrees:
             raise AssertionError(f"the count gate alone complains about {mutant.name}")
-    return Kill(mutant.name, "enumerator", mutant.breaks)
+    return row
 
 
 def _first_difference(maps: Iterable[CombinatorialMap], level: int) -> CombinatorialMap | None:

@@ -13,7 +13,7 @@ from allworlds.reports.html.plot import PlotCell, plot
 from allworlds.reports.html.runs import cost_words, run_parts
 from allworlds.reports.markup import tag
 from allworlds.reports.worst_text import worst_table, worst_words
-from allworlds.studies.check import Report
+from allworlds.studies.check import CheckReport
 from allworlds.studies.worst import WorstReport
 from allworlds.words import plural, size
 
@@ -66,12 +66,12 @@ def _cells(report: WorstReport) -> list[PlotCell]:
     return [PlotCell(row.edges, row.vertices, row.worst, row.bound) for row in report.rows]
 
 
-def cells_of(report: Report) -> list[PlotCell]:
+def cells_of(report: CheckReport) -> list[PlotCell]:
     """The largest cost of each size that a check has met, beside its bound."""
     return [
-        PlotCell(row["edges"], row["vertices"], row["max_cost"], row["bound"])
-        for row in report.rows()
-        if row["episodes"]
+        PlotCell(row.edges, row.vertices, row.max_cost, row.bound)
+        for row in report.rows
+        if row.episodes
     ]
 
 

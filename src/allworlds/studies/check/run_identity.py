@@ -63,7 +63,8 @@ def identity_of(job: Job, engine: str) -> Identity:
         "digest": content_digest(subject),
     }
     assert not isinstance(scope.coverage, Sample)
-    return Identity(VERB, parameters, explorer, scope.coverage)
+    shard = str(scope.coverage)
+    return Identity(verb=VERB, parameters=parameters, explorer=explorer, shard=shard)
 
 
 def job_of(identity: Identity, listener: Listener) -> tuple[Job, EngineKind]:

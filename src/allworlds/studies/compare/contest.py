@@ -24,8 +24,8 @@ from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap, Extent
 from allworlds.progress import Listener, Silent
 from allworlds.studies.check import (
-    Cell,
     Completed,
+    GateCell,
     ManyRunsOptions,
     Stopped,
     count_gate,
@@ -210,7 +210,7 @@ class _Contest:
     map: CombinatorialMap | None = None
     rows: list[ComparedRow] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
-    gate: list[Cell] = field(default_factory=list)
+    gate: list[GateCell] = field(default_factory=list)
     most: _Apart | None = None
 
     def run(self) -> Comparison:

@@ -114,8 +114,8 @@ def count(
     )
     return Census(
         map_class=extent.map_class,
-        edges=edges,
-        vertices=vertices,
+        edges=extent.edges,
+        vertices=extent.vertices,
         complete=complete,
         rows=rows,
         source=source_for(extent.map_class).name,

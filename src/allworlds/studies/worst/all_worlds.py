@@ -172,7 +172,12 @@ class _SchedulesSearch:
             "edges": self.extent.edges,
             "transit": self.transit,
         }
-        return Identity("worst", parameters, {"name": "algorithm1"}, self.portion)
+        return Identity(
+            verb="worst",
+            parameters=parameters,
+            explorer={"name": "algorithm1"},
+            shard=str(self.portion),
+        )
 
     def report(
         self, transport: Transport[Any], engine: Any, records: Records, listener: Listener

@@ -5,21 +5,19 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
     InvalidWorld,
     Lighthouse,
+    StandsAt,
     WalkInAnswer,
     check_leads_away,
     no_place,
 )
 from allworlds.world.lighthouses.sensing import Sensing, Where
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +29,7 @@ class Cluster(Lighthouse):
     Source: Sections IV and VIII of the paper.
     """
 
-    dart: Dart
+    dart: StandsAt
 
     kind: ClassVar[str] = "cluster"
     sensing: ClassVar[Sensing] = Sensing(Where.AT_V0_AND_V1, bearing=False)
@@ -78,10 +76,6 @@ class Cluster(Lighthouse):
     def relabelled(self, names: Sequence[Dart]) -> Cluster:
         """At the renamed dart."""
         return Cluster(names[self.dart])
-
-    def to_json(self) -> documents.AtDart:
-        """``{"kind": "cluster", "dart": d}``."""
-        return {"kind": self.kind, "dart": self.dart}
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart) -> Cluster:
