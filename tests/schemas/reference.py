@@ -25,7 +25,7 @@ each complete in itself. What the words mean: [protocol](protocol.md) and
 [verdicts](verdicts.md).
 
 `rows[].edges` is the key `edges` of each entry of the list `rows`. A key is always there, unless it
-says *may be missing*; a finding, a world, a transcript and a manifest are told as they are read, and
+says *may be missing*; a finding, a world, a transcript and a manifest are told as they are read:
 where this program writes them, nothing is missing that has a value.
 
 | verb | in Python | document | what it does |
@@ -86,9 +86,8 @@ class Reference:
             return text + "\n".join(map(self.names, told["$defs"].values()))
         kinds = [self.parts[name_of(option)] for option in told.get("anyOf", [])]
         if kinds and not any(kind["title"] in self.headings.values() for kind in kinds):
-            return text + "\n".join(
-                f"{kind['title']}.\n\n{TABLE}{self.rows(kind)}" for kind in kinds
-            )
+            tables = (f"{kind['title']}.\n\n{TABLE}{self.rows(kind)}" for kind in kinds)
+            return text + "\n".join(tables)
         return f"{text}{self.value(told).capitalize()}.\n"
 
     def names(self, told: Schema) -> str:

@@ -69,9 +69,9 @@ def test_every_key_that_needs_words_has_them():
     plain = {"edges", "vertices", "exit_code", "kind", "rounds", "status", "world"}
     plain |= {"lighthouse", "median", "lowest", "highest"}
     for name, told in schemas().items():
-        for key, inner in keys(told):
+        for word, inner in keys(told):
             words = inner.get("description") or "const" in inner
-            assert words or key in plain, f"{name}: {key}"
+            assert words or word in plain, f"{name}: {word}"
 
 
 def keys(told):

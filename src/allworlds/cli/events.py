@@ -6,77 +6,25 @@ import json
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
 from time import monotonic
-from typing import Annotated, Any, Literal, TextIO
+from typing import Any, TextIO
 
+from allworlds.cli.event_lines import (
+    Event,
+    FindingEvent,
+    LevelEvent,
+    NoticeEvent,
+    ProgressEvent,
+    StageEvent,
+    UnitEvent,
+    VerdictEvent,
+)
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import Progress, complain
-from allworlds.document import SCHEMA, Document, Natural, Positive, Text, about
 from allworlds.inputs import InputError, a_path, show
 from allworlds.outcome import Result
 
 EVERY = 1.0
 """Seconds between two lines that say how much is done."""
-
-
-class Event(Document):
-    """One line of what `--events FILE` writes."""
-
-    schema: Annotated[Literal[1], about("the version of the document")] = SCHEMA
-
-
-class LevelEvent(Event):
-    """A level begins."""
-
-    event: Literal["level"] = "level"
-    edges: Positive
-    worlds: Annotated[Natural, about("rooted maps; of a shard about so many")]
-
-
-class StageEvent(Event):
-    """A part of another kind begins."""
-
-    event: Literal["stage"] = "stage"
-    name: Annotated[Text, about("of the part")]
-    all: Annotated[Natural, about("how many are to be done")]
-    of: Annotated[Text, about("what is counted")]
-
-
-class ProgressEvent(Event):
-    """Once a second: what is done of the level or stage that began last."""
-
-    event: Literal["progress"] = "progress"
-    done: Annotated[Natural, about("worlds, or what the stage counts")]
-
-
-class UnitEvent(Event):
-    """A unit is finished."""
-
-    event: Literal["unit"] = "unit"
-    unit: Annotated[Text, about("its key, `EDGES:DECISION,...`")]
-    worlds: Annotated[Natural, about("rooted maps")]
-
-
-class FindingEvent(Event):
-    """A run that refutes was met in a unit that is finished."""
-
-    event: Literal["finding"] = "finding"
-    finding: Annotated[
-        Mapping[str, Any], about("not confirmed yet; the report may hold a smaller one")
-    ]
-
-
-class NoticeEvent(Event):
-    """Something that the user may want to know."""
-
-    event: Literal["notice"] = "notice"
-    text: Annotated[Text, about("what stands on stderr too")]
-
-
-class VerdictEvent(Event):
-    """The end."""
-
-    event: Literal["verdict"] = "verdict"
-    report: Annotated[Result, about("the whole report, as `--json` prints it, without `made_by`")]
 
 
 class Events:

@@ -20,12 +20,12 @@ from msgspec import UNSET, Meta, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
-from allworlds.cli.events import Event
+from allworlds.cli.event_lines import Event
 from allworlds.document import Document, MadeBy, Written, keys_of
 from allworlds.engines import ENGINES
 from allworlds.judging import LAWS, PRECEDENCE, Finding, FindingDocument
 from allworlds.maps import MapClass
-from allworlds.outcome import Verdict
+from allworlds.outcome import Result, Verdict
 from allworlds.protocol import AtStart, Dropped, Estimate, Moved, Picked, RootedMap, Transcript
 from allworlds.studies.check import TimeEstimate
 from allworlds.studies.merge import MergedReport
@@ -53,8 +53,8 @@ NAMES: dict[str, tuple[str, Iterable[Any]]] = {
 
 
 @cache
-def pages() -> dict[str, Any]:
-    """The type of every document by the name of its schema: of the verbs, then the rest."""
+def reports() -> dict[str, Any]:
+    """The type of every report by the name of its schema."""
     found: dict[str, Any] = {}
     for verb in VERBS:
         function = loaded(verb.function)
@@ -63,16 +63,21 @@ def pages() -> dict[str, Any]:
             first, *others = members(returned)
             found[verb.document] = first
             found |= {other.__name__.lower(): other for other in others}
-    merged = [found[verb.document] for verb in VERBS if verb.merged]
-    return found | {
+    return found | {"estimate": TimeEstimate}
+
+
+@cache
+def pages() -> dict[str, Any]:
+    """The type of every document by the name of its schema: reports, then the rest."""
+    merged = [reports()[verb.document] for verb in VERBS if verb.merged]
+    return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
-        "estimate": TimeEstimate,
         "finding": FindingDocument,
         "world": WorldDocument,
         "transcript": Transcript,
         "event": Event,
-        "manifest": Manifest,
         "made-by": MadeBy,
+        "manifest": Manifest,
     }
 
 
@@ -100,6 +105,9 @@ class Shapes:
             shown = [note for note in notes if not note.extra]
             inner = self.of(kind)
             return Annotated[inner, *shown] if shown else inner
+        if tp is Result:
+            files = [{"$ref": f"{name}.schema.json"} for name in reports()]
+            return Annotated[Any, Meta(extra_json_schema={"anyOf": files})]
         if tp in WRITTEN_AS:
             return self.of(WRITTEN_AS[tp])
         if tp is Transcript:
@@ -281,7 +289,9 @@ def _place(key: str) -> int:
 def _referred(told: Any, parts: dict[str, Schema], found: dict[str, Schema]) -> dict[str, Schema]:
     """The parts that a schema refers to, and what these refer to."""
     match told:
-        case {"$ref": str(reference)} if (name := reference.rpartition("/")[2]) not in found:
+        case {"$ref": str(reference)} if reference[0] == "#" and (
+            (name := reference.rpartition("/")[2]) not in found
+        ):
             found[name] = parts[name]
             _referred(parts[name], parts, found)
     inner = told.values() if isinstance(told, dict) else told if isinstance(told, list) else ()

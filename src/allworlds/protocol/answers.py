@@ -64,7 +64,8 @@ class Ambiguous(Written):
     """
 
     sigma: Annotated[Entries[Dart], about("for each dart the next one clockwise round its vertex")]
-    alpha: Annotated[Entries[Dart], about("for each dart the other one of its edge; of half an edge itself")
+    alpha: Annotated[
+        Entries[Dart], about("for each dart the other one of its edge; of half an edge itself")
     ]
     degree: Annotated[Entries[Positive], about("for each dart the degree that is sensed there")]
     marks: Annotated[Entries[Natural], about("for each dart how many markers lie there")]
