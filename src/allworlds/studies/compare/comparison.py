@@ -107,6 +107,7 @@ def _verdict(report: Comparison) -> Verdict:
 
 
 def _exit_code(report: Comparison) -> Exit:
+    """That of the verdict; 130 where it was interrupted, whatever was found till then."""
     by_user = not report.complete and report.stopped is None
     if by_user and report.verdict is not Verdict.ERROR:
         return Exit.INTERRUPTED
@@ -127,7 +128,6 @@ class Comparison(Report):
     )
     exit_code: Annotated[
         Exit,
-        about("that of the verdict; 130 interrupted, whatever was found till then"),
         one_of(
             *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
             Exit.INTERRUPTED,

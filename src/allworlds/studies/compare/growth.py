@@ -65,6 +65,7 @@ def _verdict(report: Growth) -> Verdict:
 
 
 def _exit_code(report: Growth) -> Exit:
+    """That of the verdict; 130 where it was interrupted, whatever was found till then."""
     by_user = not report.complete and report.stopped is None
     return Exit.INTERRUPTED if by_user else report.verdict.exit
 
@@ -78,7 +79,6 @@ class Growth(Report):
     verdict: Annotated[Verdict, about("whether a run broke a law")] = computed(_verdict)
     exit_code: Annotated[
         Exit,
-        about("that of the verdict; 130 interrupted, whatever was found till then"),
         one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
     ] = computed(_exit_code)
     complete: Annotated[bool, about("every row is there; false: the user has interrupted")]

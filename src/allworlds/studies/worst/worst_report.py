@@ -69,6 +69,7 @@ class WorstRow(Document):
 
 
 def _exit_code(report: WorstReport) -> Exit:
+    """0 answered, 1 refuted, 4 no run, 70 engines or counts disagree, 130 interrupted."""
     if not _agrees(report):
         return Exit.DISAGREES
     if not report.complete:
@@ -96,7 +97,6 @@ class WorstReport(Report):
 
     exit_code: Annotated[
         Exit,
-        about("0 answered, 1 refuted, 4 no run, 70 engines or counts disagree, 130 interrupted"),
         one_of(Exit.ANSWERED, Exit.REFUTED, Exit.VACUOUS, Exit.DISAGREES, Exit.INTERRUPTED),
     ] = computed(_exit_code)
     explorer: Annotated[Text, about("its name")] = computed(lambda r: r.subject.name)
