@@ -27,7 +27,7 @@ import allworlds.explorers.shared_library
 from allworlds.engines import PythonEngine, Scope
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.isolation.jobs import PlayStretch
-from allworlds.engines.isolation.shared_logs import Actor, Shared
+from allworlds.engines.isolation.shared_logs import LibraryPlayer, StretchMemory
 from allworlds.engines.kernel.batches import LONGEST_STRETCH, Stretch, UnitJudge, load_native
 from allworlds.engines.kernel.native import RUN_TOLD
 from allworlds.explorers import NativeExplorer, load
@@ -85,8 +85,9 @@ def main() -> None:
     scope = Scope(extent, rules)
     units = list(scope.units(given.edges))[: given.units]
     level = level_of("native:", rules, extent, given.edges)
-    memory = [Shared(given.edges) for _ in range(2)]
-    actors = [Actor(NativeExplorer(Library(given.library)), bytearray(16)) for _ in range(2)]
+    memory = [StretchMemory(given.edges) for _ in range(2)]
+    explorers = [NativeExplorer(Library(given.library)) for _ in range(2)]
+    players = [LibraryPlayer(explorer, bytearray(16)) for explorer in explorers]
     load_native()
     spent, runs = dict.fromkeys((*PARTS, "bare"), 0.0), 0
 
@@ -107,9 +108,9 @@ def main() -> None:
                 PlayStretch(each.file, given.edges, laid.runs, again, "fifo", again=bool(again))
                 for again, each in enumerate(memory)
             ]
-            size = timed("first play", lambda job=jobs[0]: actors[0].play(job)).size
+            size = timed("first play", lambda job=jobs[0]: players[0].play(job)).size
             rows, good = timed("judged", lambda j=judge, a=laid, s=size: j.judge(a, s))
-            size = timed("second play", lambda job=jobs[1]: actors[1].play(job)).size
+            size = timed("second play", lambda job=jobs[1]: players[1].play(job)).size
             if not good or rows.broken or judge.differing(laid, size):
                 raise SystemExit("a law is broken: this measures nothing")
             timed("compared", lambda j=judge, a=laid, s=size: j.differing(a, s))
@@ -134,10 +135,10 @@ def main() -> None:
 
 def python_engine(scope: Scope, units: list[Any]) -> float:
     """Microseconds a run of the built-in explorer, in a sample of the units."""
-    examination = PythonEngine(scope, 1).for_built_in(load("algorithm1"))
+    engine = PythonEngine(scope, 1).for_built_in(load("algorithm1"))
     start, runs = time.process_time(), 0
     for unit in units[:: -(-len(units) // SAMPLED)]:
-        _, tally = next(iter(examination.parts(unit)))
+        _, tally = next(iter(engine.parts(unit)))
         runs += tally.runs
     return (time.process_time() - start) / runs * 1e6
 

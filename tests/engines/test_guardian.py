@@ -11,7 +11,14 @@ from contextlib import suppress
 import pytest
 
 import processes
-from allworlds.engines.isolation.guardian import Ask, EndProcesses, Spawn, kill_tree, receive, send
+from allworlds.engines.isolation.guardian import (
+    AskExitCode,
+    EndProcesses,
+    Spawn,
+    kill_tree,
+    receive,
+    send,
+)
 
 # Two children in sessions of their own, one of them a grandchild; each tells its number.
 FAMILY = """
@@ -36,7 +43,7 @@ def pair():
 @pytest.mark.parametrize(
     "message",
     [
-        Ask(5),
+        AskExitCode(5),
         EndProcesses((1, 2)),
         Spawn("player", "/", ["a"] * 30_000, {"A": "b"}),
         None,
@@ -54,9 +61,9 @@ def test_messages_arrive_whole(pair, message):
 def test_descriptors_arrive_as_ones_of_the_receiver(pair, tmp_path):
     ours, theirs = pair
     with (tmp_path / "file").open("w+") as file:
-        send(ours, Ask(1), [file.fileno(), file.fileno()])
+        send(ours, AskExitCode(1), [file.fileno(), file.fileno()])
         message, descriptors = receive(theirs)
-    assert message == Ask(1)
+    assert message == AskExitCode(1)
     for descriptor in descriptors:
         os.write(descriptor, b"x")
         os.close(descriptor)

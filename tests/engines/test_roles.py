@@ -18,25 +18,28 @@ import small
 from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, subject_of
 from allworlds.engines.isolation import process
 from allworlds.engines.isolation.jobs import (
-    Appointment,
-    Casting,
-    Described,
     HarnessError,
-    Played,
+    PlayerSetup,
     PlayRecords,
     PlayRuns,
-    Tallied,
+    RefereeSetup,
     Trace,
-    TraceEvent,
     UnitJob,
+    UnitProgress,
 )
-from allworlds.engines.isolation.messages import read
+from allworlds.engines.isolation.messages import (
+    ExplorerDescription,
+    Failure,
+    Refusal,
+    RunLogs,
+    TraceEvent,
+    read_message,
+)
 from allworlds.engines.isolation.player import PlayerProcess
 from allworlds.engines.isolation.process import Guardian, guardian
 from allworlds.engines.isolation.referee import RefereeProcess
 from allworlds.engines.python.play import Record
 from allworlds.explorers import load
-from allworlds.inputs import InputError
 from allworlds.judging import Fault, Rules, UncheckedAnswer
 from allworlds.maps import Extent, MapClass
 from allworlds.protocol import Percept
@@ -45,13 +48,13 @@ from allworlds.world import Directional, World
 WRONG = Path(__file__).parents[1] / "support" / "explorers_for_tests" / "wrong.py"
 EDGE, LOOP = World(small.EDGE, Directional(0)), World(small.LOOP, Directional(0))
 UNIT = GivenWorlds(((EDGE, 0), (LOOP, 0)))
-EXAMINATION = PythonEngine(Scope(Extent(MapClass.MAPS, 1), Rules()), 4)
+ENGINE = PythonEngine(Scope(Extent(MapClass.MAPS, 1), Rules()), 4)
 
 
-def casting(name):
+def setup(name):
     limits = Limits(1)
     subject = subject_of(f"{WRONG}:{name}", limits)
-    return Casting(subject.name, subject.source, limits.answer_timeout, None)
+    return PlayerSetup.of(subject, limits)
 
 
 @pytest.fixture
@@ -90,44 +93,44 @@ def of_player(*messages):
         told = []
         for message in messages:
             connection.send(message)
-            told.append(read(connection.recv_bytes()))
+            told.append(read_message(connection.recv_bytes()))
             while isinstance(told[-1], TraceEvent):
-                told.append(read(connection.recv_bytes()))
+                told.append(read_message(connection.recv_bytes()))
         return told
 
     return talk
 
 
 def test_a_player_describes_itself_and_plays_runs_records_and_a_trace(live):
-    runs = PlayRuns(EXAMINATION, UNIT, (0, 1), 7, None)
+    runs = PlayRuns(ENGINE, UNIT, (0, 1), 7, None)
     record = Record((Percept(1, 1, 0), Percept(1)), None, (), 10, "")
     trace = Trace(Rules(), EDGE, "one", ())
-    described, played, again, *traced = live(
-        PlayerProcess, of_player(casting("right"), runs, PlayRecords((record,), "fifo", 3), trace)
+    description, played, again, *traced = live(
+        PlayerProcess, of_player(setup("right"), runs, PlayRecords((record,), "fifo", 3), trace)
     )
-    assert isinstance(described, Described)
-    assert len(described.digest) == 64
-    assert isinstance(played, Played)
+    assert isinstance(description, ExplorerDescription)
+    assert len(description.digest) == 64
+    assert isinstance(played, RunLogs)
     logs = dict(played.logs)
-    assert sorted(played.done) == [0, 1]
+    assert sorted(played.finished) == [0, 1]
     assert logs[0].ending == UncheckedAnswer((0, 1), (1, 0), 1)
-    assert [log.actions for log in again] == [logs[0].actions]
+    assert [log.actions for log in again.logs] == [logs[0].actions]
     assert traced[0] == TraceEvent(None)
     assert traced[1] == TraceEvent((0, Percept(1)))
-    assert traced[-1][0].ending == logs[0].ending
+    assert traced[-1].logs[0].ending == logs[0].ending
 
 
 def test_a_player_traces_every_schedule_and_its_choices(live):
     trace = Trace(Rules(), LOOP, "all", ())
-    _, *told, logs = live(PlayerProcess, of_player(casting("one_schedule"), trace))
-    assert told[0] == TraceEvent(None)
-    assert {type(one.what) for one in told} >= {type(None), int}
-    assert len(logs) == 1
+    _, *events, traced = live(PlayerProcess, of_player(setup("one_schedule"), trace))
+    assert events[0] == TraceEvent(None)
+    assert {type(one.what) for one in events} >= {type(None), int}
+    assert len(traced.logs) == 1
 
 
 def test_a_player_tells_a_crash(live):
-    runs = PlayRuns(EXAMINATION, UNIT, (0,), 7, None)
-    _, played = live(PlayerProcess, of_player(casting("raises"), runs))
+    runs = PlayRuns(ENGINE, UNIT, (0,), 7, None)
+    _, played = live(PlayerProcess, of_player(setup("raises"), runs))
     ((_, log),) = played.logs
     assert isinstance(log.ending, Fault)
     assert log.ending.law == "crash"
@@ -135,23 +138,23 @@ def test_a_player_tells_a_crash(live):
 
 def test_a_player_that_cannot_load_its_explorer_refuses(live, tmp_path):
     (tmp_path / "broken.py").write_text("def explore(first): yield\n")
-    given = Casting(f"{tmp_path / 'broken.py'}:another", None, 10.0, None)
+    given = PlayerSetup(f"{tmp_path / 'broken.py'}:another", None, 10.0, None)
     (refused,) = live(PlayerProcess, of_player(given))
-    assert isinstance(refused, InputError)
+    assert isinstance(refused, Refusal)
 
 
 def test_a_player_that_fails_says_so(live):
     broken = PlayRecords((None,), "fifo", 3)
-    _, failed = live(PlayerProcess, of_player(casting("right"), broken))
-    assert isinstance(failed, HarnessError)
+    _, failed = live(PlayerProcess, of_player(setup("right"), broken))
+    assert isinstance(failed, Failure)
 
 
 def test_a_referee_examines_a_unit_and_tells_tallies(live):
     subject = subject_of(f"{WRONG}:right", Limits(1))
-    units = [UnitJob(EXAMINATION, UNIT, 0), UnitJob(EXAMINATION, UNIT, 0)]
+    units = [UnitJob(ENGINE, UNIT, 0), UnitJob(ENGINE, UNIT, 0)]
 
     def talk(connection):
-        connection.send(Appointment(subject, 10.0, None, 5))
+        connection.send(RefereeSetup(subject, Limits(), 5))
         told = []
         for unit in units:
             connection.send(unit)
@@ -161,7 +164,7 @@ def test_a_referee_examines_a_unit_and_tells_tallies(live):
         return told
 
     told = live(lambda pipe, beat: RefereeProcess(pipe, beat, guardian()), talk)
-    assert all(isinstance(one, Tallied) for one in told)
+    assert all(isinstance(one, UnitProgress) for one in told)
     assert sum(one.result.runs for one in told) == 4
     assert [one.result.findings for one in told if one.last] == [[], []]
 
@@ -170,8 +173,8 @@ def test_a_referee_plays_an_explorer_of_ours_itself(live):
     subject = subject_of("algorithm1", Limits(1))
 
     def talk(connection):
-        connection.send(Appointment(subject, 10.0, None, 5))
-        connection.send(UnitJob(EXAMINATION, UNIT, 0))
+        connection.send(RefereeSetup(subject, Limits(), 5))
+        connection.send(UnitJob(ENGINE, UNIT, 0))
         return connection.recv()
 
     told = live(lambda pipe, beat: RefereeProcess(pipe, beat, guardian()), talk)

@@ -26,15 +26,15 @@ from allworlds.engines.compiled.stretches import (
     StretchEngine,
     load as load_here,
 )
-from allworlds.engines.isolation.jobs import PlayStretch, Stretched
-from allworlds.engines.isolation.messages import read, written
-from allworlds.engines.isolation.shared_logs import Actor, Shared
+from allworlds.engines.isolation.jobs import PlayStretch
+from allworlds.engines.isolation.messages import StretchResult, read_message, write_message
+from allworlds.engines.isolation.shared_logs import LibraryPlayer, StretchMemory
 from allworlds.engines.kernel.batches import UnitJudge
 from allworlds.engines.kernel.engine import COMPILING
 from allworlds.engines.kernel.native import shuffle
 from allworlds.engines.kernel.rows import BrokenRun, Rows
 from allworlds.engines.python.in_process import InProcessPlayers
-from allworlds.engines.python.second_play import Earlier
+from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.explorers import load
 from allworlds.judging import make_rules
 from allworlds.maps import Extent, MapClass
@@ -76,10 +76,10 @@ def test_algorithm_1_in_c_is_algorithm_1():
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
 def test_algorithm_1_in_c_is_algorithm_1_to_six_edges(policy):
     theirs = check(edges=6, engine="kernel", policy=policy).to_json()["rows"]
-    scope, cast = scope_of(6, policy=policy), CastHere(example("c/algorithm1.c"))
+    scope, players = scope_of(6, policy=policy), PairHere(example("c/algorithm1.c"))
     tally = Tally(1)
     for edges in scope.extent.levels:
-        tally.add(parts(cast, edges, units=scope.units(edges), scope=scope))
+        tally.add(parts(players, edges, units=scope.units(edges), scope=scope))
     assert not tally.findings
     for row, told_row in zip(sorted(tally.rows.items()), theirs, strict=True):
         (edges, vertices), counts = row
@@ -96,7 +96,7 @@ def test_every_class_is_judged_as_in_the_other_engine(map_class, source):
     extent = Extent(MapClass.named(map_class), 3, None)
     scope = Scope(extent, scope_of(3).rules)
     # Both engines do all of it, and a difference is an exception.
-    tally = parts(CastHere(example(source)), 3, keep=3, scope=scope)
+    tally = parts(PairHere(example(source)), 3, keep=3, scope=scope)
     assert (tally.findings == []) == (source == "c/algorithm1.c")
 
 
@@ -107,14 +107,14 @@ def test_every_class_is_judged_as_in_the_other_engine(map_class, source):
 def test_every_lighthouse_is_judged_as_in_the_other_engine(lighthouse):
     rules = make_rules({"step_budget": 30}, lighthouse, "none")
     scope = Scope(Extent(MapClass.MAPS, 3, None), rules)
-    tally = parts(CastHere(example("c/hasty.c")), 3, keep=3, scope=scope)
+    tally = parts(PairHere(example("c/hasty.c")), 3, keep=3, scope=scope)
     assert tally.runs
     assert tally.findings
 
 
 def test_what_several_worlds_look_like_is_judged_by_the_other_engine():
     scope = Scope(Extent(MapClass.MAPS, 2, None), make_rules({}, "position", "none"))
-    tally = parts(CastHere(quotient()), 2, keep=3, scope=scope)
+    tally = parts(PairHere(quotient()), 2, keep=3, scope=scope)
     assert {found.law for found in tally.findings} == {"ambiguity"}
 
 
@@ -156,29 +156,31 @@ def scope_of(edges, bound="paper", **options):
     return Scope(Extent(MapClass.MAPS, edges, None), rules)
 
 
-class CastHere(InProcessPlayers):
+class PairHere(InProcessPlayers):
     """Both players in this process, which some jobs may be lost in."""
 
     def __init__(self, library, lost=(), differs=(), logs=None):
         subject = load(native(library))
         super().__init__(subject)
         self.random = Random(1)
-        self.actors = {which: Actor(subject.native, bytearray(16)) for which in ("first", "second")}
+        self.stretch_players = {
+            which: LibraryPlayer(subject.native, bytearray(16)) for which in ("first", "second")
+        }
         self.lost, self.asked, self.logs = {*lost}, Counter(), logs
 
-    def stretch(self, which, job):
+    def play_stretch(self, which, job):
         self.asked[which] += 1
         if (which, self.asked[which]) in self.lost:
             return None
-        said = self.actors[which].play(job)
+        said = self.stretch_players[which].play(job)
         return said if self.logs is None else self.logs(which, said)
 
 
-def parts(cast, edges, keep=1, units=None, scope=None):
+def parts(players, edges, keep=1, units=None, scope=None):
     """The tally of a level by stretches, in this process."""
     scope = scope or scope_of(edges)
-    examination = PythonEngine(scope, keep)
-    engine = PlayedByStretches(examination, "native:x", cast, Earlier())
+    general = PythonEngine(scope, keep)
+    engine = PlayedByStretches(general, "native:x", players, EarlierPlays())
     tally = Tally(keep)
     for unit in units or scope.units(edges):
         for _, part in engine.parts(unit):
@@ -188,7 +190,7 @@ def parts(cast, edges, keep=1, units=None, scope=None):
 
 @pytest.mark.no_cover
 def test_stretches_count_what_the_other_engine_counts():
-    tally = parts(CastHere(example("c/algorithm1.c")), 4)
+    tally = parts(PairHere(example("c/algorithm1.c")), 4)
     whole = Tally(1)
     own = PythonEngine(scope_of(4), 1).for_built_in(load("algorithm1"))
     for unit in scope_of(4).units(4):
@@ -202,21 +204,21 @@ def test_stretches_count_what_the_other_engine_counts():
 @pytest.mark.parametrize("which", ["first", "second"])
 def test_a_stretch_over_which_a_player_is_lost_is_played_by_the_general_engine(which):
     library = example("c/algorithm1.c")
-    lost = parts(CastHere(library, lost={(which, 1), (which, 2)}), 3)
-    assert lost.rows == parts(CastHere(library), 3).rows
+    lost = parts(PairHere(library, lost={(which, 1), (which, 2)}), 3)
+    assert lost.rows == parts(PairHere(library), 3).rows
 
 
 @pytest.mark.no_cover
 def test_logs_that_cannot_be_read_are_not_believed():
     library = example("c/algorithm1.c")
-    spoilt = CastHere(library, logs=lambda _, said: Stretched(said.size // 2, 0))
-    assert parts(spoilt, 3).rows == parts(CastHere(library), 3).rows
-    threads = CastHere(library, logs=lambda _, said: Stretched(said.size, 1))
-    assert parts(threads, 3).rows == parts(CastHere(library), 3).rows
+    spoilt = PairHere(library, logs=lambda _, said: StretchResult(said.size // 2, 0))
+    assert parts(spoilt, 3).rows == parts(PairHere(library), 3).rows
+    threads = PairHere(library, logs=lambda _, said: StretchResult(said.size, 1))
+    assert parts(threads, 3).rows == parts(PairHere(library), 3).rows
 
 
 def test_the_smallest_of_the_broken_runs_is_found_with_its_law():
-    (finding,) = parts(CastHere(example("c/hasty.c")), 4).findings
+    (finding,) = parts(PairHere(example("c/hasty.c")), 4).findings
     (general,) = check(native(example("c/hasty.c")), edges=4, engine="python").findings
     assert finding.law == "map"
     assert general.key[0] == 1
@@ -230,28 +232,28 @@ def test_a_law_that_the_other_engine_does_not_find_broken_is_a_disagreement(monk
     map_ = next(unit.maps(scope_of(edges).extent))
     world = BrokenRun(map_.vertex_count, map_.sigma, map_.alpha, 0, "map")
 
-    def blames(self, laid, size, earlier=()):
-        rows, good = judge(self, laid, size, earlier)
+    def blames(self, batch, size, earlier=()):
+        rows, good = judge(self, batch, size, earlier)
         return Rows(rows.counts, {}, rows.met, rows.most_expensive, (world,)), good
 
     monkeypatch.setattr(UnitJudge, "judge", blames)
     # In small worlds both judges look at everything, in large ones at what is broken.
     said = "count differently" if edges == 1 else "the kernel says that map is broken"
     with pytest.raises(EnginesDisagree, match=said):
-        parts(CastHere(example("c/algorithm1.c")), edges, units=[unit])
+        parts(PairHere(example("c/algorithm1.c")), edges, units=[unit])
 
 
 def test_most_expensive_runs_that_differ_are_a_disagreement(monkeypatch):
     judge = UnitJudge.judge
 
-    def misses_the_first_place(self, laid, size, earlier=()):
-        rows, good = judge(self, laid, size, earlier)
+    def misses_the_first_place(self, batch, size, earlier=()):
+        rows, good = judge(self, batch, size, earlier)
         others = tuple(run._replace(place=run.place + 1) for run in rows.most_expensive)
         return replace(rows, most_expensive=others), good
 
     monkeypatch.setattr(UnitJudge, "judge", misses_the_first_place)
     with pytest.raises(EnginesDisagree, match="count differently"):
-        parts(CastHere(example("c/algorithm1.c")), 2)
+        parts(PairHere(example("c/algorithm1.c")), 2)
 
 
 def test_counts_that_differ_are_a_disagreement(monkeypatch):
@@ -263,7 +265,7 @@ def test_counts_that_differ_are_a_disagreement(monkeypatch):
 
     monkeypatch.setattr(PythonEngine, "count_run", counts)
     with pytest.raises(EnginesDisagree, match="count differently"):
-        parts(CastHere(example("c/algorithm1.c")), 2)
+        parts(PairHere(example("c/algorithm1.c")), 2)
 
 
 def test_a_disagreement_ends_a_check_with_70(monkeypatch):
@@ -277,7 +279,7 @@ def test_a_disagreement_ends_a_check_with_70(monkeypatch):
 
 
 def test_state_that_is_kept_is_found_whatever_it_does():
-    (finding,) = parts(CastHere(attack("here_is = episodes % 2")), 1).findings
+    (finding,) = parts(PairHere(attack("here_is = episodes % 2")), 1).findings
     assert finding.law == "nondeterministic"
 
 
@@ -285,7 +287,7 @@ def test_state_that_is_kept_is_found_whatever_it_does():
 def test_state_that_shows_late_is_found_by_earlier_plays():
     # Right in each stretch, whatever the order, till so many episodes are over.
     late = attack("", LATE="100")
-    tally = parts(CastHere(late), 5, units=[*scope_of(1).units(1)] * 60, scope=scope_of(1))
+    tally = parts(PairHere(late), 5, units=[*scope_of(1).units(1)] * 60, scope=scope_of(1))
     assert "nondeterministic" in {found.law for found in tally.findings}
 
 
@@ -295,11 +297,11 @@ def test_a_long_run_is_played_again_later_too(monkeypatch):
     # are wrong in the same way: only what is played again from the first two differs.
     monkeypatch.setattr("allworlds.engines.compiled.stretches.AGREEMENT_EDGES", 0)
     scope = scope_of(1, bound="none", step_budget=10_000)
-    examination = PythonEngine(scope, 9)
+    engine = PythonEngine(scope, 9)
     one, other = scope.units(1)
-    runs = [sum(1 for _ in examination.runs(unit)) for unit in (one, other)]
-    late = CastHere(attack("", LATE=str(2 * sum(runs) + runs[0]), STEPS="4101"))
-    engine = PlayedByStretches(examination, "native:x", late, Earlier())
+    runs = [sum(1 for _ in engine.runs(unit)) for unit in (one, other)]
+    late = PairHere(attack("", LATE=str(2 * sum(runs) + runs[0]), STEPS="4101"))
+    engine = PlayedByStretches(engine, "native:x", late, EarlierPlays())
     for unit in (one, other):
         assert [part.findings for _, part in engine.parts(unit)] == [[]]
     found = [found for _, part in engine.parts(one) for found in part.findings]
@@ -311,8 +313,8 @@ def test_a_long_run_is_played_again_later_too(monkeypatch):
 @pytest.mark.parametrize(("steps", "kept"), [("5001", 3), ("5501", 0)])
 def test_what_takes_too_much_room_is_not_kept_to_be_played_again(steps, kept):
     scope = scope_of(1, bound="none", step_budget=10_000)
-    cast = CastHere(attack("", STEPS=steps))
-    engine = PlayedByStretches(PythonEngine(scope, 1), "native:x", cast, Earlier())
+    players = PairHere(attack("", STEPS=steps))
+    engine = PlayedByStretches(PythonEngine(scope, 1), "native:x", players, EarlierPlays())
     for unit in scope.units(1):
         assert [part.findings for _, part in engine.parts(unit)] == [[]]
     assert len(engine._kept) == kept
@@ -328,19 +330,19 @@ def test_the_least_of_each_kind_are_those_of_the_other_engine():
 def test_a_byte_that_is_wrong_in_a_log_is_noticed_wherever_it_stands():
     scope, random = scope_of(3), Random(1)
     level = level_of("native:x", scope.rules, scope.extent, 3)
-    first, second = Shared(3), Shared(3)
+    first, second = StretchMemory(3), StretchMemory(3)
     subject = load(native(example("c/algorithm1.c")))
-    actor = Actor(subject.native, bytearray(16))
+    player = LibraryPlayer(subject.native, bytearray(16))
     unlike = Counter()
     for _ in range(400):
         judge = UnitJudge(level, (-2,), 1, first.stretch, second.stretch)
-        laid = judge.lay_out(100)
-        size = actor.play(PlayStretch(first.file, 3, laid.runs, 1, "fifo", again=False)).size
+        batch = judge.lay_out(100)
+        size = player.play(PlayStretch(first.file, 3, batch.runs, 1, "fifo", again=False)).size
         at = random.choice(np.flatnonzero(first.stretch.logs[:size]))  # behind an S are zeros
         first.stretch.logs[at] ^= random.randrange(1, 256)
-        rows, good = judge.judge(laid, size)
-        again = actor.play(PlayStretch(second.file, 3, laid.runs, 2, "fifo", again=True)).size
-        differs = bool(judge.differing(laid, again))
+        rows, good = judge.judge(batch, size)
+        again = player.play(PlayStretch(second.file, 3, batch.runs, 2, "fifo", again=True)).size
+        differs = bool(judge.differing(batch, again))
         unlike[good, bool(rows.broken)] += 1
         assert differs or not good or rows.broken
     assert {key for key, times in unlike.items() if times > 5} >= {(False, True), (True, True)}
@@ -364,19 +366,19 @@ def test_runs_are_played_in_an_order_that_a_seed_draws():
 
 
 def test_the_rest_of_a_unit_whose_referee_was_lost_goes_to_the_general_engine():
-    cast = CastHere(example("c/algorithm1.c"))
-    examination = PythonEngine(scope_of(2), 1)
-    engine = StretchEngine(scope_of(2), 1).for_user("native:x", cast, Earlier())
+    players = PairHere(example("c/algorithm1.c"))
+    engine = StretchEngine(scope_of(2), 1)
+    bound = engine.for_foreign("native:x", players, EarlierPlays())
     unit = next(iter(scope_of(2).units(2)))
     whole, rest = Tally(1), Tally(1)
-    for _, part in engine.parts(unit):
+    for _, part in bound.parts(unit):
         whole.add(part)
-    for _, part in engine.parts(unit, 1):
+    for _, part in bound.parts(unit, 1):
         rest.add(part)
     assert rest.runs == whole.runs - 1
     given = GivenWorlds(((EDGE, 0),))
-    assert sum(part.runs for _, part in engine.parts(given)) == 1
-    assert examination.keep == 1
+    assert sum(part.runs for _, part in bound.parts(given)) == 1
+    assert engine.keep == 1
 
 
 def test_our_own_explorers_are_played_as_ever():
@@ -400,22 +402,22 @@ def test_what_is_needed_is_compiled_once_and_said(monkeypatch):
 
 
 def test_a_message_of_a_stretch_is_read_as_it_was_written():
-    assert read(written(Stretched(5, 0))) == Stretched(5, 0)
+    assert read_message(write_message(StretchResult(5, 0))) == StretchResult(5, 0)
 
 
 def test_a_stretch_without_room_for_its_logs_says_so():
     subject = load(native(example("c/algorithm1.c")))
     level = level_of("native:x", scope_of(2).rules, scope_of(2).extent, 2)
-    first = Shared(2)
+    first = StretchMemory(2)
     judge = UnitJudge(level, (-1,), 1, first.stretch, first.stretch)
-    laid = judge.lay_out(100)
-    actor = Actor(subject.native, bytearray(16))
+    batch = judge.lay_out(100)
+    player = LibraryPlayer(subject.native, bytearray(16))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(first.stretch, "logs", first.stretch.logs[:10])
-        assert actor._actors.play(first.stretch, laid.runs, 1, "fifo", again=False) == -1
+        assert player._native.play(first.stretch, batch.runs, 1, "fifo", again=False) == -1
     first.close()
     with pytest.raises(OSError, match="No such file"):
-        actor.play(PlayStretch("/proc/self/fd/none", 2, 1, 1, "fifo", again=False))
+        player.play(PlayStretch("/proc/self/fd/none", 2, 1, 1, "fifo", again=False))
 
 
 def test_a_report_of_the_compiled_engine_is_a_document():

@@ -7,22 +7,24 @@ from random import Random
 
 import pytest
 
-from allworlds.engines import Scope
+from allworlds.engines import Limits, Scope
 from allworlds.engines.compiled.stretches import PlayedByStretches, StretchEngine
-from allworlds.engines.isolation.cast import Cast, PlayerLost
 from allworlds.engines.isolation.guardian import Prepare, _Guardian
-from allworlds.engines.isolation.jobs import Appointment, Casting, PlayStretch, Stretched
+from allworlds.engines.isolation.jobs import PlayerSetup, PlayStretch, RefereeSetup
+from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.player import PlayerProcess
+from allworlds.engines.isolation.player_pair import PlayerLost, PlayerPair
 from allworlds.engines.isolation.process import address_space
 from allworlds.engines.isolation.referee import RefereeProcess
-from allworlds.engines.isolation.shared_logs import Shared
+from allworlds.engines.isolation.shared_logs import StretchMemory
+from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.explorers import load
 from allworlds.judging import make_rules
 from allworlds.maps import Extent, MapClass
 from native_libraries import example
 
 JOB = PlayStretch("", 1, 0, 1, "fifo", again=False)
-CASTING = Casting("native:x", None, 1.0, None)
+SETUP = PlayerSetup("native:x", None, 1.0, None)
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -41,24 +43,24 @@ class Deaf:
 
 
 def answering(monkeypatch, answer):
-    cast, deaf = Cast(None, CASTING, Random(1)), Deaf()
-    cast._processes["first"] = deaf
+    pair, deaf = PlayerPair(None, SETUP, Random(1)), Deaf()
+    pair._processes["first"] = deaf
 
-    def hear(*_):
+    def receive(*_):
         if isinstance(answer, Exception):
             raise answer
         return answer
 
-    monkeypatch.setattr("allworlds.engines.isolation.cast.hear", hear)
-    return cast.stretch("first", JOB), deaf.ended
+    monkeypatch.setattr("allworlds.engines.isolation.player_pair.receive", receive)
+    return pair.play_stretch("first", JOB), deaf.ended
 
 
 def test_a_player_that_has_played_a_stretch_is_believed_and_kept(monkeypatch):
-    assert answering(monkeypatch, Stretched(5, 0)) == (Stretched(5, 0), 0)
+    assert answering(monkeypatch, StretchResult(5, 0)) == (StretchResult(5, 0), 0)
 
 
 @pytest.mark.parametrize("answer", [PlayerLost("crash", "gone", None, machine=True), [], None])
-def test_a_player_that_is_lost_or_says_something_else_is_ended(monkeypatch, answer):
+def test_a_player_that_is_lost_or_sends_another_message_is_ended(monkeypatch, answer):
     assert answering(monkeypatch, answer) == (None, 1)
 
 
@@ -78,10 +80,10 @@ def test_a_player_plays_a_stretch_that_it_is_shown():
     ours, theirs = Pipe()
     with ours, theirs:
         subject = load(f"native:{example('c/algorithm1.c')}")
-        player, shared = PlayerProcess(theirs, bytearray(16)), Shared(1)
+        player, shared = PlayerProcess(theirs, bytearray(16)), StretchMemory(1)
         job = PlayStretch(shared.file, 1, 0, 1, "fifo", again=False)
         for _ in range(2):
-            assert player._stretch(subject, job) == Stretched(0, 0)
+            assert player._play_stretch(subject, job) == StretchResult(0, 0)
         shared.close()
 
 
@@ -91,10 +93,12 @@ def test_a_referee_takes_the_engine_of_native_explorers():
         subject = load(f"native:{example('c/algorithm1.c')}")
         scope = Scope(Extent(MapClass.MAPS, 1, None), make_rules({}, "directional", "paper"))
         referee = RefereeProcess(theirs, bytearray(16), None)
-        cast = Cast(None, CASTING, Random(1))
-        engine = referee._engine(Appointment(subject, 1.0, None, 1), cast, StretchEngine(scope, 1))
+        pair = PlayerPair(None, SETUP, Random(1))
+        engine = referee._bind(
+            StretchEngine(scope, 1), RefereeSetup(subject, Limits(), 1), pair, EarlierPlays()
+        )
         assert isinstance(engine, PlayedByStretches)
-        assert engine.cast is cast
+        assert engine.players is pair
 
 
 def test_a_process_knows_how_large_it_is():

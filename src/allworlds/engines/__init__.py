@@ -36,11 +36,11 @@ if TYPE_CHECKING:
         engine_for as engine_for,
         why_not_compiled as why_not_compiled,
     )
-    from allworlds.engines.isolation.cast import Unsettled as Unsettled
     from allworlds.engines.isolation.confirm import (
         confirmed as confirmed,
         examine_apart as examine_apart,
     )
+    from allworlds.engines.isolation.player_pair import Unsettled as Unsettled
     from allworlds.engines.isolation.stderr_stream import patient_stderr as patient_stderr
     from allworlds.engines.isolation.subject_probe import subject_of as subject_of
     from allworlds.engines.isolation.workers import workers_for as workers_for

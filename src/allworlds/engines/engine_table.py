@@ -1,4 +1,4 @@
-"""The engines: what does a check, and where; a new one is an entry of the table."""
+"""The table of the engines: a new one is an entry."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Annotated, Any, Protocol, TypeAlias
 
 from allworlds.document import one_of
 from allworlds.engines.compiled.sizes import COMPILED_FROM
+from allworlds.engines.isolation.player_pair import WorkerEngine
 from allworlds.engines.isolation.workers import in_any_order, workers_for
 from allworlds.engines.job import Job
 from allworlds.engines.python.python_engine import PythonEngine
@@ -15,7 +16,7 @@ from allworlds.engines.python.scope import Scope
 from allworlds.engines.transports.dask_cluster import Dask
 from allworlds.engines.transports.split import Split
 from allworlds.engines.transports.threads import Threads
-from allworlds.engines.units.unit import Transport
+from allworlds.engines.units.unit import Transport, UnitEngine
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError, show
 
@@ -25,7 +26,7 @@ class ReadyEngine:
     """An engine made ready, and the transport by which units get to it and tallies back."""
 
     transport: Transport[Any]
-    engine: Any  # a UnitEngine, or a WorkerEngine for workers
+    engine: UnitEngine[Any, Any] | WorkerEngine | None  # None where every unit is kept
 
 
 class EngineKind(Protocol):
@@ -57,7 +58,7 @@ class General:
         return ""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # it can do all
-        """None."""
+        """Empty: it can do every check."""
         return ""
 
     def ready(self, job: Job) -> ReadyEngine:

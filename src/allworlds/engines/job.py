@@ -1,4 +1,4 @@
-"""What is asked of an engine."""
+"""The job of an engine."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from allworlds.explorers import Subject
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """What an engine is to do.
+    """A check as an engine gets it.
 
     Attributes:
         scope, subject: what is checked.
         limits: workers, and time.
         keep: how many findings are kept.
         deadline: on the monotonic clock, or None.
-        notice: takes what the user may want to know now.
+        notice: takes a text that the user may want to read at once.
         dask: where units are done: the address of a scheduler, ``local``, or None for here.
     """
 

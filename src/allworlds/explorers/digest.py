@@ -13,7 +13,13 @@ from pathlib import Path
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.moved import present_name
 from allworlds.explorers.program import Program
-from allworlds.explorers.subject import EXEC, NATIVE, ExplorerSource, Subject, entry_points
+from allworlds.explorers.subject import (
+    ExplorerSource,
+    Subject,
+    command_of,
+    entry_points,
+    path_of,
+)
 from allworlds.inputs import InputError, read_text, show
 
 OURS = "built-in"
@@ -37,10 +43,10 @@ def content_digest(subject: Subject) -> str:
             f"explorer {show(subject.name)} lives in this process alone, so that no other can go "
             "on with it; put it into a file of its own"
         )
-    if subject.name.startswith(EXEC):
-        files = _files_of(subject.name.removeprefix(EXEC))
+    if subject.is_program:
+        files = _files_of(command_of(subject.name))
     elif subject.compiled:
-        files = [Path(subject.name.removeprefix(NATIVE))]
+        files = [Path(path_of(subject.name))]
     else:
         files = [module_file(_module_of(subject.name))]
     digest = hashlib.sha256()
@@ -61,7 +67,8 @@ def with_content(subject: Subject) -> Subject:
         or subject.source
         or not place
         or "." in place
-        or subject.name.startswith((EXEC, NATIVE))
+        or subject.is_program
+        or subject.compiled
     ):
         return subject
     file = module_file(place)
@@ -73,8 +80,8 @@ def with_content(subject: Subject) -> Subject:
 def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
     """Why the explorer cannot be played on this machine as on the one with that digest."""
     try:
-        if subject.name.startswith(EXEC):
-            Program(subject.name.removeprefix(EXEC), answer_timeout)
+        if subject.is_program:
+            Program(command_of(subject.name), answer_timeout)
         same = content_digest(subject) == digest
     except InputError as error:
         return str(error)

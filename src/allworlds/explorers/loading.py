@@ -21,13 +21,15 @@ from allworlds.explorers.shared_library.library import Library, library_path
 from allworlds.explorers.shared_library.native import NativeExplorer
 from allworlds.explorers.spelling import did_you_mean
 from allworlds.explorers.subject import (
-    EXEC,
-    NATIVE,
     ExplorerSource,
     Subject,
     built_in,
+    command_of,
     entry_points,
+    is_library,
+    is_program,
     keywords_of,
+    path_of,
 )
 from allworlds.inputs import SHOWN, InputError, a_path, let_users_interrupt, read_text, show
 from allworlds.protocol import ANSWER_TIMEOUT
@@ -39,10 +41,10 @@ def source_of(name: str) -> ExplorerSource | None:
     Raises:
         InputError: if the name is that of no explorer, or the file cannot be read.
     """
-    if name in BUILT_IN or name.startswith(EXEC) or name in entry_points():
+    if name in BUILT_IN or is_program(name) or name in entry_points():
         return None
-    if name.startswith(NATIVE):
-        library_path(name.removeprefix(NATIVE))
+    if is_library(name):
+        library_path(path_of(name))
         return None
     place, colon, attribute = name.rpartition(":")
     if not colon:
@@ -83,11 +85,11 @@ def load(
     """
     if name in BUILT_IN:
         return built_in(name)
-    if name.startswith(EXEC):
-        program = Program(name.removeprefix(EXEC), answer_timeout)
+    if is_program(name):
+        program = Program(command_of(name), answer_timeout)
         return Subject(name, frozenset({"told"}), program.explore, program=program)
-    if name.startswith(NATIVE):
-        native = NativeExplorer(Library(name.removeprefix(NATIVE)))
+    if is_library(name):
+        native = NativeExplorer(Library(path_of(name)))
         return Subject(name, native.keywords, native.explore, native=native)
     points = entry_points()
     if name in points:

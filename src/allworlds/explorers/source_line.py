@@ -10,7 +10,13 @@ from pathlib import Path
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.digest import module_file
-from allworlds.explorers.subject import EXEC, NATIVE, entry_points
+from allworlds.explorers.subject import (
+    command_of,
+    entry_points,
+    is_library,
+    is_program,
+    path_of,
+)
 from allworlds.inputs import InputError
 
 SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
@@ -41,14 +47,14 @@ def files_of_explorer(name: str) -> list[Path]:
 
     Of a program they are those that its command names.
     """
-    if name.startswith(EXEC):
+    if is_program(name):
         try:
-            words = shlex.split(name.removeprefix(EXEC))
+            words = shlex.split(command_of(name))
         except ValueError:
             return []
         return [Path(word) for word in words if Path(word).is_file()]
-    if name.startswith(NATIVE):
-        library = Path(name.removeprefix(NATIVE))
+    if is_library(name):
+        library = Path(path_of(name))
         return [library] if library.is_file() else []
     if name in BUILT_IN:
         return []
@@ -69,10 +75,10 @@ def place_of_explorer(name: str) -> SourceLine | None:
     if name in BUILT_IN:
         return None
     try:
-        if name.startswith(EXEC):
+        if is_program(name):
             return _of_program(name)
-        if name.startswith(NATIVE):
-            return _of_library(Path(name.removeprefix(NATIVE)))
+        if is_library(name):
+            return _of_library(Path(path_of(name)))
         return _of_python(name)
     except (InputError, OSError, ValueError, SyntaxError):
         return None

@@ -23,6 +23,7 @@ from allworlds.protocol import Choices, Percept, Player
 ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
 NATIVE = "native:"
+"""The beginnings of the names of programs and of shared libraries."""
 
 LIGHTHOUSE = "directional"
 """What foreign explorers are run under unless another lighthouse is named."""
@@ -76,9 +77,14 @@ class Subject:
         return self.own is None
 
     @property
+    def is_program(self) -> bool:
+        """It is a program behind a pipe; its name tells, here and where it is started."""
+        return is_program(self.name)
+
+    @property
     def compiled(self) -> bool:
         """It is a shared library; its name tells, here and where it is loaded."""
-        return self.name.startswith(NATIVE)
+        return is_library(self.name)
 
     @property
     def importable(self) -> bool:
@@ -124,6 +130,35 @@ class Subject:
         """A context at whose end what is behind the explorer, if anything, is stopped."""
         behind = self.program or self.native
         return closing(behind) if behind else nullcontext()
+
+
+def is_program(name: str) -> bool:
+    """Whether that is the name of a program behind a pipe, as ``exec:COMMAND``."""
+    return name.startswith(EXEC)
+
+
+def is_library(name: str) -> bool:
+    """Whether that is the name of a shared library, as ``native:PATH``."""
+    return name.startswith(NATIVE)
+
+
+def command_of(name: str) -> str:
+    """The command of a program of that name."""
+    return name.removeprefix(EXEC)
+
+
+def path_of(name: str) -> str:
+    """The path of a shared library of that name."""
+    return name.removeprefix(NATIVE)
+
+
+def named_on_command_line(name: str) -> list[str]:
+    """The words by which the command line names that explorer."""
+    if is_program(name):
+        return ["--exec", command_of(name)]
+    if is_library(name):
+        return ["--native", path_of(name)]
+    return [name]
 
 
 def own_bound(name: str, lighthouse: str) -> str | None:

@@ -28,9 +28,9 @@ if TYPE_CHECKING:
     )
     from allworlds.judging.episode import (
         ADAPTERS_LAWS as ADAPTERS_LAWS,
+        Environment as Environment,
         Episode as Episode,
         Log as Log,
-        Stage as Stage,
         closed as closed,
         default_step_budget as default_step_budget,
         perform as perform,

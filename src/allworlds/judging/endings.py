@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import islice
-from typing import TypeAlias
+from typing import Annotated, TypeAlias
+
+from msgspec import Meta, Struct
 
 from allworlds.inputs import LARGEST_SIZE, are_plain, integer, let_users_interrupt, show
 from allworlds.maps import CombinatorialMap, InvalidMap, numbering
@@ -19,8 +21,7 @@ class Answered:
     estimate: Estimate
 
 
-@dataclass(frozen=True, slots=True)
-class Fault:
+class Fault(Struct, frozen=True, array_like=True, forbid_unknown_fields=True, tag="fault"):
     """The run ended without an answer.
 
     Attributes:
@@ -31,15 +32,14 @@ class Fault:
             memory.
     """
 
-    law: str
+    law: Annotated[str, Meta(pattern=r"\A(crash|timeout|illegal-action|no-estimate|budget)\Z")]
     expected: str
     seen: str
     detail: str = ""
     machine: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class LostRun(Fault):
+class LostRun(Fault, frozen=True, tag="lost"):
     """The run cost its process its life, so its walk is not known."""
 
 
@@ -57,9 +57,10 @@ class Undecided:
 Ending: TypeAlias = Answered | Undecided | Fault
 
 
-@dataclass(frozen=True, slots=True)
-class UncheckedAnswer:
-    """An answer as it was given: integers that nobody has looked at yet.
+class UncheckedAnswer(
+    Struct, frozen=True, array_like=True, forbid_unknown_fields=True, tag="answer"
+):
+    """An answer as it was given: integers that are not checked yet.
 
     Attributes:
         sigma, alpha: of the map that is claimed.
@@ -71,9 +72,8 @@ class UncheckedAnswer:
     here: int
 
 
-@dataclass(frozen=True, slots=True)
-class UncheckedAmbiguous(UncheckedAnswer):
-    """The same of an answer that names no map.
+class UncheckedAmbiguous(UncheckedAnswer, frozen=True, tag="ambiguous"):
+    """The unchecked integers of an answer that names no map.
 
     Attributes:
         degree, marks: of each dart.

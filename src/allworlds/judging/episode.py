@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequence
+from collections.abc import Callable, Generator, Iterable, MutableSequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
@@ -13,6 +13,7 @@ from allworlds.judging.endings import (
     Ending,
     Fault,
     TooManyDarts,
+    UncheckedAmbiguous,
     UncheckedAnswer,
     answered,
     ending_of,
@@ -35,26 +36,26 @@ from allworlds.protocol import (
 from allworlds.world import IllegalAction
 
 
-class Stage(Protocol):
-    """What an explorer plays against: a world, or what stands in for one."""
+class Environment(Protocol):
+    """The environment of an explorer: a world, or recorded percepts in place of one."""
 
     @property
     def initial(self) -> Any:
-        """The state at the start; what it is, is the stage's affair."""
+        """The state at the start, of a type that the environment alone knows."""
 
     @property
     def first(self) -> Percept:
-        """What is sensed before any motion."""
+        """The percept before any motion."""
 
     @property
     def told(self) -> int | None:
-        """What the lighthouse tells before the start, if anything."""
+        """The number that the lighthouse tells before the start, if it does."""
 
     def step(self, state: Any, action: Action) -> tuple[Any, Percept]:
-        """The state after the action, and what is sensed there; may raise IllegalAction."""
+        """The state after the action, and the percept there; may raise IllegalAction."""
 
 
-Shown: TypeAlias = tuple[int, Sequence[int], Sequence[int], int]
+Shown: TypeAlias = tuple[int, tuple[int, ...], tuple[int, ...], int]
 """A checkpoint: the number of actions before it, sigma, alpha, and here."""
 
 
@@ -71,7 +72,7 @@ class Log(NamedTuple):
 
     actions: tuple[int, ...]
     checkpoints: tuple[Shown, ...]
-    ending: UncheckedAnswer | Fault
+    ending: UncheckedAnswer | UncheckedAmbiguous | Fault
     choices: tuple[int, ...] = ()
     widths: tuple[int, ...] = ()
 
@@ -118,7 +119,7 @@ def the_same(percept: Percept) -> Percept:
 
 
 def play(
-    world: Stage,
+    world: Environment,
     player: Player,
     choices: Choices,
     budget: int,
@@ -144,7 +145,7 @@ def play(
 
 
 def perform(
-    world: Stage,
+    world: Environment,
     player: Player,
     choices: Choices,
     budget: int,
@@ -161,7 +162,7 @@ def perform(
     return Log(actions, shown, ending, tuple(choices.record), tuple(choices.widths))
 
 
-def retold(log: Log, world: Stage) -> Episode:
+def retold(log: Log, world: Environment) -> Episode:
     """The log of a run in this world as an episode: walked anew, and its answer looked at.
 
     Raises:
@@ -182,7 +183,7 @@ def _published(shown: Iterable[Shown]) -> tuple[tuple[int, Checkpoint], ...]:
 
 @dataclass(slots=True)
 class _Run:
-    world: Stage
+    world: Environment
     budget: int
     beat: MutableSequence[int]
     hand: Callable[[Percept], Percept]
@@ -307,7 +308,7 @@ def _raised(error: BaseException) -> Fault:
 
 
 def closed(generator: Generator[Any, Any, Any] | None) -> None:
-    """Nothing: it is closed, whatever it makes of that."""
+    """Close the generator, whatever its code makes of that."""
     try:
         if generator is not None:
             generator.close()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 
+from allworlds.explorers import is_program
 from allworlds.reports.finding_words import headline
 from allworlds.reports.growth_text import growth_csv, growth_text
 from allworlds.reports.text_layout import entry, table
@@ -139,4 +140,4 @@ def _mean(value: float) -> str:
 
 def _short(name: str) -> str:
     """What tells an explorer in the head of a column."""
-    return name.rpartition(":")[2] if not name.startswith("exec:") else name[:20]
+    return name.rpartition(":")[2] if not is_program(name) else name[:20]

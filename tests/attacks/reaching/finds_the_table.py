@@ -9,7 +9,7 @@ options: --edges 3 --engine kernel
 import sys
 
 from allworlds import CombinatorialMap, Estimate
-from allworlds.engines.isolation.scribe import Tabled
+from allworlds.engines.isolation.generator_player import ByteWorld
 from allworlds.explorers import algorithm1
 
 
@@ -17,7 +17,7 @@ def found():
     frame = sys._getframe()
     while frame := frame.f_back:
         for value in frame.f_locals.values():
-            if isinstance(value, Tabled):
+            if isinstance(value, ByteWorld):
                 return [*value._table]
     return None
 

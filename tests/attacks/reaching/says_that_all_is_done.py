@@ -4,15 +4,15 @@ verdict: internal
 says: has told that run
 """
 
-from allworlds.engines.python.play import Stagehand
+from allworlds.engines.python.play import ExplorerRunner
 
 
-def done(self, examination, unit, numbers, order, script=None):
+def done(self, engine, unit, numbers, order, script=None):
     for number in numbers:
         yield number, None
 
 
-Stagehand.first = done
+ExplorerRunner.play_runs = done
 
 
 def explore(first):

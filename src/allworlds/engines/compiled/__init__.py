@@ -1,13 +1,13 @@
-"""The compiled engine: what the kernel is asked, and what becomes of its rows.
+"""The compiled engine: requests to the kernel, and tallies of its rows.
 
 ``requests``
-    what the kernel is asked, and what it cannot do;
+    requests to the kernel, and why it cannot do a check;
 ``tallies``
     built-in explorers: its rows into tallies;
 ``stretches``
     foreign explorers, many runs at a time;
 ``agreement``
-    whether it is to be believed: it is compared with the Python engine;
+    its comparison with the Python engine, before it is believed;
 ``sizes``
-    from which size on it is used.
+    the sizes from which on it is used.
 """

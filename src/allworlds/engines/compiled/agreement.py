@@ -20,7 +20,7 @@ from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.rows import Listed, walk_number
 from allworlds.engines.kernel.runs import examine
 from allworlds.engines.python.examiner import Examiner
-from allworlds.engines.python.python_engine import EnginesDisagree
+from allworlds.engines.python.python_engine import EnginesDisagree, PythonEngine
 from allworlds.engines.python.runs_of_unit import LevelRuns, NumberedRun, UnitOfRuns, numbered_runs
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.units.effort import Limits
@@ -35,40 +35,36 @@ AGREEMENT_EDGES = 4
 """The largest m for which a check begins with a comparison of both engines, run by run."""
 
 HERE_EDGES = 3
-"""Up to so many edges a process would take longer to start than to do the work."""
+"""The largest m for which a process would take longer to start than to do the work."""
 
 PLAYERS = 2
 """Processes that play, where there is nothing to be compiled."""
 
 Outcomes: TypeAlias = dict[UnitOfRuns, list[Listed]]
-"""What has become of each run of each unit."""
+"""The list of each run, by unit."""
 
 
-@dataclass(frozen=True, slots=True)
-class ListingEngine:
-    """What is done with a unit: each run played by the general engine, and listed."""
-
-    scope: Scope
-    keep: int = 0
+class ListingEngine(PythonEngine):
+    """The Python engine that lists each run of an explorer of ours instead of tallying it."""
 
     def for_built_in(
         self,
         subject: Subject,
         beat: MutableSequence[int] | None = None,  # noqa: ARG002  # runs are short
     ) -> BoundListing:
-        """See :class:`allworlds.engines.python.python_engine.WorkerEngine`."""
+        """The engine with its explorer, in this process."""
         return BoundListing(self.scope, subject)
 
 
 @dataclass(frozen=True, slots=True)
 class BoundListing:
-    """A listing by one explorer in this process."""
+    """The listing engine with an explorer in this process."""
 
     scope: Scope
     subject: Subject
 
     def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, list[Listed]]]:
-        """All runs at once; a world without a place is listed as a run without a step."""
+        """The list of all runs at once; a world without a place is a run without a step."""
         assert not start
         examiner = Examiner(self.subject, self.scope.rules)
         listed = [
@@ -92,7 +88,7 @@ class BoundListing:
 
 
 def number_of(transcript: Transcript) -> int:
-    """The number in which a whole walk has part."""
+    """The hash of a whole walk."""
     return walk_number(
         [
             (action.k, seen.degree, seen.marks, -1 if seen.bearing is None else seen.bearing)
@@ -103,7 +99,7 @@ def number_of(transcript: Transcript) -> int:
 
 
 def compare_engines(scope: Scope, subject: Subject, limits: Limits) -> None:
-    """Nothing, where both engines agree on every run of the scope up to AGREEMENT_EDGES edges.
+    """Raise EnginesDisagree unless both engines agree on every run up to AGREEMENT_EDGES edges.
 
     Where the scope has levels that are walked once for every bearing, the walks are compared
     too: each must cost what the general engine's cost at every bearing.
@@ -133,7 +129,7 @@ def compare_engines(scope: Scope, subject: Subject, limits: Limits) -> None:
 
 
 AGREED: set[object] = set()
-"""What has been compared in this process."""
+"""The comparisons that were made in this process."""
 
 
 def _units(scope: Scope, edges: int) -> Iterator[LevelRuns]:
@@ -147,7 +143,7 @@ def _units(scope: Scope, edges: int) -> Iterator[LevelRuns]:
 def _beside(
     scope: Scope, subject: Subject, limits: Limits, units: list[LevelRuns]
 ) -> Iterator[tuple[Future[None], Future[Outcomes]]]:
-    """What goes on beside this thread.
+    """The work beside this thread: its futures, in their order.
 
     First the explorer is compiled, if nothing is yet; then all runs are played by the general
     engine.  Compiling leaves room for one process more, loading for two.
@@ -157,7 +153,10 @@ def _beside(
     with Workers(subject, players) as workers, ThreadPoolExecutor(1) as beside:
         try:
             ready = beside.submit(_ready if known else kernel.compile_apart, subject.name)
-            yield ready, beside.submit(_played, ListingEngine(scope), subject, workers, units)
+            yield (
+                ready,
+                beside.submit(_played, ListingEngine(scope, keep=0), subject, workers, units),
+            )
         except BaseException:
             # What is on its way is given up at its next look at the time.
             workers.deadline = 0.0
@@ -165,7 +164,7 @@ def _beside(
 
 
 def _ready(_explorer: str) -> None:
-    """Nothing is to be compiled."""
+    """Do nothing, where nothing is to be compiled."""
 
 
 def _played(
@@ -179,7 +178,7 @@ def _played(
 
 
 def _judged(scope: Scope, subject: Subject, unit: LevelRuns) -> tuple[Listed, ...]:
-    """What has become of each run of the unit in the kernel."""
+    """The list of each run of the unit, by the kernel."""
     level = level_of(subject.name, scope.rules, scope.extent, unit.edges)
     runs = sum(counts.runs + counts.left_out for counts in kernel.judge(level, unit.prefix).counts)
     return kernel.judge(level, unit.prefix, listed=runs).listed

@@ -1,4 +1,4 @@
-"""What the kernel is asked, level by level: the scope of a check in its plain numbers."""
+"""Requests to the kernel, level by level: the scope of a check in its plain numbers."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def _bounds(rules: Rules, edges: int) -> LevelBounds:
 
 
 def level_tables(rules: Rules, edges: int) -> Tables:
-    """What the kernel looks up; a walk's bound depends on n alone."""
+    """The tables that the kernel looks values up in; a walk's bound depends on n alone."""
     bounds = _bounds(rules, edges)
     plain = not (bounds.by_d0 or bounds.by_largest)
     values = [bounds.value(n, 0, 0) if plain else None for n in range(1, edges + 2)]

@@ -1,11 +1,12 @@
 """Foreign explorers in the compiled engine: stretches of runs, played twice, and judged between.
 
 A stretch is laid out and judged by a referee, which has no foreign code in it; its two players play
-it, the one in worlds, the other against what was sensed there, each in an order of its own.
-Whatever goes wrong there, a lost player, threads left behind, logs that cannot be read, is left to
-the general engine, which plays the stretch anew.  A run that breaks a law is played anew by it,
-too: if it does otherwise then, and the Python judge says of the same log what the kernel says, the
-explorer is not the same twice; if that says something else, nothing is believed.
+it, the first in worlds, the second against the recorded percepts, each in an order of its own.
+The general engine (:mod:`allworlds.engines.python.second_play`) plays a stretch anew in which
+something went wrong: a player was lost, threads were left behind, or logs cannot be read.  It also
+plays each run anew that breaks a law, or whose plays differ.  If a run that broke a law is right
+then, and the Python judge judges the same log as the kernel did, the explorer is not the same
+twice; if the judges differ, the engines disagree.
 """
 
 from __future__ import annotations
@@ -15,13 +16,13 @@ from collections.abc import Iterator, MutableSequence, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import islice
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.tallies import tally_of
-from allworlds.engines.isolation.cast import Cast
+from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.process import guardian
-from allworlds.engines.isolation.shared_logs import Shared
+from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.job import Job
 from allworlds.engines.kernel import engine as kernel
 from allworlds.engines.kernel.batches import (
@@ -46,7 +47,7 @@ from allworlds.engines.python.python_engine import (
 )
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, NumberedRun, UnitOfRuns
 from allworlds.engines.python.scope import Scope
-from allworlds.engines.python.second_play import Earlier, OneRun, PlayedTwice
+from allworlds.engines.python.second_play import KEPT, EarlierPlays, OneRun, PlayedTwice
 from allworlds.engines.python.tally import Tally
 from allworlds.explorers import Subject
 from allworlds.judging import Fault, Log, UncheckedAnswer, retold
@@ -54,19 +55,18 @@ from allworlds.maps import Code, CombinatorialMap
 from allworlds.world import World
 
 AGREEMENT_EDGES = 3
-"""Up to so many edges both judges look at every log, and must say the same; and the general engine
-plays everything, too."""
+"""The largest m for which both judges judge every log, and must agree, and the general engine plays
+everything, too."""
 
 AT_FIRST, AFTER_LOSS, LEAST = 64, 64, 16
-"""The runs of the first stretch, and of the one after a loss; each next one has twice as many, but
-half as many, though no fewer than so few, if it took long."""
+"""The runs of the first stretch, of the one after a loss, and of the shortest.  Each stretch has
+twice as many as the one before, or half as many, if that took long."""
 
 MOST_DIFFERING = 16
-"""So many runs whose plays differ are looked at in one stretch."""
+"""The number of runs whose plays differ that are played anew in one stretch."""
 
-KEPT, ANEW = 256, 8
-"""So many plays are kept to be played again among later ones; of each stretch so many take the
-place of others."""
+ANEW = 8
+"""The number of plays of each stretch that take the place of earlier plays."""
 
 DIFFERENT = "the second walk or answer differs"
 
@@ -74,13 +74,13 @@ THIRD = "when it was played once more, the walk or the answer was another"
 
 
 def load() -> None:
-    """Have all that is needed loaded, this module included."""
+    """Load the kernel, and with it this module."""
     load_native()
 
 
 @dataclass(frozen=True, slots=True)
 class StretchEngine:
-    """All runs of a unit, played by a foreign explorer in stretches, and judged by the kernel.
+    """The engine in which a foreign explorer plays in stretches, and the kernel judges.
 
     Attributes:
         scope, keep: as for the general engine.
@@ -91,7 +91,7 @@ class StretchEngine:
 
     @staticmethod
     def compiled(job: Job) -> None:
-        """Have what is needed compiled or loaded once, for all processes that will be."""
+        """Compile or load the kernel in the guardian, before it forks."""
         if not (is_compiled(play_worlds) and is_compiled(examine)):
             job.notice(kernel.COMPILING)
         guardian().prepare(__name__, load.__name__)
@@ -101,16 +101,18 @@ class StretchEngine:
         subject: Subject,
         beat: MutableSequence[int] | None = None,
     ) -> PartwiseEngine:
-        """See :class:`~allworlds.engines.python.python_engine.WorkerEngine`."""
+        """See :class:`~allworlds.engines.isolation.player_pair.WorkerEngine`."""
         return PythonEngine(self.scope, self.keep).for_built_in(subject, beat)
 
-    def for_user(self, explorer: str, cast: Cast, earlier: Earlier) -> PartwiseEngine:
-        """See :class:`allworlds.engines.isolation.cast.UserEngine`."""
-        return PlayedByStretches(PythonEngine(self.scope, self.keep), explorer, cast, earlier)
+    def for_foreign(
+        self, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
+    ) -> PartwiseEngine:
+        """See :class:`~allworlds.engines.isolation.player_pair.WorkerEngine`."""
+        return PlayedByStretches(PythonEngine(self.scope, self.keep), explorer, players, earlier)
 
 
-class _Earlier(NamedTuple):
-    """A play that was the same twice, to be played again among those of other units and levels."""
+class _Play(NamedTuple):
+    """A play that was the same twice, with the number of its run in its unit."""
 
     unit: LevelRuns
     number: int
@@ -119,121 +121,109 @@ class _Earlier(NamedTuple):
 
 @dataclass(slots=True)
 class PlayedByStretches:
-    """The engine for a foreign explorer.
+    """The engine with a foreign explorer.
 
     Attributes:
-        examination, explorer, cast, earlier: as for the general engine.
+        engine, explorer, players, earlier: as for the general engine.
     """
 
-    examination: PythonEngine
+    engine: PythonEngine
     explorer: str
-    cast: Cast
-    earlier: Earlier
+    players: PlayerPair
+    earlier: EarlierPlays[Any]
     _general: PlayedTwice = field(init=False)
     _referee: Referee = field(init=False)
     _most: int = AT_FIRST
     _worst: Tally = field(init=False)
-    _kept: list[_Earlier] = field(default_factory=list)
+    _kept: EarlierPlays[_Play] = field(default_factory=EarlierPlays)
 
     def __post_init__(self) -> None:
-        self._general = PlayedTwice(self.examination, self.explorer, self.cast, self.earlier)
-        self._referee = Referee(self.explorer, self.examination.scope.rules)
-        self._worst = Tally(self.examination.keep)
+        self._general = PlayedTwice(self.engine, self.explorer, self.players, self.earlier)
+        self._referee = Referee(self.explorer, self.engine.scope.rules)
+        self._worst = Tally(self.engine.keep)
 
     def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Tally]]:
-        """After each stretch the number of the next run and the tally since."""
+        """The number of the next run and the tally since, after each stretch."""
         if start or not isinstance(unit, LevelRuns):
             # The rest of a unit whose referee was lost.
             yield from self._general.parts(unit, start)
             return
-        scope, keep = self.examination.scope, self.examination.keep
+        scope, keep = self.engine.scope, self.engine.keep
         level = level_of(self.explorer, scope.rules, scope.extent, unit.edges)
         first, second = _memory(unit.edges)
         judge = UnitJudge(level, unit.prefix, keep, first.stretch, second.stretch)
-        laid = None
-        while laid is None or not laid.last:
+        batch = None
+        while batch is None or not batch.last:
             began = time.monotonic()
-            laid = judge.lay_out(self._most)
-            tally = self._compiled(unit, judge, laid)
+            batch = judge.lay_out(self._most)
+            tally = self._compiled(unit, judge, batch)
             if tally is None:
                 self._most = AFTER_LOSS
-                judge.skip(laid)
-                tally = self._by_the_general_engine(unit, laid)
+                judge.skip(batch)
+                tally = self._by_the_general_engine(unit, batch)
             else:
                 slow = time.monotonic() - began > REPORT_EVERY
                 most = self._most // 2 if slow else 2 * self._most
                 self._most = max(LEAST, min(most, LONGEST_STRETCH))
                 if unit.edges <= AGREEMENT_EDGES:
-                    general = self._by_the_general_engine(unit, laid)
+                    general = self._by_the_general_engine(unit, batch)
                     tally.remarks.update(general.remarks)
                     for found in general.findings:
                         tally.find(found)
-            yield laid.until, tally
+            yield batch.until, tally
 
-    def _compiled(self, unit: LevelRuns, judge: UnitJudge, laid: LaidOutRuns) -> Tally | None:
+    def _compiled(self, unit: LevelRuns, judge: UnitJudge, batch: LaidOutRuns) -> Tally | None:
         """The tally of a stretch; None where the general engine must make it."""
         first, second = _memory(unit.edges)
-        policy, size = self.examination.scope.rules.policy, 0
-        if laid.runs:
-            played = first.played(self.cast, "first", laid.runs, policy)
+        policy, size = self.engine.scope.rules.policy, 0
+        if batch.runs:
+            played = first.play(self.players, "first", batch.runs, policy)
             if played is None:
                 return None
             size = played
-        few = min(MOST_EARLIER, len(self._kept)) if laid.runs else 0
-        earlier = self.cast.random.sample(self._kept, few)
+        earlier = self._kept.draw(MOST_EARLIER) if batch.runs else []
         again = [play.kept for play in earlier]
-        rows, readable = judge.judge(laid, size, again)
+        rows, readable = judge.judge(batch, size, again)
         if not readable:
             return None
         if unit.edges <= AGREEMENT_EDGES:
-            self._compare(unit, laid, judge, rows)
+            self._compare(unit, batch, judge, rows)
         differing: list[int] = []
-        if laid.runs:
-            played = second.played(self.cast, "second", laid.runs + few, policy)
+        if batch.runs:
+            played = second.play(self.players, "second", batch.runs + len(earlier), policy)
             if played is None:
                 return None
-            differing = judge.differing(laid, played, again)
-        tally = tally_of(rows, unit, self.examination.scope, self.examination.keep)
-        ours = [judge.number(row) for row in differing if row < laid.runs]
+            differing = judge.differing(batch, played, again)
+        tally = tally_of(rows, unit, self.engine.scope, self.engine.keep)
+        ours = [judge.number(row) for row in differing if row < batch.runs]
         if ours:
             self._find_differing(unit, ours, tally)
         else:
             for broken in rows.broken:
-                self._find(unit, laid, judge, broken, tally)
-        for play in (earlier[row - laid.runs] for row in differing if row >= laid.runs):
+                self._find(unit, batch, judge, broken, tally)
+        for play in (earlier[row - batch.runs] for row in differing if row >= batch.runs):
             self._find_differing(play.unit, [play.number], tally)
         if not differing:
-            wanted = min(laid.runs, max(ANEW, KEPT - len(self._kept)))
-            for row in self.cast.random.sample(range(laid.runs), wanted):
+            wanted = min(batch.runs, max(ANEW, KEPT - len(self._kept)))
+            for row in self.players.random.sample(range(batch.runs), wanted):
                 kept = judge.kept(row)
                 if kept.short:
-                    self._keep(_Earlier(unit, judge.number(row), kept))
+                    self._kept.keep(_Play(unit, judge.number(row), kept))
         return tally
 
-    def _keep(self, play: _Earlier) -> None:
-        """Keep a play to be played again later; of many the first stay for good."""
-        if len(self._kept) < KEPT:
-            self._kept.append(play)
-        else:
-            self._kept[self.cast.random.randrange(KEPT // 4, KEPT)] = play
-
-    def _by_the_general_engine(self, unit: LevelRuns, laid: LaidOutRuns) -> Tally:
-        tally = self.examination.tally()
-        runs = islice(self.examination.runs(unit, laid.first), laid.until - laid.first)
+    def _by_the_general_engine(self, unit: LevelRuns, batch: LaidOutRuns) -> Tally:
+        tally = self.engine.tally()
+        runs = islice(self.engine.runs(unit, batch.first), batch.until - batch.first)
         while some := list(islice(runs, AFTER_LOSS)):
             tally.add(self._general.tally(unit, some))
         return tally
 
-    def _compare(self, unit: LevelRuns, laid: LaidOutRuns, judge: UnitJudge, rows: Rows) -> None:
-        """Nothing, where the Python judge says the same of the same logs.
-
-        Raises:
-            EnginesDisagree: where it does not.
-        """
-        scope, keep = self.examination.scope, self.examination.keep
-        counted, judged = tally_of(rows, unit, scope, keep), self.examination.tally()
-        for one, outcome in self._outcomes(unit, laid, judge, judged):
-            self.examination.count_outcome(self._referee, one.world, one.place, outcome, judged)
+    def _compare(self, unit: LevelRuns, batch: LaidOutRuns, judge: UnitJudge, rows: Rows) -> None:
+        """Raise EnginesDisagree unless the Python judge counts the same in the same logs."""
+        scope, keep = self.engine.scope, self.engine.keep
+        counted, judged = tally_of(rows, unit, scope, keep), self.engine.tally()
+        for one, outcome in self._outcomes(unit, batch, judge, judged):
+            self.engine.count_outcome(self._referee, one.world, one.place, outcome, judged)
         kernels, pythons = (
             (
                 tally.rows,
@@ -253,12 +243,12 @@ class PlayedByStretches:
             )
 
     def _outcomes(
-        self, unit: LevelRuns, laid: LaidOutRuns, judge: UnitJudge, tally: Tally
+        self, unit: LevelRuns, batch: LaidOutRuns, judge: UnitJudge, tally: Tally
     ) -> Iterator[tuple[OneRun, Outcome]]:
-        """Each run of a stretch, judged in Python by its first log."""
+        """The outcome of each run of a stretch, by its first log, as the Python judge has it."""
         row = 0
-        for run in islice(self.examination.runs(unit, laid.first), laid.until - laid.first):
-            world = self.examination.count_run(run, tally)
+        for run in islice(self.engine.runs(unit, batch.first), batch.until - batch.first):
+            world = self.engine.count_run(run, tally)
             if world is not None:
                 episode = retold(_log(judge.kept(row)), world)
                 outcome = self._referee.outcome(world, episode, ())
@@ -268,20 +258,20 @@ class PlayedByStretches:
     def _find(
         self,
         unit: LevelRuns,
-        laid: LaidOutRuns,
+        batch: LaidOutRuns,
         judge: UnitJudge,
         broken: BrokenRun,
         tally: Tally,
     ) -> None:
-        """A broken run, if it may be among the smallest, as the general engine finds it."""
+        """Find a broken run by the general engine, if it may be among the smallest."""
         key = _key(unit, broken)
         # In small levels each unit must find what the general engine finds in it.
         small = unit.edges <= AGREEMENT_EDGES
         worst = self._worst.findings
-        if not small and len(worst) >= self.examination.keep and key >= worst[-1].key:
+        if not small and len(worst) >= self.engine.keep and key >= worst[-1].key:
             return
         map_, place = CombinatorialMap(broken.sigma, broken.alpha), key[-1]
-        rules = self.examination.scope.rules
+        rules = self.engine.scope.rules
         lighthouse = next(islice(rules.kind.places(map_, 0), place, None))
         world = World(map_, lighthouse, 0)
         given = GivenWorlds(((world, place),))
@@ -289,26 +279,22 @@ class PlayedByStretches:
             if not isinstance(outcome, Outcome):
                 tally.find(self._referee.lost(one.world, one.place, outcome))
                 continue
-            told, law = outcome, outcome.violation.law if outcome.violation else ""
+            settled, law = outcome, outcome.violation.law if outcome.violation else ""
             # Of a run without an answer the general engine alone knows why.
             unknown = law and broken.law == "illegal-action"
             if not unknown and law not in (broken.law, "nondeterministic", *LOST):
-                self._confirm(unit, laid, judge, broken)
-                told = replace(outcome, violation=nondeterministic(THIRD))
-            finding = self._referee.finding(one.world, one.place, told)
+                self._confirm(unit, batch, judge, broken)
+                settled = replace(outcome, violation=nondeterministic(THIRD))
+            finding = self._referee.finding(one.world, one.place, settled)
             tally.find(finding)
             self._worst.find(finding)
 
     def _confirm(
-        self, unit: LevelRuns, laid: LaidOutRuns, judge: UnitJudge, broken: BrokenRun
+        self, unit: LevelRuns, batch: LaidOutRuns, judge: UnitJudge, broken: BrokenRun
     ) -> None:
-        """Nothing, where the Python judge says what the kernel says of the same log.
-
-        Raises:
-            EnginesDisagree: where it does not.
-        """
+        """Raise EnginesDisagree unless the Python judge judges the same log as the kernel did."""
         law = ""
-        for one, outcome in self._outcomes(unit, laid, judge, self.examination.tally()):
+        for one, outcome in self._outcomes(unit, batch, judge, self.engine.tally()):
             map_ = one.world.map
             if (map_.sigma, map_.alpha, one.place) == (broken.sigma, broken.alpha, broken.place):
                 law = outcome.violation.law if outcome.violation else ""
@@ -320,21 +306,19 @@ class PlayedByStretches:
             )
 
     def _find_differing(self, unit: LevelRuns, differing: Sequence[int], tally: Tally) -> None:
-        """Runs whose plays differ, whatever they do when they are played once more."""
+        """Find runs whose plays differ, even if they agree when they are played once more."""
         wanted = {*differing}
-        chosen = [
-            run for run in self.examination.runs(unit) if run.number in wanted and run.lighthouse
-        ]
+        chosen = [run for run in self.engine.runs(unit) if run.number in wanted and run.lighthouse]
         chosen.sort(key=lambda run: run.map.vertex_count)
-        lit = {run.number: _one(run) for run in chosen[:MOST_DIFFERING]}
-        for one, outcome in self._general.outcomes(unit, lit):
+        placed = {run.number: _one(run) for run in chosen[:MOST_DIFFERING]}
+        for one, outcome in self._general.outcomes(unit, placed):
             if not isinstance(outcome, Outcome):
                 tally.find(self._referee.lost(one.world, one.place, outcome))
                 continue
-            told = outcome
-            if told.violation is None or told.violation.law != "nondeterministic":
-                told = replace(outcome, violation=nondeterministic(DIFFERENT))
-            tally.find(self._referee.finding(one.world, one.place, told))
+            settled = outcome
+            if outcome.violation is None or outcome.violation.law != "nondeterministic":
+                settled = replace(outcome, violation=nondeterministic(DIFFERENT))
+            tally.find(self._referee.finding(one.world, one.place, settled))
 
 
 def _one(run: NumberedRun) -> OneRun:
@@ -343,7 +327,7 @@ def _one(run: NumberedRun) -> OneRun:
 
 
 def _most_expensive(tally: Tally) -> list[object]:
-    """By size the least run that costs most, whatever it has chosen."""
+    """The least run that costs most, by size; its choices are left out."""
     return [
         (size, row.most_expensive and row.most_expensive[:3])
         for size, row in sorted(tally.rows.items())
@@ -351,22 +335,22 @@ def _most_expensive(tally: Tally) -> list[object]:
 
 
 def _key(unit: LevelRuns, broken: BrokenRun) -> tuple[int, int, Code, int]:
-    """What the finding of a broken run is sorted by."""
+    """The key by which the finding of a broken run is sorted."""
     assert broken.place is not None
     return unit.edges, broken.vertices, (broken.sigma, broken.alpha), broken.place
 
 
 def _log(kept: ReplayableRun) -> Log:
-    """A first log as the general engine would have it."""
+    """A first log in the form of the general engine."""
     motions, published, ending = read_log(kept.log.tobytes())
-    shown = tuple([(steps, *what) for steps, what in published])
+    checkpoints = tuple([(steps, *parts) for steps, parts in published])
     if not isinstance(ending, LogEnd):
-        return Log(motions, shown, UncheckedAnswer(*ending))
+        return Log(motions, checkpoints, UncheckedAnswer(*ending))
     without = ending is LogEnd.WITHOUT_ANSWER
-    return Log(motions, shown, Fault("illegal-action" if without else "budget", "", ""))
+    return Log(motions, checkpoints, Fault("illegal-action" if without else "budget", "", ""))
 
 
 @cache
-def _memory(edges: int) -> tuple[Shared, Shared]:
+def _memory(edges: int) -> tuple[StretchMemory, StretchMemory]:
     """This process's memory for stretches, shared with the first and with the second player."""
-    return Shared(edges), Shared(edges)
+    return StretchMemory(edges), StretchMemory(edges)

@@ -50,7 +50,7 @@ SYMMETRY = (
 
 @dataclass(frozen=True, slots=True)
 class CompiledEngine:
-    """All runs of a unit, played and judged, or walked, by the kernel.
+    """The engine in which the kernel plays and judges, or walks, all runs of a unit.
 
     Attributes:
         scope, subject, keep: as for the general engine.
@@ -87,7 +87,7 @@ class CompiledEngine:
         return level_size(self.scope.extent, unit.edges) <= most
 
     def parts(self, unit: LevelRuns) -> Iterator[Tally]:
-        """The same as the general engine's tally of the unit.
+        """The tally of the unit, equal to the general engine's.
 
         Raises:
             EnginesDisagree: if the general engine does not confirm a broken law.
@@ -134,7 +134,7 @@ class CompiledEngine:
 
 
 def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, keep: int) -> Tally:
-    """What the kernel has counted, but for the events and the findings."""
+    """The tally of the kernel's counts, without the events and the findings."""
     tally = Tally(keep)
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in rows.most_expensive

@@ -1,24 +1,24 @@
 """Isolation: foreign code runs in processes that it may kill, and the check goes on.
 
 The owner (a check) hands units to **referees**, which judge; each has two **players** with the
-explorer in them, of which the one plays in worlds and the other against what was sensed there.
+explorer in them, of which the first plays in worlds and the second against recorded percepts.
 The **guardian** forks them all, and ends them, and all that they have started.
 
 ``jobs``, ``messages``
-    what they say to each other, and what a player may say: integers and texts;
+    messages to players and of referees; and those of players: integers and texts alone;
 ``guardian``, ``roles``, ``process``
-    starting, hearing and ending processes;
-``player``, ``cast``
-    the process with the foreign code in it, and its referee's side;
+    starting, reading and ending processes;
+``player``, ``player_pair``
+    the process with the foreign code in it, and the referee's side of two of them;
 ``referee``, ``workers``
     the process that judges units, and its owner's side: the transport;
-``shared_logs``, ``scribe``
-    many runs of a foreign explorer at a time, in memory that is shared, and who writes their logs
+``shared_logs``, ``generator_player``
+    many runs of a foreign explorer at a time, in shared memory; and the writing of their logs,
     where the explorer is a generator;
 ``confirm``
     single runs, and findings once more in fresh processes;
 ``subject_probe``
-    what an explorer takes, looked at once;
+    the keywords that an explorer takes;
 ``stderr_stream``
     a stderr that may be lost.
 """

@@ -8,8 +8,9 @@ from contextlib import contextmanager
 from dataclasses import replace
 from random import Random
 
-from allworlds.engines.isolation.cast import Cast, PlayerLost, hear, started
-from allworlds.engines.isolation.jobs import Casting, PlayRecords, Trace, TraceEvent
+from allworlds.engines.isolation.jobs import PlayerSetup, PlayRecords, Trace
+from allworlds.engines.isolation.messages import RecordLogs, TraceEvent
+from allworlds.engines.isolation.player_pair import PlayerLost, PlayerPair, receive, start_player
 from allworlds.engines.isolation.process import Process, guardian
 from allworlds.engines.python.examiner import Outcome, name_run
 from allworlds.engines.python.in_process import InProcessPlayers
@@ -38,12 +39,7 @@ from allworlds.protocol import Estimate, Percept, Transcript, action_numbered
 from allworlds.world import World
 
 MOST_CHOICES = 1000
-"""So many choices are kept of the turn in which a run was lost; it may choose for ever."""
-
-
-def casting_of(subject: Subject, limits: Limits) -> Casting:
-    """What a player must know of the explorer."""
-    return Casting(subject.name, subject.source, limits.answer_timeout, limits.memory)
+"""The number of choices that are kept of the turn in which a run was lost: there may be no end."""
 
 
 def examine_apart(
@@ -53,12 +49,12 @@ def examine_apart(
     script: tuple[int, ...],
     limits: Limits,
 ) -> Outcome:
-    """One judged run of a foreign explorer, played twice, as in a check."""
-    examination = PythonEngine(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
+    """The judged run of a foreign explorer, played twice, as in a check."""
+    engine = PythonEngine(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
     canonical, place = canonical_world(world), place_of(world)
     unit = GivenWorlds(((canonical, place),))
     with _players(subject, limits) as players:
-        twice = PlayedTwice(examination, subject.name, players)
+        twice = PlayedTwice(engine, subject.name, players)
         placed = {0: OneRun(0, place, canonical)}
         ((_, outcome),) = twice.outcomes(unit, placed, given=script)
     if isinstance(outcome, Outcome):
@@ -79,18 +75,18 @@ def _players(subject: Subject, limits: Limits) -> Iterator[Players]:
         yield InProcessPlayers(subject)
         return
     order = Random(secrets.randbits(64))  # noqa: S311  # drawn from the system
-    cast = Cast(guardian(), casting_of(subject, limits), order)
+    pair = PlayerPair(guardian(), PlayerSetup.of(subject, limits), order)
     try:
-        yield cast
+        yield pair
     finally:
-        cast.close()
+        pair.close()
 
 
 def confirmed(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
     """The finding with the remark whether a fresh process did the same again.
 
-    One whose run was lost is traced, and so gets its walk.  What no other process can import is
-    not confirmed.
+    A finding whose run was lost is traced, and so gets its walk.  An explorer that no other
+    process can import is not confirmed.
     """
     if not subject.importable and subject.from_user:
         return finding
@@ -102,7 +98,7 @@ def confirmed(finding: Finding, subject: Subject, limits: Limits, schedules: Sch
 def repeat(finding: Finding, subject: Subject, limits: Limits) -> bool:
     """Whether a fresh process does the same again, from the recorded percepts alone.
 
-    A nondeterministic explorer is confirmed by doing something else.
+    A nondeterministic explorer is confirmed by another walk.
     """
     rules, world = finding.rules, finding.world
     record = Record(
@@ -112,15 +108,15 @@ def repeat(finding: Finding, subject: Subject, limits: Limits) -> bool:
         rules.budget(world.map),
         name_run(rules, world),
     )
-    casting = casting_of(subject, limits)
+    setup = PlayerSetup.of(subject, limits)
     try:
-        with _fresh(casting) as player:
+        with _fresh(setup) as player:
             player.send(PlayRecords((record,), rules.policy, 0))
-            logs = hear(player, casting)
-    except (InputError, PlayerLost):  # what cannot be imported once more has done what it has done
+            message = receive(player, setup)
+    except (InputError, PlayerLost):  # an explorer may not be importable any more
         return False
-    assert isinstance(logs, list)
-    log: Log = logs[0]
+    assert isinstance(message, RecordLogs)
+    (log,) = message.logs
     same = tuple(map(action_numbered, log.actions)) == finding.transcript.actions
     if finding.law == "nondeterministic":
         return not same
@@ -144,7 +140,7 @@ def _ends_alike(finding: Finding, log: Log) -> bool:
 def trace(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
     """The finding of a run that cost a player its life, with its walk, and whether it did again.
 
-    The run is played in a fresh process that tells every step before it can be lost.
+    The run is played in a fresh process that sends every step before it can be lost.
     """
     job = Trace(finding.rules, finding.world, schedules)
     (transcript, choices), end = _traced(job, subject, limits)
@@ -160,11 +156,11 @@ def _traced(
     choices: list[int] = []
     settled = 0
     lost: PlayerLost | None = None
-    casting = casting_of(subject, limits)
+    setup = PlayerSetup.of(subject, limits)
     try:
-        with _fresh(casting) as player:
+        with _fresh(setup) as player:
             player.send(job)
-            while isinstance(message := hear(player, casting), TraceEvent):
+            while isinstance(message := receive(player, setup), TraceEvent):
                 match message.what:
                     case None:
                         steps, choices, settled = [], [], 0
@@ -174,7 +170,7 @@ def _traced(
                         steps.append(step)
                         settled = len(choices)
     except InputError:
-        pass  # as in repeat: what is no longer imported has done what it has done
+        pass  # as in repeat
     except PlayerLost as error:
         lost = error
     kept = choices if lost is None else choices[: settled + MOST_CHOICES]
@@ -183,8 +179,8 @@ def _traced(
 
 
 @contextmanager
-def _fresh(casting: Casting) -> Iterator[Process]:
-    player, _ = started(guardian(hash_seed=1), casting)
+def _fresh(setup: PlayerSetup) -> Iterator[Process]:
+    player, _ = start_player(guardian(hash_seed=1), setup)
     try:
         yield player
     finally:

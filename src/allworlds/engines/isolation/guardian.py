@@ -1,9 +1,9 @@
 """The process that starts all others, and that ends them when its owner is gone.
 
-It holds nothing but imported modules: no world, no foreign code.  What it forks is therefore
-clean, and starts in milliseconds.  It is the reaper of its descendants: what an explorer leaves
-behind, in whatever session, becomes its child when its own parent is gone, and is killed.  When
-its owner ends, however it ends, the socket between them is closed, and everything is killed.
+It holds nothing but imported modules: no world, no foreign code.  Its children are therefore
+clean, and start in milliseconds.  It is the reaper of its descendants: a process that an explorer
+leaves behind, in whatever session, becomes its child when its own parent is gone, and is killed.
+When its owner ends, however it ends, the socket between them is closed, and everything is killed.
 
 Source: prctl(2), PR_SET_CHILD_SUBREAPER and PR_SET_PDEATHSIG.  Where they do not exist (macOS)
 only the groups of its own children can be ended.
@@ -28,15 +28,16 @@ from selectors import EVENT_READ, DefaultSelector
 from typing import Any, NoReturn
 
 Role = Callable[[list[int]], None]
-"""What a forked process does, with the descriptors that it was given (but for the first, which
-becomes its stderr and stdout), and behind them, if it is one of :data:`ASKING`, a socket to the
-guardian; then it ends."""
+"""The main function of a forked process.
 
-ASKING = frozenset({"referee"})
-"""The roles that may ask for processes of their own; no foreign code is in them."""
+It is called with the descriptors that the process was given, but for the first, which becomes its
+stderr and stdout; and behind them, in a role of :data:`OWNERS`, a socket to the guardian."""
+
+OWNERS = frozenset({"referee"})
+"""The roles that may own processes; no foreign code is in them."""
 
 LOOK = 1.0
-"""Seconds between two looks whether the owner is still there."""
+"""Seconds after which the guardian looks again whether its owner is there."""
 
 _SUBREAPER, _DEATH_SIGNAL = 36, 1
 _LENGTH = struct.Struct("<I")
@@ -60,38 +61,38 @@ class Spawn:
 
 @dataclass(frozen=True, slots=True)
 class EndProcesses:
-    """Kill processes with all that they have started; answered when they are no more."""
+    """Kill processes with all that they have started; answered when they have ended."""
 
     pids: tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Ask:
-    """How did that process end?"""
+class AskExitCode:
+    """Ask for the exit code of a process."""
 
     pid: int
 
 
 @dataclass(frozen=True, slots=True)
 class Prepare:
-    """Call a function without arguments: all that are forked later share what it loads.
+    """Call a function without arguments: all that are forked later share the modules it loads.
 
     Attributes:
-        module, function: where it is, and its name; one of ours.
+        module, function: its module, which is one of ours, and its name.
     """
 
     module: str
     function: str
 
 
-Request = Spawn | EndProcesses | Ask | Prepare
+Request = Spawn | EndProcesses | AskExitCode | Prepare
 Answer = int | None
-"""A process's number to :class:`Spawn`; to :class:`Ask` its exit code (minus the signal), or None
-while it goes on."""
+"""A process's number to :class:`Spawn`; to :class:`AskExitCode` its exit code (minus the signal),
+or None while it goes on."""
 
 
 def send(sock: socket.socket, message: object, descriptors: list[int]) -> None:
-    """One message, with descriptors that the other side gets as its own."""
+    """Send a message, with descriptors that the other side gets as its own."""
     text = pickle.dumps(message)
     socket.send_fds(sock, [_LENGTH.pack(len(text))], descriptors)
     sock.sendall(text)
@@ -127,7 +128,7 @@ def _some(sock: socket.socket, most: int) -> bytes:
 
 
 class _Guardian:
-    """The life of the guardian."""
+    """The guardian: it serves its owner, and the owners among its processes."""
 
     def __init__(self, owner: socket.socket, roles: dict[str, Role]) -> None:
         self._roles = roles
@@ -136,7 +137,7 @@ class _Guardian:
         self._owner = owner
         self._parent = os.getppid()
         self._known: set[int] = set()
-        # Whoever asks for a process owns it: it does not outlive its owner.
+        # A process is owned by the one that asked for it, and does not outlive it.
         self._owned: dict[socket.socket, set[int]] = {owner: set()}
         self._control: dict[int, socket.socket] = {}
         self._ended: dict[int, int] = {}
@@ -191,7 +192,7 @@ class _Guardian:
             case EndProcesses(pids):
                 self._end(pids)
                 return None
-            case Ask(pid):
+            case AskExitCode(pid):
                 self._reap()
                 return self._ended.get(pid)
             case Prepare():
@@ -206,15 +207,15 @@ class _Guardian:
 
     def _spawn(self, request: Spawn, descriptors: list[int]) -> int:
         ours, theirs = socket.socketpair()
-        asks = request.role in ASKING
+        owns = request.role in OWNERS
         pid = os.fork()
         if pid == 0:
-            self._child(request, [*descriptors, *([theirs.detach()] if asks else [])])
+            self._child(request, [*descriptors, *([theirs.detach()] if owns else [])])
         for descriptor in descriptors:
             os.close(descriptor)
         theirs.close()
         self._known.add(pid)
-        if asks:
+        if owns:
             self._control[pid] = ours
             self._owned[ours] = set()
             self._selector.register(ours, EVENT_READ)
@@ -223,7 +224,7 @@ class _Guardian:
         return pid
 
     def _child(self, request: Spawn, descriptors: list[int]) -> NoReturn:
-        """A process of the role; whatever happens in it, it does not come back."""
+        """Run the role in this process, and end it, whatever happens."""
         code = 1
         try:
             guardian = os.getppid()
@@ -293,14 +294,14 @@ def _keep_only(descriptors: list[int]) -> None:
 
 
 def _forget_randomness() -> None:
-    """What was forked must not draw what its siblings draw."""
+    """Draw other random numbers than the siblings of this process."""
     import random
 
     random.seed()
 
 
 def _control(option: int, value: int = 1) -> None:
-    """A prctl, where there is one."""
+    """Call prctl, where there is one."""
     if sys.platform == "linux":
         ctypes.CDLL(None, use_errno=True).prctl(option, int(value), 0, 0, 0)
 

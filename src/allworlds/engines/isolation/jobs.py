@@ -1,32 +1,38 @@
-"""What the processes say to each other: small frozen values."""
+"""Messages to players, and between owner and referee: small frozen values.
+
+What players answer is in :mod:`allworlds.engines.isolation.messages`.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Self
 
 from allworlds.engines.python.play import Record
-from allworlds.engines.python.python_engine import PythonEngine, WorkerEngine
+from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.engines.python.scope import Schedule
+from allworlds.engines.units.effort import Limits
 from allworlds.explorers import ExplorerSource, Subject
-from allworlds.judging import Log, Rules
-from allworlds.protocol import Percept
+from allworlds.judging import Rules
 from allworlds.world import World
+
+if TYPE_CHECKING:
+    from allworlds.engines.isolation.player_pair import WorkerEngine
 
 
 class HarnessError(RuntimeError):
     """A process of ours has failed, and no explorer is to blame."""
 
 
-# ---------------------------------------------------------------- to and from a player
+# ---------------------------------------------------------------- to a player
 
 
 @dataclass(frozen=True, slots=True)
-class Casting:
-    """A player's first message: which explorer it is to be.
+class PlayerSetup:
+    """A player's first message: the explorer that it loads.
 
-    Answered by :class:`Described`, or an error.
+    Answered by an ``ExplorerDescription``, or a ``Refusal``.
 
     Attributes:
         name: of the explorer.
@@ -40,21 +46,18 @@ class Casting:
     answer_timeout: float
     memory: int | None
 
-
-@dataclass(frozen=True, slots=True)
-class Described:
-    """What the explorer takes, and the digest of the code that it is, where it is known."""
-
-    keywords: frozenset[str]
-    digest: str
+    @classmethod
+    def of(cls, subject: Subject, limits: Limits) -> Self:
+        """The setup of a player of that explorer."""
+        return cls(subject.name, subject.source, limits.answer_timeout, limits.memory)
 
 
 @dataclass(frozen=True, slots=True)
 class PlayRuns:
-    """Play runs of a unit, in an order that tells nothing; answered by :class:`Played`.
+    """Play runs of a unit in a drawn order; answered by ``RunLogs``, more than once.
 
     Attributes:
-        examination: the scope, with its rules.
+        engine: the scope, with its rules.
         unit: the unit.
         numbers: of the runs within the unit, ascending.
         order: seed of the order in which they are played.
@@ -62,23 +65,16 @@ class PlayRuns:
             scope asks for.
     """
 
-    examination: PythonEngine
+    engine: PythonEngine
     unit: UnitOfRuns
     numbers: tuple[int, ...]
     order: int
     script: tuple[int, ...] | None = None
 
 
-class Played(NamedTuple):
-    """Some of the logs, each with the number of its run; ``done``: the runs that have no more."""
-
-    logs: list[tuple[int, Log]]
-    done: list[int]
-
-
 @dataclass(frozen=True, slots=True)
 class PlayRecords:
-    """Play against recorded percepts alone, without a world; answered by one list of logs."""
+    """Play against recorded percepts alone, without a world; answered by ``RecordLogs``."""
 
     records: tuple[Record, ...]
     policy: str
@@ -87,9 +83,9 @@ class PlayRecords:
 
 @dataclass(frozen=True, slots=True)
 class PlayStretch:
-    """Play many runs that stand in shared memory, and leave their logs there.
+    """Play many runs that stand in shared memory, and write their logs there.
 
-    Answered by :class:`Stretched`.
+    Answered by a ``StretchResult``.
 
     Attributes:
         memory: a file that both sides see, laid out by the kernel.
@@ -97,7 +93,7 @@ class PlayStretch:
         runs: how many.
         order: seed of the order in which they are played.
         policy: answers the explorer's choices.
-        again: against the percepts that stand there, and not in worlds.
+        again: against the recorded percepts that stand there, and not in worlds.
     """
 
     memory: str
@@ -108,16 +104,9 @@ class PlayStretch:
     again: bool
 
 
-class Stretched(NamedTuple):
-    """The number of bytes of the logs (-1: there was no room), and of threads left behind."""
-
-    size: int
-    threads: int
-
-
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """Play one world and tell every step at once, because the process may not survive it.
+    """Play one world and send every step at once, because the process may not survive it.
 
     The schedules are all, or the policy's after the choices of ``script``.
     """
@@ -128,48 +117,37 @@ class Trace:
     script: tuple[int, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class TraceEvent:
-    """Answer to a :class:`Trace`: a new schedule (None), a choice, or an action and its percept."""
-
-    what: int | tuple[int, Percept] | None
-
-
 # ---------------------------------------------------------------- to and from a referee
 
 
 @dataclass(frozen=True, slots=True)
-class Appointment:
-    """A referee's first message: whose runs it is to judge.
+class RefereeSetup:
+    """A referee's first message: the explorer whose runs it judges.
 
     Attributes:
         subject: the explorer; the referee itself never loads foreign code.
-        answer_timeout, memory: of its players.
-        order: from which every order of runs is drawn.
+        limits: of its players.
+        order: seed of every order of runs.
     """
 
     subject: Subject
-    answer_timeout: float
-    memory: int | None
+    limits: Limits
     order: int
 
 
 @dataclass(frozen=True, slots=True)
 class UnitJob:
-    """Examine a unit from run ``start`` on; answered by :class:`Tallied`, some time and again."""
+    """Do a unit from run ``start`` on; answered by :class:`UnitProgress`, more than once."""
 
-    examination: WorkerEngine
+    engine: WorkerEngine
     unit: UnitOfRuns
     start: int
 
 
 @dataclass(frozen=True, slots=True)
-class Tallied:
-    """Answer to a :class:`UnitJob`: what came since, up to the run ``next_run``."""
+class UnitProgress:
+    """Answer to a :class:`UnitJob`: the result since the last one, up to the run ``next_run``."""
 
     next_run: int
     result: Any
     last: bool
-
-
-Kind = Literal["timeout", "crash"]

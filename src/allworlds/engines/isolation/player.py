@@ -15,152 +15,158 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from allworlds.engines.isolation.jobs import (
-    Casting,
-    Described,
-    HarnessError,
-    Played,
+    PlayerSetup,
     PlayRecords,
     PlayRuns,
     PlayStretch,
-    Stretched,
     Trace,
-    TraceEvent,
 )
-from allworlds.engines.isolation.messages import Message, written
+from allworlds.engines.isolation.messages import (
+    ExplorerDescription,
+    Failure,
+    Message,
+    RecordLogs,
+    Refusal,
+    RunLogs,
+    StretchResult,
+    TraceEvent,
+    write_message,
+)
 from allworlds.engines.isolation.process import address_space, limit_memory
 from allworlds.engines.python.examiner import name_run
-from allworlds.engines.python.play import Stagehand
+from allworlds.engines.python.play import ExplorerRunner
 from allworlds.explorers import Subject, load
 from allworlds.inputs import InputError
-from allworlds.judging import Fault, Log, perform
+from allworlds.judging import Log, perform
 from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
 from allworlds.world import State, World
 
 if TYPE_CHECKING:
-    from allworlds.engines.isolation.scribe import Scribe
-    from allworlds.engines.isolation.shared_logs import Actor
+    from allworlds.engines.isolation.generator_player import GeneratorPlayer
+    from allworlds.engines.isolation.shared_logs import LibraryPlayer
 
 T = TypeVar("T")
 
 CHUNK, CHUNK_SECONDS = 64, 0.1
-"""So many logs, or seconds, after which some are handed over."""
+"""The number of logs, or of seconds, after which logs are sent."""
 
 NATIVE_MEMORY = 2048
 """MB of address space that a shared library has, unless another limit is named."""
 
 TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
-"""What an explorer may leave behind to go off when it is not its turn."""
+"""Timers that an explorer may leave behind to go off when it is not its turn."""
 
 LOOK = 0.002
 """Seconds between two looks at timers and pipe: each costs as much as a short run."""
 
 Job = PlayRuns | PlayRecords | PlayStretch | Trace
-"""Everything that a player can be asked to do after its casting."""
+"""Every message to a player after its setup."""
 
 
 class PlayerProcess:
-    """A player's life: its casting, then jobs until the pipe is closed."""
+    """A player: it receives its setup, then jobs until the pipe is closed."""
 
     def __init__(self, connection: Connection, beat: MutableSequence[int]) -> None:
         self._connection = connection
         self._beat = beat
         self._pid = os.getpid()
-        self._actor: Actor | Scribe | None = None
+        self._stretches: LibraryPlayer | GeneratorPlayer | None = None
         self._look_at = 0.0
 
     def run(self) -> None:
         """Serve until the owner hangs up."""
-        casting: Casting = self._connection.recv()
+        setup: PlayerSetup = self._connection.recv()
         try:
-            if casting.memory is not None:
-                limit_memory(casting.memory)
-            subject = load(casting.name, casting.answer_timeout, casting.source)
-            if subject.native is not None and casting.memory is None:
+            if setup.memory is not None:
+                limit_memory(setup.memory)
+            subject = load(setup.name, setup.answer_timeout, setup.source)
+            if subject.native is not None and setup.memory is None:
                 limit_memory(address_space() + NATIVE_MEMORY)
         except InputError as error:
-            if casting.memory is not None and "memory" not in str(error):
-                error = InputError(f"memory {casting.memory} MB is probably too small: {error}")
-            self._say(error)
+            reason = str(error)
+            if setup.memory is not None and "memory" not in reason:
+                reason = f"memory {setup.memory} MB is probably too small: {reason}"
+            self._send(Refusal(reason))
             return
         self._intact()
         signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
-        self._say(Described(subject.keywords, _digest(subject)))
+        self._send(ExplorerDescription(subject.keywords, _digest(subject)))
         with subject.running():
-            self._serve(subject, Stagehand(subject.player(), self._beat, self._intact))
+            self._serve(subject, ExplorerRunner(subject.player(), self._beat, self._intact))
 
-    def _serve(self, subject: Subject, stagehand: Stagehand) -> None:
+    def _serve(self, subject: Subject, runner: ExplorerRunner) -> None:
         while True:
             job = self._connection.recv()
             try:
-                self._do(subject, stagehand, job)
+                self._do(subject, runner, job)
                 self._look()
             except OSError:
                 raise
             except InputError as error:  # a bound without a value for some world
-                self._say(error)
+                self._send(Refusal(str(error)))
             except Exception:  # noqa: BLE001  # explorers' errors never get here: it is ours
-                self._say(HarnessError(traceback.format_exc()))
+                self._send(Failure(traceback.format_exc()))
 
-    def _do(self, subject: Subject, stagehand: Stagehand, job: Job) -> None:
+    def _do(self, subject: Subject, runner: ExplorerRunner, job: Job) -> None:
         match job:
             case PlayRuns():
-                self._play(stagehand, job)
+                self._play_runs(runner, job)
             case PlayRecords(records, policy, order):
-                self._say(stagehand.again(records, policy, order))
+                self._send(RecordLogs(runner.play_records(records, policy, order)))
             case PlayStretch():
-                self._say(self._stretch(subject, job))
+                self._send(self._play_stretch(subject, job))
             case Trace():
                 self._trace(subject, job)
 
-    def _stretch(self, subject: Subject, job: PlayStretch) -> Stretched:
-        from allworlds.engines.isolation.scribe import Scribe
-        from allworlds.engines.isolation.shared_logs import Actor
+    def _play_stretch(self, subject: Subject, job: PlayStretch) -> StretchResult:
+        from allworlds.engines.isolation.generator_player import GeneratorPlayer
+        from allworlds.engines.isolation.shared_logs import LibraryPlayer
 
-        if self._actor is None:
+        if self._stretches is None:
             if subject.native is not None:
-                self._actor = Actor(subject.native, self._beat)
+                self._stretches = LibraryPlayer(subject.native, self._beat)
             else:
-                self._actor = Scribe(subject.player(), self._beat, self._intact)
-        stretched = self._actor.play(job)
+                self._stretches = GeneratorPlayer(subject.player(), self._beat, self._intact)
+        result = self._stretches.play(job)
         self._intact()
-        return stretched
+        return result
 
-    def _play(self, stagehand: Stagehand, job: PlayRuns) -> None:
+    def _play_runs(self, runner: ExplorerRunner, job: PlayRuns) -> None:
         logs: list[tuple[int, Log]] = []
-        done: list[int] = []
+        finished: list[int] = []
         due = time.monotonic() + CHUNK_SECONDS
-        for number, log in stagehand.first(
-            job.examination, job.unit, job.numbers, job.order, job.script
+        for number, log in runner.play_runs(
+            job.engine, job.unit, job.numbers, job.order, job.script
         ):
             if log is None:
-                done.append(number)
+                finished.append(number)
             else:
                 logs.append((number, log))
             if len(logs) >= CHUNK or time.monotonic() > due:
-                self._say(Played(logs, done))
-                logs, done = [], []
+                self._send(RunLogs(logs, finished))
+                logs, finished = [], []
                 due = time.monotonic() + CHUNK_SECONDS
-        if logs or done:
-            self._say(Played(logs, done))
+        if logs or finished:
+            self._send(RunLogs(logs, finished))
 
     def _trace(self, subject: Subject, job: Trace) -> None:
         rules = job.rules
         name = name_run(rules, job.world)
         every = job.schedules == "all"
         for choices in Schedules() if every else [rules.choices(name, job.script)]:
-            self._say(TraceEvent(None))
+            self._send(TraceEvent(None))
             log = perform(
-                TellingWorld(job.world, self._say),
+                TracedWorld(job.world, self._send),
                 subject.player(),
-                TellingChoices(choices, self._say),
+                TracedChoices(choices, self._send),
                 rules.budget(job.world.map),
                 self._beat,
             )
             self._intact()
-        self._say([log])
+        self._send(RecordLogs([log]))
 
-    def _say(self, message: Message) -> None:
-        self._connection.send_bytes(written(message))
+    def _send(self, message: Message) -> None:
+        self._connection.send_bytes(write_message(message))
 
     def _intact(self) -> None:
         """Leave, if the explorer has forked this process; now and then look at the rest, too."""
@@ -178,32 +184,32 @@ class PlayerProcess:
         self._look_at = time.monotonic() + LOOK
 
 
-class TellingWorld:
-    """A world that tells each step before the explorer sees its outcome."""
+class TracedWorld:
+    """A world that reports each step before the explorer sees its outcome."""
 
-    def __init__(self, world: World, say: Callable[[Message], None]) -> None:
-        self._world, self._say = world, say
+    def __init__(self, world: World, send: Callable[[Message], None]) -> None:
+        self._world, self._send = world, send
         self.initial, self.first, self.told = world.initial, world.first, world.told
 
     def step(self, state: State, action: Action) -> tuple[State, Percept]:
-        """The world's, told."""
+        """Step the world, and report the step to the owner."""
         after, percept = self._world.step(state, action)
-        self._say(TraceEvent((number_of(action), percept)))
+        self._send(TraceEvent((number_of(action), percept)))
         return after, percept
 
 
-class TellingChoices(Choices):
-    """Choices that tell each pick."""
+class TracedChoices(Choices):
+    """Choices that report each pick."""
 
-    def __init__(self, choices: Choices, say: Callable[[Message], None]) -> None:
+    def __init__(self, choices: Choices, send: Callable[[Message], None]) -> None:
         super().__init__()
-        self._choices, self._say = choices, say
+        self._choices, self._send = choices, send
         self.record = choices.record
 
     def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
-        """One of the options, told."""
+        """Pick one of the options, and report the choice to the owner."""
         picked = self._choices.pick(options, of, cost)
-        self._say(TraceEvent(self.record[-1]))
+        self._send(TraceEvent(self.record[-1]))
         return picked
 
 
@@ -226,6 +232,3 @@ def _leave(subject: Subject) -> None:
     if subject.program:
         subject.program.close()
     os._exit(0)
-
-
-__all__ = ["Fault", "PlayerProcess"]

@@ -1,4 +1,4 @@
-"""The owner's side: starting processes through the guardian, hearing them, ending them."""
+"""The owner's side of processes: they are started and ended through the guardian, and read."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from pathlib import Path
 from typing import Any
 
 from allworlds.engines.isolation.guardian import (
-    ASKING,
-    Ask,
+    OWNERS,
+    AskExitCode,
     EndProcesses,
     Prepare,
     Request,
@@ -30,7 +30,7 @@ from allworlds.engines.isolation.guardian import (
     send,
 )
 from allworlds.engines.isolation.jobs import HarnessError
-from allworlds.engines.isolation.messages import read
+from allworlds.engines.isolation.messages import Failure, Refusal, read_message
 from allworlds.inputs import InputError
 
 _START = (
@@ -46,14 +46,13 @@ NO_RUN = (1 << 64) - 1
 
 GRACE = 2.0
 """Seconds more where the owner is not the first to know: for a foreign program, whose silence
-its player notices itself, and for a process that has still something to be heard."""
-
+its player notices itself, and for a process that has sent a message before."""
 
 ANSWERS = 120.0
 """Seconds in which a guardian that is alive answers, however busy the machine."""
 
 STALL = 10
-"""Seconds in which a player that has begun to say something must go on with it."""
+"""Seconds in which a player that has begun to send a message must go on with it."""
 
 
 class Guardian:
@@ -82,15 +81,15 @@ class Guardian:
         self._ask(EndProcesses(pids), [])
 
     def exit_code(self, pid: int) -> int | None:
-        """How a process has ended; None while it goes on."""
-        return self._ask(Ask(pid), [])
+        """The exit code of a process; None while it goes on."""
+        return self._ask(AskExitCode(pid), [])
 
     def prepare(self, module: str, function: str) -> None:
-        """Have it call one of our functions, so that all later processes share what that loads."""
+        """Have it call a function of ours: all later processes share the modules that it loads."""
         self._ask(Prepare(module, function), [])
 
     def close(self) -> None:
-        """Let it go, which ends everything that it has started."""
+        """End it, and with it everything that it has started."""
         self._sock.close()
         if self._process:
             try:
@@ -137,7 +136,7 @@ _guardians: dict[tuple[int, int], Guardian] = {}
 
 
 def guardian(hash_seed: int = 0) -> Guardian:
-    """The guardian of this process with that seed; it is started once."""
+    """This process's guardian with that seed; it is started once."""
     key = (os.getpid(), hash_seed)
     if key not in _guardians:
         _guardians[key] = started(hash_seed)
@@ -153,7 +152,7 @@ def forget(lost: Guardian) -> None:
 
 
 def child_path() -> list[str]:
-    """Where a child looks for modules: what is the user's comes last, and hides nothing of ours."""
+    """A child's import path: the user's folders come last, and hide no module of ours."""
     users = {"", str(Path.cwd())}
     main = getattr(sys.modules.get("__main__"), "__file__", None)
     if main:
@@ -163,11 +162,11 @@ def child_path() -> list[str]:
 
 
 class Garbled(EOFError):
-    """What was said is no message, and nothing more can be heard."""
+    """Bytes that are no message, behind which nothing more can be read."""
 
 
 class Process:
-    """A child with its pipe and the memory in which its heart beats.
+    """A child with its pipe and the memory of its heartbeat.
 
     Args:
         guardian: starts it.
@@ -177,10 +176,10 @@ class Process:
 
     def __init__(self, guardian: Guardian, role: str, setup: object) -> None:
         self._guardian = guardian
-        self._foreign = role not in ASKING
+        self._foreign = role not in OWNERS
         self.connection, theirs = Pipe()
         if self._foreign:
-            _let_stall(self.connection)
+            _set_read_timeout(self.connection)
         with tempfile.TemporaryFile() as memory:
             memory.truncate(8 * BEAT_WORDS)
             self._memory = mmap.mmap(memory.fileno(), 8 * BEAT_WORDS)
@@ -195,48 +194,55 @@ class Process:
         self.send(setup)
 
     def send(self, message: object) -> None:
-        """Hand over a message; what has ended does not hear it, and will be noticed."""
+        """Send a message; that a process has ended is noticed elsewhere."""
         with suppress(OSError):
             self.connection.send(message)
 
     def receive(self) -> Any:
-        """The next message; waits for it.
+        """Wait for the next message.
 
         Raises:
             EOFError: if the process has ended.
-            Garbled: if it has said what is no message: a player's pipe is open to foreign code.
-            InputError: if it was given something that cannot be done.
+            Garbled: if its bytes are no message: a player's pipe is open to foreign code.
+            InputError: if its job cannot be done.
             HarnessError: if the process itself has failed.
         """
         try:
-            message = self._hear()
+            message = self._read()
         except OSError:
             raise EOFError from None
         except ValueError as error:
             raise Garbled(str(error)) from None
-        if isinstance(message, InputError | HarnessError):
-            raise message
+        match message:
+            case Refusal(text):
+                raise InputError(text)
+            case Failure(text):
+                raise HarnessError(text)
+            case InputError() | HarnessError():
+                raise message
         return message
 
-    def _hear(self) -> Any:
-        return read(self.connection.recv_bytes()) if self._foreign else self.connection.recv()
+    def _read(self) -> Any:
+        if self._foreign:
+            return read_message(self.connection.recv_bytes())
+        return self.connection.recv()
 
     def silent_for(self) -> float:
-        """Seconds since its heart has beaten, or since it has nothing to beat for."""
+        """Seconds since its heartbeat has changed, or since it has nothing to do."""
         now, seen = time.monotonic(), (self.beat[0], self.beat[1])
         if seen[1] == 0 or seen != self._seen:
             self._seen, self._since = seen, now
         return now - self._since
 
     def has_ended(self) -> bool:
-        """The process is no more, and all that it has said has been heard.
+        """The process has ended, and all its messages have been received.
 
         The pipe alone does not tell: a process forked by an explorer may hold it open.
         """
         return not self.connection.poll() and self._guardian.exit_code(self.pid) is not None
 
     def death(self) -> tuple[str, bool]:
-        """How the process ended, as a sentence; and whether it may be the machine's doing."""
+        """The end of the process in words; and whether it may be the machine's doing."""
         deadline = time.monotonic() + GRACE
         while (code := self._guardian.exit_code(self.pid)) is None:
             if time.monotonic() > deadline:
@@ -250,8 +256,8 @@ class Process:
         close_all(self)
 
 
-def _let_stall(connection: Connection) -> None:
-    """See to it that who reads there is not kept waiting for the rest of a message for ever.
+def _set_read_timeout(connection: Connection) -> None:
+    """Set a read timeout on the pipe, for a message that is begun and not ended.
 
     Source: socket(7), SO_RCVTIMEO.
     """
@@ -272,7 +278,7 @@ def close_all(*processes: Process) -> None:
 
 
 def address_space() -> int:
-    """MB of address space that this process has; 0 where that cannot be known."""
+    """MB of address space of this process; 0 where that cannot be known."""
     with suppress(OSError):
         pages = int(Path("/proc/self/statm").read_text().split()[0])
         return pages * mmap.PAGESIZE >> 20

@@ -6,24 +6,26 @@ import traceback
 from collections.abc import MutableSequence
 from multiprocessing.connection import Connection
 from random import Random
+from typing import Any
 
-from allworlds.engines.isolation.cast import Cast, Unsettled, UserEngine
-from allworlds.engines.isolation.jobs import Appointment, Casting, HarnessError, Tallied, UnitJob
-from allworlds.engines.isolation.process import Guardian, limit_memory
-from allworlds.engines.python.python_engine import (
-    EnginesDisagree,
-    PartwiseEngine,
-    PythonEngine,
-    WorkerEngine,
+from allworlds.engines.isolation.jobs import (
+    HarnessError,
+    PlayerSetup,
+    RefereeSetup,
+    UnitJob,
+    UnitProgress,
 )
-from allworlds.engines.python.second_play import Earlier, PlayedTwice
+from allworlds.engines.isolation.player_pair import PlayerPair, Unsettled, WorkerEngine
+from allworlds.engines.isolation.process import Guardian, limit_memory
+from allworlds.engines.python.python_engine import EnginesDisagree, PartwiseEngine
+from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.transports.inline import with_last
 from allworlds.explorers import built_in
 from allworlds.inputs import InputError
 
 
 class RefereeProcess:
-    """A referee's life: its appointment, then units until the pipe is closed.
+    """A referee: it receives its setup, then units until the pipe is closed.
 
     ``beat[1]`` grows while it works, so that its owner can see that it does.
     """
@@ -33,58 +35,56 @@ class RefereeProcess:
     ) -> None:
         self._connection, self._beat, self._guardian = connection, beat, guardian
         self._remarks: list[str] = []
-        self._earlier = Earlier()
 
     def run(self) -> None:
         """Serve until the owner hangs up."""
-        appointment: Appointment = self._connection.recv()
-        if appointment.memory is not None and not appointment.subject.from_user:
+        setup: RefereeSetup = self._connection.recv()
+        if setup.limits.memory is not None and not setup.subject.from_user:
             try:
-                limit_memory(appointment.memory)
+                limit_memory(setup.limits.memory)
             except InputError as error:
                 self._connection.send(error)
                 return
-        cast = self._cast(appointment)
-        # One engine as long as the same is asked: it learns how long runs take.
-        engine: tuple[WorkerEngine, PartwiseEngine] | None = None
+        players, earlier = self._players(setup), EarlierPlays[Any]()
+        # One engine as long as the same is asked for: it learns how long runs take.
+        bound: tuple[WorkerEngine, PartwiseEngine] | None = None
         try:
             while True:
                 job: UnitJob = self._connection.recv()
                 self._alive()
-                if engine is None or engine[0] != job.examination:
-                    engine = job.examination, self._engine(appointment, cast, job.examination)
-                self._examine(engine[1], job)
+                if bound is None or bound[0] != job.engine:
+                    bound = job.engine, self._bind(job.engine, setup, players, earlier)
+                self._do(bound[1], job)
                 self._beat[1] = 0
         except EOFError:
-            cast.close()
+            players.close()
 
-    def _cast(self, appointment: Appointment) -> Cast:
-        subject = appointment.subject
-        casting = Casting(
-            subject.name, subject.source, appointment.answer_timeout, appointment.memory
-        )
-        order = Random(appointment.order)  # noqa: S311  # drawn from the system by the owner
-        return Cast(self._guardian, casting, order, self._alive, self._remarks.append)
+    def _players(self, setup: RefereeSetup) -> PlayerPair:
+        order = Random(setup.order)  # noqa: S311  # drawn from the system by the owner
+        each = PlayerSetup.of(setup.subject, setup.limits)
+        return PlayerPair(self._guardian, each, order, self._alive, self._remarks.append)
 
-    def _engine(
-        self, appointment: Appointment, cast: Cast, examination: WorkerEngine
+    def _bind(
+        self,
+        engine: WorkerEngine,
+        setup: RefereeSetup,
+        players: PlayerPair,
+        earlier: EarlierPlays[Any],
     ) -> PartwiseEngine:
-        subject = appointment.subject
+        """The engine with its explorer: one of ours is played here, a foreign one by players."""
+        subject = setup.subject
         if not subject.from_user:
-            return examination.for_built_in(built_in(subject.name), self._beat)
-        if isinstance(examination, PythonEngine):
-            return PlayedTwice(examination, subject.name, cast, self._earlier)
-        assert isinstance(examination, UserEngine)
-        return examination.for_user(subject.name, cast, self._earlier)
+            return engine.for_built_in(built_in(subject.name), self._beat)
+        return engine.for_foreign(subject.name, players, earlier)
 
-    def _examine(self, engine: PartwiseEngine, job: UnitJob) -> None:
+    def _do(self, engine: PartwiseEngine, job: UnitJob) -> None:
         try:
             for (next_run, result), last in with_last(engine.parts(job.unit, job.start)):
                 self._alive()
                 for remark in self._remarks:
                     result.remark(remark)
                 self._remarks.clear()
-                self._connection.send(Tallied(next_run, result, last))
+                self._connection.send(UnitProgress(next_run, result, last))
         except (InputError, Unsettled, EnginesDisagree) as error:
             self._connection.send(error)
         except OSError:

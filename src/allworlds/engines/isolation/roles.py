@@ -1,4 +1,4 @@
-"""What the forked processes are, by name; imported once, in the guardian, so that all share it."""
+"""The roles of forked processes, by name; imported once, in the guardian, so that all share it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import socket
 import sys
 from collections.abc import Callable, MutableSequence
 from multiprocessing.connection import Connection
-from typing import NoReturn, Protocol, TypeAlias, cast
+from typing import NoReturn, TypeAlias, cast
 
 from allworlds.engines.isolation.guardian import Role, serve
 from allworlds.engines.isolation.player import PlayerProcess
@@ -18,31 +18,28 @@ from allworlds.engines.isolation.referee import RefereeProcess
 from allworlds.engines.isolation.stderr_stream import patient_stderr
 
 
-class Life(Protocol):
-    """What a process does from its first message to its end."""
-
-    def run(self) -> None:
-        """Serve until the owner hangs up."""
-
-
-def player(connection: Connection, beat: MutableSequence[int], _: Guardian | None) -> Life:
+def player(connection: Connection, beat: MutableSequence[int], _: Guardian | None) -> PlayerProcess:
     """The process with the foreign code in it."""
     return PlayerProcess(connection, beat)
 
 
-def referee(connection: Connection, beat: MutableSequence[int], guardian: Guardian | None) -> Life:
+def referee(
+    connection: Connection, beat: MutableSequence[int], guardian: Guardian | None
+) -> RefereeProcess:
     """The process that judges, and has no foreign code in it."""
     assert guardian is not None
     return RefereeProcess(connection, beat, guardian)
 
 
-Maker: TypeAlias = Callable[[Connection, MutableSequence[int], Guardian | None], Life]
+Maker: TypeAlias = Callable[
+    [Connection, MutableSequence[int], Guardian | None], PlayerProcess | RefereeProcess
+]
 
 
 def _role(make: Maker) -> Role:
-    """The life of a process with its pipe, the shared memory, and its socket to the guardian."""
+    """The main function of a process that has a pipe, shared memory, and perhaps a guardian."""
 
-    def live(descriptors: list[int]) -> None:
+    def run(descriptors: list[int]) -> None:
         pipe, memory, *control = descriptors
         # Interrupts are the owner's business; and nothing an explorer prints may be lost in,
         # or get into, what the owner reads.
@@ -58,7 +55,7 @@ def _role(make: Maker) -> Role:
                 # report to, and the owner sees the end of the pipe.
                 os._exit(1)
 
-    return live
+    return run
 
 
 ROLES: dict[str, Role] = {make.__name__: _role(make) for make in (player, referee)}

@@ -1,4 +1,4 @@
-"""Many runs of an explorer at a time: the memory that a referee shares with each player."""
+"""Memory that a referee shares with each player: many runs, and the logs that are left of them."""
 
 from __future__ import annotations
 
@@ -8,16 +8,17 @@ from collections.abc import MutableSequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from allworlds.engines.isolation.cast import Cast
-from allworlds.engines.isolation.jobs import PlayStretch, Stretched
+from allworlds.engines.isolation.jobs import PlayStretch
+from allworlds.engines.isolation.messages import StretchResult
+from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.explorers import NativeExplorer, threads_left, threads_now
 
 if TYPE_CHECKING:
     from allworlds.engines.kernel.batches import Stretch
 
 
-class Shared:
-    """Memory that both a referee and one of its players see; nothing of it is in any folder.
+class StretchMemory:
+    """Memory that a referee and one of its players see; no folder has a name for it.
 
     Args:
         edges: of each world.
@@ -33,49 +34,48 @@ class Shared:
         self.stretch = Stretch(mmap.mmap(self._file, size), edges)
 
     def close(self) -> None:
-        """Nobody else can get to it any more."""
+        """Let no other process open it any more."""
         os.close(self._file)
 
     @property
     def file(self) -> str:
-        """Where another process finds it."""
+        """The path by which another process opens it."""
         return f"/proc/{os.getpid()}/fd/{self._file}"
 
-    def played(self, cast: Cast, which: str, runs: int, policy: str) -> int | None:
-        """The number of bytes of the logs; None if they are to be made in another way.
+    def play(self, players: PlayerPair, which: str, runs: int, policy: str) -> int | None:
+        """Have a player play; return the bytes of its logs, or None where none can be believed.
 
         Args:
-            cast: of the player.
+            players: the player is one of them.
             which: ``first`` or ``second``.
             runs: how many.
             policy: answers the explorer's choices.
         """
-        again = which == "second"
-        order = cast.random.getrandbits(63)
-        job = PlayStretch(self.file, self._edges, runs, order, policy, again)
-        said = cast.stretch(which, job)
-        return None if said is None or said.size < 0 or said.threads else said.size
+        order = players.random.getrandbits(63)
+        job = PlayStretch(self.file, self._edges, runs, order, policy, again=which == "second")
+        result = players.play_stretch(which, job)
+        return None if result is None or result.size < 0 or result.threads else result.size
 
 
-class Shown:
-    """A player's side of the memories that it has been shown."""
+class OpenedMemories:
+    """A player's side of the memories that were named to it; each is opened once."""
 
     def __init__(self) -> None:
-        self._seen: dict[str, Stretch] = {}
+        self._opened: dict[str, Stretch] = {}
 
     def stretch(self, job: PlayStretch) -> Stretch:
         """The memory of a job."""
         from allworlds.engines.kernel.batches import Stretch
 
-        if job.memory not in self._seen:
+        if job.memory not in self._opened:
             with Path(job.memory).open("r+b") as file:
                 memory = mmap.mmap(file.fileno(), Stretch.size(job.edges))
-            self._seen[job.memory] = Stretch(memory, job.edges)
-        return self._seen[job.memory]
+            self._opened[job.memory] = Stretch(memory, job.edges)
+        return self._opened[job.memory]
 
 
-class Actor:
-    """A native explorer, which plays stretches in compiled code.
+class LibraryPlayer:
+    """A player's side of stretches, for a shared library: compiled code plays them.
 
     Args:
         explorer: loaded here.
@@ -83,17 +83,17 @@ class Actor:
     """
 
     def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
-        from allworlds.engines.kernel.batches import Actors
+        from allworlds.engines.kernel.batches import NativePlayer
 
         addresses, state = explorer.library.addresses(), explorer.state()
-        self._actors = Actors(addresses, state, explorer.handed(), beat)
-        self._shown = Shown()
+        self._native = NativePlayer(addresses, state, explorer.handed(), beat)
+        self._memories = OpenedMemories()
         self._threads = threads_now()
 
-    def play(self, job: PlayStretch) -> Stretched:
-        """All runs of a stretch."""
-        stretch = self._shown.stretch(job)
-        size = self._actors.play(stretch, job.runs, job.order, job.policy, again=job.again)
+    def play(self, job: PlayStretch) -> StretchResult:
+        """Play all runs of a stretch."""
+        stretch = self._memories.stretch(job)
+        size = self._native.play(stretch, job.runs, job.order, job.policy, again=job.again)
         left = threads_left(self._threads)
         self._threads += left
-        return Stretched(size, left)
+        return StretchResult(size, left)

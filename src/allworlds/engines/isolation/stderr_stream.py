@@ -1,4 +1,4 @@
-"""A stderr that may be lost: what explorers print there is no matter of the verdict."""
+"""A stderr that may be lost: no verdict depends on what explorers print there."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from typing import Any, TextIO
 
 
 def patient_stderr() -> TextIO:
-    """Stderr as a text stream that forgets what cannot be written, be it full or unread.
+    """Stderr as a text stream that drops a text which cannot be written, be it full or unread.
 
-    Otherwise ``print`` would be an error in whoever has the turn: an explorer would be refuted,
-    or bad input have the exit code of an internal error.
+    Otherwise ``print`` would raise in the code that calls it: an explorer would be refuted, or
+    bad input have the exit code of an internal error.
     """
     return io.TextIOWrapper(
         io.BufferedWriter(_Patient(2, "w", closefd=False)),
@@ -22,10 +22,10 @@ def patient_stderr() -> TextIO:
 
 
 class _Patient(io.FileIO):
-    """A file that takes everything."""
+    """A file that never refuses to be written."""
 
     def write(self, data: Any) -> int:
-        """All of it, as far as the writer can see."""
+        """Write, and report the whole length as written."""
         try:
             return super().write(data)
         except OSError:

@@ -1,4 +1,4 @@
-"""Looking at an explorer once, where its code can do no harm."""
+"""The subject of a name: its keywords are asked of a player, whose code can do no harm here."""
 
 from __future__ import annotations
 
@@ -6,17 +6,18 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from allworlds.engines.isolation.cast import started
-from allworlds.engines.isolation.jobs import Casting
+from allworlds.engines.isolation.jobs import PlayerSetup
+from allworlds.engines.isolation.player_pair import start_player
 from allworlds.engines.isolation.process import guardian
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import (
     BUILT_IN,
-    EXEC,
     Program,
     Subject,
     built_in,
+    command_of,
     in_process_subject,
+    is_program,
     source_of,
     whole_name,
 )
@@ -26,7 +27,7 @@ from allworlds.inputs import InputError, show
 def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
     """The subject for a name or a generator function.
 
-    What is named is loaded in a process of its own: foreign code does not get into this one.
+    A named explorer is loaded in a process of its own: foreign code does not get into this one.
 
     Raises:
         InputError: if there is no such explorer, it does not import, or it is none.
@@ -38,11 +39,10 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
     explore = whole_name(explore)
     if explore in BUILT_IN:
         return built_in(explore)
-    if explore.startswith(EXEC):
-        Program(explore.removeprefix(EXEC), limits.answer_timeout)  # refuses what cannot be run
+    if is_program(explore):
+        Program(command_of(explore), limits.answer_timeout)  # refuses what cannot be run
         return Subject(explore, frozenset({"told"}))
     subject = Subject(explore, frozenset(), source=source_of(explore))
-    casting = Casting(explore, subject.source, limits.answer_timeout, limits.memory)
-    player, described = started(guardian(), casting)
+    player, description = start_player(guardian(), PlayerSetup.of(subject, limits))
     player.close()
-    return replace(subject, keywords=described.keywords)
+    return replace(subject, keywords=description.keywords)

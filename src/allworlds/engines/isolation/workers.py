@@ -1,4 +1,4 @@
-"""Units handed out to referees, and outliving them."""
+"""The transport into worker processes: units are handed out to referees, and outlive them."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from multiprocessing.connection import Connection, wait
 from random import Random
 from typing import Any, Self
 
-from allworlds.engines.isolation.cast import Unsettled
-from allworlds.engines.isolation.jobs import Appointment, Tallied, UnitJob
+from allworlds.engines.isolation.jobs import RefereeSetup, UnitJob, UnitProgress
+from allworlds.engines.isolation.player_pair import Unsettled, WorkerEngine
 from allworlds.engines.isolation.process import Guardian, Process, close_all, guardian
 from allworlds.engines.python.in_process import InProcessPlayers
-from allworlds.engines.python.python_engine import EnginesDisagree, PythonEngine, WorkerEngine
+from allworlds.engines.python.python_engine import EnginesDisagree, PythonEngine
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.python.second_play import PlayedTwice
+from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.transports.inline import with_last
 from allworlds.engines.units.effort import POLL, Limits, check_deadline
@@ -25,18 +25,18 @@ from allworlds.engines.units.unit import PartialResult, Transport
 from allworlds.explorers import Subject
 
 PATIENCE = 60.0
-"""Seconds after which a referee whose heart does not beat is put down to be stopped."""
+"""Seconds after which a referee without a heartbeat is replaced."""
 
 AT_A_TIME = 4096
-"""Units whose order is drawn."""
+"""The number of units among which the order is drawn."""
 
 MOST_ATTEMPTS = 3
-"""So many referees may be lost over one unit."""
+"""The number of referees that are lost over one unit before it is given up."""
 
 
 @dataclass(slots=True)
 class _UnitTask:
-    """A unit with how far it has been tallied."""
+    """A unit, and the run from which on it is still to be tallied."""
 
     unit: UnitOfRuns
     start: int = 0
@@ -92,7 +92,7 @@ class Workers:
                 task = next(waiting, None)
             for connection in wait(list(self._busy), POLL):
                 assert isinstance(connection, Connection)
-                yield self._hear(connection, engine)
+                yield self._receive(connection, engine)
             for referee, _ in list(self._busy.values()):
                 if referee.silent_for() > PATIENCE:
                     yield self._replace(referee, engine, f"silent for {PATIENCE:g} s")
@@ -101,34 +101,31 @@ class Workers:
             check_deadline(self.deadline)
 
     def _hand_out(self, engine: WorkerEngine, task: _UnitTask) -> None:
-        referee = self._idle.pop() if self._idle else self._appointed()
+        referee = self._idle.pop() if self._idle else self._new_referee()
         referee.beat[0] = 0
         self._busy[referee.connection] = (referee, task)
         referee.send(UnitJob(engine, task.unit, task.start))
 
-    def _appointed(self) -> Process:
-        appointment = Appointment(
-            self.subject,
-            self.limits.answer_timeout,
-            self.limits.memory,
-            secrets.randbits(64),
-        )
-        return Process(self._guardian, "referee", appointment)
+    def _new_referee(self) -> Process:
+        setup = RefereeSetup(self.subject, self.limits, secrets.randbits(64))
+        return Process(self._guardian, "referee", setup)
 
-    def _hear(self, connection: Connection, engine: WorkerEngine) -> PartialResult[UnitOfRuns, Any]:
+    def _receive(
+        self, connection: Connection, engine: WorkerEngine
+    ) -> PartialResult[UnitOfRuns, Any]:
         referee, task = self._busy[connection]
         try:
-            told = referee.receive()
+            message = referee.receive()
         except EOFError:
             return self._replace(referee, engine, referee.death()[0])
-        if isinstance(told, Unsettled | EnginesDisagree):
-            raise told
-        assert isinstance(told, Tallied)
-        task.start = told.next_run
-        if told.last:
+        if isinstance(message, Unsettled | EnginesDisagree):
+            raise message
+        assert isinstance(message, UnitProgress)
+        task.start = message.next_run
+        if message.last:
             del self._busy[connection]
             self._idle.append(referee)
-        return PartialResult(task.unit, told.result, told.last)
+        return PartialResult(task.unit, message.result, message.last)
 
     def _replace(
         self, referee: Process, engine: WorkerEngine, how: str
@@ -147,7 +144,7 @@ class Workers:
 
 @dataclass(frozen=True, slots=True)
 class ThisProcess:
-    """The same for an explorer that no other process can find; it cannot be stopped here."""
+    """The transport for an explorer that no other process can find; it cannot be stopped here."""
 
     subject: Subject
     deadline: float | None = None
@@ -156,23 +153,28 @@ class ThisProcess:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Nothing is left."""
+        """Leave: no process is to be ended."""
 
     def map(
         self, engine: PythonEngine, units: Iterable[UnitOfRuns]
     ) -> Iterator[PartialResult[UnitOfRuns, Tally]]:
         """The units one after the other."""
-        own = engine.for_built_in(self.subject)
-        twice = PlayedTwice(engine, self.subject.name, InProcessPlayers(self.subject))
-        for unit in in_any_order(units) if self.subject.from_user else units:
-            parts = (twice if self.subject.from_user else own).parts(unit)
-            for (_, tally), last in with_last(parts):
+        subject = self.subject
+        bound = engine.for_built_in(subject)
+        if subject.from_user:
+            players = InProcessPlayers(subject)
+            bound, units = (
+                engine.for_foreign(subject.name, players, EarlierPlays()),
+                in_any_order(units),
+            )
+        for unit in units:
+            for (_, tally), last in with_last(bound.parts(unit)):
                 yield PartialResult(unit, tally, last)
                 check_deadline(self.deadline)
 
 
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
-    """The units in an order that is drawn anew each time, many at a time."""
+    """The units in an order that is drawn anew each time, :data:`AT_A_TIME` of them at a time."""
     every, order = iter(units), Random(secrets.randbits(64))  # noqa: S311  # as it is drawn from the system
     while some := list(islice(every, AT_A_TIME)):
         order.shuffle(some)
@@ -182,7 +184,7 @@ def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
 def workers_for(
     subject: Subject, limits: Limits, deadline: float | None = None
 ) -> Transport[PythonEngine]:
-    """Where an explorer's runs take place: as far away as it can be found."""
+    """Worker processes if the explorer can be imported by name, else this process."""
     if subject.importable or not subject.from_user:
         return Workers(subject, limits, deadline)
     return ThisProcess(subject, deadline)

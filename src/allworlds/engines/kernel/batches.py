@@ -1,8 +1,8 @@
 """Runs of a native explorer, many at a time: laid out and judged here, played in other processes.
 
-:class:`Stretch` is what one process hands to another: memory that both see.  :class:`UnitJudge`
-lays out and judges, and has no explorer; :class:`Actors` is the explorer's side.  What stands in
-memory that is shared with foreign code is copied before it is looked at.
+:class:`Stretch` is memory that two processes see.  :class:`UnitJudge` lays out and judges, and has
+no explorer; :class:`NativePlayer` is the explorer's side.  Memory that is shared with foreign code
+is copied before it is read.
 """
 
 from __future__ import annotations
@@ -140,20 +140,20 @@ class UnitJudge:
         self._heads = stretch.heads[:placed].copy()
         return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
 
-    def skip(self, laid: LaidOutRuns) -> None:
+    def skip(self, batch: LaidOutRuns) -> None:
         """Go on behind a stretch that is judged elsewhere: what was said of it is forgotten."""
-        if self._job.number < laid.until:
-            self.judge(laid, 0)
+        if self._job.number < batch.until:
+            self.judge(batch, 0)
 
     def judge(
-        self, laid: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
+        self, batch: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
     ) -> tuple[Rows, bool]:
         """What the logs in the memory are worth, and whether all of them could be judged.
 
         The percepts for the second play come to stand in its memory.
 
         Args:
-            laid: the stretch.
+            batch: the stretch.
             size: of the logs, in bytes.
             earlier: what is to be played again among them.
         """
@@ -162,53 +162,53 @@ class UnitJudge:
         kept, percepts = _FIRST_LOGS, _PERCEPTS
         kept[:size] = stretch.logs[:size]
         reader.logs, reader.size = kept.ctypes.data, size
-        count = laid.runs + len(earlier)
+        count = batch.runs + len(earlier)
         begins, ends = zeros(count, int32), zeros(count, int32)
-        starts = zeros(laid.runs + 1, int32)
-        begins[: laid.runs] = stretch.begins[: laid.runs]
+        starts = zeros(batch.runs + 1, int32)
+        begins[: batch.runs] = stretch.begins[: batch.runs]
         reader.begins = begins.ctypes.data
         reader.percepts = percepts.ctypes.data
         reader.room = LOG_BYTES - sum(len(each.percepts) for each in earlier)
         reader.starts, reader.ends, reader.noted = starts.ctypes.data, ends.ctypes.data, 0
         reader.run = reader.strange = 0
-        job.until = laid.until
+        job.until = batch.until
         asked.clear()
         runs.examine(job, reader, *asked.arguments, self._never)
-        starts[laid.runs] = reader.noted
+        starts[batch.runs] = reader.noted
         self._heads[:, native.RUN_MOTIONS] = (starts[1:] - starts[:-1]) // 3 - 1
-        for row, play in enumerate(earlier, laid.runs):
+        for row, play in enumerate(earlier, batch.runs):
             begins[row], ends[row] = size, size + len(play.log)
             kept[size : ends[row]] = play.log
             size += len(play.log)
         self._first = _Logs(self._heads, percepts, starts, kept[:size], begins, ends)
-        self._hand_over(laid, earlier)
-        good = reader.strange == 0 and reader.run == laid.runs and job.undefined == 0
+        self._hand_over(batch, earlier)
+        good = reader.strange == 0 and reader.run == batch.runs and job.undefined == 0
         return rows_of(asked, job, self._robot), good
 
-    def _hand_over(self, laid: LaidOutRuns, earlier: Sequence[ReplayableRun]) -> None:
+    def _hand_over(self, batch: LaidOutRuns, earlier: Sequence[ReplayableRun]) -> None:
         """What was sensed, here and earlier, to the second player."""
         records, first = self._records, self._first
-        end = min(int(first.starts[laid.runs]), int(self._reader.room))
+        end = min(int(first.starts[batch.runs]), int(self._reader.room))
         records.percepts[:end] = first.percepts[:end]
-        records.starts[: laid.runs] = first.starts[: laid.runs]
-        records.heads[: laid.runs] = first.heads
-        for row, kept in enumerate(earlier, laid.runs):
+        records.starts[: batch.runs] = first.starts[: batch.runs]
+        records.heads[: batch.runs] = first.heads
+        for row, kept in enumerate(earlier, batch.runs):
             length = len(kept.percepts)
             records.percepts[end : end + length] = kept.percepts
             records.starts[row], records.heads[row] = end, kept.head
             end += length
         # Who plays again is not to know which runs these are.
-        records.heads[: laid.runs + len(earlier), native.RUN_NUMBER] = 0
+        records.heads[: batch.runs + len(earlier), native.RUN_NUMBER] = 0
 
     def differing(
-        self, laid: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
+        self, batch: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
     ) -> list[int]:
         """Which runs have second logs that are not as their first ones.
 
         Those of the stretch, and behind them those of earlier ones, are numbered as they were laid
         out.
         """
-        records, first, count = self._records, self._first, laid.runs + len(earlier)
+        records, first, count = self._records, self._first, batch.runs + len(earlier)
         size = max(0, min(size, LOG_BYTES))
         second, found = _SECOND_LOGS[:size], zeros(count, int64)
         second[:] = records.logs[:size]
@@ -272,7 +272,7 @@ def _room() -> tuple[Any, Any, Any]:
     return _ROOMS[0]
 
 
-class Actors:
+class NativePlayer:
     """A native explorer that plays stretches.
 
     Args:
@@ -300,18 +300,18 @@ class Actors:
             int64,
         )
 
-    def play(self, stretch: Stretch, laid: int, order: int, policy: str, *, again: bool) -> int:
+    def play(self, stretch: Stretch, count: int, order: int, policy: str, *, again: bool) -> int:
         """The number of bytes of the logs of so many runs; -1 if there is no room for them.
 
         Args:
             stretch: in shared memory.
-            laid: how many runs.
+            count: of the runs.
             order: seed of the order in which they are played.
             policy: answers its choices.
             again: against records.
         """
         self._asked.policy = POLICIES[policy]
-        every = arange(laid)
+        every = arange(count)
         native.shuffle(every, order)
         percept, action, here, sigma, *_ = self._arrays
         common = (self._explorer, percept, action, here, len(sigma), self._asked, stretch.heads)
@@ -347,11 +347,11 @@ def load_native() -> None:
     with uncollected():
         stretch = Stretch(mmap.mmap(-1, Stretch.size(level.edges)), level.edges)
         unit = UnitJudge(level, (-1,), 1, stretch, stretch)
-        laid = unit.lay_out(0)
-        unit.judge(laid, 0)
-        unit.differing(laid, 0)
+        batch = unit.lay_out(0)
+        unit.judge(batch, 0)
+        unit.differing(batch, 0)
         nothing = dict.fromkeys(("start", "step", "answer", "choose"), 0)
         handed = [(ctypes.c_int32 * length)() for length in (3, 2, 1, 1, 1, 1, 1)]
-        actors = Actors(nothing, 0, handed, bytearray(16))
+        player = NativePlayer(nothing, 0, handed, bytearray(16))
         for again in (False, True):
-            actors.play(stretch, 0, 0, "fifo", again=again)
+            player.play(stretch, 0, 0, "fifo", again=again)

@@ -1,4 +1,4 @@
-"""What each run has cost, beside the tally: for whoever compares or looks for the worst."""
+"""The cost of each run, beside the tally: for comparisons and for the search for the worst."""
 
 from __future__ import annotations
 
@@ -57,21 +57,21 @@ class CostTally(Tally):
 
 
 class CostEngine(PythonEngine):
-    """The examination that hands back the cost of every run."""
+    """The Python engine that returns the cost of every run, too."""
 
     def tally(self) -> CostTally:
-        """An empty one."""
+        """An empty tally."""
         return CostTally(self.keep)
 
     def count_outcome(
         self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
     ) -> None:
-        """Add up what one episode of a run has shown."""
+        """Add one episode of a run to the tally, and its cost."""
         super().count_outcome(referee, world, place, outcome, tally)
         assert isinstance(tally, CostTally)
         tally.cost(world, place, RunCost(outcome.cost, outcome.cost))
 
 
 def key_of(map_: CombinatorialMap) -> MapKey:
-    """What a rooted map, rooted at its dart 0, is known by."""
+    """The key of a map that is rooted at its dart 0."""
     return map_.edge_count, map_.vertex_count, tuple(map_.sigma), tuple(map_.alpha)

@@ -187,7 +187,7 @@ def _may_be_overruled(violation: Violation | None) -> bool:
 
 
 def difference_of(first: Log, second: Log) -> Violation | None:
-    """What the same explorer has done otherwise when it was given the same percepts again."""
+    """The violation of an explorer whose plays on the same percepts differ; None if they do not."""
     if first.actions != second.actions:
         pairs = zip(first.actions, second.actions, strict=False)
         same = next((i for i, (a, b) in enumerate(pairs) if a != b), None)
@@ -204,7 +204,7 @@ def difference_of(first: Log, second: Log) -> Violation | None:
 
 
 def nondeterministic(seen: str) -> Violation:
-    """The law that two plays which differ in this have broken."""
+    """The violation of two plays that differ in that."""
     return Violation(
         "nondeterministic",
         "the same walk and answer when the same world is explored again",
@@ -213,5 +213,5 @@ def nondeterministic(seen: str) -> Violation:
 
 
 def _meaning(log: Log) -> object:
-    """What must be equal in both plays: the answer, or the law of the fault."""
+    """The part of the ending that both plays must share: the answer, or the law of the fault."""
     return log.ending.law if isinstance(log.ending, Fault) else log.ending

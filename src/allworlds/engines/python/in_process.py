@@ -6,14 +6,14 @@ import secrets
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from allworlds.engines.python.play import Record, Stagehand
+from allworlds.engines.python.play import ExplorerRunner, Record
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.explorers import Subject
 from allworlds.judging import Log
 
 CHUNK = 64
-"""Logs that are handed over at a time."""
+"""The number of logs that are handed over at a time."""
 
 
 @dataclass(slots=True)
@@ -21,23 +21,23 @@ class InProcessPlayers:
     """Both plays take place here, in orders of their own; a silent explorer cannot be stopped."""
 
     subject: Subject
-    _first: Stagehand = field(init=False)
-    _told: list[Log] = field(default_factory=list)
+    _runner: ExplorerRunner = field(init=False)
+    _logs: list[Log] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self._first = Stagehand(self.subject.player())
+        self._runner = ExplorerRunner(self.subject.player())
 
-    def first(
+    def play_runs(
         self,
-        examination: PythonEngine,
+        engine: PythonEngine,
         unit: UnitOfRuns,
         numbers: Sequence[int],
         script: tuple[int, ...] | None = None,
     ) -> Iterator[list[tuple[int, Log]]]:
-        """The logs, some at a time."""
+        """The logs of these runs, some at a time."""
         logs: list[tuple[int, Log]] = []
         order = secrets.randbits(64)
-        for number, log in self._first.first(examination, unit, numbers, order, script):
+        for number, log in self._runner.play_runs(engine, unit, numbers, order, script):
             if log is not None:
                 logs.append((number, log))
             if len(logs) == CHUNK:
@@ -47,12 +47,12 @@ class InProcessPlayers:
             yield logs
 
     def send_records(self, records: Sequence[Record], policy: str) -> None:
-        """Play them."""
-        self._told = self._first.again(records, policy, secrets.randbits(64))
+        """Play these once more."""
+        self._logs = self._runner.play_records(records, policy, secrets.randbits(64))
 
     def receive_logs(self) -> list[Log]:
-        """The logs."""
-        return self._told
+        """The logs of the records that were sent."""
+        return self._logs
 
-    def renew(self) -> None:
-        """There is only this process."""
+    def restart(self) -> None:
+        """Go on: there is only this process."""

@@ -11,16 +11,16 @@ from allworlds.engines.python.examiner import name_run
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
 from allworlds.judging import Log, perform
-from allworlds.protocol import Action, Choices, Percept, Player, policy_named
+from allworlds.protocol import Choices, Percept, Player, policy_named
 from allworlds.world import IllegalAction, World
 
 
 class Record(NamedTuple):
-    """What one run needs to be played again: nothing of the world but what was sensed.
+    """The inputs of a run that is played again: of its world, the percepts alone.
 
     Attributes:
         percepts: at the start, and after each action of the first play.
-        told: before the start.
+        told: by the lighthouse before the start, or None.
         choices: answers to the choices.
         budget: the largest legal number of traversals.
         name: of the run, for a random policy.
@@ -39,13 +39,11 @@ class Recorded:
     The state, which is a world's elsewhere, is the number of the step.
     """
 
-    def __init__(self, record: Record) -> None:
-        self.initial = 0
-        self.first = record.percepts[0]
-        self.told = record.told
-        self._percepts = record.percepts
+    def __init__(self, percepts: Sequence[Percept], told: int | None) -> None:
+        self.initial, self.first, self.told = 0, percepts[0], told
+        self._percepts = percepts
 
-    def step(self, state: int, _action: Action) -> tuple[int, Percept]:
+    def step(self, state: int, _action: object) -> tuple[int, Percept]:
         """The next percept.
 
         Raises:
@@ -57,8 +55,8 @@ class Recorded:
 
 
 @dataclass(slots=True)
-class Stagehand:
-    """Plays an explorer that is here.
+class ExplorerRunner:
+    """Plays runs of an explorer that is here.
 
     Attributes:
         player: the explorer.
@@ -74,9 +72,9 @@ class Stagehand:
     _runs: Iterator[NumberedRun] = field(default_factory=lambda: iter(()))
     _next: int = 0
 
-    def first(
+    def play_runs(
         self,
-        examination: PythonEngine,
+        engine: PythonEngine,
         unit: UnitOfRuns,
         numbers: Sequence[int],
         order: int,
@@ -85,27 +83,27 @@ class Stagehand:
         """The logs of these runs, each with its number; None behind the last of a run.
 
         Args:
-            examination: the scope, with its rules.
+            engine: the scope, with its rules.
             unit: the unit.
             numbers: of the runs, ascending.
             order: seed of the order.
             script: the choices to be made; None for every schedule that the scope asks for.
         """
-        scope, rules = examination.scope, examination.scope.rules
-        placed = self._find(examination, unit, numbers)
+        scope, rules = engine.scope, engine.scope.rules
+        placed = self._find(engine, unit, numbers)
         Random(order).shuffle(placed)  # noqa: S311  # it need not be secret for longer than a run
         for number, world in placed:
             self.beat[0] = number
             name = name_run(rules, world)
             budget = rules.budget(world.map)
-            once = [rules.choices(name, script)] if script is not None else scope.schedule(name)
-            for choices in once:
+            every = [rules.choices(name, script)] if script is not None else scope.schedule(name)
+            for choices in every:
                 log = perform(world, self.player, choices, budget, self.beat)
                 self.intact()
                 yield number, log
             yield number, None
 
-    def again(self, records: Sequence[Record], policy: str, order: int) -> list[Log]:
+    def play_records(self, records: Sequence[Record], policy: str, order: int) -> list[Log]:
         """The logs of these records, in their order, whatever the order of their playing."""
         logs: dict[int, Log] = {}
         numbers = list(range(len(records)))
@@ -114,19 +112,20 @@ class Stagehand:
             self.beat[0] = number
             record = records[number]
             choices = Choices(policy_named(policy, record.name), record.choices)
-            log = perform(Recorded(record), self.player, choices, record.budget, self.beat)
-            # What was published is judged once, and must not influence the walk.
+            world = Recorded(record.percepts, record.told)
+            log = perform(world, self.player, choices, record.budget, self.beat)
+            # Checkpoints are judged once, and must not influence the walk.
             logs[number] = log._replace(checkpoints=())
             self.intact()
         return [logs[number] for number in range(len(records))]
 
     def _find(
-        self, examination: PythonEngine, unit: UnitOfRuns, numbers: Sequence[int]
+        self, engine: PythonEngine, unit: UnitOfRuns, numbers: Sequence[int]
     ) -> list[tuple[int, World]]:
         """The worlds of these runs; going on in a unit costs nothing."""
         if unit != self._unit or not numbers or numbers[0] < self._next:
             self._unit, self._next = unit, 0
-            self._runs = examination.runs(unit)
+            self._runs = engine.runs(unit)
         wanted = set(numbers)
         found: list[tuple[int, World]] = []
         while len(found) < len(wanted):

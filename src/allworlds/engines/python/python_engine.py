@@ -6,7 +6,7 @@ import time
 from collections.abc import Iterator, MutableSequence
 from dataclasses import dataclass
 from itertools import islice
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from allworlds.engines.python.examiner import Examiner, Outcome, Referee, name_run
 from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns, numbered_runs
@@ -16,42 +16,27 @@ from allworlds.explorers import Subject
 from allworlds.maps import rooted_code
 from allworlds.world import World
 
+if TYPE_CHECKING:
+    from allworlds.engines.python.second_play import EarlierPlays, Players
+
 REPORT_EVERY = 0.25
 """Seconds after which a part of a unit is handed over."""
 
 
 class EnginesDisagree(Exception):
-    """Two engines say different things about one world."""
+    """Two engines differ about one world."""
 
 
 class PartwiseEngine(Protocol):
-    """What is done with a unit, from some run on."""
+    """An engine with its explorer, which does a unit from some run on."""
 
     def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Any]]:
-        """Some time and again, and at the end, the number of the next run and what came since."""
-
-
-class WorkerEngine(Protocol):
-    """What a worker can do with a unit, whatever comes of it."""
-
-    @property
-    def keep(self) -> int:
-        """How many findings are kept."""
-
-    def for_built_in(
-        self, subject: Subject, beat: MutableSequence[int] | None = None
-    ) -> PartwiseEngine:
-        """It, with an explorer of ours, which is played where this is asked for.
-
-        Args:
-            subject: the explorer.
-            beat: see :func:`allworlds.judging.episode.play`.
-        """
+        """The number of the next run and the result since, now and then and at the end."""
 
 
 @dataclass(frozen=True, slots=True)
 class PythonEngine:
-    """What is done with a unit: every run of it played, judged and tallied.
+    """The engine in which every run of a unit is played, judged and tallied in Python.
 
     Attributes:
         scope: what is checked, and under which rules.
@@ -64,8 +49,27 @@ class PythonEngine:
     def for_built_in(
         self, subject: Subject, beat: MutableSequence[int] | None = None
     ) -> PartwiseEngine:
-        """See :class:`WorkerEngine`."""
+        """The engine with an explorer of ours, which is played in this process, and once.
+
+        Args:
+            subject: the explorer.
+            beat: see :func:`allworlds.judging.episode.play`.
+        """
         return BoundPythonEngine(self, subject, beat)
+
+    def for_foreign(
+        self, explorer: str, players: Players, earlier: EarlierPlays[Any]
+    ) -> PartwiseEngine:
+        """The engine with a foreign explorer, of that name, which plays everything twice.
+
+        Args:
+            explorer: its name.
+            players: its players.
+            earlier: plays of other units, to be played again.
+        """
+        from allworlds.engines.python.second_play import PlayedTwice
+
+        return PlayedTwice(self, explorer, players, earlier)
 
     def runs(self, unit: UnitOfRuns, start: int = 0) -> Iterator[NumberedRun]:
         """The runs of a unit from that number on."""
@@ -73,11 +77,11 @@ class PythonEngine:
         return islice(every, start, None)
 
     def tally(self) -> Tally:
-        """An empty one."""
+        """An empty tally."""
         return Tally(self.keep)
 
     def count_run(self, run: NumberedRun, tally: Tally) -> World | None:
-        """The world of a run, which is counted; None where it has no place for the lighthouse."""
+        """Count a run, and return its world; None where that has no place for the lighthouse."""
         edges, vertices = run.map.edge_count, run.map.vertex_count
         if run.first:
             tally.row(edges, vertices).worlds += 1
@@ -94,7 +98,7 @@ class PythonEngine:
     def count_outcome(
         self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
     ) -> None:
-        """Add up what one episode of a run has shown."""
+        """Add one episode of a run to the tally."""
         edges, vertices = world.map.edge_count, world.map.vertex_count
         row, cost = tally.row(edges, vertices), outcome.cost
         row.episodes += 1
@@ -112,29 +116,29 @@ class PythonEngine:
 
 @dataclass(frozen=True, slots=True)
 class BoundPythonEngine:
-    """The engine for an explorer of ours, which is played here, and once."""
+    """The Python engine with an explorer of ours, which is played here, and once."""
 
-    examination: PythonEngine
+    engine: PythonEngine
     subject: Subject
     beat: MutableSequence[int] | None = None
 
     def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Tally]]:
-        """After some time, and at the end, the number of the next run and the tally since."""
-        examination, scope = self.examination, self.examination.scope
+        """The number of the next run and the tally since, after some time and at the end."""
+        engine, scope = self.engine, self.engine.scope
         examiner = Examiner(self.subject, scope.rules, self.beat)
-        tally, after = examination.tally(), start
+        tally, after = engine.tally(), start
         due = time.monotonic() + REPORT_EVERY
-        for run in examination.runs(unit, start):
+        for run in engine.runs(unit, start):
             after = run.number + 1
-            world = examination.count_run(run, tally)
+            world = engine.count_run(run, tally)
             if world is not None:
                 for choices in scope.schedule(name_run(scope.rules, world)):
                     outcome = examiner.examine(world, choices)
-                    examination.count_outcome(examiner, world, run.place, outcome, tally)
+                    engine.count_outcome(examiner, world, run.place, outcome, tally)
                 tally.witnesses.update(examiner.events)
                 examiner.events.clear()
             if time.monotonic() > due:
                 yield after, tally
-                tally = examination.tally()
+                tally = engine.tally()
                 due = time.monotonic() + REPORT_EVERY
         yield after, tally

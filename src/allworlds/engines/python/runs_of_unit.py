@@ -1,4 +1,4 @@
-"""Pieces of work: maps with the places of their lighthouse that are to be tried."""
+"""Units of runs: maps with the places of their lighthouse that are tried."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from allworlds.maps import CombinatorialMap, Extent
 from allworlds.world import Lighthouse, World
 
 Placed: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
-"""A map rooted at dart 0, and the numbered places of its lighthouse that are to be tried."""
+"""A map rooted at dart 0, and the numbered places of its lighthouse that are tried."""
 
 
 class UnitOfRuns(Protocol):
-    """What one worker does at a time."""
+    """A unit that one worker does at a time."""
 
     @property
     def key(self) -> str:
@@ -37,7 +37,7 @@ class LevelRuns(LevelUnit):
 
 @dataclass(frozen=True, slots=True)
 class GivenWorlds:
-    """Worlds that somebody has chosen, each with its own place; their start is dart 0."""
+    """Chosen worlds, each with its own place; their start is dart 0."""
 
     worlds: tuple[tuple[World, int], ...]
     key: str = ""

@@ -1,4 +1,4 @@
-"""What is to be checked: every option that the counts and the verdict depend on."""
+"""The scope of a check: every option that the counts and the verdict depend on."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ MOST_RUNS = 10**12
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """So many random worlds, drawn from a seed, each with so many edges at least.
+    """A number of random worlds, drawn from a seed, each with a least number of edges.
 
     Raises:
         InputError: for numbers out of range.
@@ -44,7 +44,7 @@ class Sample:
 
 
 Coverage: TypeAlias = Whole | Shard | Sample
-"""Which of the worlds of an extent are tried."""
+"""The part of the worlds of an extent that is tried."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Scope:
         return isinstance(self.coverage, Whole)
 
     def units(self, edges: int) -> Iterator[LevelRuns]:
-        """The pieces of a level that one worker does at a time; the same for any workers."""
+        """The units of a level; the same for any number of workers."""
         portion = WHOLE if isinstance(self.coverage, Sample) else self.coverage
         for unit in units_of_level(self.extent, edges, portion):
             yield LevelRuns(unit.edges, unit.prefix)

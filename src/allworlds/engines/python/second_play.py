@@ -1,4 +1,4 @@
-"""Every run of a foreign explorer played twice: in worlds, and against what was sensed there.
+"""Every run of a foreign explorer played twice: in worlds, and against the recorded percepts.
 
 The second play is not in the order of the first, and, where the explorer can be played in other
 processes, not in the process of the first nor in one that holds any world.  An explorer that
@@ -7,12 +7,17 @@ the same way twice.  The orders are drawn anew for each check, and among the sec
 some of worlds that came long before, so that nothing but its percepts tells an explorer which
 world it is in.
 
-What a player tells is believed of its runs alone.  Which they are, which choices each was asked
-to make, and that none is left out, the referee knows by itself; the second play gets the choices
-that were asked for, and not those that the first has told.
+A player's messages are believed of its runs alone.  The referee knows by itself which runs and
+which choices are due, and that none is left out; the second play gets the choices that were due,
+and not those that the first play reported.
 
-What the machine may have done is tried once more in fresh processes before it is believed: a
-run that has cost its process its life, or that crashed, or was silent, in one of its plays alone.
+A failure that the machine may have caused is tried once more in fresh processes before it is
+believed: a run that has cost its process its life, or that crashed, or was silent, in one of its
+plays alone.
+
+:class:`PlayedTwice` alone decides what two plays that differ mean.  The compiled engine
+(:mod:`allworlds.engines.compiled.stretches`) compares whole stretches byte by byte, and gives the
+runs that differ, or break a law, to it.
 """
 
 from __future__ import annotations
@@ -23,7 +28,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from random import Random
-from typing import NamedTuple, Protocol
+from typing import Generic, NamedTuple, Protocol, TypeVar
 
 from allworlds.engines.python.examiner import (
     Outcome,
@@ -45,41 +50,40 @@ FEW, MANY = 16, 1024
 """The least and the greatest number of runs among which the order is drawn."""
 
 ENOUGH, BEGINNING = 32, 128
-"""So many second plays leave an explorer that goes by their number no chance; and so many are the
-beginning of a check, in which even a unit of one run is played often enough."""
+"""The number of second plays that leaves an explorer that goes by their number no chance; and the
+number that is the beginning of a check, in which even a unit of one run is played often enough."""
 
 
 OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
 )
 
-
 FIRST, KEPT = 64, 256
-"""So many plays are kept to be played again among later ones; of these the first, for good."""
+"""The number of plays that are kept for good, and in all, to be played again among later ones."""
 
 
 class Players(Protocol):
-    """Who plays; in this process, or in others that may be lost."""
+    """The two players of an explorer: in this process, or in others that may be lost."""
 
-    def first(
+    def play_runs(
         self,
-        examination: PythonEngine,
+        engine: PythonEngine,
         unit: UnitOfRuns,
         numbers: Sequence[int],
         script: tuple[int, ...] | None = None,
     ) -> Iterator[list[tuple[int, Log]]]:
         """The logs of these runs of the unit, some at a time, each with its number.
 
-        Of a run that cost its process its life, twice, there is one log, with that fault.
+        A run that cost its process its life, twice, has one log, with that fault.
         """
 
     def send_records(self, records: Sequence[Record], policy: str) -> None:
-        """Begin to play these once more, in another order, against what was sensed."""
+        """Begin to play these once more, in another order, without a world."""
 
     def receive_logs(self) -> list[Log]:
-        """The logs of what was asked for, in the order of the records."""
+        """The logs of the records that were sent, in their order."""
 
-    def renew(self) -> None:
+    def restart(self) -> None:
         """Go on in fresh processes."""
 
 
@@ -94,12 +98,12 @@ class OneRun:
 
 @dataclass(slots=True)
 class ScriptTracker:
-    """How far each run has been told: by one log, or by one for each schedule.
+    """The script of the next log that is due of each run: one log, or one for each schedule.
 
     Attributes:
-        every: every schedule is asked for.
+        every: every schedule is due.
         scripts: for each run the first choices of its next log, all others being 0 where
-            every schedule is asked for; None behind the last.
+            every schedule is due; None behind the last.
     """
 
     every: bool
@@ -123,20 +127,16 @@ class ScriptTracker:
         return script, log.choices == due and len(log.widths) == len(log.choices)
 
     def finish(self) -> None:
-        """Nothing is left.
-
-        Raises:
-            RuntimeError: if a run has not been told to its end.
-        """
+        """Raise RuntimeError unless every run has had its last log."""
         left = [number for number, script in self.scripts.items() if script is not None]
         if left:
             raise RuntimeError(f"a player has told that run {left[0]} is done, and not how")
 
 
 class _Play(NamedTuple):
-    """A first play, retold in its world, with what is needed to play it again.
+    """A first play, walked anew in its world, with the record by which it is played again.
 
-    ``fits``: it made the choices that it was asked to make.
+    ``fits``: it made the choices that were due.
     """
 
     one: OneRun
@@ -146,29 +146,39 @@ class _Play(NamedTuple):
     fits: bool
 
 
+P = TypeVar("P")
+
+
 @dataclass(slots=True)
-class Earlier:
+class EarlierPlays(Generic[P]):
     """Plays that were the same twice, to be played again among those of other units and levels.
 
-    Otherwise one who counts the second plays would know which level they come from.
+    Otherwise an explorer that counts the second plays would know which level they come from.
 
     Attributes:
         random: from which it is drawn which.
     """
 
     random: Random = field(default_factory=lambda: Random(secrets.randbits(64)))  # noqa: S311
-    _plays: list[_Play] = field(default_factory=list)
-    _taken: int = 0
+    _plays: list[P] = field(default_factory=list)
+    _drawn: int = 0
 
-    def some(self, plays: int) -> list[_Play]:
-        """Some of them, to go with so many others; at the beginning of a check more."""
-        least = FEW if self._taken < BEGINNING else FEW // 4
-        wanted = min(max(least, plays // FEW), len(self._plays))
-        self._taken += wanted
-        return self.random.sample(self._plays, wanted)
+    def __len__(self) -> int:
+        return len(self._plays)
 
-    def keep(self, play: _Play) -> None:
-        """Keep one; what is kept beyond the first gives way to it."""
+    def draw_for(self, plays: int) -> list[P]:
+        """Some of them, to go with that number of others; at the beginning of a check more."""
+        least = FEW if self._drawn < BEGINNING else FEW // 4
+        drawn = self.draw(max(least, plays // FEW))
+        self._drawn += len(drawn)
+        return drawn
+
+    def draw(self, most: int) -> list[P]:
+        """That number of them, or all."""
+        return self.random.sample(self._plays, min(most, len(self._plays)))
+
+    def keep(self, play: P) -> None:
+        """Keep one; beyond the first, each takes the place of another."""
         if len(self._plays) < KEPT:
             self._plays.append(play)
         else:
@@ -179,21 +189,21 @@ class Earlier:
 class PlayedTwice:
     """The engine for a foreign explorer."""
 
-    examination: PythonEngine
+    engine: PythonEngine
     explorer: str
     players: Players
-    earlier: Earlier = field(default_factory=Earlier)
+    earlier: EarlierPlays[_Play] = field(default_factory=EarlierPlays)
     _belated: list[tuple[OneRun, Outcome]] = field(default_factory=list)
     _window: int = FEW
     _again: int = 0
     _referee: Referee = field(init=False)
 
     def __post_init__(self) -> None:
-        self._referee = Referee(self.explorer, self.examination.scope.rules)
+        self._referee = Referee(self.explorer, self.engine.scope.rules)
 
     def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Tally]]:
-        """After some runs, and at the end, the number of the next run and the tally since."""
-        runs = self.examination.runs(unit, start)
+        """The number of the next run and the tally since, after some runs and at the end."""
+        runs = self.engine.runs(unit, start)
         after = start
         while window := list(islice(runs, self._window)):
             began = time.monotonic()
@@ -201,14 +211,14 @@ class PlayedTwice:
             slow = time.monotonic() - began > REPORT_EVERY / 2
             self._window = max(FEW, self._window // 2) if slow else min(MANY, self._window * 2)
         if after == start:
-            yield after, self.examination.tally()
+            yield after, self.engine.tally()
 
     def tally(self, unit: UnitOfRuns, window: Sequence[NumberedRun]) -> Tally:
-        """What comes of these runs of a unit."""
-        tally = self.examination.tally()
+        """The tally of these runs of a unit."""
+        tally = self.engine.tally()
         placed = {}
         for run in window:
-            world = self.examination.count_run(run, tally)
+            world = self.engine.count_run(run, tally)
             if world is not None:
                 placed[run.number] = OneRun(run.number, run.place, world)
 
@@ -217,7 +227,7 @@ class PlayedTwice:
 
         for one, outcome in self.outcomes(unit, placed, matters, tally.remark):
             if isinstance(outcome, Outcome):
-                self.examination.count_outcome(self._referee, one.world, one.place, outcome, tally)
+                self.engine.count_outcome(self._referee, one.world, one.place, outcome, tally)
             elif matters(one):
                 tally.find(self._referee.lost(one.world, one.place, outcome))
         for one, outcome in self._belated:
@@ -234,32 +244,32 @@ class PlayedTwice:
         remark: Callable[[str], None] = lambda _: None,
         given: tuple[int, ...] | None = None,
     ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
-        """What comes of these runs of a unit, by their numbers, in any order.
+        """The outcomes of these runs of a unit, in any order.
 
         Args:
             unit: the unit.
-            placed: the runs.
+            placed: the runs, by their numbers.
             matters: whether it is worth while to try a run once more in fresh processes.
-            remark: takes what happened and refutes nothing.
+            remark: takes the text of an event that refutes nothing.
             given: the choices to be made; None for every schedule that the scope asks for.
         """
-        told = ScriptTracker(self._every and given is None, dict.fromkeys(placed, given or ()))
-        for logs in self.players.first(self.examination, unit, [*placed], given):
+        scripts = ScriptTracker(self._every and given is None, dict.fromkeys(placed, given or ()))
+        for logs in self.players.play_runs(self.engine, unit, [*placed], given):
             whole = []
             for number, log in logs:
-                script, fits = told.take(number, log)
+                script, fits = scripts.take(number, log)
                 if isinstance(log.ending, LostRun):
                     yield placed[number], log.ending
                 else:
                     whole.append(self._play(placed[number], log, script, fits))
             records = [play.record for play in whole]
-            earlier = self.earlier.some(len(records))
-            # What ended in a fault is played again once: a silence need not be heard out for ever.
+            earlier = self.earlier.draw_for(len(records))
+            # A run that ended in a fault is played again once: a silence is not waited out often.
             lively = [i for i, play in enumerate(whole) if not isinstance(play.log.ending, Fault)]
             rounds = self._rounds(len(lively), len(earlier))
             order = [*range(len(records)), *lively * (rounds - 1)]
-            asked = [*(records[i] for i in order), *(play.record for play in earlier)]
-            self.players.send_records(asked, self._policy)
+            due = [*(records[i] for i in order), *(play.record for play in earlier)]
+            self.players.send_records(due, self._policy)
             outcomes = [
                 self._referee.outcome(play.one.world, play.episode, play.log.choices)
                 for play in whole
@@ -280,26 +290,26 @@ class PlayedTwice:
                     if settled.violation is None:
                         self.earlier.keep(play)
                     yield play.one, settled
-        told.finish()
+        scripts.finish()
 
     @property
     def _every(self) -> bool:
-        return self.examination.scope.schedules == "all"
+        return self.engine.scope.schedules == "all"
 
     @property
     def _policy(self) -> str:
-        """Who answers the choices that no script answers."""
-        return DEFAULT_POLICY if self._every else self.examination.scope.rules.policy
+        """The policy that answers the choices that no script answers."""
+        return DEFAULT_POLICY if self._every else self.engine.scope.rules.policy
 
     def _look_back(self, plays: list[_Play], again: list[Log]) -> None:
-        """What earlier plays have become by now; if the machine can have done it, it is nothing."""
+        """Note the earlier plays that differ by now, unless the machine can have done it."""
         for play, log in zip(plays, again, strict=True):
             if difference_of(play.log, log) and not _may_be_the_machine(play.log, log):
                 outcome = self._referee.outcome(play.one.world, play.episode, play.log.choices)
                 self._belated.append((play.one, overruled(outcome, play.log, log)))
 
     def _rounds(self, records: int, others: int) -> int:
-        """How often these records are to be played: of few, one order may be as good as another."""
+        """How often to play these records: in one order, a few might agree by chance."""
         if not records:
             return 1
         wanted = max(ENOUGH - self._again - others, FEW if self._again < BEGINNING else 1)
@@ -308,7 +318,7 @@ class PlayedTwice:
         return rounds
 
     def _play(self, one: OneRun, log: Log, script: tuple[int, ...], fits: bool = True) -> _Play:
-        rules, world = self.examination.scope.rules, one.world
+        rules, world = self.engine.scope.rules, one.world
         try:
             episode = retold(log, world)
         except IllegalAction as error:
@@ -325,12 +335,12 @@ class PlayedTwice:
     def _once_more(
         self, unit: UnitOfRuns, before: _Play, remark: Callable[[str], None]
     ) -> Outcome | LostRun:
-        """The run played anew, both times in fresh processes."""
+        """The outcome of the run played anew, both times in fresh processes."""
         one = before.one
         # A player that is given a script lets the rules' policy answer what it does not.
         script = before.log.choices if self._every else before.record.choices
-        self.players.renew()
-        (((_, log),),) = self.players.first(self.examination, unit, [one.number], script)
+        self.players.restart()
+        (((_, log),),) = self.players.play_runs(self.engine, unit, [one.number], script)
         if isinstance(log.ending, LostRun):
             return log.ending
         play = self._play(one, log, script)

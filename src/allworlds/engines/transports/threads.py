@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from itertools import islice, takewhile
 from threading import Event
-from typing import Protocol, Self, TypeVar
+from typing import Any, Protocol, Self, TypeVar
 
 from allworlds.engines.transports.inline import with_last
 from allworlds.engines.units.effort import POLL, TimeIsUp, check_deadline
@@ -15,22 +15,18 @@ from allworlds.engines.units.unit import PartialResult, R, U, U_contra, UnitEngi
 R_co = TypeVar("R_co", covariant=True)
 
 
-class Halts(Protocol):
-    """An engine that can be told to give up."""
+class Haltable(UnitEngine[U_contra, R_co], Protocol[U_contra, R_co]):
+    """An engine for threads: its work can be ended before its time."""
 
     def halt(self) -> None:
-        """Give up what is being done in any thread; its results are not asked for any more."""
-
-
-class Haltable(UnitEngine[U_contra, R_co], Halts, Protocol[U_contra, R_co]):
-    """What is done in threads must be able to end before its time."""
+        """Give up the work of every thread; nobody waits for its results any more."""
 
 
 class Threads:
-    """So many threads; what is being done when the context ends is given up.
+    """A pool of threads; at the end of the context, the work that goes on in it is given up.
 
     Args:
-        workers: how many.
+        workers: the number of threads.
         deadline: on the monotonic clock, or None.
         batch: units that a thread does at a time; many small ones cost less to hand over so.
     """
@@ -39,7 +35,7 @@ class Threads:
         self._workers, self._deadline, self._batch = workers, deadline, batch
         self._pool = ThreadPoolExecutor(workers)
         self._ended = Event()
-        self._engine: Halts | None = None
+        self._engine: Haltable[Any, Any] | None = None
 
     def __enter__(self) -> Self:
         return self
@@ -78,7 +74,7 @@ class Threads:
 
 
 def _done(engine: UnitEngine[U, R], batch: Iterable[U], ended: Event) -> list[PartialResult[U, R]]:
-    """The parts of some units; of less, and for nobody, once all has ended."""
+    """The parts of some units; of fewer, once the context has ended."""
     return [
         PartialResult(unit, result, last)
         for unit in takewhile(lambda _: not ended.is_set(), batch)

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from allworlds.explorers import EXEC
+from allworlds.explorers import is_program
 from allworlds.inputs import InputError, an_integer
 from allworlds.judging.explanations.another_world import another_world
 from allworlds.judging.explanations.parting import tell_open_darts, tell_parting
@@ -15,6 +15,7 @@ from allworlds.judging.explanations.slips import the_slip
 from allworlds.judging.explanations.spending import spending
 from allworlds.judging.explanations.story import Belief, Story, Teller, Telling
 from allworlds.judging.explanations.traceback_line import telling_line
+from allworlds.judging.laws.invariants import at_checkpoint
 from allworlds.maps import CombinatorialMap, Dart, carries, numbering
 from allworlds.words import plural, size
 
@@ -41,7 +42,7 @@ def ending(how: str) -> Teller:
 def tell_timeout(story: Story) -> Telling:
     """As of every ending; of a program that it may be waiting with its line in a buffer."""
     told = ending("The explorer was silent for too long.")(story)
-    if story.finding.explorer.startswith(EXEC):
+    if is_program(story.finding.explorer):
         told.sentences.insert(1, FLUSH)
     return told
 
@@ -176,14 +177,15 @@ def tell_variant(story: Story) -> Telling:
 
 def _tell_checkpoint(broken: str, story: Story) -> list[str]:
     sentences = [broken]
-    step = story.checkpoint
+    step, seen = story.checkpoint, str(story.finding.seen)
     if step is not None:
+        when = at_checkpoint(step)
+        seen = seen.removeprefix(f"{when}: ").removesuffix(f" {when}")
         sentences.append(
             f"The checkpoint came after step {step}, where the robot stood at "
             f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
         )
-    told = story.expected_and_seen().replace(f"at the checkpoint after step {step}: ", "")
-    return [*sentences, told.replace(f" at the checkpoint after step {step}.", ".")]
+    return [*sentences, f"Expected was: {story.finding.expected}; seen was: {seen}."]
 
 
 # ---------------------------------------------------------------- the answer was guessed, or dear

@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import Annotated, Any, Final, Literal
 
 from allworlds.document import Document, IfAny, Natural, about, read_by, taken
-from allworlds.explorers import EXEC, NATIVE, own_bound
+from allworlds.explorers import named_on_command_line, own_bound
 from allworlds.inputs import InputError, parse_json, show
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.case import Value
@@ -75,13 +75,7 @@ class Finding:
     @property
     def reproduce(self) -> str:
         """A shell command that runs the explorer in this world again."""
-        command = ["allworlds", "run"]
-        if self.explorer.startswith(EXEC):
-            command += ["--exec", self.explorer.removeprefix(EXEC)]
-        elif self.explorer.startswith(NATIVE):
-            command += ["--native", self.explorer.removeprefix(NATIVE)]
-        else:
-            command += [self.explorer]
+        command = ["allworlds", "run", *named_on_command_line(self.explorer)]
         command += [json.dumps(self.world.to_json(), separators=(",", ":"))]
         return shlex.join(command + self.rules.arguments(self.choices))
 

@@ -78,7 +78,7 @@ def variant(case: Case) -> Violation | None:
             return Violation(
                 "variant",
                 f"t = |E_G| - |E_S| below {previous} after the next pass",
-                f"t = {t} {_when(steps)}",
+                f"t = {t} {at_checkpoint(steps)}",
                 steps,
             )
         previous = t
@@ -125,9 +125,10 @@ def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | Broken
     return image
 
 
-def _when(steps: int) -> str:
+def at_checkpoint(steps: int) -> str:
+    """The words in which a violation names the checkpoint after that step."""
     return f"at the checkpoint after step {steps}"
 
 
 def _violation(law: str, expected: str, steps: int, broken: BrokenInvariant) -> Violation:
-    return Violation(law, expected, f"{_when(steps)}: {broken.reason}", steps)
+    return Violation(law, expected, f"{at_checkpoint(steps)}: {broken.reason}", steps)

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 from allworlds.engines import SingleRun
 from allworlds.explorers import BUILT_IN
-from allworlds.judging import Stage, play, true_trail
+from allworlds.judging import Environment, play, true_trail
 from allworlds.maps import Dart
 from allworlds.protocol import Action, Checkpoint, Choices, Kind, Percept
 from allworlds.world import World
@@ -93,7 +93,7 @@ def embedded(checkpoint: Checkpoint, world: World, robot: Dart) -> dict[Dart, Da
     return place if len(place) == len(sigma) else None
 
 
-class _Replayed(Stage):
+class _Replayed(Environment):
     """In place of the world: the recorded percepts, and how many steps were made."""
 
     def __init__(self, told: int | None, percepts: Sequence[Percept]) -> None:

@@ -10,17 +10,23 @@ import small
 from allworlds import Ambiguous, Checkpoint, Choices, CombinatorialMap, Drop, Estimate, Move
 from allworlds.engines import PythonEngine, Scope, Tally
 from allworlds.engines.compiled.requests import level_of
-from allworlds.engines.compiled.stretches import KEPT, LEAST, THIRD, PlayedByStretches
-from allworlds.engines.isolation.jobs import PlayStretch, Stretched
+from allworlds.engines.compiled.stretches import LEAST, THIRD, PlayedByStretches
+from allworlds.engines.isolation.generator_player import (
+    ByteWorld,
+    GeneratorPlayer,
+    log_of_run,
+    recorded,
+)
+from allworlds.engines.isolation.jobs import PlayStretch
+from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.player import PlayerProcess
-from allworlds.engines.isolation.scribe import RecordedBytes, Scribe, Tabled, played
-from allworlds.engines.isolation.shared_logs import Shared
+from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.kernel.batches import UnitJudge
 from allworlds.engines.kernel.native import RUN_NUMBER
 from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.in_process import InProcessPlayers
-from allworlds.engines.python.play import Record, Recorded as SensedAgain
-from allworlds.engines.python.second_play import Earlier
+from allworlds.engines.python.play import Recorded
+from allworlds.engines.python.second_play import KEPT, EarlierPlays
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import Subject, algorithm1
 from allworlds.judging import Fault, UncheckedAnswer, make_rules, perform
@@ -52,12 +58,12 @@ def in_bytes(percept):
     return percept.degree, percept.marks, 0 if percept.bearing is None else percept.bearing + 1
 
 
-def tabled(world):
+def byte_world(world, told=-1):
     """The world as the kernel lays it out."""
     vertices, table = [*world.map.vertex_of], []
     for dart, percept in enumerate(world.percepts):
         table += [vertices.index(vertices[dart]), world.map.alpha[dart], *in_bytes(percept)]
-    return Tabled(bytes(table), -1)
+    return ByteWorld(bytes(table), told)
 
 
 def ready(explore):
@@ -65,9 +71,9 @@ def ready(explore):
     return lambda first, _choices, _told: explore(first)
 
 
-def log_of(explore, scene=None, budget=BUDGET):
+def log_of(explore, world=None, budget=BUDGET):
     beat = [0, 0]
-    log = played(scene or tabled(EDGE), ready(explore), Choices(), budget, beat)
+    log = log_of_run(world or byte_world(EDGE), ready(explore), Choices(), budget, beat)
     assert beat[1] == 0
     return log
 
@@ -79,8 +85,8 @@ def meaning(log):
     return motions, checkpoints, ending if isinstance(ending, LogEnd) else UncheckedAnswer(*ending)
 
 
-def by_the_episode(stage, explore, budget=BUDGET):
-    log = perform(stage, ready(explore), Choices(), budget)
+def by_the_episode(world, explore, budget=BUDGET):
+    log = perform(world, ready(explore), Choices(), budget)
     ending = log.ending
     if isinstance(ending, Fault):
         too_often = len(log.checkpoints) > budget
@@ -118,7 +124,7 @@ SAME_TWICE = [mutant for mutant in WRONG_EXPLORERS if mutant.name != "state-kept
 def test_a_log_is_that_of_the_episode_in_a_world_and_against_a_record(mutant):
     explore = mutant.explorer()
     for world in worlds(2):
-        log = log_of(explore, tabled(world))
+        log = log_of(explore, byte_world(world))
         expected = by_the_episode(world, explore)
         if meaning(log)[2] is LogEnd.STRANGE:  # it has shown what is larger than any world
             assert max(len(sigma) for _, sigma, _, _ in expected[1]) > 64
@@ -128,8 +134,8 @@ def test_a_log_is_that_of_the_episode_in_a_world_and_against_a_record(mutant):
         for k in expected[0]:
             state, percept = world.step(state, Move(k))
             sensed.append(percept)
-        record = RecordedBytes(bytes(sum(map(in_bytes, sensed), ())), -1)
-        again = SensedAgain(Record(sensed, None, (), BUDGET, ""))
+        record = recorded(bytes(sum(map(in_bytes, sensed), ())), -1)
+        again = Recorded(sensed, None)
         assert meaning(log_of(explore, record)) == by_the_episode(again, explore)
 
 
@@ -185,7 +191,7 @@ def test_what_may_be_the_machines_doing_is_said_of_no_run(error):
 
 
 def test_against_a_record_there_is_nothing_behind_its_end():
-    record = RecordedBytes(bytes((1, 1, 1, 1, 0, 0)), -1)
+    record = recorded(bytes((1, 1, 1, 1, 0, 0)), -1)
     log = log_of(saying(*[Move(0)] * 3), record)
     assert log == bytes((0, 0, LogEnd.STRANGE))
 
@@ -198,9 +204,7 @@ def test_what_is_told_is_handed_on():
         return algorithm1(first)
 
     for told in (-1, 0, 3):
-        scene = tabled(EDGE)
-        scene.told = told
-        played(scene, player, Choices(), BUDGET, [0, 0])
+        log_of_run(byte_world(EDGE, told), player, Choices(), BUDGET, [0, 0])
     assert heard == [None, 0, 3]
 
 
@@ -215,7 +219,7 @@ def test_a_log_without_an_end_is_none(log):
 
 def first_of(edges):
     """Memory for two players, and who judges what they leave in it."""
-    memory = Shared(edges), Shared(edges)
+    memory = StretchMemory(edges), StretchMemory(edges)
     scope = scope_of(edges)
     level = level_of("x", scope.rules, scope.extent, edges)
     judge = UnitJudge(level, (-1,), 1, *(each.stretch for each in memory))
@@ -224,24 +228,24 @@ def first_of(edges):
 
 def test_a_stretch_is_played_judged_and_played_again():
     first, second, judge = first_of(2)
-    laid = judge.lay_out(100)
-    scribe = Scribe(ready(algorithm1), [0, 0], lambda: None)
-    said = scribe.play(PlayStretch(first.file, 2, laid.runs, 1, "fifo", again=False))
-    rows, readable = judge.judge(laid, said.size)
+    batch = judge.lay_out(100)
+    player = GeneratorPlayer(ready(algorithm1), [0, 0], lambda: None)
+    said = player.play(PlayStretch(first.file, 2, batch.runs, 1, "fifo", again=False))
+    rows, readable = judge.judge(batch, said.size)
     assert readable
     assert rows.broken == ()
-    again = scribe.play(PlayStretch(second.file, 2, laid.runs, 2, "fifo", again=True))
-    assert judge.differing(laid, again.size) == []
+    again = player.play(PlayStretch(second.file, 2, batch.runs, 2, "fifo", again=True))
+    assert judge.differing(batch, again.size) == []
 
 
 def test_who_plays_again_is_not_told_which_run_it_is():
     first, second, judge = first_of(2)
-    laid = judge.lay_out(100)
-    scribe = Scribe(ready(algorithm1), [0, 0], lambda: None)
-    job = PlayStretch(first.file, 2, laid.runs, 1, "fifo", again=False)
-    judge.judge(laid, scribe.play(job).size)
-    assert len({int(head[RUN_NUMBER]) for head in first.stretch.heads[: laid.runs]}) > 1
-    assert {int(head[RUN_NUMBER]) for head in second.stretch.heads[: laid.runs]} == {0}
+    batch = judge.lay_out(100)
+    player = GeneratorPlayer(ready(algorithm1), [0, 0], lambda: None)
+    job = PlayStretch(first.file, 2, batch.runs, 1, "fifo", again=False)
+    judge.judge(batch, player.play(job).size)
+    assert len({int(head[RUN_NUMBER]) for head in first.stretch.heads[: batch.runs]}) > 1
+    assert {int(head[RUN_NUMBER]) for head in second.stretch.heads[: batch.runs]} == {0}
 
 
 @pytest.mark.parametrize(("changes", "differ"), [("shown", False), ("here", True)])
@@ -255,44 +259,45 @@ def test_what_is_published_may_differ_and_what_is_done_may_not(changes, differ):
         yield Checkpoint((0, 1), (0, 1), 0)
         return Estimate(small.EDGE, next(turn) if changes == "here" else 0)
 
-    laid = judge.lay_out(4)
-    play = Scribe(ready(explore), [0, 0], lambda: None).play
-    judge.judge(laid, play(PlayStretch(first.file, 2, laid.runs, 1, "fifo", again=False)).size)
-    again = play(PlayStretch(second.file, 2, laid.runs, 2, "fifo", again=True))
-    assert len(judge.differing(laid, again.size)) == (laid.runs if differ else 0)
+    batch = judge.lay_out(4)
+    play = GeneratorPlayer(ready(explore), [0, 0], lambda: None).play
+    judge.judge(batch, play(PlayStretch(first.file, 2, batch.runs, 1, "fifo", again=False)).size)
+    again = play(PlayStretch(second.file, 2, batch.runs, 2, "fifo", again=True))
+    assert len(judge.differing(batch, again.size)) == (batch.runs if differ else 0)
 
 
 def test_logs_without_room_are_left_to_others(monkeypatch):
     first, _, judge = first_of(2)
-    laid = judge.lay_out(100)
-    scribe = Scribe(ready(algorithm1), [0, 0], lambda: None)
-    job = PlayStretch(first.file, 2, laid.runs, 1, "fifo", again=False)
-    monkeypatch.setattr(scribe._shown.stretch(job), "logs", first.stretch.logs[:10])
-    assert scribe.play(job) == Stretched(-1, 0)
-    lost = Scribe(ready(throwing(MemoryError())), [0, 0], lambda: None)
-    assert lost.play(job) == Stretched(-1, 0)
+    batch = judge.lay_out(100)
+    player = GeneratorPlayer(ready(algorithm1), [0, 0], lambda: None)
+    job = PlayStretch(first.file, 2, batch.runs, 1, "fifo", again=False)
+    monkeypatch.setattr(player._memories.stretch(job), "logs", first.stretch.logs[:10])
+    assert player.play(job) == StretchResult(-1, 0)
+    lost = GeneratorPlayer(ready(throwing(MemoryError())), [0, 0], lambda: None)
+    assert lost.play(job) == StretchResult(-1, 0)
 
 
-def test_a_player_has_a_scribe_for_a_generator():
-    shared = Shared(1)
+def test_a_generator_is_played_by_a_generator_player():
+    shared = StretchMemory(1)
     player = PlayerProcess.__new__(PlayerProcess)
-    player._actor, player._beat, player._intact = None, [0, 0], lambda: None
+    player._stretches, player._beat, player._intact = None, [0, 0], lambda: None
     job = PlayStretch(shared.file, 1, 0, 1, "fifo", again=False)
-    assert player._stretch(Subject("x", frozenset(), ready_made), job) == Stretched(0, 0)
-    assert isinstance(player._actor, Scribe)
+    assert player._play_stretch(Subject("x", frozenset(), ready_made), job) == StretchResult(0, 0)
+    assert isinstance(player._stretches, GeneratorPlayer)
 
 
-class CastHere(InProcessPlayers):
+class PairHere(InProcessPlayers):
     """Both players of a function in this process; ``IN_STRETCHES`` is what they do."""
 
     def __init__(self, explore):
         super().__init__(Subject("x", frozenset(), explore))
         self.random = Random(1)
         self.scribes = {
-            which: Scribe(ready(explore), [0, 0], lambda: None) for which in ("first", "second")
+            which: GeneratorPlayer(ready(explore), [0, 0], lambda: None)
+            for which in ("first", "second")
         }
 
-    def stretch(self, which, job):
+    def play_stretch(self, which, job):
         IN_STRETCHES.append(True)
         try:
             return self.scribes[which].play(job)
@@ -304,8 +309,8 @@ IN_STRETCHES = []
 
 
 def engine_of(explore, edges):
-    examination = PythonEngine(scope_of(edges), 1)
-    return PlayedByStretches(examination, "x", CastHere(explore), Earlier())
+    general = PythonEngine(scope_of(edges), 1)
+    return PlayedByStretches(general, "x", PairHere(explore), EarlierPlays())
 
 
 def first_unit(explore, edges):

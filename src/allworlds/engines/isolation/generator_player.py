@@ -1,20 +1,22 @@
 """Stretches played by explorers that are generators: a function in Python, a program behind a pipe.
 
-What a run did is left behind as the bytes that the kernel reads
-(:mod:`allworlds.engines.kernel.logs`), so that explorers of every kind are judged by the same
-compiled judge.  The twin of :func:`played` is :func:`allworlds.judging.episode.perform`, which can
-also say what went wrong; it is asked where something did.
+The log of a run is written in the bytes that the kernel reads
+(:mod:`allworlds.engines.kernel.logs`), so that one compiled judge judges explorers of every kind.
+The twin of :func:`log_of_run` is :func:`allworlds.judging.episode.perform`, which also says what
+went wrong; the general engine calls it for a run that went wrong.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, MutableSequence
 from random import Random
-from typing import Any, Protocol
+from typing import Any
 
-from allworlds.engines.isolation.jobs import PlayStretch, Stretched
-from allworlds.engines.isolation.shared_logs import Shown
+from allworlds.engines.isolation.jobs import PlayStretch
+from allworlds.engines.isolation.messages import StretchResult
+from allworlds.engines.isolation.shared_logs import OpenedMemories
 from allworlds.engines.kernel.writing import LogEnd, answer_entry, shown_entry
+from allworlds.engines.python.play import Recorded
 from allworlds.inputs import integer, let_users_interrupt
 from allworlds.judging import UncheckedAnswer, closed, ending_of, integers
 from allworlds.protocol import (
@@ -27,9 +29,10 @@ from allworlds.protocol import (
     Player,
     policy_named,
 )
+from allworlds.world import IllegalAction
 
 
-class Scribe:
+class GeneratorPlayer:
     """A player's side of stretches, for a generator that is here.
 
     Args:
@@ -43,14 +46,14 @@ class Scribe:
         self, player: Player, beat: MutableSequence[int], intact: Callable[[], None]
     ) -> None:
         self._player, self._beat, self._intact = player, beat, intact
-        self._shown = Shown()
+        self._memories = OpenedMemories()
 
-    def play(self, job: PlayStretch) -> Stretched:
-        """All runs of a stretch, whose logs come to stand in the memory.
+    def play(self, job: PlayStretch) -> StretchResult:
+        """Play all runs of a stretch, and put their logs into the memory.
 
-        There are none if there is no room, or if the machine may have had its part in one of them.
+        None are put there if there is no room, or if the machine may have had its part in one.
         """
-        stretch = self._shown.stretch(job)
+        stretch = self._memories.stretch(job)
         heads = stretch.heads[: job.runs].tolist()
         logs, begins = bytearray(), [0] * job.runs
         order = [*range(job.runs)]
@@ -58,78 +61,66 @@ class Scribe:
         for run in order:
             budget, told, number, motions = heads[run]
             self._beat[0], begins[run] = number, len(logs)
-            scene: ByteStage
+            world: ByteWorld | Recorded
             if job.again:
                 start = int(stretch.starts[run])
                 sensed = stretch.percepts[start : start + 3 * (motions + 1)].tobytes()
-                scene = RecordedBytes(sensed, told)
+                world = recorded(sensed, told)
             else:
-                scene = Tabled(stretch.worlds[run].tobytes(), told)
+                world = ByteWorld(stretch.worlds[run].tobytes(), told)
             choices = Choices(policy_named(job.policy))
-            log = played(scene, self._player, choices, budget, self._beat)
+            log = log_of_run(world, self._player, choices, budget, self._beat)
             self._intact()
             if log is None:
-                return Stretched(-1, 0)
+                return StretchResult(-1, 0)
             logs += log
-        return Stretched(stretch.put(logs, begins), 0)
+        return StretchResult(stretch.put(logs, begins), 0)
 
 
-class ByteStage(Protocol):
-    """What is sensed, three bytes each: the degree, the marks, and the bearing and one more.
+class ByteWorld:
+    """A world as the kernel lays it out: five bytes for each dart.
+
+    The first two are the first dart of its vertex and the dart behind its edge; the others are the
+    percept there.  The state is the robot's dart.
 
     Attributes:
-        first: before any motion.
-        told: what the lighthouse tells before the start; below 0: nothing.
+        initial, first, told: as those of a world.
     """
 
-    first: bytes
-    told: int
-
-    def leave(self, motion: int) -> bytes:
-        """Behind a motion, which is below the degree; nothing where a record ends."""
-
-
-class Tabled:
-    """A world as the kernel lays it out: five bytes for each dart."""
-
     def __init__(self, table: bytes, told: int) -> None:
-        self._table, self._dart = table, 0
-        self.first, self.told = table[2:5], told
+        self._table = table
+        self.initial, self.first, self.told = 0, _percept(*table[2:5]), _told(told)
 
-    def leave(self, motion: int) -> bytes:
-        """See :class:`ByteStage`."""
-        table, leaving = self._table, self._dart + motion
-        first, _, degree = table[5 * self._dart : 5 * self._dart + 3]
+    def step(self, state: int, motion: int) -> tuple[int, Percept]:
+        """The dart behind a motion, which is below the degree, and the percept there."""
+        table, leaving = self._table, state + motion
+        first, _, degree = table[5 * state : 5 * state + 3]
         if leaving >= first + degree:
             leaving -= degree
-        self._dart = arrived = table[5 * leaving + 1]
-        return table[5 * arrived + 2 : 5 * arrived + 5]
+        arrived = table[5 * leaving + 1]
+        return arrived, _percept(*table[5 * arrived + 2 : 5 * arrived + 5])
 
 
-class RecordedBytes:
-    """In place of a world: what was sensed in the first play."""
-
-    def __init__(self, sensed: bytes, told: int) -> None:
-        self._sensed, self._at = sensed, 0
-        self.first, self.told = sensed[:3], told
-
-    def leave(self, motion: int) -> bytes:  # noqa: ARG002  # what is sensed is known
-        """See :class:`ByteStage`."""
-        self._at = at = self._at + 3
-        return self._sensed[at : at + 3]
+def recorded(sensed: bytes, told: int) -> Recorded:
+    """The percepts of a first play, three bytes each, in place of a world."""
+    percepts = [_percept(*sensed[at : at + 3]) for at in range(0, len(sensed), 3)]
+    return Recorded(percepts, _told(told))
 
 
-def played(
-    scene: ByteStage, player: Player, choices: Choices, budget: int, beat: MutableSequence[int]
+def log_of_run(
+    world: ByteWorld | Recorded,
+    player: Player,
+    choices: Choices,
+    budget: int,
+    beat: MutableSequence[int],
 ) -> bytes | None:
-    """The log of one run; None if what went wrong may be the machine's doing."""
+    """The log of one run; None if the machine may have made it go wrong."""
     log = bytearray()
-    told = None if scene.told < 0 else scene.told
     run = None
     beat[1] = 1
     try:
-        run = player(_percept(*scene.first), choices, told)
-        _write(log, run, scene, budget, beat)
+        run = player(world.first, choices, world.told)
+        _write_log(log, run, world, budget, beat)
     except StopIteration as stop:
         log += _answer(stop.value)
     except BaseException as error:  # noqa: BLE001  # an explorer may raise anything
@@ -144,16 +135,17 @@ def played(
     return bytes(log)
 
 
-def _write(
+def _write_log(
     log: bytearray,
     run: Generator[Any, Any, Any],
-    scene: ByteStage,
+    world: ByteWorld | Recorded,
     budget: int,
     beat: MutableSequence[int],
 ) -> None:
-    """All that the run does comes to stand in the log, but for the answer: StopIteration has it."""
+    """Append every action of the run to the log; the answer arrives as StopIteration."""
     motions_left, shown_left, turn = budget, budget + 1, 1
-    degree, reply = scene.first[0], None
+    state, degree = world.initial, world.first.degree
+    reply: Percept | None = None
     while True:
         message = run.send(reply)
         turn += 1
@@ -166,11 +158,11 @@ def _write(
             k = message.k
             motion = (k if type(k) is int else integer(k)) % degree
             log.append(motion)
-            sensed = scene.leave(motion)
-            if not sensed:
+            try:
+                state, reply = world.step(state, motion)
+            except IllegalAction:  # the record ends here
                 log.append(LogEnd.STRANGE)
                 return
-            reply = _percept(*sensed)
             degree = reply.degree
         elif type(message) is Checkpoint:
             if not shown_left:
@@ -189,10 +181,14 @@ def _percept(degree: int, marks: int, bearing: int) -> Percept:
     return Percept(degree, marks, bearing - 1 if bearing else None)
 
 
+def _told(told: int) -> int | None:
+    return None if told < 0 else told
+
+
 def _answer(answer: object) -> bytes:
     if type(answer) is Ambiguous:
         return bytes((LogEnd.STRANGE,))
-    said = ending_of(answer)
-    if type(said) is not UncheckedAnswer:
+    ending = ending_of(answer)
+    if type(ending) is not UncheckedAnswer:
         return bytes((LogEnd.WITHOUT_ANSWER,))
-    return answer_entry(said.sigma, said.alpha, said.here)
+    return answer_entry(ending.sigma, ending.alpha, ending.here)

@@ -1,31 +1,34 @@
-"""The referee's side of the players: asked, heard, replaced where they are lost."""
+"""The referee's side of its two players: jobs out, logs in, lost players replaced."""
 
 from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, MutableSequence, Sequence
 from dataclasses import dataclass, field, replace
 from random import Random
-from typing import Protocol, runtime_checkable
+from typing import Any, Protocol, TypeVar
 
 from allworlds.engines.isolation.jobs import (
-    Casting,
-    Described,
     HarnessError,
-    Played,
+    PlayerSetup,
     PlayRecords,
     PlayRuns,
     PlayStretch,
-    Stretched,
+)
+from allworlds.engines.isolation.messages import (
+    ExplorerDescription,
+    RecordLogs,
+    RunLogs,
+    StretchResult,
 )
 from allworlds.engines.isolation.process import GRACE, NO_RUN, Garbled, Guardian, Process, close_all
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.python_engine import PartwiseEngine, PythonEngine
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.python.second_play import Earlier
+from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.units.effort import POLL
-from allworlds.explorers import EXEC
+from allworlds.explorers import Subject, is_program
 from allworlds.inputs import InputError, show
 from allworlds.judging import Fault, Log, LostRun
 
@@ -34,9 +37,10 @@ IMPORT_TIMEOUT = 60.0
 
 ANSWER = "an action, or an estimate at the end"
 
-
 MOST_LOSSES = 20
-"""So many lost players that no fresh one has followed are put down to the machine."""
+"""The number of losses that are put down to the machine, if no fresh player repeats them."""
+
+M = TypeVar("M")
 
 
 class Unsettled(Exception):
@@ -58,49 +62,51 @@ class PlayerLost(Exception):
         self.law, self.seen, self.number, self.machine = law, seen, number, machine
 
     def log(self, kind: type[Fault]) -> Log:
-        """In place of the log of the run."""
+        """The log that stands for that of the lost run."""
         return Log((), (), kind(self.law, ANSWER, self.seen, "", self.machine))
 
 
-def started(guardian: Guardian, casting: Casting) -> tuple[Process, Described]:
+def start_player(guardian: Guardian, setup: PlayerSetup) -> tuple[Process, ExplorerDescription]:
     """A player with its explorer loaded.
 
     Raises:
         InputError: if the explorer cannot be loaded.
     """
-    process = Process(guardian, "player", casting)
+    process = Process(guardian, "player", setup)
     try:
-        return process, _described(process, casting)
+        return process, _description(process, setup)
     except BaseException:
         process.close()
         raise
 
 
-def _described(process: Process, casting: Casting) -> Described:
+def _description(process: Process, setup: PlayerSetup) -> ExplorerDescription:
     deadline = time.monotonic() + IMPORT_TIMEOUT
     while not process.connection.poll(POLL):
         if process.has_ended():
-            raise _not_imported(process, casting)
+            raise _not_imported(process, setup)
         if time.monotonic() > deadline:
             raise InputError(
-                f"{show(casting.name)} does not import: it was at it for {IMPORT_TIMEOUT:g} s"
+                f"{show(setup.name)} does not import: it was at it for {IMPORT_TIMEOUT:g} s"
             )
     try:
-        described = process.receive()
+        description = process.receive()
     except EOFError:
-        raise _not_imported(process, casting) from None
-    assert isinstance(described, Described)
-    return described
+        raise _not_imported(process, setup) from None
+    assert isinstance(description, ExplorerDescription)
+    return description
 
 
-def _not_imported(process: Process, casting: Casting) -> InputError:
-    limit = "" if casting.memory is None else f", with memory limited to {casting.memory} MB"
+def _not_imported(process: Process, setup: PlayerSetup) -> InputError:
+    limit = "" if setup.memory is None else f", with memory limited to {setup.memory} MB"
     return InputError(
-        f"a process came to {process.death()[0]} when it imported {show(casting.name)}{limit}"
+        f"a process came to {process.death()[0]} when it imported {show(setup.name)}{limit}"
     )
 
 
-def hear(process: Process, casting: Casting, alive: Callable[[], None] = lambda: None) -> object:
+def receive(
+    process: Process, setup: PlayerSetup, alive: Callable[[], None] = lambda: None
+) -> object:
     """A player's next message.
 
     ``alive`` is called while there is none.
@@ -108,14 +114,14 @@ def hear(process: Process, casting: Casting, alive: Callable[[], None] = lambda:
     Raises:
         PlayerLost: if it is silent for too long, or has died.
     """
-    patience = casting.answer_timeout + (GRACE if casting.name.startswith(EXEC) else 0.0)
+    patience = setup.answer_timeout + (GRACE if is_program(setup.name) else 0.0)
     while True:
-        told = process.connection.poll(POLL)
-        # What it has told before it fell silent is still heard; but it may tell choices for ever.
-        if process.silent_for() > patience + (GRACE if told else 0.0):
-            seen = f"silent for {casting.answer_timeout:g} s"
+        ready = process.connection.poll(POLL)
+        # A message sent before the silence is still read; but a player may send choices for ever.
+        if process.silent_for() > patience + (GRACE if ready else 0.0):
+            seen = f"silent for {setup.answer_timeout:g} s"
             raise PlayerLost("timeout", seen, _number(process), machine=True)
-        if told:
+        if ready:
             break
         if process.has_ended():
             raise _died(process)
@@ -134,7 +140,7 @@ def _died(process: Process) -> PlayerLost:
 
 
 def _interfered(process: Process, error: HarnessError) -> PlayerLost:
-    """A player has failed where the explorer has no turn; a signal of it may have come then."""
+    """The loss of a player that failed out of the explorer's turn, perhaps by a signal of its."""
     last = (str(error).strip().splitlines() or ["an error"])[-1]
     return PlayerLost("crash", f"{last}, out of its turn", _number(process), machine=True)
 
@@ -145,38 +151,38 @@ def _number(process: Process) -> int | None:
 
 
 @dataclass(slots=True)
-class Cast:
-    """Two processes with one explorer: the one plays in worlds, the other against records.
+class PlayerPair:
+    """Two processes with one explorer: the first plays in worlds, the second against records.
 
     Attributes:
         guardian: starts and ends them.
-        casting: the explorer.
+        setup: the explorer.
         random: from which every order is drawn.
         alive: called while a player is waited for.
-        remark: takes what happened and refutes nothing.
+        remark: takes the text of an event that refutes nothing.
     """
 
     guardian: Guardian
-    casting: Casting
+    setup: PlayerSetup
     random: Random
     alive: Callable[[], None] = lambda: None
     remark: Callable[[str], None] = lambda _: None
     _processes: dict[str, Process] = field(default_factory=dict)
     _losses: int = 0
-    _asked: PlayRecords = field(default_factory=lambda: PlayRecords((), "fifo", 0))
+    _sent: PlayRecords = field(default_factory=lambda: PlayRecords((), "fifo", 0))
 
     def close(self) -> None:
-        """End both."""
+        """End both processes."""
         close_all(*self._processes.values())
         self._processes.clear()
 
-    def renew(self) -> None:
+    def restart(self) -> None:
         """Go on in fresh processes."""
         self.close()
 
-    def first(
+    def play_runs(
         self,
-        examination: PythonEngine,
+        engine: PythonEngine,
         unit: UnitOfRuns,
         numbers: Sequence[int],
         script: tuple[int, ...] | None = None,
@@ -185,13 +191,13 @@ class Cast:
 
         Raises:
             Unsettled: if processes are lost again and again, and no fresh one repeats it.
-            HarnessError: if a player fails otherwise than by what an explorer does in its turn,
-                and a fresh one does so, too.
+            HarnessError: if a player fails otherwise than by the explorer's acts in its turn, and
+                a fresh one does so, too.
         """
-        left, told = list(numbers), Counter[int]()
+        left, received = list(numbers), Counter[int]()
         while left:
-            job = PlayRuns(examination, unit, tuple(left), self.random.getrandbits(64), script)
-            lost = yield from self._attempt(job, left, told)
+            job = PlayRuns(engine, unit, tuple(left), self.random.getrandbits(64), script)
+            lost = yield from self._attempt(job, left, received)
             if lost is None:
                 return
             # If it is not known in which run, the first that is left may be the one.
@@ -200,7 +206,7 @@ class Cast:
             if number is not None:
                 # Once more by itself, so that it can be put down to nobody else.
                 alone = replace(job, numbers=(number,))
-                again = yield from self._attempt(alone, left, told, last=True)
+                again = yield from self._attempt(alone, left, received, last=True)
             if again is None:
                 self._note(lost)
             elif number in left:
@@ -208,13 +214,13 @@ class Cast:
                 yield [(number, again.log(LostRun))]
 
     def _attempt(
-        self, job: PlayRuns, left: list[int], told: Counter[int], *, last: bool = False
+        self, job: PlayRuns, left: list[int], received: Counter[int], *, last: bool = False
     ) -> Generator[list[tuple[int, Log]], None, PlayerLost | None]:
-        """The logs of a job that have not been told before; how it was lost, if it was.
+        """Yield the logs of a job that were not received before; return how it was lost, if it was.
 
-        What has no more logs is taken out of ``left``.
+        Runs that have no more logs are taken out of ``left``.
         """
-        before = Counter(told)
+        before = Counter(received)
         player = None
         try:
             player = self._player("first")
@@ -222,80 +228,75 @@ class Cast:
             player.send(job)
             waiting = len(job.numbers)
             while waiting:
-                played = hear(player, self.casting, self.alive)
-                assert isinstance(played, Played)
+                message = self._receive(player, RunLogs)
                 fresh = []
-                for number, log in played.logs:
+                for number, log in message.logs:
                     if before[number]:
                         before[number] -= 1
                     else:
-                        told[number] += 1
+                        received[number] += 1
                         fresh.append((number, log))
-                waiting -= len(played.done)
-                for number in played.done:
+                waiting -= len(message.finished)
+                for number in message.finished:
                     left.remove(number)
                 if fresh:
                     yield fresh
         except PlayerLost as lost:
-            self._dismiss("first")
+            self._end("first")
             return lost
         except HarnessError as error:
             if last or player is None:
                 raise
             interfered = _interfered(player, error)
-            self._dismiss("first")
+            self._end("first")
             return interfered
         return None
 
-    def stretch(self, which: str, job: PlayStretch) -> Stretched | None:
-        """What the first or the second player says of a stretch; None if it was lost over it."""
+    def play_stretch(self, which: str, job: PlayStretch) -> StretchResult | None:
+        """Have the first or the second player play a stretch; None if it was lost over it."""
         try:
             player = self._player(which)
             player.send(job)
-            said = hear(player, self.casting, self.alive)
+            message = receive(player, self.setup, self.alive)
         except (PlayerLost, HarnessError):
-            self._dismiss(which)
+            self._end(which)
             return None
-        if isinstance(said, Stretched):
-            return said
-        self._dismiss(which)
+        if isinstance(message, StretchResult):
+            return message
+        self._end(which)
         return None
 
     def send_records(self, records: Sequence[Record], policy: str) -> None:
         """Begin to play these once more."""
-        self._asked = PlayRecords(tuple(records), policy, self.random.getrandbits(64))
+        self._sent = PlayRecords(tuple(records), policy, self.random.getrandbits(64))
         if records:
-            self._player("second").send(self._asked)
+            self._player("second").send(self._sent)
 
     def receive_logs(self) -> list[Log]:
-        """The logs of what was asked for, in the order of the records."""
-        if not self._asked.records:
+        """The logs of the records that were sent, in their order."""
+        if not self._sent.records:
             return []
         try:
-            logs = hear(self._player("second"), self.casting, self.alive)
+            return self._receive(self._player("second"), RecordLogs).logs
         except PlayerLost as lost:
-            self._dismiss("second")
+            self._end("second")
             return self._one_by_one(lost)
         except HarnessError as error:
             interfered = _interfered(self._player("second"), error)
-            self._dismiss("second")
+            self._end("second")
             return self._one_by_one(interfered)
-        assert isinstance(logs, list)
-        return logs
 
     def _one_by_one(self, lost: PlayerLost) -> list[Log]:
-        """The same, where one of the records has cost the player its life."""
+        """The same logs, where one of the records has cost the player its life."""
         logs = []
         repeated = False
-        for record in self._asked.records:
+        for record in self._sent.records:
             try:
                 player = self._player("second")
-                player.send(PlayRecords((record,), self._asked.policy, 0))
-                told = hear(player, self.casting, self.alive)
-                assert isinstance(told, list)
-                log: Log = told[0]
+                player.send(PlayRecords((record,), self._sent.policy, 0))
+                (log,) = self._receive(player, RecordLogs).logs
             except PlayerLost as again:
-                self._dismiss("second")
+                self._end("second")
                 repeated = True
                 log = again.log(Fault)
             logs.append(log)
@@ -303,8 +304,17 @@ class Cast:
             self._note(lost)
         return logs
 
+    def _receive(self, player: Process, kind: type[M]) -> M:
+        message = receive(player, self.setup, self.alive)
+        assert isinstance(message, kind)
+        return message
+
     def _note(self, lost: PlayerLost) -> None:
-        """A loss that a fresh process has not repeated refutes nothing."""
+        """Remark on a loss that a fresh process has not repeated: it refutes nothing.
+
+        Raises:
+            Unsettled: if there are too many of them.
+        """
         self.remark(f"a player was lost ({lost.seen}), and a fresh one was not: no refutation")
         self._losses += 1
         if self._losses > MOST_LOSSES:
@@ -315,18 +325,33 @@ class Cast:
 
     def _player(self, which: str) -> Process:
         if which not in self._processes:
-            self._processes[which], _ = started(self.guardian, self.casting)
+            self._processes[which], _ = start_player(self.guardian, self.setup)
         return self._processes[which]
 
-    def _dismiss(self, which: str) -> None:
+    def _end(self, which: str) -> None:
         process = self._processes.pop(which, None)
         if process is not None:
             process.close()
 
 
-@runtime_checkable
-class UserEngine(Protocol):
-    """What is done with a unit by means of its own, where the explorer is foreign."""
+class WorkerEngine(Protocol):
+    """An engine that workers can use: it is sent to their referees."""
 
-    def for_user(self, explorer: str, cast: Cast, earlier: Earlier) -> PartwiseEngine:
-        """It, with an explorer of that name in these two processes."""
+    @property
+    def keep(self) -> int:
+        """The number of findings that are kept."""
+
+    def for_built_in(
+        self, subject: Subject, beat: MutableSequence[int] | None = None
+    ) -> PartwiseEngine:
+        """The engine with an explorer of ours, which is played where this is called.
+
+        Args:
+            subject: the explorer.
+            beat: see :func:`allworlds.judging.episode.play`.
+        """
+
+    def for_foreign(
+        self, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
+    ) -> PartwiseEngine:
+        """The engine with a foreign explorer, of that name, in these two processes."""
