@@ -9,8 +9,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Unpack
 
-from msgspec.structs import asdict
-
 from allworlds.engines import (
     ENDED,
     LOST,
@@ -154,7 +152,7 @@ def estimate(
             job, chosen = _asked(explore, {**options, "edges": extent.edges}, 1, heard)
             more = estimated(job, chosen)
             larger = (more, *extrapolated(job, (guess, more)))
-    return TimeEstimate(explorer=job.subject.name, larger=larger, **asdict(guess))
+    return TimeEstimate(explorer=job.subject.name, larger=larger, **guess.to_json())
 
 
 def _asked(
