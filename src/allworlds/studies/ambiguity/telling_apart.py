@@ -41,8 +41,7 @@ class Separation(NamedTuple):
 class ComparedWorlds(Report):
     """Report of 'twins'.
 
-    Two worlds, how they are related, and the proof that they can be told apart, or cannot; what a
-    bisimulation proves says :func:`allworlds.world.bisimulation.flaw`.
+    Two worlds, how they are related, and the proof that they can be told apart, or cannot.
     """
 
     exit_code: ClassVar[Exit] = Exit.ANSWERED

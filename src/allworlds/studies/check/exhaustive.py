@@ -9,7 +9,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Unpack
 
-from allworlds.document import asdict
 from allworlds.engines import (
     ENDED,
     LOST,
@@ -153,7 +152,7 @@ def estimate(
             job, chosen = _asked(explore, {**options, "edges": extent.edges}, 1, heard)
             more = estimated(job, chosen)
             larger = (more, *extrapolated(job, (guess, more)))
-    return TimeEstimate(explorer=job.subject.name, larger=larger, **asdict(guess))
+    return TimeEstimate(explorer=job.subject.name, larger=larger, **guess.to_json())
 
 
 def _asked(

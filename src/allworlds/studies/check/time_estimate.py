@@ -19,12 +19,11 @@ from allworlds.document import (
     Text,
     about,
     computed,
-    one_of,
 )
 from allworlds.engines import (
-    ENGINES,
     ClusterLost,
     EngineKind,
+    EngineName,
     EnginesDisagree,
     Job,
     LevelRuns,
@@ -59,7 +58,7 @@ COUNTABLE = 16
 
 
 Largest: TypeAlias = Annotated[Positive, about("of the largest worlds")]
-Engine: TypeAlias = Annotated[str, about("which would do it"), one_of(*ENGINES)]
+Doer: TypeAlias = Annotated[EngineName, about("which would do it")]
 ToBeTried: TypeAlias = Annotated[Natural, about("rooted maps that are to be tried")]
 Sampled: TypeAlias = Annotated[
     Natural,
@@ -80,7 +79,7 @@ class Guess(Document):
     """How long a check with so many edges will take."""
 
     edges: Largest
-    engine: Engine
+    engine: Doer
     worlds: ToBeTried
     sampled: Sampled
     rate: Rate
@@ -97,7 +96,7 @@ class TimeEstimate(Report):
 
     explorer: Annotated[Text, about("its name")]
     edges: Largest
-    engine: Engine
+    engine: Doer
     worlds: ToBeTried
     sampled: Sampled
     rate: Rate

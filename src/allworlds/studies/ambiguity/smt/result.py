@@ -49,7 +49,7 @@ class Searched(Document):
     )
     status: Status
     formula: Annotated[Path, about("the path of the DIMACS file")]
-    proof: Annotated[Path | None, about("the path of the LRAT proof; null: there is none")] = None
+    proof: Annotated[Path | None, about("the path of the LRAT proof; null: there is none")]
     sizes: Aside[Sizes]
     seconds: Aside[float]
     same_map: Aside[tuple[Twins, ...]] = ()
