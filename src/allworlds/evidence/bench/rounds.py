@@ -78,7 +78,7 @@ class Contender:
         )
 
 
-class Spread(Document):
+class OverRounds(Document):
     """A figure over the rounds."""
 
     median: Figure
@@ -86,7 +86,7 @@ class Spread(Document):
     highest: Figure
 
     @classmethod
-    def over(cls, values: Sequence[float], digits: int) -> Spread:
+    def of(cls, values: Sequence[float], digits: int) -> OverRounds:
         """That of these values, rounded."""
         return cls(
             median=round(median(values), digits),
@@ -106,8 +106,8 @@ class Measured(Document):
     edges: Annotated[Positive, about("the level that it walks")]
     worlds: Annotated[Positive, about("the rooted maps of that level")]
     seconds: Annotated[Some[Seconds], about("of each round")]
-    worlds_per_second: Annotated[Spread, about("over the rounds")] = computed(
-        lambda measured: Spread.over(measured.rates, 1)
+    worlds_per_second: Annotated[OverRounds, about("over the rounds")] = computed(
+        lambda measured: OverRounds.of(measured.rates, 1)
     )
     rates: Aside[tuple[float, ...]]
 
@@ -117,7 +117,7 @@ class Ratio(Document):
 
     of: Annotated[Text, about("the kernel on one thread")]
     to: Annotated[Text, about("another contender")]
-    ratio: Annotated[Spread, about("the rate of the one divided by that of the other")]
+    ratio: Annotated[OverRounds, about("the rate of the one divided by that of the other")]
 
 
 class BenchReport(Report):
@@ -148,7 +148,7 @@ def _ratios(reference: Measured, *others: Measured) -> tuple[Ratio, ...]:
         Ratio(
             of=reference.name,
             to=other.name,
-            ratio=Spread.over(
+            ratio=OverRounds.of(
                 [a / b for a, b in zip(reference.rates, other.rates, strict=True)], 4
             ),
         )
@@ -177,7 +177,7 @@ def bench(
     """
     if isinstance(peers, str):
         raise InputError(f"peers = {show(peers)} is not a list of NAME=COMMAND")
-    if not 4 <= an_integer("edges", edges) <= 10:
+    if not 4 <= (edges := an_integer("edges", edges)) <= 10:
         raise InputError(f"edges = {show(edges)}; a benchmark takes 4 up to 10")
     if an_integer("rounds", rounds) < 1:
         raise InputError(f"rounds = {show(rounds)} is not positive")
