@@ -47,8 +47,8 @@ def measured(question: dict[str, Any], solver: str | None) -> str:
         start = time.perf_counter()
         result = allworlds.search(max_vertices=9, out=out, solver=solver, **question)
         seconds = time.perf_counter() - start
-    solving = sum(searched.seconds for searched in result.searched)
-    proofs = sum(searched.proof is not None for searched in result.searched)
+    solving = sum(searched.seconds for searched in result.levels)
+    proofs = sum(searched.proof is not None for searched in result.levels)
     return f"{result.status:<7} {seconds:8.1f} {solving:8.1f} {proofs:7}"
 
 

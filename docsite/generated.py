@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import importlib
 import inspect
+import json
 import pkgutil
 import re
 from importlib.resources import files
@@ -21,18 +22,17 @@ from mkdocs.structure.pages import Page
 
 import allworlds
 from allworlds.cli.app import app
+from allworlds.reports.schemas import schemas
 from allworlds.verbs import GROUPS, VERBS, Verb
-
-SCHEMAS = files("allworlds") / "schemas"
 
 
 def on_files(files_: Files, config: MkDocsConfig) -> Files:
     """The pages of the folder, and those that are made."""
     for name, text in pages().items():
         files_.append(File.generated(config, name, content=text))
-    for schema in sorted(SCHEMAS.iterdir(), key=lambda file: file.name):
-        text = schema.read_text(encoding="utf-8")
-        files_.append(File.generated(config, f"schemas/{schema.name}", content=text))
+    for name, schema in schemas().items():
+        text = json.dumps(schema, indent=2) + "\n"
+        files_.append(File.generated(config, f"schemas/{name}.schema.json", content=text))
     return files_
 
 

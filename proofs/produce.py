@@ -34,7 +34,7 @@ def searched(folder: Path, prefix: str, solver: str | None, **bounds: Any) -> li
             return list(result.pair)
         if result.certificate is None:
             raise SystemExit(f"no certificate: {result.notices}")
-        for decided in result.searched:
+        for decided in result.levels:
             name = f"{prefix}m{decided.sizes.two.edges}"
             _compress(decided.formula, folder / f"{name}.cnf.xz")
             assert decided.proof is not None

@@ -20,8 +20,8 @@ Three things are said beside a type:
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import fields as fields_of_dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import fields as fields_of_dataclass, replace as replace_in_dataclass
 from enum import Enum
 from functools import cache
 from pathlib import PurePath
@@ -48,11 +48,11 @@ from msgspec import (
     field as key,
     inspect,
 )
-from msgspec.structs import fields, force_setattr, replace
+from msgspec.structs import asdict, fields, force_setattr, replace as replace_in_struct
 
 from allworlds.inputs import InputError, show
 
-__all__ = ["UNSET", "Meta", "UnsetType", "key", "replace"]
+__all__ = ["UNSET", "Meta", "UnsetType", "asdict", "key", "replace"]
 
 T = TypeVar("T")
 
@@ -66,6 +66,11 @@ Aside: TypeAlias = Annotated[T, ASIDE]
 IF_ANY = Meta(extra={"if any": True})
 IfAny: TypeAlias = Annotated[T, IF_ANY]
 """A key that is left out where its value is None or empty."""
+
+
+def read_by(kind: Any) -> Meta:
+    """The value is of that kind; where it is read, its class reads it, and not :func:`taken`."""
+    return Meta(extra={"kind": kind})
 
 
 def about(meaning: str, **narrowed: Any) -> Meta:
@@ -89,6 +94,8 @@ Seconds = Annotated[float, Meta(ge=0)]
 Figure = Annotated[float, Meta(ge=0)]
 Text = Annotated[str, Meta(min_length=1)]
 ShardText = Annotated[str, Meta(pattern="^[0-9]+/[0-9]+$")]
+Entries: TypeAlias = Annotated[Sequence[T], Meta(min_length=1)]
+Permutation: TypeAlias = Annotated[tuple[Natural, ...], Meta(min_length=2)]
 Pair: TypeAlias = Annotated[tuple[T, ...], Meta(min_length=2, max_length=2)]
 Some: TypeAlias = Annotated[tuple[T, ...], Meta(min_length=1)]
 Different: TypeAlias = Annotated[tuple[T, ...], narrowed(uniqueItems=True)]
@@ -138,7 +145,7 @@ class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=T
         }
 
 
-class Written:
+class WrittenByFields:
     """A dataclass whose fields are the keys of its JSON object."""
 
     __slots__ = ()
@@ -192,10 +199,15 @@ def plain(value: Any) -> Any:
             return value.to_json()
 
 
+def replace(value: T, **changes: Any) -> T:
+    """A copy of a document, or of a dataclass, with other values of some fields."""
+    copied: Any = replace_in_struct if isinstance(value, Document) else replace_in_dataclass
+    found: T = copied(value, **changes)
+    return found
+
+
 def taken(document: object, kind: type[T], what: str) -> T:
     """What a JSON value says, as a value of that type.
-
-    A type that msgspec does not know is made by its ``from_json``.
 
     Args:
         document: as a parser of JSON hands it back.
@@ -206,10 +218,8 @@ def taken(document: object, kind: type[T], what: str) -> T:
         InputError: naming the offending value, where it stands, and what would be legal.
     """
     try:
-        return convert(document, kind, dec_hook=_from_json)
+        return convert(document, kind)
     except ValidationError as error:
-        if isinstance(error.__cause__, InputError):
-            raise error.__cause__ from None
         said, path = _PLACED.fullmatch(str(error)).groups("")  # type: ignore[union-attr]
         steps = path.lstrip(".").replace("[", ".[").split(".") if path else []
         where = f"{path.lstrip('.')} = {show(_at(document, steps))}" if path else what
@@ -223,10 +233,6 @@ def taken(document: object, kind: type[T], what: str) -> T:
 
 _PLACED = re.compile(r"(.*?)(?: - at `(?:key` in `)?\$([^`\n]*)`)?", re.DOTALL)
 """What msgspec says, and where."""
-
-
-def _from_json(kind: Any, value: object) -> Any:
-    return kind.from_json(value)
 
 
 def _at(document: Any, steps: Iterable[str]) -> object:
@@ -277,7 +283,10 @@ def _alternatives(kind: inspect.Type) -> list[inspect.Type]:
 
 
 class Host(Document):
-    """A machine, and what runs on it."""
+    """Host.
+
+    A machine, and what runs on it.
+    """
 
     name: Annotated[str, about("in its network")]
     system: Annotated[str, about("its operating system")]
@@ -290,7 +299,10 @@ class Host(Document):
 
 
 class MadeBy(Document):
-    """Who made a document, where, when and how fast: nothing else in it depends on that."""
+    """Made by.
+
+    Who made a document, where, when and how fast: nothing else in it depends on that.
+    """
 
     version: Annotated[Text, about("of this program")]
     command: Annotated[tuple[str, ...], about("the words of the command line, as they were given")]

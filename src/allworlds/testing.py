@@ -30,7 +30,7 @@ from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap, Extent, MapClass
 from allworlds.outcome import Verdict
 from allworlds.reports import brief, finding_in_words
-from allworlds.studies.check import ManyRunsOptions, Report, check
+from allworlds.studies.check import CheckReport, ManyRunsOptions, check
 from allworlds.studies.fuzz import refuted_in
 from allworlds.words import plural
 from allworlds.world import own_corpus
@@ -55,7 +55,7 @@ Explorer: TypeAlias = str | Callable[..., Any]
 """A generator function, or a name as on the command line."""
 
 
-def assert_explores(explore: Explorer, *, edges: int | None = None, **options: Any) -> Report:
+def assert_explores(explore: Explorer, *, edges: int | None = None, **options: Any) -> CheckReport:
     """Nothing but the report, if the explorer keeps every law in every small world.
 
     Past findings of the same test are tried first, and new ones kept, where pytest has a cache.
@@ -103,7 +103,7 @@ class AtLevel:
     edges: int
     options: Mapping[str, Any]
 
-    def __call__(self, explore: Explorer, **options: Any) -> Report:
+    def __call__(self, explore: Explorer, **options: Any) -> CheckReport:
         """As :func:`assert_explores`, with the options of the mark and these."""
         __tracebackhide__ = True
         report = _checked(explore, {**self.options, **options, "edges": self.edges})
@@ -237,21 +237,21 @@ def _assert_no(finding: Finding | None) -> None:
         raise AssertionError("\n" + finding_in_words(finding, WIDTH))
 
 
-def _assert_holds(report: Report) -> None:
+def _assert_holds(report: CheckReport) -> None:
     __tracebackhide__ = True
     if report.verdict is not Verdict.HOLDS:
         raise AssertionError(_said(report))
 
 
-def _checked(explore: Explorer, options: Mapping[str, Any]) -> Report:
+def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
     """The report of a check, after past findings; those that are fixed are forgotten."""
     given = {**options, **_bounds(options)}
     if "corpus" not in given and "run" not in given:
         given["corpus"] = _corpus_of_test()
     report = check(explore, **given).uninterrupted()
-    if report.corpus and "corpus" not in options:
-        for name in report.corpus.fixed:
-            (report.corpus.directory / name).unlink(missing_ok=True)
+    if report.past and "corpus" not in options:
+        for name in report.past.fixed:
+            (report.past.directory / name).unlink(missing_ok=True)
     return report
 
 
@@ -267,7 +267,7 @@ def _corpus_of_test() -> Path | None:
     return None if plugin is None else plugin.corpus_of_test()
 
 
-def _said(report: Report) -> str:
+def _said(report: CheckReport) -> str:
     """What is told of a report that is no good news."""
     verdict = brief("check", report, WIDTH)
     return "\n" + "\n\n".join(

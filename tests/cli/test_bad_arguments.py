@@ -118,7 +118,7 @@ def test_a_bad_argument_is_refused_by_name(call, named):
 def test_an_integer_is_a_bound():
     report = allworlds.check("algorithm1", edges=2, bound=1)
     assert (report.verdict, report.findings[0].law) == ("refuted", "bound")
-    assert report.scope.rules.the_bound.name == "1"
+    assert report.asked.rules.the_bound.name == "1"
     assert allworlds.run("algorithm1", EDGE, bound=1).finding is None
     assert allworlds.run("algorithm1", EDGE, bound=-1).finding.law == "bound"
 

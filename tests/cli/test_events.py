@@ -9,9 +9,8 @@ import pytest
 
 from allworlds import ambiguity, bench, count, mutants, search
 from allworlds.cli import events, output
-from allworlds.engines import level_size
+from allworlds.engines import Silent, level_size
 from allworlds.maps import Extent, MapClass
-from allworlds.progress import Silent
 from allworlds.verbs import VERBS, loaded
 from kept_jobs import EXPLORERS
 from recorded.record import least

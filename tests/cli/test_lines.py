@@ -6,10 +6,9 @@ import sys
 import pytest
 
 from allworlds.cli.output import LONGEST, complain
-from allworlds.engines import tell_of_size
+from allworlds.engines import Silent, tell_of_size
 from allworlds.inputs import InputError, show
 from allworlds.maps import Extent, MapClass
-from allworlds.progress import Silent
 from allworlds.studies.count import count
 
 LONG = "y" * 5000

@@ -1,11 +1,11 @@
 """Assertions for authors' test suites: what they let pass, and what they say when they fail."""
 
 import sys
-from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError
@@ -43,7 +43,7 @@ def cached(tmp_path, monkeypatch):
 def test_a_right_explorer_passes_and_the_report_says_how_much_was_tried():
     report = assert_explores(RIGHT, edges=3, corpus=None)
     assert (report.worlds, report.runs) == (86, 309)
-    assert assert_explores("algorithm1", corpus=None).scope.extent.edges == 4
+    assert assert_explores("algorithm1", corpus=None).scope.edges == 4
 
 
 def test_a_wrong_one_fails_with_the_smallest_finding_and_its_picture():

@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds import check
-from allworlds.engines import ENGINES, Job, Limits, Scope, engine_for
+from allworlds.engines import ENGINES, Job, Limits, Scope, Silent, engine_for
 from allworlds.engines.compiled.agreement import AGREED
 from allworlds.engines.kernel.engine import COMPILING
 from allworlds.explorers import Subject, load
@@ -9,7 +9,6 @@ from allworlds.inputs import InputError
 from allworlds.judging import make_rules
 from allworlds.maps import Extent, MapClass
 from allworlds.outcome import Verdict
-from allworlds.progress import Silent
 from allworlds.studies.check.time_estimate import is_worth_a_guess
 
 pytestmark = pytest.mark.usefixtures("compiled")

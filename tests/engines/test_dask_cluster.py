@@ -14,12 +14,11 @@ import pytest
 
 import processes
 from allworlds import ambiguity, check, worst
-from allworlds.engines import ClusterLost, Dask, ThisThread
+from allworlds.engines import ClusterLost, Dask, Silent, ThisThread
 from allworlds.engines.compiled import tallies as compiled
 from allworlds.engines.transports import dask_cluster as cluster, dask_lanes as lanes
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError
-from allworlds.progress import Silent
 from allworlds.version import __version__
 from clusters import cluster_here
 from kept_jobs import EXPLORERS

@@ -11,10 +11,12 @@ import pytest
 
 from allworlds import check
 from allworlds.studies.status import status
+from allworlds.studies.status.run_status import DoneOf
 
 pytestmark = pytest.mark.slow
 EDGES = 4
 UNITS = 20
+WHOLE = DoneOf(done=UNITS, all=UNITS)
 CHECK = [sys.executable, "-m", "allworlds", "check", "--edges", str(EDGES), "--engine", "python"]
 
 
@@ -57,7 +59,7 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path):
         assert "takes no more: database or disk is full; what it holds is kept" in said
         assert said.count("\n") == 1
         kept = status(run)
-        assert (kept.state, 0 < kept.units[0] < UNITS) == ("unfinished", True)
+        assert (kept.state, 0 < kept.units.done < UNITS) == ("unfinished", True)
         mounted("-o", "remount,ro", small)
         assert checked(run) == (
             2,
@@ -67,7 +69,7 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path):
         assert status(run).units == kept.units
         mounted("-o", "remount,rw,size=2m", small)
         assert checked(run) == (0, whole, "")
-        assert status(run).units == (UNITS, UNITS)
+        assert status(run).units == WHOLE
 
 
 def test_a_directory_on_a_disk_that_is_full_already_is_refused(tmp_path):
@@ -90,10 +92,10 @@ def test_a_file_that_may_not_grow_loses_nothing_that_was_finished(tmp_path):
     assert (code, document) == (0, whole)
     assert "takes no more" in said
     assert said.count("\n") == 1
-    kept = status(run).units[0]
+    kept = status(run).units.done
     assert 0 < kept < UNITS
     assert checked(run) == (0, whole, "")
-    assert status(run).units == (UNITS, UNITS)
+    assert status(run).units == WHOLE
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")

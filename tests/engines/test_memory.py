@@ -6,9 +6,8 @@ import tracemalloc
 import pytest
 
 from allworlds import ambiguity, check, worst
-from allworlds.engines import Tally
+from allworlds.engines import Silent, Tally
 from allworlds.engines.units import levels
-from allworlds.progress import Silent
 
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("compiled")]
 

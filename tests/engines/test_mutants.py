@@ -128,7 +128,7 @@ def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damag
     monkeypatch.setattr(Scope, "units", damaged)
     report = check(edges=6, engine="kernel", workers=2)
     assert report.verdict is Verdict.ERROR
-    wrong = [cell for cell in report.gate if not cell.agrees]
+    wrong = [cell for cell in report.cells if not cell.agrees]
     assert wrong
     assert {cell.edges for cell in wrong} == {6}
     assert all((cell.enumerated > cell.counted) == (damage == "doubled") for cell in wrong)

@@ -14,8 +14,8 @@ import pytest
 
 import processes
 from allworlds import ambiguity, check, worst
+from allworlds.engines import Silent
 from allworlds.engines.python.python_engine import BoundPythonEngine
-from allworlds.progress import Silent
 from allworlds.studies.worst.compiled_engine import ScheduleSearch
 from kept_jobs import EXPLORERS, stable
 

@@ -11,10 +11,9 @@ from pkgutil import iter_modules
 import pytest
 
 import allworlds.engines.transports as folder
-from allworlds.engines import ThisThread, Threads, TimeIsUp, engine_table, gather
+from allworlds.engines import Silent, ThisThread, Threads, TimeIsUp, engine_table, gather
 from allworlds.engines.transports.dask_cluster import all_well
 from allworlds.engines.transports.split import Split
-from allworlds.progress import Silent
 from clusters import cluster_here
 
 pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")

@@ -7,9 +7,10 @@ from fractions import Fraction
 from statistics import stdev
 
 import pytest
+from msgspec import structs
 
 from allworlds import figure, run
-from allworlds.engines import Limits
+from allworlds.engines import Limits, Silent
 from allworlds.evidence.figures import files_of, holes as fig3
 from allworlds.evidence.figures.augmentation import figure_2
 from allworlds.evidence.figures.bounds import figure_bounds
@@ -19,8 +20,6 @@ from allworlds.evidence.figures.twins import CAPTION, figure_1
 from allworlds.inputs import InputError
 from allworlds.judging import paper_bound, printed_bound
 from allworlds.outcome import Verdict
-from allworlds.progress import Silent
-from allworlds.studies.check import Completed, Interrupted
 from allworlds.studies.compare import Growth
 from allworlds.studies.optimum import optimum
 from allworlds.world import world_of_family
@@ -120,13 +119,15 @@ def test_the_printed_bound_lacks_what_the_paper_leaves_out():
 def test_the_caption_tells_when_a_mean_lies_below_twice_the_edges(small):
     row = small.growth.rows[0]
     for times, told in ((1, "some means lie below it"), (3, "every mean lies above it")):
-        growth = replace(small.growth, rows=(replace(row, costs=(times * row.edges,) * 2),))
+        growth = structs.replace(
+            small.growth, rows=(structs.replace(row, costs=(times * row.edges,) * 2),)
+        )
         assert any(told in said for said in replace(small, growth=growth).caption())
 
 
 @pytest.mark.no_cover
 def test_an_interrupted_figure_is_drawn_as_far_as_it_came(small, monkeypatch, tmp_path):
-    none = Growth(("greedy",), ("lattice",), (), (), Interrupted())
+    none = Growth(complete=False, explorers=("greedy",), families=("lattice",), rows=())
     monkeypatch.setattr(
         "allworlds.evidence.figures.figure_table.figure_3", lambda *_: replace(small, growth=none)
     )
@@ -158,10 +159,10 @@ def test_a_worst_case_above_the_bound_or_below_the_optimum_is_refuted(cells):
     for spoilt in ({"worst": 10**6}, {"worst": 0, "best": 0}, {"optimum": 10**6}):
         wrong = (replace(cells.cells[-1], **spoilt), *cells.cells[:-1])
         assert replace(cells, cells=wrong).verdict is Verdict.REFUTED
-    some = replace(cells.report, complete=False)
+    some = structs.replace(cells.report, complete=False)
     assert replace(cells, report=some).verdict is Verdict.INCONCLUSIVE
-    disagrees = replace(cells.report.rows[0], worlds=7)
-    error = replace(cells.report, rows=(disagrees,))
+    disagrees = structs.replace(cells.report.rows[0], worlds=7)
+    error = structs.replace(cells.report, rows=(disagrees,))
     assert replace(cells, report=error).verdict is Verdict.ERROR
 
 
@@ -238,5 +239,5 @@ def test_a_figure_goes_where_its_name_says_if_nobody_says():
 
 
 def test_a_complete_growth_has_come_to_its_end(small):
-    assert isinstance(small.growth.ending, Completed)
+    assert small.growth.complete
     assert set(FIGURES) == {"1", "2", "3", "bounds"}

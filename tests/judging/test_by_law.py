@@ -1,12 +1,12 @@
 """What each law tells of a run that breaks it."""
 
-from dataclasses import replace
-
 import pytest
 
+from allworlds.document import replace
 from allworlds.inputs import InputError
-from allworlds.judging import PRECEDENCE, explain
+from allworlds.judging import PRECEDENCE, Finding, explain
 from allworlds.judging.explanations.by_law import TELLERS
+from allworlds.protocol import Estimate
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from small import EDGE, LASSO, PATH
@@ -91,14 +91,14 @@ def test_a_robot_at_another_vertex_is_told_so(explained, answering):
 def test_a_pose_finding_whose_answer_is_another_map_is_refused(finding_of):
     finding = finding_of("pose-lost")
     with pytest.raises(InputError, match="not pose"):
-        explain(replace(finding, seen={**EDGE.to_json(), "here": 0}))
+        explain(replace(finding, seen=Estimate(EDGE, 0)))
 
 
 @pytest.mark.parametrize("here", [99, -1, None, True, "0"])
 def test_an_answer_without_a_place_is_refused(here, finding_of):
-    finding = finding_of("pose-lost")
+    told = finding_of("pose-lost").to_json()
     with pytest.raises(InputError, match=r"seen\.here"):
-        explain(replace(finding, seen={**finding.seen, "here": here}))
+        Finding.from_json({**told, "seen": {**told["seen"], "here": here}})
 
 
 # ---------------------------------------------------------------- a checkpoint is wrong

@@ -51,8 +51,8 @@ MOST_ROWS, MOST_ARROWS, MOST_ENTRIES = 12, 60, 21
 # Wings without a door of their own: each folder in them has one.
 BY_FOLDER = {"studies", "evidence"}
 
-# What lies beside the wings, and goes when results are their own documents.
-BESIDE = {"documents", "schemas", "py.typed"}
+# What lies beside the wings and holds no code.
+BESIDE = {"schemas", "py.typed"}
 
 # The only homes of each library that does not come with Python.
 HOMES = {
@@ -60,6 +60,7 @@ HOMES = {
     "distributed": ["engines.transports.dask_cluster", "engines.transports.dask_lanes"],
     "hypothesis": ["strategies"],
     "llvmlite": ["engines.kernel"],
+    "msgspec": ["document", "reports.schemas"],
     "matplotlib": ["reports.growth_plot", "evidence.figures"],
     "networkx": [
         "maps.networks",
@@ -78,8 +79,8 @@ HOMES = {
 # Loaded only inside the functions that need them, or for types.
 LAZY = {"dask", "distributed", "matplotlib", "networkx", "rich", "sympy"}
 
-DOORS = {"lazy", "maps"}
-"""What of allworlds two modules may share if they do not share a line of what they compute."""
+DOORS = {"document", "lazy", "maps"}
+"""What two modules may share that do not share a line of what they compute."""
 
 # Two ways to one answer share nothing but what is named here, however many modules between.
 COMPARED = [
@@ -94,7 +95,7 @@ COMPARED = [
         "maps.quotient",
         {"inputs", "maps.canonical", "maps.combinatorial", *DOORS},
     ),
-    ("maps.enumeration", "maps.bruteforce", {"maps.combinatorial", "inputs"}),
+    ("maps.enumeration", "maps.bruteforce", {"document", "maps.combinatorial", "inputs"}),
     ("maps.counting", "maps.enumeration", set()),
     ("maps.counting", "maps.bruteforce", set()),
     ("engines.kernel.demand_driven", "explorers.builtin.algorithm1", DOORS),
@@ -200,7 +201,7 @@ def entered(target):
 def defining(target):
     """The module in which a name is defined, behind however many doors; None for the root's."""
     own = entered(target)
-    if own is None or own == "documents" or own not in MODULES or not is_door(own):
+    if own is None or own not in MODULES or not is_door(own):
         return own
     behind = [i for i in MODULES[own] if i.typing and i.name == target.name]
     return defining(behind[0]) if behind else own
@@ -277,7 +278,7 @@ def test_inside_a_wing_modules_import_each_other_by_their_path():
 def test_only_doors_pass_names_on():
     for short in MODULES:
         package = ROOT.joinpath(*short.split("."), "__init__.py") if short else None
-        if package is None or not package.exists() or short in ("cli", "documents"):
+        if package is None or not package.exists() or short == "cli":
             continue
         if short == room(short) and short not in BY_FOLDER:
             assert is_door(short), f"{short} has no door"
@@ -357,7 +358,7 @@ def test_explorers_judges_and_worlds_do_not_know_each_other():
 
 
 def test_built_in_explorers_are_written_against_maps_and_protocol_alone():
-    allowed = ["explorers.builtin", "maps", "protocol", "inputs", "lazy"]
+    allowed = ["explorers.builtin", "maps", "protocol", "document", "inputs", "lazy"]
     assert all(within(short, allowed) for short in closure("explorers.builtin"))
 
 
@@ -458,7 +459,7 @@ def test_importing_the_package_loads_no_library_and_no_wing():
 
 def test_what_explorers_need_loads_maps_and_protocol_alone():
     loaded = loaded_by("from allworlds import CombinatorialMap, Choices, Move, Estimate")
-    assert not {name.partition(".")[0] for name in loaded} & set(HOMES)
+    assert {name.partition(".")[0] for name in loaded} & set(HOMES) == {"msgspec"}
     own = {inner(name) for name in loaded if inner(name)}
     assert {wing(name) for name in own} == {"ground", "maps", "protocol"}
 

@@ -49,7 +49,7 @@ def test_a_mirrored_explorer_has_the_same_sums_in_every_row(certified):
     """So sums cannot tell it from the real one, and transcripts can."""
     rows = [
         certified._rows(
-            certified.check(name, edges=3, laws=("map", "pose", "bound")).uninterrupted().rows()
+            certified.check(name, edges=3, laws=("map", "pose", "bound")).uninterrupted().rows
         )
         for name in (f"exec:{sys.executable} {IMPOSTOR} mirrored fifo directional", "algorithm1")
     ]

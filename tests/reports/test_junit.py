@@ -2,15 +2,15 @@
 
 import re
 from collections import Counter
-from dataclasses import replace
 from xml.etree import ElementTree as ET
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.reports.junit import junit
 from allworlds.reports.run_text import finding_text
-from allworlds.studies.check import Cell, Completed, Disagreed, Interrupted, Stopped, check
+from allworlds.studies.check import Completed, Disagreed, GateCell, Interrupted, Stopped, check
 from allworlds.studies.fuzz import fuzz
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
@@ -97,15 +97,15 @@ def test_every_finding_of_a_level_is_told():
 
 
 def test_a_mismatch_of_the_count_gate_is_an_error(holds):
-    first, *others = holds.gate
-    report = replace(holds, gate=(replace(first, counted=99), *others))
+    first, *others = holds.cells
+    report = replace(holds, cells=(replace(first, counted=99), *others))
     assert outcomes(report)[0][1] == "error"
     assert "counts 99" in suite_of(report).find(".//error").get("message")
 
 
 def test_a_mismatch_in_a_refuted_level_keeps_the_finding(refuted):
-    cell = Cell(2, 1, 3, 99, "somebody")
-    suite = suite_of(replace(refuted, gate=(*refuted.gate, cell)))
+    cell = GateCell(edges=2, vertices=1, enumerated=3, counted=99, source="somebody")
+    suite = suite_of(replace(refuted, cells=(*refuted.cells, cell)))
     assert finding_text(refuted.findings[0], 100) in suite.find(".//error").text
     assert suite.find(".//failure") is None
 
@@ -122,9 +122,9 @@ def test_a_missing_witness_is_a_failure(holds):
 
 
 def test_a_scope_without_a_run_does_not_pass(holds):
-    holds.tally.rows.clear()
-    assert holds.exit_code == 4
-    assert outcomes(holds)[-1] == ("witnesses", "failure")
+    empty = replace(holds, tally=replace(holds.tally, rows={}))
+    assert empty.exit_code == 4
+    assert outcomes(empty)[-1] == ("witnesses", "failure")
 
 
 def test_a_shard_says_nothing_of_witnesses():

@@ -4,12 +4,12 @@ out: that all that is named exists, and that the walk goes along edges of the gr
 import copy
 import itertools
 import json
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from jsonschema import Draft7Validator
 
+from allworlds.document import replace
 from allworlds.judging import PRECEDENCE, Finding
 from allworlds.reports.law_words import ASKED
 from allworlds.reports.run_text import finding_text

@@ -1,10 +1,10 @@
 """What GitHub's runner reads: Markdown, and commands on stderr."""
 
 import re
-from dataclasses import replace
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.reports import FORMATS, written
 from allworlds.reports.annotations import runner_commands
 from allworlds.reports.markdown import markdown
@@ -89,8 +89,8 @@ def test_the_page_of_a_job_shows_verdict_picture_and_counts(refuted):
 
 def test_what_an_explorer_says_cannot_end_its_block(refuted):
     first = refuted.findings[0]
-    refuted.tally.findings[0] = replace(first, detail="```\n# not a heading\n````")
-    page = markdown(refuted)
+    hostile = replace(first, detail="```\n# not a heading\n````")
+    page = markdown(replace(refuted, tally=replace(refuted.tally, findings=[hostile])))
     assert "\n`````text\nFINDING" in page
     assert page.count("`````") == 2
 

@@ -15,6 +15,8 @@ def integer(value):
     return type(value) is int
 
 
+WRITTEN = "check#/$defs/FindingDocument"
+
 FINDING = {
     "map and pose speak of rooted maps": lambda d: (
         d["law"] not in ("map", "pose") or (rooted(d["expected"]) and rooted(d["seen"]))
@@ -49,7 +51,7 @@ RULES = {
             }[d["verdict"]]
         ),
     },
-    "finding#/$defs/written": FINDING,
+    WRITTEN: FINDING,
     "run": {
         "refuted is what has a finding": lambda d: (
             (d["verdict"] == "refuted") == (d["finding"] is not None)
@@ -114,9 +116,9 @@ def inside(name, document):
     """The documents that this one holds."""
     match name:
         case "check":
-            yield from (("finding#/$defs/written", finding) for finding in document["findings"])
+            yield from ((WRITTEN, finding) for finding in document["findings"])
         case "run" if document["finding"] is not None:
-            yield "finding#/$defs/written", document["finding"]
+            yield WRITTEN, document["finding"]
         case "replay":
             yield "run", document["run"]
 

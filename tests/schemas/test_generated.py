@@ -1,38 +1,53 @@
-"""The schemas and the reference of keys are what the typed descriptions say."""
+"""The schemas, the reference of keys and the package's door are what the classes and tables say."""
 
 import json
 from importlib.resources import files
 from inspect import getsource
-from typing import Annotated, NotRequired, TypedDict
+from typing import Annotated
 
 import pytest
 
 import allworlds
-from allworlds.documents import PAGES, Begins, Keywords
-from allworlds.outcome import SCHEMA
+from allworlds.document import (
+    UNSET,
+    Aside,
+    Document,
+    IfAny,
+    Natural,
+    Some,
+    UnsetType,
+    about,
+    computed,
+    key,
+)
+from allworlds.maps import MapClass
+from allworlds.outcome import Verdict
+from allworlds.reports.schemas import main, schema_of, schemas
 from allworlds.verbs import VERBS
-from schemas.generate import package_text, schema, schema_text
+from allworlds.world import World
+from schemas.generate import package_text
 from schemas.reference import PROTOCOL, REFERENCE, page_text, with_tables
 
-WRITTEN = {
-    file.name.removesuffix(".schema.json"): file.read_text(encoding="utf-8")
-    for file in (files("allworlds") / "schemas").iterdir()
-}
 WRITE_ANEW = "python tests/schemas/generate.py writes it anew"
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_a_schema_is_what_the_types_say(name):
-    assert WRITTEN[name] == schema_text(name), WRITE_ANEW
+def test_the_package_holds_the_schemas():
+    shipped = {
+        file.name: json.loads(file.read_text(encoding="utf-8"))
+        for file in (files("allworlds") / "schemas").iterdir()
+    }
+    made = {f"{name}.schema.json": told for name, told in schemas().items()}
+    assert shipped == made, "pip install -e . writes them anew"
 
 
-def test_there_is_no_other_schema():
-    assert set(WRITTEN) == set(PAGES), WRITE_ANEW
+def test_the_schemas_of_an_earlier_build_do_not_stay(tmp_path):
+    (tmp_path / "luck.schema.json").write_text("{}")
+    main(tmp_path)
+    assert {file.name.removesuffix(".schema.json") for file in tmp_path.iterdir()} == {*schemas()}
 
 
-def test_the_reference_is_what_the_schemas_say():
-    told = {name: json.loads(WRITTEN[name]) for name in PAGES}
-    assert REFERENCE.read_text(encoding="utf-8") == page_text(told), WRITE_ANEW
+def test_the_reference_is_what_the_classes_say():
+    assert REFERENCE.read_text(encoding="utf-8") == page_text(), WRITE_ANEW
 
 
 def test_the_table_of_explorers_is_what_the_code_says():
@@ -51,12 +66,12 @@ def test_the_package_names_every_verb_for_those_who_do_not_run_it():
 
 def test_every_key_that_needs_words_has_them():
     # What a number of edges is, or a verdict's exit code, is told once for all documents.
-    plain = {"edges", "vertices", "exit_code", "kind", "rounds", "status"}
+    plain = {"edges", "vertices", "exit_code", "kind", "rounds", "status", "world"}
     plain |= {"lighthouse", "median", "lowest", "highest"}
-    for name, text in WRITTEN.items():
-        for key, told in keys(json.loads(text)):
-            words = told.get("description") or "$ref" in told or "const" in told
-            assert words or key in plain, f"{name}: {key}"
+    for name, told in schemas().items():
+        for word, inner in keys(told):
+            words = inner.get("description") or "const" in inner
+            assert words or word in plain, f"{name}: {word}"
 
 
 def keys(told):
@@ -74,26 +89,80 @@ def test_every_document_is_of_one_version():
     for verb in VERBS:
         if verb.name == "merge":  # one of the others
             continue
-        told = json.loads(WRITTEN[verb.document])["properties"]
-        assert told["schema"]["const"] == SCHEMA
-        assert told["made_by"]["$ref"] == "made-by.schema.json"
-        assert "made_by" not in json.loads(WRITTEN[verb.document])["required"]
+        told = schemas()[verb.document]
+        assert told["properties"]["schema"]["const"] == 1
+        assert told["properties"]["made_by"]["$ref"] == "#/$defs/MadeBy"
+        assert "made_by" not in told["required"]
 
 
 # ---------------------------------------------------------------- the generator itself
 
 
-class Inner(TypedDict):
-    """Inner."""
+class Inner(Document):
+    """Inner.
 
-    x: Annotated[int, Keywords(minimum=1), "how many"]
+    What is inside.
+    """
+
+    x: Annotated[Natural, about("how many")] = 1
 
 
-class Outer(TypedDict):
+class Other(Document):
+    """Another one."""
+
+    y: str
+
+
+class Outer(Document):
     """Outer."""
 
-    inner: Inner
-    more: NotRequired[Annotated[list[Inner | str], Keywords(minItems=1)]]
+    verdict: Annotated[Verdict, about("always")] = computed(lambda _: Verdict.HOLDS)
+    map_class: Annotated[MapClass, about("of maps")] = key(name="class")
+    inner: Annotated[Some[Inner], about("some")]
+    more: Annotated[Inner | Other | None, about("one of two")] = None
+    sometimes: Annotated[int | UnsetType, about("if at all")] = UNSET
+    detail: Annotated[IfAny[str], about("if there is any")] = ""
+    world: Annotated[World | None, about("a value that writes itself")] = None
+    secret: Aside[object] = None
+
+
+OUTER = Outer(map_class=MapClass.MAPS, inner=(Inner(),))
+
+
+def test_an_object_has_its_keys_and_no_others():
+    found, parts = schema_of(Outer)
+    assert found == {"$ref": "#/$defs/Outer"}
+    outer = parts["Outer"]
+    assert outer["required"] == ["verdict", "class", "inner", "more", "world"]
+    assert [*outer["properties"]] == [*outer["required"][:4], "sometimes", "detail", "world"]
+    assert outer["additionalProperties"] is False
+    assert [*OUTER.to_json()] == ["verdict", "class", "inner", "more", "world"]
+    assert parts["Inner"]["title"] == "Inner"
+    assert parts["Inner"]["description"] == "What is inside."
+    assert parts["Inner"]["properties"]["x"] == {
+        "description": "how many",
+        "type": "integer",
+        "minimum": 0,
+    }
+
+
+def test_what_is_read_may_leave_out_what_has_a_default():
+    assert schema_of(Outer, written=False)[1]["Outer"]["required"] == ["class", "inner"]
+    assert "required" not in schema_of(Inner, written=False)[1]["Inner"] or (
+        schema_of(Inner, written=False)[1]["Inner"]["required"] == []
+    )
+
+
+def test_each_kind_of_type_has_its_schema():
+    outer = schema_of(Outer)[1]["Outer"]["properties"]
+    assert outer["more"]["anyOf"] == [
+        {"$ref": "#/$defs/Inner"},
+        {"$ref": "#/$defs/Other"},
+        {"type": "null"},
+    ]
+    assert outer["world"]["anyOf"] == [{"$ref": "#/$defs/WorldDocument"}, {"type": "null"}]
+    assert outer["inner"]["minItems"] == 1
+    assert outer["sometimes"]["type"] == "integer"
 
 
 @pytest.mark.parametrize(
@@ -101,39 +170,8 @@ class Outer(TypedDict):
     [
         (int, {"type": "integer"}),
         (float | None, {"type": ["number", "null"]}),
-        (Annotated[str, Keywords(minLength=1), "a"], {"type": "string", "minLength": 1}),
-        (list[int] | None, {"anyOf": [{"type": "array", "items": {"type": "integer"}}, "null"]}),
         (dict[str, bool], {"type": "object", "additionalProperties": {"type": "boolean"}}),
-        (dict[str, object], {"type": "object"}),
-        (Annotated[list[Inner | Outer], Begins(Inner)], "a list that begins otherwise"),
     ],
 )
-def test_each_kind_of_type_has_its_schema(tp, expected):
-    found = schema(tp, "here")
-    match expected:
-        case "a list that begins otherwise":
-            (first,), rest = found["prefixItems"], found["items"]["anyOf"]
-            assert [*first["properties"]] == ["x"]
-            assert [[*other["properties"]] for other in rest] == [["inner", "more"]]
-        case {"anyOf": [option, "null"]}:
-            assert found == {"anyOf": [option, {"type": "null"}]}
-        case _:
-            assert {key: found[key] for key in found if key != "description"} == expected
-
-
-def test_an_object_has_its_keys_and_no_others():
-    found = schema(Outer, "here")
-    assert found["required"] == ["inner"]
-    assert found["additionalProperties"] is False
-    inner = found["properties"]["inner"]
-    assert inner["properties"]["x"] == {"description": "how many", "type": "integer", "minimum": 1}
-    assert found["properties"]["more"]["minItems"] == 1
-
-
-def test_what_is_told_elsewhere_is_referred_to():
-    from allworlds.documents import LawName, WorldDocument
-
-    assert schema(WorldDocument, "run") == {"$ref": "world.schema.json#/$defs/written"}
-    assert schema(WorldDocument, "world") == {"$ref": "#/$defs/written"}
-    said = schema(Annotated[LawName, "the one"], "run")
-    assert said == {"description": "the one", "$ref": "names.schema.json#/$defs/law"}
+def test_a_plain_type_has_a_plain_schema(tp, expected):
+    assert schema_of(tp) == (expected, {})

@@ -4,12 +4,12 @@ import copy
 import functools
 import json
 import tempfile
-from dataclasses import replace
 
 import pytest
 from jsonschema import Draft202012Validator
 
 from allworlds import Move
+from allworlds.document import replace
 from allworlds.evidence.bench import bench
 from allworlds.evidence.claims import claims
 from allworlds.evidence.figures import figure
@@ -46,6 +46,10 @@ def whole(name):
     """The reference to a schema, or to a part of one as NAME#PART."""
     file, hash_, part = name.partition("#")
     return f"{file}.schema.json{hash_}{part}"
+
+
+FINDING, WORLD = "check#/$defs/FindingDocument", "explain#/$defs/WorldDocument"
+"""What is written; the schemas ``finding`` and ``world`` are of what is read."""
 
 
 @functools.cache
@@ -224,7 +228,7 @@ DOCUMENTS = {
     ),
     **{
         f"finding {name}": (
-            whole("finding#/$defs/written"),
+            whole(FINDING),
             functools.partial(lambda name: finding_of(name).to_json(), name),
         )
         for name in WRONG
@@ -238,7 +242,7 @@ DOCUMENTS = {
     },
     **{
         f"world {kind}": (
-            whole("world#/$defs/written"),
+            whole(WORLD),
             functools.partial(lambda kind: placed(kind).to_json(), kind),
         )
         for kind in LIGHTHOUSES
@@ -410,7 +414,7 @@ def test_a_finding_may_hold_more_than_is_known():
     finding = {**finding_of("pose-lost").to_json(), "remark": "found on a rainy day"}
     finding["transcript"][0]["time"] = 0.1
     assert complaints(whole("finding"), finding) == []
-    assert complaints(whole("finding#/$defs/written"), finding)
+    assert complaints(whole(FINDING), finding)
 
 
 def test_what_may_be_left_out_may_be_left_out():
@@ -425,7 +429,7 @@ def test_what_may_be_left_out_may_be_left_out():
 
 
 def test_a_transcript_that_is_read_needs_its_actions_and_percepts():
-    reference = whole("transcript#/$defs/read")
+    reference = whole("transcript")
     rows = finding_of("pose-lost").transcript.to_json()
     assert complaints(reference, rows) == []
     for key in ("move", "percept"):
@@ -452,5 +456,5 @@ def test_what_the_command_line_prints_keeps_its_schema(verb, cli, tmp_path):
 def test_a_document_of_every_verb_and_of_every_kind_is_looked_at():
     told = {reference for reference, _ in DOCUMENTS.values()}
     assert {whole(verb.document) for verb in VERBS} <= told
-    assert {whole("finding#/$defs/written"), whole("world#/$defs/written")} < told
+    assert {whole(FINDING), whole(WORLD)} < told
     assert {whole("transcript"), whole("manifest")} < told

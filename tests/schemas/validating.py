@@ -2,15 +2,13 @@
 
 import functools
 import json
-from importlib.resources import files
 
 from jsonschema import Draft202012Validator
 from referencing import Registry, Resource
 
-SCHEMAS = {
-    file.name.removesuffix(".schema.json"): json.loads(file.read_text(encoding="utf-8"))
-    for file in (files("allworlds") / "schemas").iterdir()
-}
+from allworlds.reports.schemas import schemas
+
+SCHEMAS = schemas()
 REGISTRY = Registry().with_resources(
     (schema["$id"], Resource.from_contents(schema)) for schema in SCHEMAS.values()
 )

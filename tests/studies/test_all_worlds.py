@@ -1,10 +1,9 @@
 """Every schedule: the compiled program, its readable twin, and every run of the Python engine."""
 
-from dataclasses import replace
-
 import pytest
 
 from allworlds import check, run
+from allworlds.document import replace
 from allworlds.engines import Examiner
 from allworlds.explorers import load
 from allworlds.inputs import InputError
@@ -13,7 +12,7 @@ from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.counting.any_genus import rooted_maps as counted
 from allworlds.protocol import Schedules
 from allworlds.reports.worst_text import worst_text
-from allworlds.studies.worst import EverySchedule, compiled_engine as most_expensive, worst
+from allworlds.studies.worst import EverySchedule, all_worlds, compiled_engine, worst
 from allworlds.studies.worst.every_schedule import WrongTest
 from allworlds.world import Directional, World
 
@@ -80,7 +79,7 @@ def test_no_start_dart_of_a_vertex_is_better_than_another():
 def test_the_check_of_all_schedules_finds_the_same_largest_costs():
     checked = check(edges=3, schedules="all", workers=2)
     report = worst(edges=3)
-    largest = {(row["edges"], row["vertices"]): row["max_cost"] for row in checked.rows()}
+    largest = {(row.edges, row.vertices): row.max_cost for row in checked.rows}
     assert largest == {(row.edges, row.vertices): row.worst for row in report.rows}
 
 
@@ -99,7 +98,7 @@ def test_every_row_is_attained_in_its_world(report):
         # The choices are all there: no policy has helped.
         assert again.outcome.choices == row.choices
         assert row.best <= row.worst <= row.bound
-        assert row.wrong == 0
+        assert row.wrong_tests == 0
 
 
 def test_the_worlds_are_all_there(report):
@@ -147,23 +146,31 @@ def test_a_replay_that_costs_something_else_is_an_internal_error(report):
     broken = replace(report, rows=(*report.rows[:3], damaged))
     assert broken.exit_code == 70
     assert "the python engine walks" in worst_text(broken, 100)
-    lost = replace(report, missing=((5, 2),))
-    assert lost.exit_code == 70
-    assert "no map with 5 edges and 2 vertices" in worst_text(lost, 100)
     doubled = replace(report, rows=(replace(report.rows[0], worlds=2),))
     assert doubled.exit_code == 70
-    refuted = replace(report, rows=(replace(report.rows[0], wrong=1),))
+    refuted = replace(report, rows=(replace(report.rows[0], wrong_tests=1),))
     assert refuted.exit_code == 1
 
 
+def test_a_size_that_was_not_met_is_an_internal_error(monkeypatch):
+    cells_of_level = all_worlds.cells_of_level
+    monkeypatch.setattr(
+        all_worlds, "cells_of_level", lambda *level: {**cells_of_level(*level), 5: 1}
+    )
+    lost = worst(edges=2)
+    assert lost.exit_code == 70
+    assert "no map with 1 edge and 5 vertices" in worst_text(lost, 100)
+    assert worst(edges=2, shard=(0, 2)).exit_code == 0
+
+
 def test_a_wrong_kernel_is_found_out_by_the_replay(monkeypatch):
-    honest = most_expensive._joined
+    honest = compiled_engine._joined
 
     def damaged(a, b):
         merged = honest(a, b)
-        return replace(merged, worst=merged.worst + 1)
+        return merged._replace(worst=merged.worst + 1)
 
-    monkeypatch.setattr(most_expensive, "_joined", damaged)
+    monkeypatch.setattr(compiled_engine, "_joined", damaged)
     assert worst(edges=3).exit_code == 70
 
 

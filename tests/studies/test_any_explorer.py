@@ -1,10 +1,9 @@
 """The worst of any explorer: its runs, its schedules, and what refutes it."""
 
-from dataclasses import replace
-
 import pytest
 
 from allworlds import check, worst
+from allworlds.document import replace
 from allworlds.engines import Examiner
 from allworlds.explorers import load
 from allworlds.inputs import InputError

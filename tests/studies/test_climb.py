@@ -4,19 +4,18 @@ import csv
 import io
 import json
 import sys
-from dataclasses import replace
 from math import log
 
 import pytest
 
 from allworlds import compare, run
+from allworlds.document import replace
 from allworlds.engines import TimeIsUp, Unsettled
 from allworlds.inputs import InputError
 from allworlds.maps import edges_of
 from allworlds.protocol import Estimate
 from allworlds.reports import file_of
 from allworlds.reports.growth_text import growth_csv, growth_text
-from allworlds.studies.check import Completed, Interrupted
 from allworlds.studies.compare import Climb, GrowRow, Growth
 from allworlds.studies.compare.growing_families import GROWING, members_of
 from allworlds.world import world_of_family
@@ -57,12 +56,12 @@ def test_the_sizes_of_a_family_ascend_to_the_largest_that_was_asked_for(name):
 
 
 def test_the_exponent_of_a_power_is_its_exponent():
-    rows = tuple(
-        GrowRow("torus", m, m // 2, "who", ("torus",), (3 * m**2,), None) for m in (10, 20, 40)
-    )
-    (fitted,) = Growth(("who",), ("torus",), rows, (), Completed()).exponents
-    assert fitted.exponent == pytest.approx(2)
-    assert fitted.last == pytest.approx(2)
+    name = {"family": "torus", "explorer": "who", "members": ("torus",), "bound": None}
+    rows = tuple(GrowRow(edges=m, vertices=m // 2, costs=(3 * m**2,), **name) for m in (10, 20, 40))
+    grown = Growth(complete=True, explorers=("who",), families=("torus",), rows=rows)
+    (fitted,) = grown.exponents
+    assert fitted.exponent == fitted.last == 2
+    assert (fitted.slope, fitted.last_slope) == pytest.approx((2, 2))
 
 
 def test_the_exponent_is_that_of_the_least_squares(report):
@@ -72,7 +71,7 @@ def test_the_exponent_is_that_of_the_least_squares(report):
     slope = sum((a - x) * (b - y) for a, b in zip(xs, ys, strict=True)) / sum(
         (a - x) ** 2 for a in xs
     )
-    fitted = {(e.family, e.explorer): e.exponent for e in report.exponents}
+    fitted = {(e.family, e.explorer): e.slope for e in report.exponents}
     assert fitted["thick", "greedy"] == pytest.approx(slope)
 
 
@@ -86,7 +85,7 @@ def test_a_broken_law_refutes():
     assert (told.verdict.value, told.exit_code) == ("refuted", 1)
     assert told.findings[0].law == "no-estimate"
     assert "broken a law" in growth_text(told, 100)
-    assert replace(told, ending=Interrupted()).exit_code == 130
+    assert replace(told, complete=False).exit_code == 130
 
 
 def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():

@@ -37,8 +37,8 @@ def asked_for(kind, edges=2, map_class="maps", **more):
 def test_a_model_is_decoded_to_worlds_with_their_bisimulation():
     pair = asked_for("position")
     twins = decoded(pair, model_of(pair, *LOOPS))
-    assert twins.worlds == LOOPS
-    assert twins.classes == ((0, 0, 0, 0), (0, 0, 0, 0))
+    assert twins.pair == LOOPS
+    assert twins.bisimulation == ((0, 0, 0, 0), (0, 0, 0, 0))
 
 
 @pytest.mark.parametrize("kind", [Nothing, Directional, Compass])

@@ -9,6 +9,7 @@ from typing import ClassVar
 
 import pytest
 
+from allworlds.engines import Silent
 from allworlds.explorers import algorithm1
 from allworlds.inputs import InputError
 from allworlds.maps import (
@@ -20,7 +21,6 @@ from allworlds.maps import (
 )
 from allworlds.maps.counting.sources import CountSource
 from allworlds.outcome import Verdict
-from allworlds.progress import Silent
 from allworlds.protocol import Estimate, Move
 from allworlds.studies import check as checker
 from allworlds.studies.run import run
@@ -42,12 +42,12 @@ def test_algorithm_1_holds_in_all_small_worlds():
     assert (report.verdict, report.exit_code, report.complete) == (Verdict.HOLDS, 0, True)
     assert report.tally.left_out == 0
     by_edges = {}
-    for row in report.rows():
-        by_edges[row["edges"]] = by_edges.get(row["edges"], 0) + row["worlds"]
-        assert row["max_cost"] <= row["bound"]
-        assert row["traversals_rooted"] <= row["traversals"]
+    for row in report.rows:
+        by_edges[row.edges] = by_edges.get(row.edges, 0) + row.worlds
+        assert row.max_cost <= row.bound
+        assert row.traversals_rooted <= row.traversals
     assert by_edges == {1: 2, 2: 10, 3: 74, 4: 706}
-    assert all(cell.agrees and cell.source for cell in report.gate)
+    assert all(cell.agrees and cell.source for cell in report.cells)
 
 
 @pytest.mark.slow
@@ -61,9 +61,9 @@ def test_vertices_alone_bound_the_simple_classes(vertices):
     report = check(map_class="simple", vertices=vertices, workers=2)
     # Rooted simple maps on 2..5 vertices: 1, 3, 32, 3965; with a bearing: 1, 5, 79, 14239.
     rows = {n: [0, 0] for n in range(2, vertices + 1)}
-    for row in report.rows():
-        rows[row["vertices"]][0] += row["worlds"]
-        rows[row["vertices"]][1] += row["runs"]
+    for row in report.rows:
+        rows[row.vertices][0] += row.worlds
+        rows[row.vertices][1] += row.runs
     counted = {2: [1, 1], 3: [3, 5], 4: [32, 79], 5: [3965, 14239]}
     assert rows == {n: counted[n] for n in rows}
     assert report.verdict is Verdict.HOLDS
@@ -87,7 +87,7 @@ def test_no_witness_is_asked_for_that_cannot_occur(policy, map_class, most):
             if not report.runs:
                 assert report.verdict is Verdict.VACUOUS, options
                 continue
-            assert report.missing == (), options
+            assert report.missing_witnesses == (), options
             assert report.verdict is Verdict.HOLDS, options
 
 
@@ -108,10 +108,10 @@ def test_a_missing_witness_is_no_success(monkeypatch):
         built_in.explore, "directional", {**built_in.witnesses, "case-4": ((2, 2), None)}
     )
     monkeypatch.setitem(explorers.BUILT_IN, "algorithm1", forgetful)
-    assert check(edges=1).missing == ()
+    assert check(edges=1).missing_witnesses == ()
     report = check(edges=2)
     assert (report.verdict, report.exit_code) == (Verdict.VACUOUS, 4)
-    assert [*report.missing] == report.to_json()["missing_witnesses"] == ["case-4"]
+    assert [*report.missing_witnesses] == report.to_json()["missing_witnesses"] == ["case-4"]
     assert check(edges=2, map_class="simple").missing == ()
 
 
@@ -238,7 +238,7 @@ def test_an_explorer_that_is_wrong_in_one_run_is_refuted_there(planted, wrong):
 def test_a_folding_explorer_of_somebody_else_holds(folding, policy):
     report = check(folding, edges=3, policy=policy, bound="none", workers=2)
     assert (report.verdict, report.worlds, report.runs) == (Verdict.HOLDS, 86, 309)
-    assert [row["bound"] for row in report.rows()] == [None] * len(report.rows())
+    assert [row.bound for row in report.rows] == [None] * len(report.rows)
 
 
 @pytest.mark.slow
@@ -248,7 +248,7 @@ def test_a_program_of_somebody_else_holds(program, edges, all_worlds, runs):
     assert (report.verdict, report.worlds, report.runs) == (Verdict.HOLDS, all_worlds, runs)
     ours = check(edges=edges)
     # First in, first out: it is the same walk in every world.
-    assert report.rows() == ours.rows()
+    assert report.rows == ours.rows
 
 
 def test_unknown_keys_checkpoints_and_large_motions_are_legal(program):
@@ -291,9 +291,9 @@ def test_every_schedule_of_algorithm_1():
     assert report.verdict is Verdict.HOLDS
     # The worst schedule of Algorithm 1 costs 1 and 4 with 1 and 2 edges.
     worst = {}
-    for row in report.rows():
-        worst[row["edges"]] = max(worst.get(row["edges"], 0), row["max_cost"])
-        assert row["episodes"] >= row["runs"]
+    for row in report.rows:
+        worst[row.edges] = max(worst.get(row.edges, 0), row.max_cost)
+        assert row.episodes >= row.runs
     assert worst == {1: 1, 2: 4}
 
 
@@ -333,7 +333,7 @@ def test_the_gate_notices_a_broken_enumerator(explorers, monkeypatch, broken, vi
     report = check(explorers("right"), edges=4)
     assert (report.verdict, report.exit_code, report.levels) == (Verdict.ERROR, 70, (1, 2, 3))
     assert "count gate" in report.ending.reason
-    wrong_cells = [cell for cell in report.gate if not cell.agrees]
+    wrong_cells = [cell for cell in report.cells if not cell.agrees]
     assert [(cell.edges, cell.vertices) for cell in wrong_cells] == [(3, target.vertex_count)]
 
 
@@ -351,7 +351,7 @@ def test_the_gate_notices_a_source_that_counts_otherwise(monkeypatch):
     monkeypatch.setattr("allworlds.studies.check.gate.source_for", lambda _class: source)
     report = check(edges=2)
     assert (report.verdict, report.levels) == (Verdict.ERROR, (1,))
-    assert {cell.source for cell in report.gate} == {"abacus"}
+    assert {cell.source for cell in report.cells} == {"abacus"}
 
 
 @pytest.mark.slow
@@ -361,7 +361,7 @@ def test_the_time_limit_leaves_unfinished_levels_out(workers):
     assert (report.verdict, report.exit_code) == (Verdict.INCONCLUSIVE, 3)
     assert "2 s" in report.ending.reason
     assert [*report.levels] == list(range(1, len(report.levels) + 1))
-    assert {row["edges"] for row in report.rows()} == set(report.levels)
+    assert {row.edges for row in report.rows} == set(report.levels)
     assert report.worlds == sum((2, 10, 74, 706, 8162)[: len(report.levels)])
     assert report.to_json()["scope"]["complete"] is False
 
@@ -409,7 +409,7 @@ def test_the_bound_is_a_law():
 @pytest.mark.usefixtures("without_workers")
 def test_a_negative_bound_is_reported_as_it_is():
     report = check(edges=1, bound="n - m - 3")
-    assert [row["bound"] for row in report.rows()] == [-3, -2]
+    assert [row.bound for row in report.rows] == [-3, -2]
     assert report.findings[0].expected == -3
 
 

@@ -1,8 +1,7 @@
 import pytest
 
-from allworlds.engines import TimeIsUp
+from allworlds.engines import Silent, TimeIsUp
 from allworlds.inputs import InputError
-from allworlds.progress import Silent
 from allworlds.reports.check_words import scope_words, size_table
 from allworlds.reports.junit import junit
 from allworlds.studies.fuzz import fuzz

@@ -1,10 +1,9 @@
 """The hypotheses that are heard in a run, held against the world."""
 
-from dataclasses import replace
-
 import pytest
 
 from allworlds import run, worlds
+from allworlds.document import replace
 from allworlds.judging import true_trail
 from allworlds.protocol import Percept
 from allworlds.studies.check import check

@@ -11,7 +11,7 @@ from allworlds.maps import (
     pose_count,
     rooted_maps,
 )
-from allworlds.studies.ambiguity import class_of, members, twins
+from allworlds.studies.ambiguity import class_of, members, projection_of, twins
 from allworlds.studies.ambiguity.marked_code import is_least_rooting
 from allworlds.world import Compass, Directional, Nothing, Position, World
 
@@ -88,7 +88,7 @@ def test_the_fig1_pair_is_one_planar_class():
         class_of(world(f"fig1-{side}"), map_class="planar") for side in ("left", "right")
     )
     assert {w.map for w in left.worlds} == {w.map for w in right.worlds}
-    assert (left.size, left.poses, left.quotient.sheets) == (2, 4, 4)
+    assert (left.size, left.poses, left.sheets) == (2, 4, 4)
     assert class_of(world("fig1-left"), map_class="planar-simple").size == 2
 
 
@@ -96,7 +96,7 @@ def test_the_class_of_the_wheel_with_four_spokes():
     # k = 4, beta1 = 1, no semi-edge, other cone index 1: P = 4! (4 darts over each class);
     # conjugacy of S4 under a 4-cycle: (24 + 8 + 4 + 4) / 4 = 10 orbits (Burnside).
     found = class_of(world("wheel-4"))
-    assert (found.size, found.poses, found.quotient.sheets) == (10, 24, 4)
+    assert (found.size, found.poses, found.sheets) == (10, 24, 4)
 
 
 def test_a_tree_is_alone_in_its_class():
@@ -145,7 +145,7 @@ def test_a_large_world_is_no_harder_in_kind(name):
 @pytest.mark.no_cover
 def test_a_quotient_with_thousands_of_vertices_and_cycles_is_lifted():
     found = class_of(World(lattice(40, 40), Position(0)))
-    assert (found.size, found.quotient.sheets) == (1, 1)
+    assert (found.size, found.sheets) == (1, 1)
 
 
 def test_a_restricted_class_needs_all_members():
@@ -222,7 +222,7 @@ def test_a_class_without_the_given_world_is_noticed(monkeypatch):
     alien = class_of(given).worlds[1]
     own = members.least_rooting(alien.map, range(3))
     found = {own.code: own}
-    quotient = class_of(given).quotient
+    quotient = projection_of(given).quotient
     monkeypatch.setattr(members, "class_size", lambda quotient: 1)
     monkeypatch.setattr(members, "pose_count", lambda quotient: members._poses(quotient, found))
     missing = members.least_rooting(given.map, [0, 1, 2])

@@ -3,9 +3,8 @@
 import pytest
 
 import allworlds
-from allworlds.engines import Gap
+from allworlds.engines import Gap, Silent
 from allworlds.inputs import InputError
-from allworlds.progress import Silent
 from kept_jobs import EXPLORERS, JOBS
 
 pytestmark = pytest.mark.usefixtures("compiled")

@@ -1,20 +1,20 @@
 """Minimax: the best that any explorer can do, and the strategy that does it."""
 
-from dataclasses import replace
 from functools import cache
 from itertools import product
 
 import pytest
 
 import allworlds
+from allworlds.document import replace
 from allworlds.maps import CombinatorialMap, rooted_code
 from allworlds.outcome import Exit
-from allworlds.protocol import Estimate, Move
+from allworlds.protocol import Estimate, Move, Percept
 from allworlds.reports import text
 from allworlds.studies.optimum import OptimumReport, OptimumRow, minimax
 from allworlds.studies.optimum.in_every_world import most_expensive
 from allworlds.studies.optimum.optimum_table import Solved
-from allworlds.studies.optimum.strategy import Leaf, Step, Strategy
+from allworlds.studies.optimum.strategy import Branch, Strategy, StrategyLeaf, StrategyStep
 from allworlds.world import Directional, World
 from small import EDGE, LOOP, all_maps, slow
 
@@ -101,22 +101,22 @@ def best_for_three():
 
 def test_every_spoilt_strategy_is_noticed():
     strategy = best_for_three()
-    first = next(i for i, node in enumerate(strategy.nodes) if isinstance(node, Step))
-    leaf = next(i for i, node in enumerate(strategy.nodes) if isinstance(node, Leaf))
+    first = next(i for i, node in enumerate(strategy.nodes) if isinstance(node, StrategyStep))
+    leaf = next(i for i, node in enumerate(strategy.nodes) if isinstance(node, StrategyLeaf))
     step = strategy.nodes[first]
     answer = strategy.nodes[leaf].answer
-    shorter = dict(list(step.then.items())[1:])
+    mirrored = Estimate(answer.map.mirrored(), answer.map.sigma[answer.here])
     spoilt = [
-        (first, replace(step, then=shorter)),
-        (first, Step(step.k, dict.fromkeys(step.then, first))),
-        (leaf, Leaf(Estimate(LOOP, 0))),
-        (leaf, Leaf(Estimate(answer.map.mirrored(), answer.map.sigma[answer.here]))),
+        (first, replace(step, then=step.then[1:])),
+        (first, replace(step, then=tuple(replace(one, node=first) for one in step.then))),
+        (leaf, StrategyLeaf(answer=Estimate(LOOP, 0))),
+        (leaf, StrategyLeaf(answer=mirrored)),
     ]
     for number, node in spoilt:
         nodes = [*strategy.nodes]
         nodes[number] = node
         assert most_expensive(replace(strategy, nodes=tuple(nodes)), worlds(3)) is None
-    assert most_expensive(replace(strategy, start={}), worlds(3)) is None
+    assert most_expensive(replace(strategy, start=()), worlds(3)) is None
 
 
 def test_a_strategy_for_fewer_worlds_is_none_for_more():
@@ -129,7 +129,7 @@ def test_a_strategy_for_fewer_worlds_is_none_for_more():
 def test_what_is_known_of_the_bearing_does_not_matter_but_the_place_does():
     for edges in (1, 2):
         strategy = minimax(given(worlds(edges))).strategy
-        answers = [node.answer for node in strategy.nodes if isinstance(node, Leaf)]
+        answers = [node.answer for node in strategy.nodes if isinstance(node, StrategyLeaf)]
         assert all(answer.here in answer.map.darts for answer in answers)
 
 
@@ -158,22 +158,31 @@ def test_the_table_has_every_directional_explorer_and_none_is_better(edges):
 def test_where_the_time_is_up_there_is_a_lower_bound():
     report = allworlds.optimum(edges=2, time_limit=1e-9)
     last = report.rows[-1]
-    assert (last.optimum, last.replayed, last.solved.at_least) == (None, None, 1)
+    assert (last.optimum, last.replayed, last.at_least) == (None, None, 1)
     assert report.exit_code == Exit.INCONCLUSIVE
     assert "1 or more" in text("optimum", report, 100)
 
 
 @pytest.mark.parametrize(("replayed", "seen"), [(None, "wrong in some world"), (7, "costs 7")])
 def test_a_replay_that_disagrees_is_an_error(replayed, seen):
-    strategy = Strategy({}, (Leaf(Estimate(EDGE, 0)),))
-    row = OptimumRow(1, 3, Solved(0, strategy, 0), replayed, {"algorithm1": 1})
-    report = OptimumReport((row,))
+    leaf = StrategyLeaf(answer=Estimate(EDGE, 0))
+    strategy = Strategy(start=(Branch(percept=Percept(1), node=0),), nodes=(leaf,))
+    row = OptimumRow(
+        edges=1,
+        runs=3,
+        at_least=0,
+        replayed=replayed,
+        states=0,
+        explorers={"algorithm1": 1},
+        strategy=strategy,
+    )
+    report = OptimumReport(complete=True, rows=(row,))
     assert report.exit_code == Exit.DISAGREES
     assert seen in text("optimum", report, 100)
 
 
 def test_an_interrupt_keeps_the_rows():
-    report = OptimumReport((), complete=False)
+    report = OptimumReport(complete=False, rows=())
     assert report.exit_code == Exit.INTERRUPTED
     assert text("optimum", report, 100)
 

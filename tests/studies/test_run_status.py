@@ -3,7 +3,8 @@
 import pytest
 
 import allworlds
-from allworlds.progress import Silent
+from allworlds.engines import Silent
+from allworlds.studies.status.run_status import DoneOf
 from kept_jobs import EXPLORERS
 
 
@@ -11,12 +12,12 @@ from kept_jobs import EXPLORERS
 def test_a_finished_directory_says_so(tmp_path):
     report = allworlds.check(edges=3, engine="python", run=tmp_path)
     standing = allworlds.status(tmp_path)
-    assert (standing.state, standing.left) == ("finished", 0)
-    assert standing.worlds == (report.worlds, report.worlds)
-    assert standing.units[0] == standing.units[1] > 9
+    assert (standing.state, standing.left_s) == ("finished", 0)
+    assert standing.worlds == DoneOf(done=report.worlds, all=report.worlds)
+    assert standing.units.done == standing.units.all > 9
     assert standing.worst.cost == max(row.max_cost for row in report.tally.rows.values())
     assert standing.findings == 0
-    assert standing.identity.explorer["name"] == "algorithm1"
+    assert standing.explorer == "algorithm1"
 
 
 class Looks(Silent):
@@ -35,10 +36,10 @@ def test_a_directory_can_be_looked_at_while_it_grows(tmp_path):
     allworlds.check(edges=3, engine="python", run=tmp_path, listener=watcher)
     (standing,) = watcher.seen
     assert standing.state == "running"
-    assert 0 < standing.units[0] < standing.units[1]
-    assert 0 < standing.worlds[0] < standing.worlds[1] == 86
+    assert 0 < standing.units.done < standing.units.all
+    assert 0 < standing.worlds.done < standing.worlds.all == 86
     assert standing.rate > 0
-    assert standing.left > 0
+    assert standing.left_s > 0
 
 
 @pytest.mark.usefixtures("without_workers")

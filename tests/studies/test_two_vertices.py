@@ -43,7 +43,7 @@ def links(map_):
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1"])
 def test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges, all_worlds):
     report = check(CLUSTER, edges=edges, policy=policy)
-    assert (report.verdict, report.exit_code, report.missing) == (Verdict.HOLDS, 0, ())
+    assert (report.verdict, report.exit_code, report.missing_witnesses) == (Verdict.HOLDS, 0, ())
     counted = [links(world.map)[1] for world in worlds(edges=edges)]
     assert report.worlds == len(counted) == all_worlds
     assert report.runs == sum(counted)
@@ -51,7 +51,7 @@ def test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges
     scope = report.to_json()["scope"]
     assert (scope["lighthouse"], scope["bound"]) == ("cluster:single=true", "two-vertices")
     assert scope["laws"] == LAWS
-    assert all(row["max_cost"] <= row["bound"] for row in report.rows() if row["runs"])
+    assert all(row.max_cost <= row.bound for row in report.rows if row.runs)
 
 
 @pytest.mark.slow
@@ -59,7 +59,7 @@ def test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1"])
 def test_the_natural_explorer_holds_in_simple_worlds(policy):
     report = check(NATURAL, edges=6, map_class="simple", policy=policy)
-    assert (report.verdict, report.missing) == (Verdict.HOLDS, ())
+    assert (report.verdict, report.missing_witnesses) == (Verdict.HOLDS, ())
     # Rooted simple maps with m edges: 1, 2, 6, 23, 108, 596; those with a place have 9, 10, 198.
     assert (report.worlds, report.runs) == (736, 217)
     assert report.to_json()["scope"]["lighthouse"] == "natural"
@@ -78,7 +78,7 @@ def test_no_witness_is_asked_for_that_cannot_occur(explorer, map_class, policy):
             options = {"edges": edges, "vertices": vertices, "map_class": map_class}
             report = check(explorer, policy=policy, **options)
             if report.runs:
-                assert (report.missing, report.verdict) == ((), Verdict.HOLDS), options
+                assert (report.missing_witnesses, report.verdict) == ((), Verdict.HOLDS), options
             else:
                 assert report.verdict is Verdict.VACUOUS, options
 
@@ -89,7 +89,7 @@ def test_every_schedule_holds():
     report = check(CLUSTER, edges=3, schedules="all")
     assert report.verdict is Verdict.HOLDS
     assert report.runs == 67
-    assert sum(row["episodes"] for row in report.rows()) > 100 * report.runs
+    assert sum(row.episodes for row in report.rows) > 100 * report.runs
     assert check(NATURAL, edges=4, map_class="simple", schedules="all").verdict is Verdict.HOLDS
 
 
@@ -138,7 +138,7 @@ def test_a_world_needs_no_option_to_be_run():
     told = run(CLUSTER, world)
     # By hand: see the test of the explorer.
     assert (told.outcome.cost, told.outcome.bound, told.finding) == (7, 21, None)
-    assert told.rules.to_json()["bound"] == "two-vertices"
+    assert told.options.bound == "two-vertices"
 
 
 def test_the_explorers_own_bound_holds_under_its_own_kind_of_lighthouse_only():

@@ -10,7 +10,7 @@ from allworlds.world import Nothing, Position, World, flaw
 def test_every_certificate_with_one_class_changed_is_refused():
     a = World(named_map("k4"), Position(0))
     b = class_of(a).worlds[1]
-    good = twins(a, b).proof.classes
+    good = twins(a, b).bisimulation
     assert flaw((a, b), good) is None
     for part, dart in product((0, 1), a.map.darts):
         for q in [q for q in range(5) if q != good[part][dart]]:

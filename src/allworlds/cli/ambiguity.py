@@ -181,6 +181,6 @@ def search(
         for notice in result.notices:
             listener.notice(notice)
         listener.verdict(result)
-    seconds = [searched.seconds for searched in result.searched]
+    seconds = [searched.seconds for searched in result.levels]
     page.write("ambiguity search", result)
     return emit(result, "ambiguity search", output, level_seconds=seconds)

@@ -6,16 +6,22 @@ import json
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
 from time import monotonic
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import Any, TextIO
 
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import Progress, complain
 from allworlds.inputs import InputError, a_path, show
-from allworlds.outcome import SCHEMA, Result
-
-if TYPE_CHECKING:
-    from allworlds import documents
-
+from allworlds.outcome import Result
+from allworlds.reports import (
+    Event,
+    FindingEvent,
+    LevelEvent,
+    NoticeEvent,
+    ProgressEvent,
+    StageEvent,
+    UnitEvent,
+    VerdictEvent,
+)
 
 EVERY = 1.0
 """Seconds between two lines that say how much is done."""
@@ -35,13 +41,13 @@ class Events:
         """A level begins."""
         self._progress.level(edges, worlds)
         self._done = 0
-        self._write({"schema": SCHEMA, "event": "level", "edges": edges, "worlds": worlds})
+        self._write(LevelEvent(edges=edges, worlds=worlds))
 
     def stage(self, name: str, total: int, of: str) -> None:
         """A part of another kind begins."""
         self._progress.stage(name, total, of)
         self._done = 0
-        self._write({"schema": SCHEMA, "event": "stage", "name": name, "all": total, "of": of})
+        self._write(StageEvent(name=name, all=total, of=of))
 
     def progress(self, count: int) -> None:
         """So many more are done; written now and then."""
@@ -49,32 +55,30 @@ class Events:
         self._done += count
         if monotonic() >= self._told + EVERY:
             self._told = monotonic()
-            self._write({"schema": SCHEMA, "event": "progress", "done": self._done})
+            self._write(ProgressEvent(done=self._done))
 
     def unit(self, key: str, worlds: int) -> None:
         """A unit is finished."""
-        self._write({"schema": SCHEMA, "event": "unit", "unit": key, "worlds": worlds})
+        self._write(UnitEvent(unit=key, worlds=worlds))
 
     def finding(self, document: Mapping[str, Any]) -> None:
         """A run refutes."""
-        found: Any = document
-        self._write({"schema": SCHEMA, "event": "finding", "finding": found})
+        self._write(FindingEvent(finding=document))
 
     def notice(self, text: str) -> None:
         """Something that the user may want to know."""
         self._progress.notice(text)
-        self._write({"schema": SCHEMA, "event": "notice", "text": text})
+        self._write(NoticeEvent(text=text))
 
     def verdict(self, report: Result) -> None:
         """The end, with the whole report."""
-        told: Any = report.to_json()
-        self._write({"schema": SCHEMA, "event": "verdict", "report": told})
+        self._write(VerdictEvent(report=report))
 
-    def _write(self, event: documents.Event) -> None:
+    def _write(self, event: Event) -> None:
         if self._file is None:
             return
         try:
-            print(json.dumps(event), file=self._file, flush=True)
+            print(json.dumps(event.to_json()), file=self._file, flush=True)
         except OSError as error:
             self._file = None
             complain(f"no more events are written: {error.strerror}")

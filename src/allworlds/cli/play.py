@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 import sys
-from dataclasses import replace
 from typing import Annotated
 
 from allworlds import Drop, Move, Percept, Pick
 from allworlds.cli import options as opt
 from allworlds.cli.files import ensure_all_writable, write_files
 from allworlds.cli.output import emit, printable
+from allworlds.document import replace
 
 
 def play(

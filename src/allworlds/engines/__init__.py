@@ -16,6 +16,8 @@
     what is finished of a job, kept on disk;
 ``job``, ``engine_table``
     what an engine is to do, and **the** table of the engines;
+``progress``
+    who is told how far a long job is;
 ``single``
     one run, in this process or in one of its own.
 """
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
     from allworlds.engines.engine_table import (
         ENGINES as ENGINES,
         EngineKind as EngineKind,
+        EngineName as EngineName,
         ReadyEngine as ReadyEngine,
         engine_for as engine_for,
         why_not_compiled as why_not_compiled,
@@ -53,6 +56,7 @@ if TYPE_CHECKING:
         schedule_costs_of_unit as schedule_costs_of_unit,
     )
     from allworlds.engines.kernel.schedules import search as search
+    from allworlds.engines.progress import Listener as Listener, Once as Once, Silent as Silent
     from allworlds.engines.python.costs import (
         CostEngine as CostEngine,
         CostTally as CostTally,

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Protocol
+from typing import Annotated, Any, Protocol, TypeAlias
 
+from allworlds.document import one_of
 from allworlds.engines.compiled.sizes import COMPILED_FROM
 from allworlds.engines.isolation.workers import in_any_order, workers_for
 from allworlds.engines.job import Job
@@ -130,6 +131,8 @@ def _cluster(job: Job, scheduler: str) -> Dask:
 
 
 ENGINES: dict[str, EngineKind] = {engine.name: engine for engine in (General(), Compiled())}
+
+EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 """Every engine by its name."""
 
 

@@ -3,70 +3,71 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Annotated
 
+from allworlds.document import (
+    UNSET,
+    Aside,
+    Natural,
+    Report,
+    Text,
+    UnsetType,
+    about,
+    computed,
+    one_of,
+)
 from allworlds.engines.isolation.confirm import examine_apart
 from allworlds.engines.python.examiner import Examiner, Outcome, Referee, name_run
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
 from allworlds.inputs import show
-from allworlds.judging import Answered, Finding, Rules, Undecided, place_of
-from allworlds.outcome import SCHEMA, Exit, Verdict
+from allworlds.judging import Answered, Ending, Finding, RecordedRules, Rules, Undecided, place_of
+from allworlds.outcome import Exit, Verdict
+from allworlds.protocol import Ambiguous, Estimate, Transcript
 from allworlds.world import World
 
-if TYPE_CHECKING:
-    from allworlds import documents
 
+class SingleRun(Report):
+    """Report of 'run'.
 
-@dataclass(frozen=True, slots=True)
-class SingleRun:
-    """One judged run.
-
-    Attributes:
-        explorer: its name.
-        world: as it was given.
-        rules: how it was played and judged.
-        outcome: the episode with its violation.
-        finding: the finding, if a law was broken.
+    One judged run.
     """
 
-    explorer: str
-    world: World
-    rules: Rules
-    outcome: Outcome
-    finding: Finding | None
+    verdict: Annotated[
+        Verdict, about("about this run alone"), one_of(Verdict.HOLDS, Verdict.REFUTED)
+    ] = computed(lambda run: Verdict.REFUTED if run.finding else Verdict.HOLDS)
+    exit_code: Annotated[Exit, one_of(Exit.HOLDS, Exit.REFUTED)] = computed(
+        lambda run: run.verdict.exit
+    )
+    explorer: Annotated[Text, about("its name")]
+    world: Annotated[World, about("as it was given")]
+    options: Annotated[RecordedRules, about("how it was played and judged")] = computed(
+        lambda run: run.rules.recorded
+    )
+    choices: Annotated[tuple[Natural, ...], about("the index taken at each choice")] = computed(
+        lambda run: run.outcome.choices
+    )
+    cost: Annotated[Natural, about("traversals")] = computed(lambda run: run.outcome.cost)
+    bound: Annotated[int | None, about("of the traversals; null without one")] = computed(
+        lambda run: run.outcome.bound
+    )
+    estimate: Annotated[Estimate | None, about("the answer; null where there is none")] = computed(
+        lambda run: run.ending.estimate if isinstance(run.ending, Answered) else None
+    )
+    transcript: Annotated[Transcript, about("the log")] = computed(
+        lambda run: run.outcome.episode.transcript
+    )
+    finding: Annotated[Finding | None, about("null: no law is broken")]
+    ambiguous: Annotated[
+        Ambiguous | UnsetType, about("the answer that names no map, where there is one")
+    ] = computed(lambda run: run.ending.quotient if isinstance(run.ending, Undecided) else UNSET)
+    rules: Aside[Rules]
+    outcome: Aside[Outcome]
 
     @property
-    def verdict(self) -> Verdict:
-        """``holds`` or ``refuted``, about this run alone."""
-        return Verdict.REFUTED if self.finding else Verdict.HOLDS
-
-    @property
-    def exit_code(self) -> Exit:
-        """The exit code of the command."""
-        return self.verdict.exit
-
-    def to_json(self) -> documents.RunDocument:
-        """The document of ``run --json``."""
-        ending = self.outcome.episode.ending
-        document: documents.RunDocument = {
-            "schema": SCHEMA,
-            "verdict": self.verdict.value,
-            "exit_code": self.exit_code,
-            "explorer": self.explorer,
-            "world": self.world.to_json(),
-            "options": self.rules.to_json(),
-            "choices": list(self.outcome.choices),
-            "cost": self.outcome.cost,
-            "bound": self.outcome.bound,
-            "estimate": ending.estimate.to_json() if isinstance(ending, Answered) else None,
-            "transcript": self.outcome.episode.transcript.to_json(),
-            "finding": self.finding.to_json() if self.finding else None,
-        }
-        if isinstance(ending, Undecided):
-            document["ambiguous"] = ending.quotient.to_json()
-        return document
+    def ending(self) -> Ending:
+        """How the episode ended."""
+        return self.outcome.episode.ending
 
 
 def single_run(
@@ -81,7 +82,9 @@ def single_run(
     finding = None
     if outcome.violation:
         finding = Referee(subject.name, rules).finding(world, place_of(world), outcome)
-    return SingleRun(subject.name, world, rules, outcome, finding)
+    return SingleRun(
+        explorer=subject.name, world=world, finding=finding, rules=rules, outcome=outcome
+    )
 
 
 def unused_choice(choices: Sequence[int], told: SingleRun) -> str:

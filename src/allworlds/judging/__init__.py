@@ -17,6 +17,7 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.judging.endings import (
         Answered as Answered,
+        Ending as Ending,
         Fault as Fault,
         LostRun as LostRun,
         UncheckedAmbiguous as UncheckedAmbiguous,
@@ -53,10 +54,12 @@ if TYPE_CHECKING:
     from allworlds.judging.findings.divergence import find_parting as find_parting
     from allworlds.judging.findings.finding import (
         Finding as Finding,
+        FindingDocument as FindingDocument,
         canonical_world as canonical_world,
         place_of as place_of,
     )
     from allworlds.judging.findings.rules import (
+        RecordedRules as RecordedRules,
         Rules as Rules,
         RulesOptions as RulesOptions,
         make_rules as make_rules,
@@ -78,6 +81,8 @@ if TYPE_CHECKING:
         PRECEDENCE as PRECEDENCE,
         Check as Check,
         Checks as Checks,
+        JudgedLaw as JudgedLaw,
+        LawName as LawName,
         Setting as Setting,
         bound_law as bound_law,
         judge as judge,

@@ -89,9 +89,11 @@ if TYPE_CHECKING:
         MapClass as MapClass,
     )
     from allworlds.maps.combinatorial import (
+        Alpha as Alpha,
         CombinatorialMap as CombinatorialMap,
         Dart as Dart,
         InvalidMap as InvalidMap,
+        Sigma as Sigma,
         Vertex as Vertex,
         cycles as cycles,
     )

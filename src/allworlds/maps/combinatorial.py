@@ -5,18 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
+from allworlds.document import Natural, Permutation, WrittenByFields, about
 from allworlds.inputs import InputError, are_plain, integer, parse_json, show
 
-if TYPE_CHECKING:
-    from allworlds import documents
-
-Dart: TypeAlias = int
+Dart: TypeAlias = Natural
 """A dart: an integer in ``0..2m-1``."""
 
 Vertex: TypeAlias = int
 """A vertex: an index into :attr:`CombinatorialMap.vertices`."""
+
+Sigma: TypeAlias = Annotated[
+    Permutation, about("for each dart the next one clockwise round its vertex")
+]
+Alpha: TypeAlias = Annotated[Permutation, about("for each dart the other one of its edge")]
 
 
 class InvalidMap(InputError):
@@ -24,7 +27,7 @@ class InvalidMap(InputError):
 
 
 @dataclass(frozen=True, init=False)
-class CombinatorialMap:
+class CombinatorialMap(WrittenByFields):
     """A connected embedded graph: ``sigma`` clockwise round vertices, ``alpha`` across edges.
 
     The one law: ``sigma`` is a permutation of ``0..2m-1`` with ``m >= 1``, ``alpha`` an
@@ -40,8 +43,8 @@ class CombinatorialMap:
     Cost: O(m).  Source: Section II.A of the paper; docs/theory.md.
     """
 
-    sigma: tuple[Dart, ...]
-    alpha: tuple[Dart, ...]
+    sigma: Sigma
+    alpha: Alpha
 
     def __init__(self, sigma: Iterable[int], alpha: Iterable[int]) -> None:
         valid_sigma, valid_alpha = _integers("sigma", sigma), _integers("alpha", alpha)
@@ -192,10 +195,6 @@ class CombinatorialMap:
         """The dual map: faces become vertices, and the genus stays."""
         sigma, alpha = self.sigma, self.alpha
         return CombinatorialMap.trusted([sigma[alpha[d]] for d in self.darts], alpha)
-
-    def to_json(self) -> documents.Map:
-        """``{"sigma": [...], "alpha": [...]}``."""
-        return {"sigma": list(self.sigma), "alpha": list(self.alpha)}
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:

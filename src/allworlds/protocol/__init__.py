@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         Answer as Answer,
         Checkpoint as Checkpoint,
         Estimate as Estimate,
+        RootedMap as RootedMap,
     )
     from allworlds.protocol.choices import (
         DEFAULT_POLICY as DEFAULT_POLICY,
@@ -52,6 +53,10 @@ if TYPE_CHECKING:
     from allworlds.protocol.percept import Percept as Percept
     from allworlds.protocol.player import Player as Player
     from allworlds.protocol.transcript import (
+        AtStart as AtStart,
+        Dropped as Dropped,
+        Moved as Moved,
+        Picked as Picked,
         Transcript as Transcript,
         action_from_json as action_from_json,
     )

@@ -4,13 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
+from allworlds.document import Document, Entries, Natural, Positive, WrittenByFields, about
 from allworlds.inputs import InputError, show
-from allworlds.maps import CombinatorialMap
+from allworlds.maps import Alpha, CombinatorialMap, Dart, Sigma
 
-if TYPE_CHECKING:
-    from allworlds import documents
+
+class RootedMap(Document):
+    """Rooted map.
+
+    A map, and where the robot is in it.
+    """
+
+    sigma: Sigma
+    alpha: Alpha
+    here: Annotated[Dart, about("the robot's dart")]
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,9 +33,9 @@ class Estimate:
     map: CombinatorialMap
     here: int
 
-    def to_json(self) -> documents.Rooted:
-        """The rooted map ``{"sigma", "alpha", "here"}``."""
-        return {**self.map.to_json(), "here": self.here}
+    def to_json(self) -> dict[str, Any]:
+        """The document :class:`RootedMap`."""
+        return RootedMap(sigma=self.map.sigma, alpha=self.map.alpha, here=self.here).to_json()
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> Estimate:
@@ -42,28 +51,20 @@ class Estimate:
 
 
 @dataclass(frozen=True, slots=True)
-class Ambiguous:
-    """The most that a robot with position only can know: the rooted quotient of its world.
+class Ambiguous(WrittenByFields):
+    """Rooted quotient.
 
-    ``alpha[d] == d`` is a semi-edge; ``degree`` and ``marks`` hold for each dart what is
-    sensed there; ``here`` is the robot's dart.  Nothing is validated here.
+    The most that a robot with position only can know of its world, and where it is in it.
+    Nothing is validated here.
     """
 
-    sigma: Sequence[int]
-    alpha: Sequence[int]
-    degree: Sequence[int]
-    marks: Sequence[int]
-    here: int
-
-    def to_json(self) -> documents.RootedQuotient:
-        """The rooted quotient ``{"sigma", "alpha", "degree", "marks", "here"}``."""
-        return {
-            "sigma": list(self.sigma),
-            "alpha": list(self.alpha),
-            "degree": list(self.degree),
-            "marks": list(self.marks),
-            "here": self.here,
-        }
+    sigma: Annotated[Entries[Dart], about("for each dart the next one clockwise round its vertex")]
+    alpha: Annotated[
+        Entries[Dart], about("for each dart the other one of its edge; of half an edge itself")
+    ]
+    degree: Annotated[Entries[Positive], about("for each dart the degree that is sensed there")]
+    marks: Annotated[Entries[Natural], about("for each dart how many markers lie there")]
+    here: Annotated[Dart, about("the robot's dart")]
 
 
 @dataclass(frozen=True, slots=True)

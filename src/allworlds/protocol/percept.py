@@ -3,26 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Annotated
 
-if TYPE_CHECKING:
-    from allworlds import documents
+from allworlds.document import Natural, Positive, WrittenByFields, about
 
 
 @dataclass(frozen=True, slots=True)
-class Percept:
-    """All that is sensed at a vertex.
+class Percept(WrittenByFields):
+    """Percept.
 
-    Attributes:
-        degree: the number of darts of the vertex, at least 1.
-        marks: how many markers lie here.
-        bearing: the offset from the dart arrived by to the pointed dart, clockwise, in
-            ``0..degree-1``; None where no direction is sensed.
+    All that is sensed at a vertex.
     """
 
-    degree: int
-    marks: int = 0
-    bearing: int | None = None
+    degree: Annotated[Positive, about("the number of darts")]
+    marks: Annotated[Natural, about("the number of markers that lie here")] = 0
+    bearing: Annotated[
+        Natural | None,
+        about(
+            "the offset clockwise from the dart arrived by to the pointed dart; null where no "
+            "direction is sensed"
+        ),
+    ] = None
 
     def marked(self, markers: int) -> Percept:
         """The same with so many markers more."""
@@ -37,7 +38,3 @@ class Percept:
         marks = {0: "", 1: ", marked"}.get(self.marks, f", {self.marks} marks")
         bearing = "" if self.bearing is None else f", bearing {self.bearing}"
         return f"degree {self.degree}{marks}{bearing}"
-
-    def to_json(self) -> documents.PerceptDocument:
-        """``{"degree", "marks", "bearing"}``."""
-        return {"degree": self.degree, "marks": self.marks, "bearing": self.bearing}

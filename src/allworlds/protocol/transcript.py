@@ -5,14 +5,39 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, assert_never
+from typing import Annotated, Any, Literal, assert_never
 
+from allworlds.document import Document, about, plain
 from allworlds.inputs import integer, show
 from allworlds.protocol.actions import Action, Drop, Move, Pick
 from allworlds.protocol.percept import Percept
 
-if TYPE_CHECKING:
-    from allworlds import documents
+
+class AtStart(Document, forbid_unknown_fields=False):
+    """The first row of a transcript."""
+
+    percept: Annotated[Percept, about("what was sensed before any motion")]
+
+
+class Moved(Document, forbid_unknown_fields=False):
+    """A motion."""
+
+    move: Annotated[int, about("by how many darts clockwise the robot turned before it left")]
+    percept: Annotated[Percept, about("what was sensed then")]
+
+
+class Dropped(Document, forbid_unknown_fields=False):
+    """A marker laid down."""
+
+    drop: Literal[True]
+    percept: Annotated[Percept, about("what was sensed then")]
+
+
+class Picked(Document, forbid_unknown_fields=False):
+    """A marker taken up."""
+
+    pick: Literal[True]
+    percept: Annotated[Percept, about("what was sensed then")]
 
 
 @dataclass(frozen=True)
@@ -40,9 +65,10 @@ class Transcript:
         """What was done, step by step."""
         return tuple(action for action, _ in self.steps)
 
-    def to_json(self) -> documents.Transcript:
+    def to_json(self) -> list[dict[str, Any]]:
         """``[{"percept": P}, {"move": k, "percept": P}, ...]``."""
-        return [{"percept": self.first.to_json()}, *(_step(*step) for step in self.steps)]
+        rows: list[dict[str, Any]] = plain([AtStart(percept=self.first), *map(_row, self.steps)])
+        return rows
 
     @classmethod
     def from_json(cls, rows: object) -> Transcript:
@@ -64,15 +90,15 @@ class Transcript:
         return cls(_percept(0, rows[0]), tuple(steps))
 
 
-def _step(action: Action, percept: Percept) -> documents.Step:
-    """``{"move": k}``, ``{"drop": true}`` or ``{"pick": true}``, each with its percept."""
+def _row(step: tuple[Action, Percept]) -> Moved | Dropped | Picked:
+    action, percept = step
     match action:
         case Move(k):
-            return {"move": k, "percept": percept.to_json()}
+            return Moved(move=k, percept=percept)
         case Drop():
-            return {"drop": True, "percept": percept.to_json()}
+            return Dropped(drop=True, percept=percept)
         case Pick():
-            return {"pick": True, "percept": percept.to_json()}
+            return Picked(pick=True, percept=percept)
         case _:
             assert_never(action)
 

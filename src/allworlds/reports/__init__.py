@@ -15,6 +15,16 @@ if TYPE_CHECKING:
     from allworlds.reports.drawing.layout import Layout as Layout, layout as layout
     from allworlds.reports.drawing.scene import scene_of as scene_of
     from allworlds.reports.drawing.text import draw as draw
+    from allworlds.reports.event_lines import (
+        Event as Event,
+        FindingEvent as FindingEvent,
+        LevelEvent as LevelEvent,
+        NoticeEvent as NoticeEvent,
+        ProgressEvent as ProgressEvent,
+        StageEvent as StageEvent,
+        UnitEvent as UnitEvent,
+        VerdictEvent as VerdictEvent,
+    )
     from allworlds.reports.html.frame import Page as Page, counts as counts
     from allworlds.reports.html.viewer import figure as figure
     from allworlds.reports.junit import JUnitCase as JUnitCase, junit_text as junit_text

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from textwrap import wrap
 
-from allworlds.engines import Shard
+from allworlds.document import UNSET
 from allworlds.maps import Quotient
 from allworlds.reports.check_words import counted
 from allworlds.reports.drawing.scene import scene_of
@@ -15,8 +14,8 @@ from allworlds.reports.text_layout import entry, interruption, table
 from allworlds.studies.ambiguity import (
     AmbiguityCensus,
     AmbiguityClass,
+    CensusRow,
     ComparedWorlds,
-    Separation,
     projection_of,
 )
 from allworlds.words import number, plural
@@ -28,8 +27,8 @@ DRAWN = 4
 
 def twins_text(comparison: ComparedWorlds, width: int) -> str:
     """The verdict, both worlds, and the quotient they share or the walk that separates them."""
-    if isinstance(comparison.proof, Separation):
-        return "\n".join(_told_apart(comparison, comparison.proof, width))
+    if comparison.distinguishable:
+        return "\n".join(_told_apart(comparison, width))
     projections = [projection_of(world) for world in comparison.worlds]
     lines = entry(*twins_words(comparison), width)
     for name, world, (_, classes) in zip("AB", comparison.worlds, projections, strict=True):
@@ -40,9 +39,9 @@ def twins_text(comparison: ComparedWorlds, width: int) -> str:
 
 def twins_words(comparison: ComparedWorlds) -> tuple[str, str]:
     """The verdict, and why."""
-    if isinstance(comparison.proof, Separation):
-        motions = ", ".join(map(str, comparison.proof.motions)) or "none: the first percepts differ"
-        count = plural(len(comparison.proof.motions), "motion")
+    if comparison.motions is not UNSET:
+        motions = ", ".join(map(str, comparison.motions)) or "none: the first percepts differ"
+        count = plural(len(comparison.motions), "motion")
         return "TOLD APART", f"by {count}, and by no fewer: {motions}"
     word, what = {
         "same": ("SAME", "the two are one world, start included; "),
@@ -67,15 +66,17 @@ def class_text(found: AmbiguityClass, width: int) -> str:
         lines += ["", f"and {number(len(found.worlds) - DRAWN)} more: see --json"]
     if found.notice:
         lines += ["", *entry("notice", found.notice, width)]
-    return "\n".join([*lines, "", *_quotient(found.quotient, width)])
+    return "\n".join([*lines, "", *_quotient(projection_of(found.world).quotient, width)])
 
 
 def class_words(found: AmbiguityClass) -> tuple[str, str]:
     """The verdict, and why."""
-    universe = f"in the class {found.universe}"
+    universe = f"in the class {found.map_class}"
     if found.size == 1:
         return "ALONE", f"no other world {universe} has its quotient: a robot can map it"
-    text = f"{plural(found.size, 'world')} {universe}; " + _why_alike([found.quotient])
+    text = f"{plural(found.size, 'world')} {universe}; " + _why_alike(
+        [projection_of(found.world).quotient]
+    )
     return "AMBIGUOUS", text
 
 
@@ -86,25 +87,24 @@ def census_text(census: AmbiguityCensus, width: int) -> str:
         [
             str(row.edges),
             number(row.marked_worlds),
-            *(["-"] * 3 if row.sizes is None else _of_classes(row.sizes)),
+            *_of_classes(row),
         ]
         for row in census.rows
     ]
     lines = table(header, rows, "rrrrr", width)
-    universe = census.extent.map_class
     text = (
         "maps with one marked vertex, up to isomorphism; ambiguous are those from which no "
-        f"motion tells another world of the class {universe}"
+        f"motion tells another world of the class {census.map_class}"
     )
     lines += ["", *interruption(complete=census.complete, width=width)]
     lines += entry("scope", text, width)
-    if isinstance(census.portion, Shard):
+    if not census.whole:
         text = (
-            f"of the shard {census.portion} alone, which may hold some members of a class and not "
+            f"of the shard {census.shard} alone, which may hold some members of a class and not "
             "others: classes and counts are told by the merge of all shards"
         )
         return "\n".join([*lines, *entry("shard", text, width)])
-    if census.agrees:
+    if census.gate.agrees:
         text = f"no rooted map was forgotten: {counted(census.source)}"
         return "\n".join([*lines, *entry("gate", text, width)])
     for row in census.rows:
@@ -118,21 +118,19 @@ def census_text(census: AmbiguityCensus, width: int) -> str:
     return "\n".join(lines)
 
 
-def _of_classes(sizes: Counter[int]) -> list[str]:
-    members = sum(size * times for size, times in sizes.items())
-    largest = number(max(sizes)) if sizes else "-"
-    return [number(members), number(sum(sizes.values())), largest]
+def _of_classes(row: CensusRow) -> list[str]:
+    told = (row.ambiguous_worlds, row.classes, row.largest_class or None)
+    return ["-" if count is None else number(count) for count in told]
 
 
-def _told_apart(comparison: ComparedWorlds, proof: Separation, width: int) -> list[str]:
+def _told_apart(comparison: ComparedWorlds, width: int) -> list[str]:
     lines = entry(*twins_words(comparison), width)
     for name, world in zip("AB", comparison.worlds, strict=True):
         lines += ["", f"world {name}", "", draw(scene_of(world), width)]
+    motions, percepts = comparison.motions or (), comparison.percepts or ()
     rows = [
         [str(i), str(motion), str(p), "=" if p == q else "≠", str(q)]
-        for i, (motion, p, q) in enumerate(
-            zip(("start", *proof.motions), *proof.percepts, strict=True)
-        )
+        for i, (motion, p, q) in enumerate(zip(("start", *motions), *percepts, strict=True))
     ]
     header = ["step", "motion", "sensed in A", "", "sensed in B"]
     return [*lines, "", *table(header, rows, "rr", width, keys=2)]

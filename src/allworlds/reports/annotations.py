@@ -8,7 +8,7 @@ from allworlds.reports.check_words import verdict_words
 from allworlds.reports.finding_words import headline
 from allworlds.reports.project import project_folder
 from allworlds.reports.run_text import finding_text
-from allworlds.studies.check import Report
+from allworlds.studies.check import CheckReport
 
 WIDTH = 80
 
@@ -23,7 +23,7 @@ KINDS = {
 """How loud a verdict is."""
 
 
-def runner_commands(report: Report) -> str:
+def runner_commands(report: CheckReport) -> str:
     """One line a finding, at the file and line of the explorer; without one, the verdict's."""
     place = place_of_explorer(report.explorer)
     at = {}

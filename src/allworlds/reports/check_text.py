@@ -8,11 +8,11 @@ from textwrap import wrap
 from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
 from allworlds.reports.run_text import finding_text
 from allworlds.reports.text_layout import entry, table
-from allworlds.studies.check import Report, TimeEstimate
+from allworlds.studies.check import CheckReport, Guess, TimeEstimate
 from allworlds.words import duration, number, plural
 
 
-def check_text(report: Report | TimeEstimate, width: int) -> str:
+def check_text(report: CheckReport | TimeEstimate, width: int) -> str:
     """What was seen, its scope, the findings, and the verdict last; or how long it will take."""
     if isinstance(report, TimeEstimate):
         return "\n".join(_guess(report, width) + _larger(report, width))
@@ -27,7 +27,7 @@ def check_text(report: Report | TimeEstimate, width: int) -> str:
     return "\n\n".join("\n".join(block) for block in blocks if block)
 
 
-def verdict_line(report: Report | TimeEstimate, _width: int) -> str:
+def verdict_line(report: CheckReport | TimeEstimate, _width: int) -> str:
     """The verdict, or the estimate, in one line however wide it is."""
     if isinstance(report, TimeEstimate):
         return _guess(report, sys.maxsize)[0]
@@ -35,8 +35,7 @@ def verdict_line(report: Report | TimeEstimate, _width: int) -> str:
     return f"{word}: {text}"
 
 
-def _guess(estimate: TimeEstimate, width: int) -> list[str]:
-    guess = estimate.guess
+def _guess(guess: TimeEstimate, width: int) -> list[str]:
     if guess.seconds is None or guess.rate is None:
         text = "no world of the last level was finished in time: this takes very long"
         return entry("estimate", text, width)
@@ -49,6 +48,7 @@ def _larger(estimate: TimeEstimate, width: int) -> list[str]:
     """A table of what the check would take with more edges; nothing if that is not known."""
     if not estimate.larger:
         return []
+    guesses: list[TimeEstimate | Guess] = [estimate, *estimate.larger]
     header = ("edges", "worlds", "engine", "sampled", "a second", "takes")
     rows = [
         (
@@ -59,7 +59,7 @@ def _larger(estimate: TimeEstimate, width: int) -> list[str]:
             number(round(guess.rate)),
             duration(guess.seconds),
         )
-        for guess in (estimate.guess, *estimate.larger)
+        for guess in guesses
         if guess.rate is not None and guess.seconds is not None
     ]
     return ["", *table(header, rows, "rrlrrr", width)]

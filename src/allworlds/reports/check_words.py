@@ -5,21 +5,21 @@ from __future__ import annotations
 from allworlds.engines import Row, Sample, Shard
 from allworlds.judging import Finding
 from allworlds.outcome import Verdict
-from allworlds.studies.check import Report, UserCorpus
+from allworlds.studies.check import CheckReport, UserCorpus
 from allworlds.words import number, plural, size
 
 
-def size_table(report: Report) -> tuple[list[str], list[list[str]]]:
+def size_table(report: CheckReport) -> tuple[list[str], list[list[str]]]:
     """The header and the rows of what was counted for each number of edges and vertices.
 
     Of a sample, which has a few worlds of very many sizes, for each number of edges.
     """
-    every = report.scope.schedules == "all"
+    every = report.asked.schedules == "all"
     header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
     if every:
         header.insert(4, "schedules")
     rows = []
-    sampled = isinstance(report.scope.coverage, Sample)
+    sampled = isinstance(report.asked.coverage, Sample)
     for (edges, *vertices), row in _by_size(report, sampled).items():
         fewest, most = vertices[0], vertices[-1]
         cells = [row.worlds, row.runs, *([row.episodes] if every else [])]
@@ -30,7 +30,7 @@ def size_table(report: Report) -> tuple[list[str], list[list[str]]]:
     return header, rows
 
 
-def _by_size(report: Report, sampled: bool) -> dict[tuple[int, ...], Row]:
+def _by_size(report: CheckReport, sampled: bool) -> dict[tuple[int, ...], Row]:
     """The rows by their edges and vertices; of a sample added up, by edges and all vertices."""
     rows = dict(sorted(report.tally.rows.items()))
     if not sampled:
@@ -43,7 +43,7 @@ def _by_size(report: Report, sampled: bool) -> dict[tuple[int, ...], Row]:
     return {(edges, *met): total for edges, (met, total) in added.items()}
 
 
-def verdict_words(report: Report) -> tuple[str, str]:
+def verdict_words(report: CheckReport) -> tuple[str, str]:
     """The verdict, and what it says."""
     done = (
         f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
@@ -66,9 +66,9 @@ def verdict_words(report: Report) -> tuple[str, str]:
     return report.verdict.value.upper(), text
 
 
-def scope_words(report: Report) -> list[tuple[str, str]]:
+def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     """What the verdict is about, as names and texts; a text without a name goes on."""
-    scope, rules = report.scope, report.scope.rules
+    scope, rules = report.asked, report.asked.rules
     bounds = scope.extent
     limits = [f"at most {plural(bounds.edges, 'edge')}"] if bounds.edges else []
     if isinstance(scope.coverage, Sample) and scope.coverage.min_edges > 1:
@@ -90,10 +90,10 @@ def scope_words(report: Report) -> list[tuple[str, str]]:
     seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
     met = f"what was met, and how often: {seen}" if seen else "none was met"
     words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", met)]
-    if report.missing:
-        words.append(("MISSING", f"never met: {', '.join(report.missing)}"))
-    if report.corpus:
-        past = report.corpus
+    if report.missing_witnesses:
+        words.append(("MISSING", f"never met: {', '.join(report.missing_witnesses)}"))
+    if report.past:
+        past = report.past
         words.append(("corpus", f"{past.directory}: {_corpus(past)}"))
     if report.tally.left_out:
         left = plural(report.tally.left_out, "world")
@@ -102,18 +102,18 @@ def scope_words(report: Report) -> list[tuple[str, str]]:
     return words
 
 
-def origin_words(report: Report, finding: Finding) -> str:
+def origin_words(report: CheckReport, finding: Finding) -> str:
     """Where a finding comes from; empty where this check has come upon it by itself."""
-    return "from the corpus" if report.corpus and report.corpus.holds(finding) else ""
+    return "from the corpus" if report.past and report.past.holds(finding) else ""
 
 
-def _which(report: Report) -> str:
-    sampled = isinstance(report.scope.coverage, Sample)
+def _which(report: CheckReport) -> str:
+    sampled = isinstance(report.asked.coverage, Sample)
     return "one start and marker" if sampled else "every start and marker"
 
 
-def _maps(report: Report) -> str:
-    sample = report.scope.coverage
+def _maps(report: CheckReport) -> str:
+    sample = report.asked.coverage
     if not isinstance(sample, Sample):
         return "every map"
     return f"each of a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
@@ -131,14 +131,14 @@ def _corpus(past: UserCorpus) -> str:
     )
 
 
-def _schedules(report: Report) -> str:
-    if report.scope.schedules == "all":
+def _schedules(report: CheckReport) -> str:
+    if report.asked.schedules == "all":
         return "every sequence of choices"
-    return f"free choices as policy {report.scope.rules.policy} takes them, one schedule a run"
+    return f"free choices as policy {report.asked.rules.policy} takes them, one schedule a run"
 
 
-def _laws(report: Report) -> str:
-    rules = report.scope.rules
+def _laws(report: CheckReport) -> str:
+    rules = report.asked.rules
     laws = [f"bound ({rules.the_bound.name})" if law == "bound" else law for law in rules.applying]
     published = report.tally.checkpoints
     note = (
@@ -149,22 +149,22 @@ def _laws(report: Report) -> str:
     return ", ".join(laws) + note
 
 
-def _gate(report: Report) -> str:
-    if isinstance(report.scope.coverage, Shard):
+def _gate(report: CheckReport) -> str:
+    if isinstance(report.asked.coverage, Shard):
         return "deferred to the merge of all shards"
-    if isinstance(report.scope.coverage, Sample):
+    if isinstance(report.asked.coverage, Sample):
         return "absent: a sample is not to be counted"
-    if not report.gate:
+    if not report.cells:
         return "no level was finished"
-    wrong = [cell for cell in report.gate if not cell.agrees]
+    wrong = [cell for cell in report.cells if not cell.agrees]
     if wrong:
         cell = wrong[0]
         return (
             f"MISMATCH: of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were "
             f"enumerated, but {cell.source} counts {cell.counted}"
         )
-    cells = plural(len(report.gate), "cell")
-    return f"no world was forgotten: in {cells} (edges, vertices) {counted(report.gate[0].source)}"
+    cells = plural(len(report.cells), "cell")
+    return f"no world was forgotten: in {cells} (edges, vertices) {counted(report.cells[0].source)}"
 
 
 def counted(source: str) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-from fractions import Fraction
 
 from allworlds.reports.finding_words import headline
 from allworlds.reports.growth_text import growth_csv, growth_text
@@ -38,7 +37,7 @@ def _cells(report: Comparison, row: ComparedRow) -> list[str]:
     cells = [number(row.edges), number(row.vertices), number(row.worlds)]
     cells += [_mean(row.mean[name]) for name in report.names]
     cells += [number(row.worst[name]) for name in report.names]
-    ratios = [row.ratio(name) for name in report.names[1:]]
+    ratios = [row.ratio[name] for name in report.names[1:]]
     cells += ["-" if ratio is None else _mean(ratio) for ratio in ratios]
     cells += [
         " ".join(number(times[name]) for times in (row.less, row.equal, row.more))
@@ -50,14 +49,10 @@ def _cells(report: Comparison, row: ComparedRow) -> list[str]:
 def compare_words(report: Comparison) -> list[tuple[str, str]]:
     """What is to be said beside the table, each with its name."""
     words = [(report.verdict.value.upper(), _verdict(report))]
-    for contestant in report.contestants:
-        rules = contestant.rules
-        words.append(
-            (
-                "explorer",
-                f"{contestant.name} under {rules.lighthouse}, bound {rules.the_bound.name}",
-            )
-        )
+    words += [
+        ("explorer", f"{each.name} under {each.lighthouse}, bound {each.bound}")
+        for each in report.explorers
+    ]
     words.append(("scope", _scope(report)))
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))
@@ -66,9 +61,10 @@ def compare_words(report: Comparison) -> list[tuple[str, str]]:
     most = report.differ_most
     if most is not None:
         costs = ", ".join(f"{name} {_mean(cost)}" for name, cost in most.costs.items())
-        where = size(most.map.edge_count, most.map.vertex_count)
-        world = f"sigma={[*most.map.sigma]} alpha={[*most.map.alpha]}"
-        if most.map.edge_count > _SHOWN:
+        map_ = most.world.map
+        where = size(map_.edge_count, map_.vertex_count)
+        world = f"sigma={[*map_.sigma]} alpha={[*map_.alpha]}"
+        if map_.edge_count > _SHOWN:
             world = "in the document"
         words.append(("differ most", f"in a world with {where}: {costs}; {world}"))
     words += [("finding", headline(finding)) for finding in report.findings]
@@ -83,12 +79,11 @@ def _verdict(report: Comparison) -> str:
     runs = sum(row.runs for row in report.rows)
     if report.findings:
         return "a run has broken a law"
-    if not all(cell.agrees for cell in report.gate):
+    if not report.all_counted:
         return "the enumeration and its count disagree"
     if not report.complete:
-        return (
-            f"{report.ending.reason}; no law is broken in {plural(runs, 'run')} of finished levels"
-        )
+        why = report.stopped or "interrupted"
+        return f"{why}; no law is broken in {plural(runs, 'run')} of finished levels"
     if not report.rows:
         return "there is no world in which every explorer has a place"
     return f"no law is broken in {plural(runs, 'run')}"
@@ -97,16 +92,15 @@ def _verdict(report: Comparison) -> str:
 def _scope(report: Comparison) -> str:
     if report.family:
         return f"one world: {report.family}"
-    extent = report.extent
     limits = [
         f"at most {plural(limit, *words)}"
         for limit, words in (
-            (extent.edges, ("edge",)),
-            (extent.vertices, ("vertex", "vertices")),
+            (report.edges, ("edge",)),
+            (report.vertices, ("vertex", "vertices")),
         )
         if limit is not None
     ]
-    return f"every rooted map of the class {extent.map_class.value} with {' and '.join(limits)}"
+    return f"every rooted map of the class {report.map_class} with {' and '.join(limits)}"
 
 
 def _in_all(report: Comparison, name: str) -> str:
@@ -132,15 +126,15 @@ def compare_csv(report: Comparison | Growth) -> str:
     for row in report.rows:
         for name in report.names:
             compared = [which.get(name, "") for which in (row.less, row.equal, row.more)]
-            mean = f"{float(row.mean[name]):.6f}"
+            mean = f"{row.mean[name]:.6f}"
             writer.writerow(
                 [row.edges, row.vertices, row.worlds, name, mean, row.worst[name], *compared]
             )
     return out.getvalue()
 
 
-def _mean(value: Fraction) -> str:
-    return f"{float(value):,.2f}"
+def _mean(value: float) -> str:
+    return f"{value:,.2f}"
 
 
 def _short(name: str) -> str:

@@ -36,8 +36,8 @@ def _draw(report: Growth, family: str, panel: Any) -> None:
     for name in report.explorers:
         rows = [row for row in report.rows if (row.family, row.explorer) == (family, name)]
         if rows:
-            low = [row.mean - min(row.costs) for row in rows]
-            high = [max(row.costs) - row.mean for row in rows]
+            low = [row.mean - row.least for row in rows]
+            high = [row.worst - row.mean for row in rows]
             panel.errorbar(
                 [row.edges for row in rows],
                 [row.mean for row in rows],

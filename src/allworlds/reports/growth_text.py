@@ -21,15 +21,15 @@ def growth_text(report: Growth, width: int) -> str:
             number(row.vertices),
             row.explorer,
             f"{row.mean:,.1f}",
-            number(min(row.costs)),
-            number(max(row.costs)),
+            number(row.least),
+            number(row.worst),
             "-" if row.bound is None else number(row.bound),
         ]
         for row in report.rows
     ]
     lines = [*table(header, rows, "lrrlrrrr", width, keys=4), ""]
     fitted = [
-        [one.family, one.explorer, f"{one.exponent:.2f}", f"{one.last:.2f}"]
+        [one.family, one.explorer, f"{one.slope:.2f}", f"{one.last_slope:.2f}"]
         for one in report.exponents
     ]
     if fitted:
@@ -45,7 +45,7 @@ def _words(report: Growth) -> list[tuple[str, str]]:
     if report.findings:
         said = "a run has broken a law"
     elif not report.complete:
-        said = f"{report.ending.reason}; {said} of finished families"
+        said = f"{report.stopped or 'interrupted'}; {said} of finished families"
     words = [(report.verdict.value.upper(), said)]
     if report.exponents:
         words += [

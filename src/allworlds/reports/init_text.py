@@ -9,7 +9,7 @@ from allworlds.studies.init import Header, Skeleton
 def init_text(begun: Skeleton | Header, width: int) -> str:
     """The header line by line; or what was written, and what to do next."""
     if isinstance(begun, Header):
-        return begun.text.rstrip("\n")
+        return begun.header.rstrip("\n")
     return _skeleton_text(begun, width)
 
 
@@ -18,5 +18,5 @@ def _skeleton_text(skeleton: Skeleton, width: int) -> str:
     if skeleton.language.needs:
         lines += entry("needs", ", ".join(skeleton.language.needs), width)
     lines += ["next", f"  {skeleton.check}", ""]
-    said = f"{skeleton.language.explorer} is wrong so far: the check draws the smallest world that"
+    said = f"{skeleton.explorer} is wrong so far: the check draws the smallest world that"
     return "\n".join([*lines, f"{said} refutes it."])

@@ -13,7 +13,7 @@ from allworlds.engines import Sample
 from allworlds.judging import Finding
 from allworlds.outcome import Verdict
 from allworlds.reports.run_text import finding_text
-from allworlds.studies.check import Disagreed, Report
+from allworlds.studies.check import CheckReport, Disagreed
 from allworlds.version import __version__
 from allworlds.words import plural, size
 
@@ -32,7 +32,7 @@ class JUnitCase:
     text: str = ""
 
 
-def junit(report: Report) -> str:
+def junit(report: CheckReport) -> str:
     """The report as a JUnit XML document with one suite.
 
     An exhaustive check has one case for each number of edges of its scope: passed; failed,
@@ -40,7 +40,7 @@ def junit(report: Report) -> str:
     the reason, where the level was not finished.  Where they are judged, a case ``past
     findings`` comes before them and a case ``witnesses`` after.  A sample is one case.
     """
-    coverage = report.scope.coverage
+    coverage = report.asked.coverage
     sampled = isinstance(coverage, Sample)
     cases = (
         [_sample(report, coverage)]
@@ -74,7 +74,7 @@ def junit_text(
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, "unicode") + "\n"
 
 
-def _told(report: Report) -> Mapping[str, object]:
+def _told(report: CheckReport) -> Mapping[str, object]:
     """Verdict and scope, which no result is worth anything without."""
     document: Mapping[str, Any] = report.to_json()
     named = ("verdict", "exit_code", "engine", "worlds", "runs", "traversals")
@@ -89,21 +89,21 @@ def _add_properties(suite: ET.Element, told: Mapping[str, object]) -> None:
         ET.SubElement(properties, "property", {"name": name, "value": _legal(text)})
 
 
-def _past(report: Report) -> Iterator[JUnitCase]:
+def _past(report: CheckReport) -> Iterator[JUnitCase]:
     """One case for a user's corpus, if there is one."""
-    if report.corpus:
-        standing = [finding for finding in report.findings if report.corpus.holds(finding)]
+    if report.past:
+        standing = [finding for finding in report.findings if report.past.holds(finding)]
         yield _failure("past findings", standing) if standing else JUnitCase("past findings")
 
 
-def _levels(report: Report) -> Iterator[JUnitCase]:
+def _levels(report: CheckReport) -> Iterator[JUnitCase]:
     """One case a level."""
-    past = report.corpus
+    past = report.past
     new = [finding for finding in report.findings if not (past and past.holds(finding))]
-    for edges in report.scope.extent.levels:
+    for edges in report.asked.extent.levels:
         name = f"every world with {plural(edges, 'edge')}"
         found = [finding for finding in new if finding.key[0] == edges]
-        wrong = [cell for cell in report.gate if cell.edges == edges and not cell.agrees]
+        wrong = [cell for cell in report.cells if cell.edges == edges and not cell.agrees]
         if wrong:
             text = "\n".join(
                 f"of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were "
@@ -122,26 +122,26 @@ def _levels(report: Report) -> Iterator[JUnitCase]:
             )
 
 
-def _whole(report: Report) -> Iterator[JUnitCase]:
+def _whole(report: CheckReport) -> Iterator[JUnitCase]:
     """What is judged about the scope as a whole."""
-    gate = all(cell.agrees for cell in report.gate)
+    gate = all(cell.agrees for cell in report.cells)
     if isinstance(report.ending, Disagreed) and gate:
         yield JUnitCase(
             "engines", "error", "engines-disagree", "two engines disagree", report.ending.reason
         )
-    if not report.complete or not report.scope.whole:
+    if not report.complete or not report.asked.whole:
         return
     if not report.runs:
         yield JUnitCase("witnesses", "failure", "vacuous", "nothing was checked: there is no run")
-    elif report.missing:
-        missing = f"never seen: {', '.join(report.missing)}"
+    elif report.missing_witnesses:
+        missing = f"never seen: {', '.join(report.missing_witnesses)}"
         yield JUnitCase("witnesses", "failure", "vacuous", missing)
     else:
         yield JUnitCase("witnesses")
 
 
-def _sample(report: Report, sample: Sample) -> JUnitCase:
-    edges = plural(report.scope.extent.levels[-1], "edge")
+def _sample(report: CheckReport, sample: Sample) -> JUnitCase:
+    edges = plural(report.asked.extent.levels[-1], "edge")
     least = "up to" if sample.min_edges == 1 else f"{sample.min_edges} to"
     name = f"{plural(sample.runs, 'random world')} with {least} {edges}"
     if report.findings:
@@ -151,7 +151,7 @@ def _sample(report: Report, sample: Sample) -> JUnitCase:
     return JUnitCase(name, "skipped", message=report.ending.reason or "no world was tried")
 
 
-def _failure(name: str, findings: list[Finding]) -> JUnitCase:
+def _failure(name: str, findings: Sequence[Finding]) -> JUnitCase:
     first = findings[0]
     text = "\n\n".join(finding_text(finding, WIDTH) for finding in findings)
     return JUnitCase(name, "failure", first.law, f"law '{first.law}' is broken", text)

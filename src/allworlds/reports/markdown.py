@@ -9,12 +9,12 @@ from allworlds.reports.check_words import origin_words, scope_words, size_table,
 from allworlds.reports.finding_words import headline
 from allworlds.reports.law_words import ASKED
 from allworlds.reports.run_text import finding_text
-from allworlds.studies.check import Report
+from allworlds.studies.check import CheckReport
 
 WIDTH = 100
 
 
-def markdown(report: Report) -> str:
+def markdown(report: CheckReport) -> str:
     """The verdict, every finding with its picture, what was counted, and the scope."""
     word, text = verdict_words(report)
     blocks = [f"## allworlds: {word} {_plain(report.explorer)}", _plain(text)]

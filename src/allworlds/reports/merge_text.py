@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from allworlds.engines import WHOLE
 from allworlds.reports.rendering import brief, text
 from allworlds.reports.text_layout import entry
 from allworlds.studies.merge import MergedReport
@@ -21,27 +22,24 @@ def merge_line(merged: MergedReport, width: int) -> str:
 
 def status_text(standing: Standing, width: int) -> str:
     """How far it is, how fast, and what has been met."""
-    identity = standing.identity
-    done, all_ = standing.units
-    worlds, of = standing.worlds
+    units, worlds, told = standing.units, standing.worlds, standing.parameters
     lines = entry("state", standing.state, width)
-    what = f"{identity.verb} {identity.explorer['name']}".strip()
+    what = f"{standing.verb} {standing.explorer}".strip()
     bounds = ", ".join(
-        plural(identity.parameters[name], one, many)
+        plural(told[name], one, many)
         for name, one, many in (("edges", "edge", ""), ("vertices", "vertex", "vertices"))
-        if identity.parameters.get(name) is not None
+        if told.get(name) is not None
     )
-    shard = f"; shard {identity.shard}" if identity.shards > 1 else ""
-    lines += entry(
-        "job", f"{what}: class {identity.parameters['class']}, at most {bounds}{shard}", width
-    )
-    lines += entry("units", f"{number(done)} of {number(all_)}", width)
-    about = "about " if identity.shards > 1 else ""
-    lines += entry("worlds", f"{number(worlds)} of {about}{number(of)}", width)
+    whole = standing.shard == str(WHOLE)
+    shard = "" if whole else f"; shard {standing.shard}"
+    lines += entry("job", f"{what}: class {told['class']}, at most {bounds}{shard}", width)
+    lines += entry("units", f"{number(units.done)} of {number(units.all)}", width)
+    about = "" if whole else "about "
+    lines += entry("worlds", f"{number(worlds.done)} of {about}{number(worlds.all)}", width)
     if standing.rate is not None:
         lines += entry("rate", f"{number(round(standing.rate))} worlds a second", width)
-    if standing.left:
-        lines += entry("left", f"{duration(standing.left)}, at this rate: a guess", width)
+    if standing.left_s:
+        lines += entry("left", f"{duration(standing.left_s)}, at this rate: a guess", width)
     if standing.worst:
         worst = standing.worst
         where = size(worst.edges, worst.vertices)

@@ -30,7 +30,7 @@ def optimum_text(report: OptimumReport, width: int) -> str:
 
 
 def _row(row: OptimumRow) -> list[str]:
-    found = number(row.optimum) if row.optimum is not None else f"{row.solved.at_least} or more"
+    found = number(row.optimum) if row.optimum is not None else f"{row.at_least} or more"
     return [number(row.edges), number(row.runs), found, *map(number, row.explorers.values())]
 
 

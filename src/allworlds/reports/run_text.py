@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from textwrap import wrap
 
 from allworlds.engines import SingleRun
@@ -35,7 +35,7 @@ def finding_text(finding: Finding, width: int, origin: str = "") -> str:
 
 def _refutation(finding: Finding, width: int, remarks: list[str]) -> str:
     world = finding.world
-    answer = Estimate.from_json(finding.seen) if isinstance(finding.seen, Mapping) else None
+    answer = finding.seen if isinstance(finding.seen, Estimate) else None
     lines = wrap(f"FINDING: {headline(finding)}", width, break_long_words=False)
     lines += ["", "the world", "", draw(walk_in_world(world, finding.transcript), width)]
     lines += ["", *walk_lines(world, finding.transcript, answer, width)]

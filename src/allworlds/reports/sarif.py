@@ -17,7 +17,7 @@ from allworlds.reports.finding_words import headline
 from allworlds.reports.law_words import ASKED
 from allworlds.reports.project import project_folder
 from allworlds.reports.run_text import finding_text
-from allworlds.studies.check import Report
+from allworlds.studies.check import CheckReport
 from allworlds.version import __version__
 
 SCHEMA = (
@@ -33,7 +33,7 @@ LEVELS = {
 """How loud a verdict is that is no finding; the others say nothing that needs a notification."""
 
 
-def sarif(report: Report) -> str:
+def sarif(report: CheckReport) -> str:
     """The report as a SARIF log with one run.
 
     Every law is a rule.  Every finding is a result at the file and line of the explorer: its
@@ -69,7 +69,7 @@ def _driver() -> dict[str, Any]:
     return {"name": "allworlds", "semanticVersion": __version__, "rules": rules}
 
 
-def _invocation(report: Report) -> dict[str, Any]:
+def _invocation(report: CheckReport) -> dict[str, Any]:
     """Whether the check itself came to its end, and what else it says."""
     word, text = verdict_words(report)
     level = LEVELS.get(report.verdict)

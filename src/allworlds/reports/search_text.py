@@ -32,7 +32,7 @@ def search_table(result: SearchResult) -> tuple[list[str], list[list[str]]]:
             searched.formula.name,
             "-" if searched.proof is None else searched.proof.name,
         ]
-        for searched in result.searched
+        for searched in result.levels
     ]
     return ["sizes", "status", "seconds", "formula", "proof"], rows
 
@@ -58,8 +58,8 @@ def search_words(result: SearchResult) -> list[tuple[str, str]]:
 
 def _why(result: SearchResult) -> str:
     assert result.pair is not None
-    assert result.classes is not None
-    home = result.classes[0][result.pair[0].start]
+    assert result.bisimulation is not None
+    home = result.bisimulation[0][result.pair[0].start]
     return (
         f"the two starts are in class c{home}, sigma and alpha take every class to one class, and "
         "the darts of a class sense the same: so whatever the motions, both robots stand at darts "
@@ -70,9 +70,9 @@ def _why(result: SearchResult) -> str:
 def _drawn(result: SearchResult, width: int) -> list[str]:
     """The two worlds, if there are."""
     lines: list[str] = []
-    if result.pair is None or result.classes is None:
+    if result.pair is None or result.bisimulation is None:
         return lines
-    for name, world, classes in zip("AB", result.pair, result.classes, strict=True):
+    for name, world, classes in zip("AB", result.pair, result.bisimulation, strict=True):
         size = (
             f"{plural(world.map.edge_count, 'edge')}, "
             f"{plural(world.map.vertex_count, 'vertex', 'vertices')}, genus {world.map.genus}"

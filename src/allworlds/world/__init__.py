@@ -22,7 +22,7 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.world.bisimulation import flaw as flaw
-    from allworlds.world.corpus import own_corpus as own_corpus
+    from allworlds.world.corpus import Manifest as Manifest, own_corpus as own_corpus
     from allworlds.world.enumeration import worlds as worlds
     from allworlds.world.lighthouses.base import (
         InvalidWorld as InvalidWorld,
@@ -49,6 +49,10 @@ if TYPE_CHECKING:
         world_of_family as world_of_family,
     )
     from allworlds.world.state import State as State
-    from allworlds.world.world import IllegalAction as IllegalAction, World as World
+    from allworlds.world.world import (
+        IllegalAction as IllegalAction,
+        World as World,
+        WorldDocument as WorldDocument,
+    )
 else:
     open_door(__name__)

@@ -5,22 +5,34 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Annotated, Any
 
+from allworlds.document import Document, about
 from allworlds.inputs import integer, parse_json, show
-from allworlds.maps import CombinatorialMap, Dart
+from allworlds.maps import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.protocol import Action, Drop, Move, Percept
 from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, refuse_other_keys
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import lighthouse_from_json
 from allworlds.world.state import State, without_markers
 
-if TYPE_CHECKING:
-    from allworlds import documents
-
 
 class IllegalAction(ValueError):
     """An action that this world does not know."""
+
+
+class WorldDocument(Document):
+    """World.
+
+    A map, a start and a lighthouse. Any other key is refused.
+    """
+
+    sigma: Sigma
+    alpha: Alpha
+    start: Annotated[Dart, about("the dart that the robot faces; else 0")] = 0
+    lighthouse: Annotated[
+        Lighthouse, about("where it stands; else the explorer's own, or a directional one")
+    ] = Directional(0)
 
 
 @dataclass(frozen=True)
@@ -96,13 +108,14 @@ class World:
         """The mirror image, marker and start included."""
         return World(self.map.mirrored(), self.lighthouse, self.start)
 
-    def to_json(self) -> documents.WorldDocument:
-        """``{"sigma", "alpha", "start", "lighthouse": {"kind", ...}}``."""
-        return {
-            **self.map.to_json(),
-            "start": self.start,
-            "lighthouse": self.lighthouse.to_json(),
-        }
+    def to_json(self) -> dict[str, Any]:
+        """The document :class:`WorldDocument`."""
+        return WorldDocument(
+            sigma=self.map.sigma,
+            alpha=self.map.alpha,
+            start=self.start,
+            lighthouse=self.lighthouse,
+        ).to_json()
 
     @classmethod
     def from_json(

@@ -138,7 +138,7 @@ def test_worlds_that_are_told_apart_are_walked_to_where_they_differ():
     root = read(page_of("ambiguity twins", result))
     assert "TOLD APART" in root.one("header").text
     items = [*root.one("ol").all("li")]
-    assert len(items) == len(result.proof.motions) + 1
+    assert len(items) == len(result.motions) + 1
     signs = [[*item.all(class_="misfits")] for item in items]
     assert [bool(sign) for sign in signs] == [False] * (len(items) - 1) + [True]
 
@@ -168,13 +168,13 @@ def test_of_a_check_that_holds_the_most_expensive_run_of_each_size_is_shown():
     for engine in ("python", "kernel"):
         report = check(edges=3, engine=engine)
         root = read(page_of("check", report))
-        rows = {(row["edges"], row["vertices"]): row for row in report.rows()}
+        rows = {(row.edges, row.vertices): row for row in report.rows}
         shown = [*root.all("details", class_="run")]
         assert len(shown) == len(rows) == 9
         for (edges, vertices), details in zip(sorted(rows), shown, strict=True):
             row = rows[edges, vertices]
             moves = [i for i in details.all("li") if "data-moved" in i.attributes]
-            assert len(moves) == row["max_cost"]
+            assert len(moves) == row.max_cost
         assert "open" in shown[-1].attributes
 
 
@@ -188,9 +188,7 @@ def test_the_most_expensive_run_is_played_again_at_its_cost_whatever_counted():
 
     by_python = most_expensive("python")
     assert by_python == most_expensive("kernel")
-    assert by_python == [
-        (row["edges"], row["vertices"], row["max_cost"]) for row in check(edges=3).rows()
-    ]
+    assert by_python == [(row.edges, row.vertices, row.max_cost) for row in check(edges=3).rows]
 
 
 def test_an_explorer_that_no_name_leads_to_has_a_page_without_most_expensive_runs():

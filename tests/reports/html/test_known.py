@@ -1,8 +1,7 @@
 """What an explorer knows, beside the world."""
 
-from dataclasses import replace
-
 from allworlds import run
+from allworlds.document import replace
 from allworlds.protocol import Checkpoint
 from allworlds.reports import page_of
 from allworlds.reports.html.known import NEVER, known

@@ -8,17 +8,17 @@ import subprocess
 import sys
 from base64 import b64encode
 from collections import Counter
-from dataclasses import replace
 
 import pytest
 
 from allworlds import Estimate, Move
+from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.judging import Finding, explain
 from allworlds.maps import named_map
 from allworlds.reports.html.pages import check_page as page
 from allworlds.reports.markup import legal
-from allworlds.studies.check import Cell, check
+from allworlds.studies.check import GateCell, check
 from allworlds.studies.fuzz import fuzz
 from html_tree import read
 
@@ -48,7 +48,7 @@ def test_the_page_shows_the_verdict_and_everything_that_check_prints(refuted, ro
     assert "law map is broken" in verdict.text
     cells = [[cell.text for cell in row.all("td")] for row in root.one("tbody").all("tr")]
     assert [row[:3] for row in cells] == [
-        [str(row["edges"]), str(row["vertices"]), str(row["worlds"])] for row in refuted.rows()
+        [str(row.edges), str(row.vertices), str(row.worlds)] for row in refuted.rows
     ]
     terms = [term.text for term in root.one(class_="scope").all("dt")]
     assert terms == ["explorer", "scope", "laws", "gate", "witnesses"]
@@ -87,9 +87,9 @@ def test_the_answer_stands_beside_the_world(refuted, root):
         refuted.findings[0].world.map.edge_count
     )
     darts = [group for group in answer.all("g") if "data-dart" in group.attributes]
-    assert len(darts) == len(refuted.findings[0].seen["sigma"])
+    assert len(darts) == len(refuted.findings[0].seen.map.sigma)
     (here,) = answer.all("g", class_="dart here")
-    assert here.attributes["data-dart"] == str(refuted.findings[0].seen["here"])
+    assert here.attributes["data-dart"] == str(refuted.findings[0].seen.here)
 
 
 def test_every_step_is_at_a_dart_of_its_picture_and_every_motion_along_an_edge(root):
@@ -205,7 +205,13 @@ def test_a_check_that_holds_has_a_page_without_findings():
 
 def test_a_mismatch_of_the_count_gate_is_told():
     report = check(edges=1)
-    report = replace(report, gate=(*report.gate, Cell(1, 1, 3, 99, "somebody")))
+    report = replace(
+        report,
+        cells=(
+            *report.cells,
+            GateCell(edges=1, vertices=1, enumerated=3, counted=99, source="somebody"),
+        ),
+    )
     assert "counts 99" in read(page(report)).one(class_="scope").text
 
 

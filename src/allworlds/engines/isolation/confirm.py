@@ -33,8 +33,8 @@ from allworlds.judging import (
     canonical_world,
     place_of,
 )
-from allworlds.maps import Extent, MapClass
-from allworlds.protocol import Percept, Transcript, action_numbered
+from allworlds.maps import CombinatorialMap, Extent, MapClass
+from allworlds.protocol import Estimate, Percept, Transcript, action_numbered
 from allworlds.world import World
 
 MOST_CHOICES = 1000
@@ -136,10 +136,9 @@ def _ends_alike(finding: Finding, log: Log) -> bool:
         case UncheckedAnswer(sigma, alpha, here):
             if finding.law == "no-estimate":
                 return True
-            if not isinstance(finding.seen, dict):
+            if not isinstance(finding.seen, Estimate):
                 return finding.law not in ("crash", "timeout", "illegal-action")
-            answer = {"sigma": list(sigma), "alpha": list(alpha), "here": here}
-            return answer == finding.seen
+            return Estimate(CombinatorialMap.trusted(sigma, alpha), here) == finding.seen
 
 
 def trace(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:

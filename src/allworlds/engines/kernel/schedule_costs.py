@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from numpy import array, int64, zeros
 
@@ -17,8 +16,7 @@ from allworlds.engines.kernel.walk_records import SCHEDULES
 _TRANSITS = {"shortest": SHORTEST, "simple": SIMPLE}
 
 
-@dataclass(frozen=True, slots=True)
-class ScheduleCosts:
+class ScheduleCosts(NamedTuple):
     """What every schedule can cost in the maps of one size.
 
     Attributes:

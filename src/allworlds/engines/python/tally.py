@@ -5,10 +5,10 @@ from __future__ import annotations
 from bisect import insort
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
-from operator import attrgetter
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, Self
 
+from allworlds.document import Document, WrittenByFields, taken
 from allworlds.judging import Finding, Rules
 
 
@@ -25,7 +25,7 @@ class AtRun(NamedTuple):
 
 
 @dataclass(slots=True)
-class Row:
+class Row(WrittenByFields):
     """What was seen in the worlds with one number of edges and of vertices.
 
     Attributes:
@@ -136,27 +136,28 @@ class Tally:
             self.find(finding)
 
     def to_json(self) -> dict[str, Any]:
-        """All of it, as it is kept in a run directory."""
-        return {
-            "rows": [[*size, *_numbers(row)] for size, row in sorted(self.rows.items())],
-            "witnesses": dict(sorted(self.witnesses.items())),
-            "left_out": self.left_out,
-            "checkpoints": self.checkpoints,
-            "findings": [finding_to_record(found) for found in self.findings],
-            "remarks": dict(sorted(self.remarks.items())),
-        }
+        """The document :class:`KeptTally`, as it is kept in a run directory."""
+        return KeptTally(
+            rows=tuple((*size, row) for size, row in sorted(self.rows.items())),
+            witnesses=dict(sorted(self.witnesses.items())),
+            left_out=self.left_out,
+            checkpoints=self.checkpoints,
+            findings=tuple(map(finding_to_record, self.findings)),
+            remarks=dict(sorted(self.remarks.items())),
+        ).to_json()
 
     @classmethod
-    def from_json(cls, document: Mapping[str, Any], keep: int, rules: Rules) -> Self:
+    def from_json(cls, document: object, keep: int, rules: Rules) -> Self:
         """The tally of :meth:`to_json`'s document, made under these rules."""
+        kept = taken(document, KeptTally, "tally")
         return cls(
             keep,
-            {(edges, vertices): _row(row) for edges, vertices, *row in document["rows"]},
-            Counter(document["witnesses"]),
-            document["left_out"],
-            document["checkpoints"],
-            [finding_from_record(found, rules) for found in document["findings"]],
-            Counter(document["remarks"]),
+            {(edges, vertices): row for edges, vertices, row in kept.rows},
+            Counter(kept.witnesses),
+            kept.left_out,
+            kept.checkpoints,
+            [finding_from_record(found, rules) for found in kept.findings],
+            Counter(kept.remarks),
         )
 
     @property
@@ -175,18 +176,15 @@ class Tally:
         return sum(row.traversals for row in self.rows.values())
 
 
-_numbers = attrgetter(*(column.name for column in fields(Row)))
-"""What :func:`_row` makes a row of."""
+class KeptTally(Document):
+    """A tally in a run directory, without what the job knows."""
 
-
-def _row(numbers: list[Any]) -> Row:
-    """The row of a document's numbers, of which the last say where the most expensive run is."""
-    *counts, most_expensive = numbers
-    row = Row(*counts)
-    if most_expensive is not None:
-        sigma, alpha, place, choices = most_expensive
-        row.most_expensive = AtRun(tuple(sigma), tuple(alpha), place, tuple(choices))
-    return row
+    rows: tuple[tuple[int, int, Row], ...]
+    witnesses: dict[str, int]
+    left_out: int
+    checkpoints: int
+    findings: tuple[dict[str, Any], ...]
+    remarks: dict[str, int]
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from allworlds.engines.progress import Listener
 from allworlds.engines.units.unit import NOTHING_KEPT, E_contra, KeptUnits, Sum, Transport, Unit
-from allworlds.progress import Listener
 
 
 def gather(

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from random import Random
 
+from allworlds.engines.progress import Listener
 from allworlds.engines.units.shards import WHOLE, Portion, Shard, dealt
 from allworlds.maps import (
     CombinatorialMap,
@@ -16,7 +17,6 @@ from allworlds.maps import (
     rooted_maps,
     source_for,
 )
-from allworlds.progress import Listener
 
 MANY_WORLDS = 10_000_000
 """Whoever asks for more of them is told so at once."""

@@ -31,13 +31,23 @@ from allworlds.document import (
     about,
     computed,
 )
-from allworlds.engines import ENGINES, WALKED_FROM, Examiner, Job, Limits, Scope, Tally, gather
+from allworlds.engines import (
+    ENGINES,
+    WALKED_FROM,
+    Examiner,
+    Job,
+    Limits,
+    Listener,
+    Scope,
+    Silent,
+    Tally,
+    gather,
+)
 from allworlds.explorers import load
 from allworlds.inputs import InputError, a_text, an_integer, at_most, show
 from allworlds.judging import Rules, default_step_budget, paper_bound
 from allworlds.maps import Extent, MapClass, prefixes, rooted_maps, source_for
 from allworlds.outcome import Exit, until_interrupted
-from allworlds.progress import Listener, Silent
 from allworlds.world import Directional, World
 
 REFERENCE = "kernel"
@@ -78,7 +88,7 @@ class Contender:
         )
 
 
-class OverRounds(Document):
+class RateSpread(Document):
     """A figure over the rounds."""
 
     median: Figure
@@ -86,7 +96,7 @@ class OverRounds(Document):
     highest: Figure
 
     @classmethod
-    def of(cls, values: Sequence[float], digits: int) -> OverRounds:
+    def over(cls, values: Sequence[float], digits: int) -> RateSpread:
         """That of these values, rounded."""
         return cls(
             median=round(median(values), digits),
@@ -106,8 +116,8 @@ class Measured(Document):
     edges: Annotated[Positive, about("the level that it walks")]
     worlds: Annotated[Positive, about("the rooted maps of that level")]
     seconds: Annotated[Some[Seconds], about("of each round")]
-    worlds_per_second: Annotated[OverRounds, about("over the rounds")] = computed(
-        lambda measured: OverRounds.of(measured.rates, 1)
+    worlds_per_second: Annotated[RateSpread, about("over the rounds")] = computed(
+        lambda measured: RateSpread.over(measured.rates, 1)
     )
     rates: Aside[tuple[float, ...]]
 
@@ -117,7 +127,7 @@ class Ratio(Document):
 
     of: Annotated[Text, about("the kernel on one thread")]
     to: Annotated[Text, about("another contender")]
-    ratio: Annotated[OverRounds, about("the rate of the one divided by that of the other")]
+    ratio: Annotated[RateSpread, about("the rate of the one divided by that of the other")]
 
 
 class BenchReport(Report):
@@ -148,7 +158,7 @@ def _ratios(reference: Measured, *others: Measured) -> tuple[Ratio, ...]:
         Ratio(
             of=reference.name,
             to=other.name,
-            ratio=OverRounds.of(
+            ratio=RateSpread.over(
                 [a / b for a, b in zip(reference.rates, other.rates, strict=True)], 4
             ),
         )

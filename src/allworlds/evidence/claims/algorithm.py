@@ -45,10 +45,10 @@ def three_cases(means: Means, *, edges: int) -> Found:
 def tests_decide(means: Means, *, edges: int) -> Found:
     """Every hypothesis in every state, on every simple path: confirmed exactly if true."""
     report = worst_rows(means, edges)
-    wrong = sum(row.wrong for row in report.rows)
+    wrong = sum(row.wrong_tests or 0 for row in report.rows)
     seen = {
         "worlds": sum(row.worlds for row in report.rows),
-        "tests of false hypotheses": sum(row.tests for row in report.rows),
+        "tests of false hypotheses": sum(row.tests or 0 for row in report.rows),
     }
     return Found(truth(wrong == 0), seen)
 
@@ -62,7 +62,7 @@ def worst_rows(means: Means, edges: int) -> WorstReport:
     report = worst(edges=edges, workers=means.workers)
     if not report.complete:
         raise KeyboardInterrupt
-    if not isinstance(report, WorstReport) or not report.agrees:
+    if not report.gate.agrees:
         raise Unfinished("the worst cases are not those of their replays")
     return report
 
@@ -184,7 +184,7 @@ def no_twins_by_smt(_: Means, *, edges: int) -> Found:
             raise KeyboardInterrupt
         if result.status == "unknown" or result.vacuous:
             raise Unfinished(f"the search has no answer: {result.status}")
-        sizes = len(result.searched)
+        sizes = len(result.levels)
     return Found(truth(result.status == "unsat"), {"pairs of sizes": sizes})
 
 

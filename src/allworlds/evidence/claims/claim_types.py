@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 from allworlds.outcome import Verdict
-from allworlds.studies.check import Report
+from allworlds.studies.check import CheckReport
 from allworlds.world import World
 
 Truth: TypeAlias = Literal["holds", "refuted"]
@@ -82,7 +82,7 @@ def truth(holds: object) -> Truth:
     return "holds" if holds else "refuted"
 
 
-def of_check(report: Report, *events: str, **figures: Shown) -> Found:
+def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
     """What an exhaustive check has found; its worlds, its runs and the named events are witnesses.
 
     Raises:
@@ -105,7 +105,7 @@ def of_check(report: Report, *events: str, **figures: Shown) -> Found:
     return Found(truth(whole.verdict is Verdict.HOLDS), seen, figures, pictures, told)
 
 
-def smallest(report: Report) -> dict[str, Shown]:
+def smallest(report: CheckReport) -> dict[str, Shown]:
     """The size of the smallest world that refutes; nothing where none does."""
     if not report.findings:
         return {}

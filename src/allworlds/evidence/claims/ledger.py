@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Annotated, Literal, TypeAlias, cast
 
 from allworlds.document import Aside, Positive, Report, about, computed, one_of
+from allworlds.engines import Listener, Silent
 from allworlds.evidence.claims.claim_types import (
     Budget,
     Check,
@@ -21,7 +22,6 @@ from allworlds.evidence.claims.claim_types import (
 from allworlds.evidence.claims.manifest import BUDGETS, Claim, Sentence, manifest
 from allworlds.inputs import InputError, a_path, an_integer, show
 from allworlds.outcome import Exit, until_interrupted
-from allworlds.progress import Listener, Silent
 from allworlds.world import World
 
 Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked"]

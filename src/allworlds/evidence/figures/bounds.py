@@ -7,11 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from allworlds.engines import Limits
+from allworlds.engines import Limits, Listener
 from allworlds.evidence.figures.drawn import Table
 from allworlds.judging import paper_bound
 from allworlds.outcome import Exit, Verdict
-from allworlds.progress import Listener
 from allworlds.studies.optimum import minimax
 from allworlds.studies.worst import WorstReport, worst
 from allworlds.world import worlds
@@ -59,7 +58,7 @@ class BoundsFigure:
     @property
     def verdict(self) -> Verdict:
         """Whether no schedule passes the bound, and nothing is below what is known from below."""
-        if not self.report.agrees:
+        if not self.report.gate.agrees:
             return Verdict.ERROR
         if not self.report.complete:
             return Verdict.INCONCLUSIVE
@@ -139,7 +138,6 @@ def _panel(axes: Any, vertices: int, cells: Sequence[BoundsCell]) -> None:
 def figure_bounds(edges: int, limits: Limits, listener: Listener) -> BoundsFigure:
     """Worst cases up to so many edges, and optima as far as they are known."""
     report = worst(edges=edges, workers=limits.workers, listener=listener)
-    assert isinstance(report, WorstReport)
     optima = _optima(min(edges, MOST_OPTIMAL))
     cells = [
         BoundsCell(r.edges, r.vertices, r.worst, r.best, optima.get((r.edges, r.vertices)))

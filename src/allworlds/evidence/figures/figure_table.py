@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Annotated, Any, Unpack
 
 from allworlds.document import Natural, Report, Some, Text, about, one_of
-from allworlds.engines import EffortOptions, Limits
+from allworlds.engines import EffortOptions, Limits, Listener, Silent
 from allworlds.evidence.figures.augmentation import figure_2
 from allworlds.evidence.figures.bounds import figure_bounds
 from allworlds.evidence.figures.drawn import Drawn
@@ -18,7 +18,6 @@ from allworlds.evidence.figures.holes import figure_3
 from allworlds.evidence.figures.twins import figure_1
 from allworlds.inputs import InputError, an_integer, ensure_installed, show
 from allworlds.outcome import Exit, Verdict
-from allworlds.progress import Listener, Silent
 from allworlds.studies.check import refuse_others
 
 WORLDS, SEED, EDGES = 30, 1, 6

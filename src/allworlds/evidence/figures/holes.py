@@ -7,11 +7,10 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import Any
 
-from allworlds.engines import Limits, subject_of
+from allworlds.engines import Limits, Listener, subject_of
 from allworlds.evidence.figures.drawn import Table
 from allworlds.judging import paper_bound, printed_bound
 from allworlds.outcome import Exit, Verdict
-from allworlds.progress import Listener
 from allworlds.studies.check import rules_for
 from allworlds.studies.compare import Climb, Contestant, GrowRow, Growth, Member
 

@@ -7,12 +7,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from allworlds.document import UNSET
 from allworlds.evidence.figures.canvas import FAINT, INK, PAPER, Canvas
 from allworlds.evidence.figures.drawn import Table
 from allworlds.maps import Dart
 from allworlds.outcome import Exit, Verdict
 from allworlds.protocol import Move, Percept
-from allworlds.studies.ambiguity import Bisimulation, ComparedWorlds, twins
+from allworlds.studies.ambiguity import ComparedWorlds, twins
 from allworlds.world import World, world_named
 
 MOTIONS = (1, 1, 2, 2, 1)
@@ -42,7 +43,7 @@ class TwinsFigure:
         said = [[(seen.degree, seen.marks) for _, seen in walk[1:]] for walk in self.walks]
         right = all(tuple(senses) == CAPTION for senses in said)
         different = self.compared.relation == "different"
-        proved = isinstance(self.compared.proof, Bisimulation)
+        proved = not self.compared.distinguishable
         return Verdict.HOLDS if right and different and proved else Verdict.REFUTED
 
     @property
@@ -101,8 +102,8 @@ class TwinsFigure:
     def _panel(self, axes: Any, number: int) -> None:
         world, walk = self.compared.worlds[number], self.walks[number]
         other = self.compared.worlds[1 - number].map
-        proof = self.compared.proof
-        assert isinstance(proof, Bisimulation)
+        bisimulation = self.compared.bisimulation
+        assert bisimulation is not UNSET
         canvas = Canvas.of(axes, world.map, world.start)
         for dart, end in world.map.edges:
             own = other.alpha[dart] != end
@@ -111,7 +112,7 @@ class TwinsFigure:
         for i, (dart, _) in enumerate(walk[1:], 1):
             canvas.edges([dart], color=WALK, linewidth=2.2, zorder=2)
             steps[world.map.alpha[dart]].append(str(i))
-        for dart, label in enumerate(proof.classes[number]):
+        for dart, label in enumerate(bisimulation[number]):
             colour = CLASSES[label % len(CLASSES)]
             canvas.stubs([dart], color=colour, linewidth=4, solid_capstyle="round", zorder=3)
         canvas.vertices(range(world.map.vertex_count), fill=PAPER)

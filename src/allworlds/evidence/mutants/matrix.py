@@ -17,6 +17,7 @@ from allworlds.document import (
     computed,
     replace,
 )
+from allworlds.engines import Listener, Silent
 from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from allworlds.evidence.mutants.explorers import (
     EQUIVALENT_EXPLORERS,
@@ -48,7 +49,6 @@ from allworlds.maps import (
     source_for,
 )
 from allworlds.outcome import Exit, until_interrupted
-from allworlds.progress import Listener, Silent
 from allworlds.protocol import Choices
 from allworlds.studies.check import check
 from allworlds.world import Directional, World, lighthouse_named

@@ -2,87 +2,62 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Annotated
 
+from allworlds.document import Aside, Natural, Report, Some, Text, about, computed
 from allworlds.inputs import InputError, show
 from allworlds.judging.explanations.by_law import teller_of
 from allworlds.judging.explanations.spending import Spending
 from allworlds.judging.explanations.story import Story
 from allworlds.judging.findings.finding import Finding
+from allworlds.judging.laws.law_table import LawName
 from allworlds.maps import Dart
-from allworlds.outcome import SCHEMA, Exit
+from allworlds.outcome import Exit
 from allworlds.protocol import Estimate
 from allworlds.world import World
 
-if TYPE_CHECKING:
-    from allworlds import documents
 
-
-@dataclass(frozen=True, slots=True)
-class Explanation:
-    """What a finding means.
+class Explanation(Report):
+    """Report of 'explain'.
 
     Vertices and darts are those of the world, in the numbering of the finding.
 
-    Attributes:
-        finding: what is explained.
-        sentences: in plain words.
-        step: the first step at which belief and truth part; 0 is the start, None where they
-            part at none.
-        robot: its dart at the end of the walk.
-        answer: the wrong answer; None where the finding holds none.
-        other: another world in which the robot would have sensed the same, where that is what
-            is wrong; else None.
-        slip: the name of the one thing that makes all the difference between the answer and the
-            world; empty where there is none, or none that is known.
-        spent: what the traversals were spent on, where they were too many; else None.
+    ``spent`` tells what the traversals were spent on, where they were too many.
     """
 
-    finding: Finding
-    sentences: tuple[str, ...]
-    step: int | None
-    robot: Dart
-    answer: Estimate | None
-    other: World | None = None
-    slip: str = ""
-    spent: Spending | None = None
-
-    @property
-    def explorer(self) -> str:
-        """Its name."""
-        return self.finding.explorer
-
-    @property
-    def law(self) -> str:
-        """The broken law."""
-        return self.finding.law
-
-    @property
-    def world(self) -> World:
-        """Where it happened."""
-        return self.finding.world
+    explorer: Annotated[str, about("its name")] = computed(lambda told: told.finding.explorer)
+    law: Annotated[LawName, about("the broken one")] = computed(lambda told: told.finding.law)
+    step: Annotated[
+        Natural | None,
+        about(
+            "the first at which the walk in the world and the same walk in the answer part; 0 is "
+            "the start, null: at none"
+        ),
+    ]
+    sentences: Annotated[Some[Text], about("in plain words")]
+    world: Annotated[World, about("that of the finding")] = computed(
+        lambda told: told.finding.world
+    )
+    robot: Annotated[Dart, about("where the robot is at the end")]
+    answer: Annotated[Estimate | None, about("the wrong answer; null where the finding holds none")]
+    other: Annotated[
+        World | None,
+        about("under the law `folding` another world that agrees with the log; else null"),
+    ]
+    slip: Annotated[
+        Text | None,
+        about(
+            "the one thing that makes all the difference between answer and world, such as "
+            "`mirror image`; null: none that is known"
+        ),
+    ]
+    finding: Aside[Finding]
+    spent: Aside[Spending | None] = None
 
     @property
     def exit_code(self) -> Exit:
-        """The exit code of the command: a question was answered."""
+        """0: explained."""
         return Exit.ANSWERED
-
-    def to_json(self) -> documents.ExplainDocument:
-        """The document of ``explain --json``."""
-        answer = self.answer
-        return {
-            "schema": SCHEMA,
-            "explorer": self.explorer,
-            "law": self.law,
-            "step": self.step,
-            "sentences": list(self.sentences),
-            "world": self.world.to_json(),
-            "robot": self.robot,
-            "answer": answer.to_json() if answer else None,
-            "other": self.other.to_json() if self.other else None,
-            "slip": self.slip or None,
-        }
 
 
 def explain(finding: Finding) -> Explanation:
@@ -96,12 +71,12 @@ def explain(finding: Finding) -> Explanation:
     story = Story(finding)
     telling = teller_of(finding.law)(story)
     return Explanation(
-        finding,
-        tuple(telling.sentences),
-        telling.step,
-        story.walked[-1],
-        telling.answer,
-        telling.other,
-        telling.slip,
-        telling.spent,
+        step=telling.step,
+        sentences=tuple(telling.sentences),
+        robot=story.walked[-1],
+        answer=telling.answer,
+        other=telling.other,
+        slip=telling.slip or None,
+        finding=finding,
+        spent=telling.spent,
     )

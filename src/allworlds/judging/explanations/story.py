@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
@@ -97,12 +97,9 @@ class Belief:
 
 
 def _answer(seen: object) -> Estimate:
-    if not isinstance(seen, Mapping):
+    if not isinstance(seen, Estimate):
         raise InputError(f"seen = {show(seen)} is no rooted map, but the law is about the answer")
-    try:
-        return Estimate.from_json(seen)
-    except InputError as error:
-        raise InputError(f"seen.{error}") from None
+    return seen
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,18 +7,17 @@ import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Final
+from typing import Annotated, Any, Final, Literal
 
+from allworlds.document import Document, IfAny, Natural, about, read_by, taken
 from allworlds.explorers import EXEC, NATIVE, own_bound
 from allworlds.inputs import InputError, parse_json, show
-from allworlds.judging.findings.rules import Rules
-from allworlds.judging.laws.law_table import PRECEDENCE
+from allworlds.judging.findings.rules import RecordedRules, Rules
+from allworlds.judging.laws.case import Value
+from allworlds.judging.laws.law_table import PRECEDENCE, LawName
 from allworlds.maps import Code, numbering, rooted_code
-from allworlds.protocol import Transcript
+from allworlds.protocol import Estimate, Transcript
 from allworlds.world import World
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 VERSION: Final = 1
 
@@ -35,7 +34,7 @@ class Finding:
         rules: how the run was played and judged.
         choices: the index taken at each choice.
         transcript: the log, up to the end of the run.
-        expected, seen: rooted maps for map and pose, integers for bound, else a sentence.
+        expected, seen: estimates for map and pose, integers for bound, else a sentence.
         detail: a traceback or the tail of a program's stderr; may be empty.
         step: the number of steps before the checkpoint that breaks the law; None where none does.
         confirmed: a fresh process has repeated it from the recorded percepts alone.
@@ -51,8 +50,8 @@ class Finding:
     rules: Rules
     choices: tuple[int, ...]
     transcript: Transcript
-    expected: documents.Value
-    seen: documents.Value
+    expected: Value
+    seen: Value
     detail: str = ""
     step: int | None = None
     confirmed: bool = False
@@ -86,27 +85,24 @@ class Finding:
         command += [json.dumps(self.world.to_json(), separators=(",", ":"))]
         return shlex.join(command + self.rules.arguments(self.choices))
 
-    def to_json(self) -> documents.FindingDocument:
-        """The document of a finding."""
-        document: documents.FindingDocument = {
-            "version": VERSION,
-            "explorer": self.explorer,
-            "law": self.law,
-            "world": self.world.to_json(),
-            "options": self.rules.to_json(),
-            "choices": list(self.choices),
-            "transcript": self.transcript.to_json(),
-            "expected": self.expected,
-            "seen": self.seen,
-            "confirmed": self.confirmed,
-            "minimal": self.minimal,
-            "reproduce": self.reproduce,
-        }
-        if self.step is not None:
-            document["step"] = self.step
-        if self.detail:
-            document["detail"] = self.detail
-        return document
+    def to_json(self) -> dict[str, Any]:
+        """The document :class:`FindingDocument`."""
+        return FindingDocument(
+            version=VERSION,
+            explorer=self.explorer,
+            law=self.law,
+            world=self.world,
+            options=self.rules.recorded,
+            choices=self.choices,
+            transcript=self.transcript,
+            expected=self.expected,
+            seen=self.seen,
+            confirmed=self.confirmed,
+            minimal=self.minimal,
+            reproduce=self.reproduce,
+            step=self.step,
+            detail=self.detail,
+        ).to_json()
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> Finding:
@@ -128,76 +124,89 @@ class Finding:
             raise InputError(
                 f"finding of version {show(document.get('version'))}; this program reads {VERSION}"
             )
-        explorer, law = _explorer_and_law(document)
+        explorer, law = document.get("explorer"), document.get("law")
+        if not isinstance(explorer, str):
+            raise InputError(f"a finding names its explorer, not {show(explorer)}")
+        if law not in PRECEDENCE:
+            raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
         world = World.from_json(document.get("world", {}))
+        read = taken(document, FindingDocument, "finding")
+        own = own_bound(read.explorer, world.lighthouse.kind)
         return cls(
-            explorer,
-            law,
+            read.explorer,
+            read.law,
             world,
             place_of(world),
-            _rules(document, explorer, world),
-            _choices(document),
-            _transcript(document),
-            _value(document.get("expected")),
-            _value(document.get("seen")),
-            _detail(document),
-            _step(document),
-            confirmed=document.get("confirmed") is True,
-            minimal=document.get("minimal") is True,
+            read.options.rules(world, own),
+            read.choices,
+            _transcript(read.transcript),
+            _value("expected", read.expected),
+            _value("seen", read.seen),
+            read.detail,
+            read.step,
+            confirmed=read.confirmed,
+            minimal=read.minimal,
         )
 
 
-def _explorer_and_law(document: Mapping[str, Any]) -> tuple[str, str]:
-    explorer, law = document.get("explorer"), document.get("law")
-    if not isinstance(explorer, str):
-        raise InputError(f"a finding names its explorer, not {show(explorer)}")
-    if law not in PRECEDENCE:
-        raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
-    return explorer, law
+class FindingDocument(Document, forbid_unknown_fields=False):
+    """Finding.
+
+    A refuting run, as it is written: enough to replay it with nothing else. Where one is read,
+    other keys are ignored, but not in its world.
+    """
+
+    version: Annotated[Literal[1], about("the version of findings")]
+    explorer: Annotated[str, about("its name")]
+    law: Annotated[LawName, about("the broken law")]
+    world: Annotated[
+        Any,
+        read_by(World),
+        about("in canonical numbering: the start is dart 0; any numbering where it is read"),
+    ]
+    options: Annotated[RecordedRules, about("how the run was played and judged")] = RecordedRules()
+    choices: Annotated[
+        tuple[Natural, ...],
+        about("the index taken at each choice; of a turn that never ended the first 1000"),
+    ] = ()
+    transcript: Annotated[
+        Any, read_by(Transcript), about("the log, which must be a walk in the world")
+    ]
+    expected: Annotated[
+        Any,
+        read_by(Value),
+        about("a rooted map for `map` and `pose`, an integer for `bound`, else a sentence"),
+    ] = "not recorded"
+    seen: Annotated[Any, read_by(Value), about("the same of what was found")] = "not recorded"
+    confirmed: Annotated[
+        bool, about("a fresh process did the same, from the recorded percepts alone")
+    ] = False
+    minimal: Annotated[bool, about("no smaller world of the scope refutes")] = False
+    reproduce: Annotated[str, about("a shell command that runs it again")] = ""
+    step: Annotated[
+        IfAny[Natural | None],
+        about("how many steps came before the checkpoint that breaks the law"),
+    ] = None
+    detail: Annotated[IfAny[str], about("a traceback, or the end of a program's stderr")] = ""
 
 
-def _rules(document: Mapping[str, Any], explorer: str, world: World) -> Rules:
-    options = document.get("options", {})
-    if not isinstance(options, Mapping):
-        raise InputError(f"options must be an object, not {show(options)}")
-    return Rules.from_json(options, world, own_bound(explorer, world.lighthouse.kind))
-
-
-def _choices(document: Mapping[str, Any]) -> tuple[int, ...]:
-    choices = document.get("choices", [])
-    if not isinstance(choices, list) or not all(type(i) is int and i >= 0 for i in choices):
-        raise InputError(f"choices must be a list of integers from 0 on, not {show(choices)}")
-    return tuple(choices)
-
-
-def _transcript(document: Mapping[str, Any]) -> Transcript:
+def _transcript(rows: object) -> Transcript:
     try:
-        return Transcript.from_json(document.get("transcript"))
+        return Transcript.from_json(rows)
     except ValueError as error:
         raise InputError(str(error)) from None
 
 
-def _detail(document: Mapping[str, Any]) -> str:
-    detail = document.get("detail", "")
-    if not isinstance(detail, str):
-        raise InputError(f"detail must be a text, not {show(detail)}")
-    return detail
-
-
-def _step(document: Mapping[str, Any]) -> int | None:
-    step = document.get("step")
-    if step is not None and (type(step) is not int or step < 0):
-        raise InputError(f"step must be an integer from 0 on, not {show(step)}")
-    return step
-
-
-def _value(given: Any) -> documents.Value:
-    """What is told of what was expected, or seen; a finding may leave it out."""
-    if given is None:
-        return "not recorded"
-    if isinstance(given, Mapping | str) or type(given) is int:
-        return given  # type: ignore[return-value]  # whoever tells it looks at the map
-    raise InputError(f"expected and seen are a rooted map, an integer or a text, not {show(given)}")
+def _value(name: str, given: Any) -> Value:
+    """What was expected, or seen, as it was recorded."""
+    if isinstance(given, Mapping):
+        try:
+            return Estimate.from_json(given)
+        except InputError as error:
+            raise InputError(f"{name}.{error}") from None
+    if isinstance(given, str) or type(given) is int:
+        return given
+    raise InputError(f"{name} is a rooted map, an integer or a text, not {show(given)}")
 
 
 def _of_report(document: Any) -> Any:

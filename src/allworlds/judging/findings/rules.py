@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import Annotated, TypedDict
 
+from allworlds.document import Different, Document, Positive, Text, about
 from allworlds.inputs import InputError, a_text, an_integer, show
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.laws.bounds import Bound, bound_named, paper_bound
-from allworlds.judging.laws.law_table import LAWS, Setting
+from allworlds.judging.laws.law_table import LAWS, JudgedLaw, Setting
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import DEFAULT_POLICY, Choices, policy_named
 from allworlds.world import Lighthouse, World, lighthouse_named
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 class RulesOptions(TypedDict, total=False):
@@ -75,8 +73,10 @@ class Rules:
                 f"bound {show(self.bound)} has no effect without the law 'bound'; the laws are "
                 f"{', '.join(self.laws or ())}"
             )
-        if self.step_budget is not None and an_integer("step_budget", self.step_budget) < 1:
-            raise InputError(f"step budget {show(self.step_budget)} is not positive")
+        if self.step_budget is not None:
+            object.__setattr__(self, "step_budget", an_integer("step_budget", self.step_budget))
+            if self.step_budget < 1:
+                raise InputError(f"step budget {show(self.step_budget)} is not positive")
 
     @property
     def kind(self) -> type[Lighthouse]:
@@ -141,50 +141,61 @@ class Rules:
             given += ["--laws", ",".join(self.applying)]
         return given
 
-    def to_json(self) -> documents.Options:
+    @property
+    def recorded(self) -> RecordedRules:
         """The options as they stand in a finding."""
-        return {
-            "policy": self.policy,
-            "bound": self.the_bound.name,
-            "step_budget": self.step_budget,
-            "laws": list(self.applying),
-        }
+        return RecordedRules(
+            policy=self.policy,
+            bound=self.the_bound.name,
+            step_budget=self.step_budget,
+            laws=self.applying,
+        )
 
-    @classmethod
-    def from_json(
-        cls, options: Mapping[str, Any], world: World, own_bound: str | None = None
-    ) -> Rules:
-        """The rules of a finding's options; its explorer may bring a bound of its own.
+
+class RecordedRules(Document, forbid_unknown_fields=False):
+    """Options of a run.
+
+    How it was played and judged.
+    """
+
+    policy: Annotated[Text, about("who answered the explorer's choices; else `fifo`")] = (
+        DEFAULT_POLICY
+    )
+    bound: Annotated[
+        Text | None,
+        about(
+            "the bound on the traversals; `none` where the law was not checked; else the "
+            "explorer's own, or the lighthouse's"
+        ),
+    ] = None
+    step_budget: Annotated[
+        Positive | None, about("the largest legal number of traversals; null: default")
+    ] = None
+    laws: Annotated[
+        Different[JudgedLaw] | None, about("those that were checked; else all that apply")
+    ] = None
+
+    def rules(self, world: World, own_bound: str | None = None) -> Rules:
+        """The rules in a world; the explorer of a finding may bring a bound of its own.
 
         A bound without its law, or the law without a bound, was not checked: it is left out.
 
         Raises:
             InputError: naming the option that is none.
         """
-        laws = options.get("laws")
-        if "laws" in options and (
-            not isinstance(laws, list | tuple) or not all(isinstance(law, str) for law in laws)
-        ):
-            raise InputError(f"options.laws must be a list of names, not {show(laws)}")
-        budget = options.get("step_budget")
-        if budget is not None and (not isinstance(budget, int) or isinstance(budget, bool)):
-            raise InputError(f"options.step_budget must be an integer or null, not {show(budget)}")
-        for key in ("policy", "bound"):
-            if not isinstance(options.get(key, ""), str):
-                raise InputError(f"options.{key} must be a text, not {show(options[key])}")
-        bound = options.get("bound")
+        bound, laws = self.bound, self.laws
         if laws is not None:
             default = own_bound or world.lighthouse.default_bound
             if (default if bound is None else bound) == "none":
-                laws = [law for law in laws if law != "bound"]
+                laws = tuple(law for law in laws if law != "bound")
             elif "bound" not in laws:
                 bound = None
         return make_rules(
             {
-                "policy": options.get("policy", DEFAULT_POLICY),
+                "policy": self.policy,
                 "bound": bound,
                 "laws": laws,
-                "step_budget": budget,
+                "step_budget": self.step_budget,
             },
             world.lighthouse.kind,
             own_bound,

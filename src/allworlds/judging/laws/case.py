@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal
+from typing import Literal, TypeAlias
 
 from allworlds.maps import CombinatorialMap, Dart, carries, numbering
-from allworlds.protocol import Ambiguous, Answer, Checkpoint, Move, Transcript
-
-if TYPE_CHECKING:
-    from allworlds import documents
+from allworlds.protocol import Ambiguous, Answer, Checkpoint, Estimate, Move, Transcript
 
 
 @dataclass(frozen=True)
@@ -78,18 +75,21 @@ class Case:
         return "pose" if any(fits(dart) for dart in truth.darts) else "map"
 
 
+Value: TypeAlias = Estimate | int | str
+"""What was expected, or seen: estimates for map and pose, integers for bound, else a sentence."""
+
+
 @dataclass(frozen=True, slots=True)
 class Violation:
     """A broken law.
 
     Attributes:
         law: its name.
-        expected, seen: rooted maps for map and pose (JSON objects with ``here``), integers
-            for bound, else a sentence.
+        expected, seen: estimates for map and pose, integers for bound, else a sentence.
         step: the number of steps before the checkpoint that breaks it; None where none does.
     """
 
     law: str
-    expected: documents.Value
-    seen: documents.Value
+    expected: Value
+    seen: Value
     step: int | None = None

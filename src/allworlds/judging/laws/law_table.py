@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Annotated, TypeAlias
 
+from allworlds.document import one_of
 from allworlds.judging.laws.case import Case, Violation
 from allworlds.judging.laws.folding import fold
 from allworlds.judging.laws.invariants import invariant_1, invariant_2, variant
@@ -120,6 +121,9 @@ PRECEDENCE: tuple[str, ...] = (
 )
 """All laws; when several are broken the first is reported."""
 
+LawName: TypeAlias = Annotated[str, one_of(*PRECEDENCE)]
+JudgedLaw: TypeAlias = Annotated[str, one_of(*LAWS)]
+
 
 def judge(case: Case, laws: Iterable[Check]) -> Violation | None:
     """The first broken law, or None where all hold.
@@ -137,4 +141,4 @@ def judge(case: Case, laws: Iterable[Check]) -> Violation | None:
 def _wrong_answer(case: Case, law: str) -> Violation:
     assert isinstance(case.estimate, Estimate)
     truth = Estimate(case.map, case.trail[-1])
-    return Violation(law, truth.to_json(), case.estimate.to_json())
+    return Violation(law, truth, case.estimate)

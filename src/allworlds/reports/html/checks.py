@@ -11,16 +11,16 @@ from allworlds.reports.html.findings import finding_section
 from allworlds.reports.html.frame import Page, counts
 from allworlds.reports.html.most_expensive import cells_of, most_expensive_sections
 from allworlds.reports.markup import tag
-from allworlds.studies.check import Report, most_expensive_runs
+from allworlds.studies.check import CheckReport, most_expensive_runs
 
 
-def check_page(report: Report) -> Page:
+def check_page(report: CheckReport) -> Page:
     """The verdict, the findings, and of a check that holds the most expensive runs.
 
     Every finding is in it as JSON too, and the report without the findings.
     """
     word, text = verdict_words(report)
-    verb = "fuzz" if isinstance(report.scope.coverage, Sample) else "check"
+    verb = "fuzz" if isinstance(report.asked.coverage, Sample) else "check"
     findings = [
         finding_section(finding, number, origin_words(report, finding))
         for number, finding in enumerate(report.findings, 1)
@@ -36,7 +36,7 @@ def check_page(report: Report) -> Page:
     )
 
 
-def _seen(report: Report) -> Iterator[ET.Element]:
+def _seen(report: CheckReport) -> Iterator[ET.Element]:
     """What the verdict is about, and what was counted."""
     yield tag("h2", "What was checked", id="seen")
     entries = []

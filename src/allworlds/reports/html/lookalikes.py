@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from string import ascii_lowercase
 from xml.etree import ElementTree as ET
 
+from allworlds.document import UNSET
 from allworlds.judging import Walked, true_trail
 from allworlds.protocol import Move, Transcript
 from allworlds.reports.ambiguity_text import class_words, twins_words
@@ -20,7 +21,6 @@ from allworlds.studies.ambiguity import (
     AmbiguityClass,
     ComparedWorlds,
     SearchResult,
-    Separation,
     projection_of,
 )
 from allworlds.words import number
@@ -33,11 +33,11 @@ DRAWN = 6
 def twins_page(comparison: ComparedWorlds) -> Page:
     """Both worlds, and the walk that tells them apart or a walk along all their edges."""
     word, text = twins_words(comparison)
-    proof = comparison.proof
-    if isinstance(proof, Separation):
-        section = _told_apart(comparison.worlds, proof)
-    else:
-        section = _twins(comparison.worlds, proof.classes)
+    section = (
+        _told_apart(comparison.worlds, comparison.motions or ())
+        if comparison.bisimulation is UNSET
+        else _twins(comparison.worlds, comparison.bisimulation)
+    )
     return Page(
         "allworlds ambiguity twins",
         "A and B",
@@ -73,9 +73,8 @@ def search_page(result: SearchResult) -> Page:
         aria_labelledby="seen",
         class_="scope",
     )
-    pair = [] if result.twins is None else [_twins(*result.twins)]
-    asked = result.question
-    subject = f"{asked.lighthouse} lighthouse, class {asked.map_class.value}"
+    pair = [_twins(result.pair, result.bisimulation)] if result.pair and result.bisimulation else []
+    subject = f"{result.lighthouse} lighthouse, class {result.map_class.value}"
     verdict = (word, text, "holds" if word == "NONE" else "vacuous")
     return Page("allworlds ambiguity search", subject, verdict, [*pair, searched], result.to_json())
 
@@ -103,10 +102,10 @@ def _alike(
     return _section(about, [*zip(names, scenes, strict=True)], worlds, tour(worlds))
 
 
-def _told_apart(worlds: Sequence[World], proof: Separation) -> ET.Element:
+def _told_apart(worlds: Sequence[World], motions: Sequence[int]) -> ET.Element:
     scenes = [(f"World {n}", scene_of(w, robot=w.start)) for n, w in zip("AB", worlds, strict=True)]
     about = "This is the shortest walk that tells them apart: its last percepts differ."
-    return _section(about, scenes, worlds, walk_along(worlds[0], proof.motions))
+    return _section(about, scenes, worlds, walk_along(worlds[0], motions))
 
 
 def _section(

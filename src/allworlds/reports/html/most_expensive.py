@@ -13,16 +13,15 @@ from allworlds.reports.html.plot import PlotCell, plot
 from allworlds.reports.html.runs import cost_words, run_parts
 from allworlds.reports.markup import tag
 from allworlds.reports.worst_text import worst_table, worst_words
-from allworlds.studies.check import Report
-from allworlds.studies.run import run
-from allworlds.studies.worst import RunsReport, WorstReport
+from allworlds.studies.check import CheckReport
+from allworlds.studies.worst import WorstReport
 from allworlds.words import plural, size
 
 ROOM = 700_000
 """So many characters of a page are for walks; of those that do not fit the smallest go."""
 
 
-def worst_page(report: WorstReport | RunsReport) -> Page:
+def worst_page(report: WorstReport) -> Page:
     """The rows, cost against bound, and the walk that attains each row's worst cost."""
     entries = [
         part
@@ -37,25 +36,23 @@ def worst_page(report: WorstReport | RunsReport) -> Page:
         aria_labelledby="seen",
         class_="scope",
     )
-    findings = report.findings if isinstance(report, RunsReport) else ()
-    explorer = report.explorer if isinstance(report, RunsReport) else "algorithm1"
     return Page(
         "allworlds worst",
-        explorer,
+        report.explorer,
         _answer(report),
         [
-            *(finding_section(found, i) for i, found in enumerate(findings, 1)),
+            *(finding_section(found, i) for i, found in enumerate(report.findings, 1)),
             seen,
-            *most_expensive_sections(_cells(report), _walks(report)),
+            *most_expensive_sections(_cells(report), report.walks()),
         ],
         report.to_json(),
     )
 
 
-def _answer(report: WorstReport | RunsReport) -> tuple[str, str, str]:
-    if isinstance(report, RunsReport) and report.findings:
+def _answer(report: WorstReport) -> tuple[str, str, str]:
+    if report.findings:
         return "REFUTED", headline(report.findings[0]), "refuted"
-    if not report.agrees:
+    if not report.gate.agrees:
         return "MISMATCH", "two roads to one number lead to different ones", "error"
     if not report.rows:
         return "NOTHING", "there is no run", "vacuous"
@@ -64,27 +61,17 @@ def _answer(report: WorstReport | RunsReport) -> tuple[str, str, str]:
     return ("WORST" if report.complete else "SO FAR"), most_expensive, "vacuous"
 
 
-def _cells(report: WorstReport | RunsReport) -> list[PlotCell]:
+def _cells(report: WorstReport) -> list[PlotCell]:
     """The worst cost of each row, beside its bound."""
     return [PlotCell(row.edges, row.vertices, row.worst, row.bound) for row in report.rows]
 
 
-def _walks(report: WorstReport | RunsReport) -> Iterator[SingleRun]:
-    """The run that attains each row's worst cost, played again."""
-    if isinstance(report, RunsReport):
-        yield from report.walks()
-        return
-    for row in report.rows:
-        if row.repeats and not row.wrong:
-            yield run("algorithm1", row.world, choices=row.choices)
-
-
-def cells_of(report: Report) -> list[PlotCell]:
+def cells_of(report: CheckReport) -> list[PlotCell]:
     """The largest cost of each size that a check has met, beside its bound."""
     return [
-        PlotCell(row["edges"], row["vertices"], row["max_cost"], row["bound"])
-        for row in report.rows()
-        if row["episodes"]
+        PlotCell(row.edges, row.vertices, row.max_cost, row.bound)
+        for row in report.rows
+        if row.episodes
     ]
 
 

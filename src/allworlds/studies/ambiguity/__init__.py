@@ -35,6 +35,7 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,
+        CensusRow as CensusRow,
         census as census,
         merged_census as merged_census,
     )
@@ -47,9 +48,7 @@ if TYPE_CHECKING:
     from allworlds.studies.ambiguity.smt.result import SearchResult as SearchResult
     from allworlds.studies.ambiguity.smt.twin_search import search as search
     from allworlds.studies.ambiguity.telling_apart import (
-        Bisimulation as Bisimulation,
         ComparedWorlds as ComparedWorlds,
-        Separation as Separation,
         sensed as sensed,
         twins as twins,
     )

@@ -7,8 +7,22 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self, TypeAlias
+from typing import Annotated, Any, Literal, Self
 
+from allworlds.document import (
+    Aside,
+    Document,
+    Gate,
+    Natural,
+    Positive,
+    Report,
+    ShardText,
+    about,
+    computed,
+    key,
+    replace,
+    taken,
+)
 from allworlds.engines import (
     ENDED,
     UNMERGEABLE,
@@ -16,9 +30,11 @@ from allworlds.engines import (
     Dask,
     Identity,
     LevelUnit,
+    Listener,
     Portion,
     Records,
     Shard,
+    Silent,
     ThisThread,
     Transport,
     a_shard,
@@ -40,15 +56,11 @@ from allworlds.maps import (
     is_ambiguous,
     source_for,
 )
-from allworlds.outcome import SCHEMA, Exit, until_interrupted
-from allworlds.progress import Listener, Silent
+from allworlds.outcome import Exit, until_interrupted
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.marked_code import is_least_rooting
-from allworlds.studies.ambiguity.members import projection_of, quotient_to_json
+from allworlds.studies.ambiguity.members import SensedQuotient, projection_of
 from allworlds.world import Position, World
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 CORES = os.cpu_count() or 1
 """So many processes a cluster of this machine alone has."""
@@ -56,105 +68,71 @@ CORES = os.cpu_count() or 1
 BATCH = 200
 """Maps after which a part of a unit is handed over."""
 
-Key: TypeAlias = tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
-"""Sigma, alpha and degree of a quotient, rooted so at its marked vertex that they are least."""
 
-
-@dataclass(frozen=True, slots=True)
-class CensusRow:
+class CensusRow(Document):
     """The marked maps with one number of edges.
 
-    Attributes:
-        edges: m.
-        rooted: rooted maps met.
-        counted: rooted maps according to the independent source.
-        marked_worlds: maps with one marked vertex, up to isomorphism.
-        sizes: how many ambiguity classes have 2, 3, ... members inside the class of maps; None
-            of a shard, which may hold some members of a class and not others.
+    So many ``rooted`` maps were met, and the independent source ``counted``.  A shard may hold some
+    members of a class and not others.
     """
 
-    edges: int
-    rooted: int = 0
-    counted: int = 0
-    marked_worlds: int = 0
-    sizes: Counter[int] | None = field(default_factory=Counter)
-
-    @property
-    def ambiguous_worlds(self) -> int | None:
-        """The members of all these classes; None of a shard."""
-        if self.sizes is None:
-            return None
-        return sum(size * times for size, times in self.sizes.items())
-
-    @property
-    def classes(self) -> int | None:
-        """Their number; None of a shard."""
-        return None if self.sizes is None else sum(self.sizes.values())
-
-    @property
-    def largest_class(self) -> int | None:
-        """The members of the largest one; 0 if there is none, None of a shard."""
-        return None if self.sizes is None else max(self.sizes, default=0)
-
-    def to_json(self) -> documents.CensusRowDocument:
-        """One row of the document."""
-        return {
-            "edges": self.edges,
-            "marked_worlds": self.marked_worlds,
-            "ambiguous_worlds": self.ambiguous_worlds,
-            "classes": self.classes,
-            "largest_class": self.largest_class,
-        }
+    edges: Positive
+    marked_worlds: Annotated[Natural, about("maps with one marked vertex, up to isomorphism")]
+    ambiguous_worlds: Annotated[
+        Natural | None, about("those with a twin inside the class of maps; null: of a shard")
+    ] = None
+    classes: Annotated[
+        Natural | None,
+        about("ambiguity classes with two members there, or more; null: of a shard"),
+    ] = None
+    largest_class: Annotated[
+        Natural | None, about("the members of the largest; 0: there is none, null: of a shard")
+    ] = None
+    rooted: Aside[int]
+    counted: Aside[int]
 
 
-@dataclass(frozen=True, slots=True)
-class AmbiguityCensus:
-    """Every level of a class of maps.
+def _gate(census: AmbiguityCensus) -> Gate:
+    """Whether as many rooted maps were met as the source counts; of a shard no more than these."""
+    if census.whole:
+        agrees = all(row.rooted == row.counted for row in census.rows)
+    else:
+        agrees = all(row.rooted <= row.counted for row in census.rows)
+    return Gate(source=census.source, agrees=agrees)
 
-    Attributes:
-        extent: class and bounds; twins are looked for inside the class only.
-        source: the independent source with which the numbers of rooted maps were compared.
-        rows: one a number of edges, ascending.
-        complete: False if the user has interrupted, and rows are missing.
-        portion: which part of the maps was looked at.
+
+class AmbiguityCensus(Report):
+    """Report of 'ambiguity census'.
+
+    Every level of a class of maps; twins are looked for inside the class only.
     """
 
-    extent: Extent
-    source: str
-    rows: tuple[CensusRow, ...]
-    complete: bool = True
-    portion: Portion = WHOLE
+    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
+    edges: Annotated[Positive | None, about("at most so many; null: not bounded")]
+    vertices: Annotated[Positive | None, about("at most so many; null: not bounded")]
+    lighthouse: Literal["position"] = "position"
+    shard: Annotated[ShardText, about("`K/N`; `0/1` is the whole")] = str(WHOLE)
+    gate: Annotated[Gate, about("the comparison of the rooted maps with an independent source")] = (
+        computed(_gate)
+    )
+    complete: Annotated[bool, about("every row is there; false: the user has interrupted")] = True
+    rows: Annotated[tuple[CensusRow, ...], about("one a number of edges, ascending")]
+    source: Aside[str]
 
     @property
-    def agrees(self) -> bool:
-        """As many rooted maps were met as the source counts; of a shard no more than these."""
-        if isinstance(self.portion, Shard):
-            return all(row.rooted <= row.counted for row in self.rows)
-        return all(row.rooted == row.counted for row in self.rows)
+    def whole(self) -> bool:
+        """It is not of a shard."""
+        return self.shard == str(WHOLE)
 
     @property
     def exit_code(self) -> Exit:
         """0 counted, 4 nothing to count, 70 the source disagrees, 130 interrupted."""
-        if not self.agrees:
+        if not self.gate.agrees:
             return Exit.DISAGREES
         if not self.complete:
             return Exit.INTERRUPTED
-        met = isinstance(self.portion, Shard) or any(row.marked_worlds for row in self.rows)
+        met = not self.whole or any(row.marked_worlds for row in self.rows)
         return Exit.ANSWERED if met else Exit.VACUOUS
-
-    def to_json(self) -> documents.AmbiguityCensusDocument:
-        """The document of ``ambiguity census --json``."""
-        return {
-            "schema": SCHEMA,
-            "class": self.extent.map_class.value,
-            "edges": self.extent.edges,
-            "vertices": self.extent.vertices,
-            "lighthouse": Position.kind,
-            "shard": str(self.portion),
-            "gate": {"source": self.source, "agrees": self.agrees},
-            "complete": self.complete,
-            "rows": [row.to_json() for row in self.rows],
-        }
 
 
 def census(
@@ -231,24 +209,50 @@ class _CensusTask:
         extent = self.extent
         kept = shelf(records, Met.from_json)
 
-        def row(edges: int) -> CensusRow:
+        def level(edges: int) -> CensusRow:
             size = level_size(extent, edges)
             listener.level(edges, size // shards_of(self.portion))
             met = Met()
             units = units_of_level(extent, edges, self.portion)
             gather(transport, engine, units, met, listener, kept)
+            row = CensusRow(
+                edges=edges, marked_worlds=met.marked_worlds, rooted=met.worlds, counted=size
+            )
             if isinstance(self.portion, Shard):
-                return CensusRow(edges, met.worlds, size, met.marked_worlds, None)
+                return row
             if extent.map_class is MapClass.MAPS:
                 _check_sizes(met)
-            sizes = Counter(members for _, members in met.ambiguous.values() if members > 1)
-            return CensusRow(edges, met.worlds, size, met.marked_worlds, sizes)
+            sizes = [members for members in met.ambiguous.values() if members > 1]
+            return replace(
+                row,
+                ambiguous_worlds=sum(sizes),
+                classes=len(sizes),
+                largest_class=max(sizes, default=0),
+            )
 
-        rows, complete = until_interrupted(row(edges) for edges in extent.levels)
+        rows, complete = until_interrupted(level(edges) for edges in extent.levels)
         if complete:
             records.note("ended", ENDED)
-        source = source_for(extent.map_class).name
-        return AmbiguityCensus(extent, source, rows, complete, self.portion)
+        return AmbiguityCensus(
+            map_class=extent.map_class,
+            edges=extent.edges,
+            vertices=extent.vertices,
+            shard=str(self.portion),
+            complete=complete,
+            rows=rows,
+            source=source_for(extent.map_class).name,
+        )
+
+
+class KeptMet(Document):
+    """What a run directory keeps of a part of a level."""
+
+    worlds: Natural
+    marked_worlds: Natural
+    ambiguous: Annotated[
+        tuple[tuple[SensedQuotient, Positive, Positive], ...],
+        about("the quotients, each with its sheets and with how many worlds were met of it"),
+    ]
 
 
 @dataclass(slots=True)
@@ -258,41 +262,36 @@ class Met:
     Attributes:
         worlds: rooted maps.
         marked_worlds: maps with one marked vertex, up to isomorphism.
-        ambiguous: the ambiguous ones by their quotient, with one of the quotients.
+        ambiguous: how many of these are ambiguous, by their quotient: see :func:`_least`.
     """
 
     worlds: int = 0
     marked_worlds: int = 0
-    ambiguous: dict[Key, tuple[Quotient, int]] = field(default_factory=dict)
+    ambiguous: Counter[Quotient] = field(default_factory=Counter)
 
     def add(self, other: Met) -> None:
         """Take in another part."""
         self.worlds += other.worlds
         self.marked_worlds += other.marked_worlds
-        for key, (quotient, members) in other.ambiguous.items():
-            self._count(key, quotient, members)
+        self.ambiguous.update(other.ambiguous)
 
     def to_json(self) -> dict[str, Any]:
         """All of it, as it is kept in a run directory."""
-        return {
-            "worlds": self.worlds,
-            "marked_worlds": self.marked_worlds,
-            "ambiguous": [
-                [quotient_to_json(quotient), quotient.sheets, members]
-                for _, (quotient, members) in sorted(self.ambiguous.items())
-            ],
-        }
+        met = sorted(self.ambiguous.items(), key=lambda entry: _code(entry[0]))
+        return KeptMet(
+            worlds=self.worlds,
+            marked_worlds=self.marked_worlds,
+            ambiguous=tuple((SensedQuotient.of(q), q.sheets, members) for q, members in met),
+        ).to_json()
 
     @classmethod
-    def from_json(cls, document: dict[str, Any]) -> Self:
+    def from_json(cls, document: object) -> Self:
         """The part of :meth:`to_json`'s document."""
-        met = cls(document["worlds"], document["marked_worlds"])
-        for told, sheets, members in document["ambiguous"]:
-            degree = tuple(told["degree"])
-            labels = tuple(map(Percept, degree, told["marks"]))
-            sigma, alpha = tuple(told["sigma"]), tuple(told["alpha"])
-            quotient = Quotient(sigma, alpha, degree, labels, sheets)
-            met._count(_key(quotient), quotient, members)  # its own kind
+        kept = taken(document, KeptMet, "a unit of a census")
+        met = cls(kept.worlds, kept.marked_worlds)
+        for q, sheets, members in kept.ambiguous:
+            labels = tuple(map(Percept, q.degree, q.marks))
+            met.ambiguous[_least(Quotient(q.sigma, q.alpha, q.degree, labels, sheets))] = members
         return met
 
     def meet(self, map_: CombinatorialMap) -> None:
@@ -305,11 +304,7 @@ class Met:
         if map_.sigma[0] != 0:
             quotient = projection_of(World(map_, Position(0), 0)).quotient
             if is_ambiguous(quotient):
-                self._count(_key(quotient), quotient, 1)
-
-    def _count(self, key: Key, quotient: Quotient, members: int) -> None:
-        first, before = self.ambiguous.get(key, (quotient, 0))
-        self.ambiguous[key] = (first, before + members)
+                self.ambiguous[_least(quotient)] += 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -329,14 +324,18 @@ class Classify:
         yield met
 
 
-def _key(quotient: Quotient) -> Key:
-    rooted = [quotient.rerooted(q) for q in quotient.vertices[0]]
-    return min((q.sigma, q.alpha, q.degree) for q in rooted)
+def _least(quotient: Quotient) -> Quotient:
+    """The quotient, rooted so at its marked vertex that its code is least."""
+    return min((quotient.rerooted(q) for q in quotient.vertices[0]), key=_code)
+
+
+def _code(quotient: Quotient) -> tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]:
+    return quotient.sigma, quotient.alpha, quotient.degree
 
 
 def _check_sizes(met: Met) -> None:
     """Nothing, if as many worlds were met of each class as Burnside's count says."""
-    for quotient, members in met.ambiguous.values():
+    for quotient, members in met.ambiguous.items():
         if members != class_size(quotient):
             raise Disagreement(
                 f"{members} worlds were met of a class of {class_size(quotient)}, "

@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Annotated, ClassVar, Self
 
+from allworlds.document import (
+    Document,
+    Natural,
+    Positive,
+    Report,
+    Some,
+    Text,
+    about,
+    computed,
+    key,
+)
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.maps import (
     Code,
@@ -20,85 +30,68 @@ from allworlds.maps import (
     project,
     rooted_code,
 )
-from allworlds.outcome import SCHEMA, Exit
+from allworlds.outcome import Exit
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.lifting import lifts
 from allworlds.studies.ambiguity.marked_code import LeastRooting, least_rooting
 from allworlds.world import Directional, Position, World
 
-if TYPE_CHECKING:
-    from allworlds import documents
-
 DEFAULT_LIMIT = 1000
 """The largest class whose members are all made, unless another limit is named."""
 
 
-@dataclass(frozen=True)
-class AmbiguityClass:
-    """All worlds that no motion tells from a given one.
+class SensedQuotient(Document):
+    """A rooted quotient: its dart 0 is that of the start."""
 
-    Attributes:
-        world: the given one.
-        universe: the class of maps that the members belong to.
-        quotient: what a robot can know; rooted at the start.
-        size: the exact number of members, the given world included.
-        poses: the exact number of pose hypotheses: (member, dart where the robot can be), up
-            to automorphisms.
-        worlds: the given world first, then the others by their codes; with start 0 in
-            canonical numbering, where the robot could be, facing as it does.
+    sigma: Annotated[Some[Natural], about("for each class of darts the next one clockwise")]
+    alpha: Annotated[
+        Some[Natural], about("for each class the one at the other end; itself for a semi-edge")
+    ]
+    degree: Annotated[Some[Positive], about("what is sensed at each class")]
+    marks: Annotated[Some[Natural], about("what is sensed at each class")]
+
+    @classmethod
+    def of(cls, quotient: Quotient) -> Self:
+        """That of a quotient whose labels are percepts."""
+        marks = tuple(label.marks for label in quotient.labels if isinstance(label, Percept))
+        return cls(sigma=quotient.sigma, alpha=quotient.alpha, degree=quotient.degree, marks=marks)
+
+
+def _notice(found: AmbiguityClass) -> str | None:
+    if found.listed == found.size:
+        return None
+    return (
+        f"{found.listed} of {found.size} worlds are listed, as --limit says; "
+        "size and poses are exact (Burnside's count)"
+    )
+
+
+class AmbiguityClass(Report):
+    """Report of 'ambiguity class'.
+
+    All worlds that no motion tells from a given one.  The others are listed by their codes; all
+    are in canonical numbering, and the robot faces as in the given one.  Poses are counted up to
+    automorphisms.
     """
 
-    world: World
-    universe: MapClass
-    quotient: Quotient
-    size: int
-    poses: int
-    worlds: tuple[World, ...]
+    exit_code: ClassVar[Exit] = Exit.ANSWERED
 
-    @property
-    def notice(self) -> str | None:
-        """What has been left out, if anything."""
-        if len(self.worlds) == self.size:
-            return None
-        return (
-            f"{len(self.worlds)} of {self.size} worlds are listed, as --limit says; "
-            "size and poses are exact (Burnside's count)"
-        )
-
-    @property
-    def exit_code(self) -> Exit:
-        """The exit code of the command: a question was answered."""
-        return Exit.ANSWERED
-
-    def to_json(self) -> documents.AmbiguityClassDocument:
-        """The document of ``ambiguity class --json``."""
-        return {
-            "schema": SCHEMA,
-            "world": self.world.to_json(),
-            "class": self.universe.value,
-            "ambiguous": self.size > 1,
-            "size": self.size,
-            "poses": self.poses,
-            "sheets": self.quotient.sheets,
-            "listed": len(self.worlds),
-            "notice": self.notice,
-            "worlds": [world.to_json() for world in self.worlds],
-            "quotient": quotient_to_json(self.quotient),
-        }
-
-
-def quotient_to_json(quotient: Quotient) -> documents.QuotientDocument:
-    """``{"sigma", "alpha", "degree", "marks"}``; ``alpha[q] == q`` is a semi-edge."""
-    marks = []
-    for label in quotient.labels:
-        assert isinstance(label, Percept)
-        marks.append(label.marks)
-    return {
-        "sigma": list(quotient.sigma),
-        "alpha": list(quotient.alpha),
-        "degree": list(quotient.degree),
-        "marks": marks,
-    }
+    world: Annotated[World, about("as it was understood")]
+    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
+    ambiguous: Annotated[bool, about("whether there is another one that looks alike")] = computed(
+        lambda found: found.size > 1
+    )
+    size: Annotated[Positive, about("how many worlds there are in the ambiguity class")]
+    poses: Annotated[Positive, about("how many pairs of a world and a dart where the robot can be")]
+    sheets: Annotated[Positive, about("of the world as a cover of its quotient")]
+    listed: Annotated[Positive, about("how many worlds are listed")] = computed(
+        lambda found: len(found.worlds)
+    )
+    notice: Annotated[Text | None, about("what is left out, where anything is")] = computed(_notice)
+    worlds: Annotated[
+        Some[World], about("the given one first; each with start 0, where the robot could be")
+    ]
+    quotient: Annotated[SensedQuotient, about("what a robot can know")]
 
 
 def projection_of(world: World) -> Projection:
@@ -148,7 +141,15 @@ def class_of(
         found = inside
     others = sorted(code for code in found if code != own.code)
     listed = tuple(_placed(world, code) for code in (own.code, *others))
-    return AmbiguityClass(world, universe, quotient, size, poses, listed)
+    return AmbiguityClass(
+        world=world,
+        map_class=universe,
+        size=size,
+        poses=poses,
+        sheets=quotient.sheets,
+        worlds=listed,
+        quotient=SensedQuotient.of(quotient),
+    )
 
 
 def _checked(world: World, limit: int, map_class: str) -> MapClass:

@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, TypeAlias
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, TypeAlias
 
+from allworlds.document import (
+    UNSET,
+    Natural,
+    Pair,
+    Report,
+    Some,
+    UnsetType,
+    about,
+    computed,
+    narrowed,
+)
 from allworlds.inputs import InputError, show
 from allworlds.maps import Dart, Disagreement, Labelled, carries, classes_of_union, numbering
-from allworlds.outcome import SCHEMA, Exit
+from allworlds.outcome import Exit
 from allworlds.protocol import Move, Percept
 from allworlds.world import World, flaw
 
-if TYPE_CHECKING:
-    from allworlds import documents
-
 Relation: TypeAlias = Literal["same", "same-map", "different"]
-"""``same``: one world; ``same-map``: one map with its lighthouse, entered at two darts;
-``different``: two maps, or two places of the lighthouse."""
+"""``different``: two maps, or two places of the lighthouse."""
 
 
-@dataclass(frozen=True, slots=True)
-class Separation:
+class Separation(NamedTuple):
     """Motions after which two worlds show different percepts, for the first time.
 
     Attributes:
@@ -33,52 +38,38 @@ class Separation:
     percepts: tuple[tuple[Percept, ...], tuple[Percept, ...]]
 
 
-@dataclass(frozen=True, slots=True)
-class Bisimulation:
-    """The class of each dart of two worlds; see :func:`allworlds.world.bisimulation.flaw`."""
+class ComparedWorlds(Report):
+    """Report of 'twins'.
 
-    classes: tuple[tuple[int, ...], tuple[int, ...]]
+    Two worlds, how they are related, and the proof that they can be told apart, or cannot; what a
+    bisimulation proves says :func:`allworlds.world.bisimulation.flaw`.
+    """
 
+    exit_code: ClassVar[Exit] = Exit.ANSWERED
 
-@dataclass(frozen=True, slots=True)
-class ComparedWorlds:
-    """Two worlds, how they are related, and the proof that they can be told apart, or cannot."""
-
-    worlds: tuple[World, World]
-    relation: Relation
-    proof: Separation | Bisimulation
-
-    @property
-    def distinguishable(self) -> bool:
-        """Some motions lead to different percepts."""
-        return isinstance(self.proof, Separation)
-
-    @property
-    def twins(self) -> bool:
-        """They are different, and no motion tells them apart."""
-        return self.relation == "different" and not self.distinguishable
-
-    @property
-    def exit_code(self) -> Exit:
-        """The exit code of the command: a question was answered."""
-        return Exit.ANSWERED
-
-    def to_json(self) -> documents.TwinsDocument:
-        """The document of ``twins --json``."""
-        document: documents.TwinsDocument = {
-            "schema": SCHEMA,
-            "worlds": [world.to_json() for world in self.worlds],
-            "relation": self.relation,
-            "distinguishable": self.distinguishable,
-            "twins": self.twins,
-        }
-        match self.proof:
-            case Separation(motions, percepts):
-                document["motions"] = list(motions)
-                document["percepts"] = [[p.to_json() for p in seen] for seen in percepts]
-            case Bisimulation(classes):
-                document["bisimulation"] = [list(part) for part in classes]
-        return document
+    worlds: Annotated[Pair[World], about("the two, as they were understood")]
+    relation: Annotated[
+        Relation,
+        about("`same`: one world; `same-map`: one world entered at two darts; `different`"),
+    ]
+    distinguishable: Annotated[bool, about("whether any motion tells them apart")] = computed(
+        lambda compared: compared.bisimulation is UNSET
+    )
+    twins: Annotated[bool, about("different, and not distinguishable")] = computed(
+        lambda compared: compared.relation == "different" and not compared.distinguishable
+    )
+    motions: Annotated[
+        tuple[Natural, ...] | UnsetType,
+        about("if distinguishable: the shortest motions that tell them apart"),
+    ] = UNSET
+    percepts: Annotated[
+        Pair[Some[Percept]] | UnsetType,
+        about("with them: for each world what is sensed at the start and after each motion"),
+    ] = UNSET
+    bisimulation: Annotated[
+        Pair[Annotated[tuple[Natural, ...], narrowed(minItems=2)]] | UnsetType,
+        about("if not: for each world the class of each dart"),
+    ] = UNSET
 
 
 def twins(a: World, b: World) -> ComparedWorlds:
@@ -110,16 +101,17 @@ def twins(a: World, b: World) -> ComparedWorlds:
             "explorer knows which it is in before it moves"
         )
     first, second = classes_of_union(*(Labelled(w.map, w.percepts, w.start) for w in (a, b)))
-    proof: Separation | Bisimulation
+    proof: dict[str, Any]
     if first[a.start] == second[b.start]:
-        proof = Bisimulation((first, second))
-        wrong = flaw((a, b), proof.classes)
+        proof = {"bisimulation": (first, second)}
+        wrong = flaw((a, b), (first, second))
     else:
-        proof = separation(a, b)
-        wrong = replayed(a, b, proof)
+        told = separation(a, b)
+        proof = told._asdict()
+        wrong = replayed(a, b, told)
     if wrong:
         raise Disagreement(f"the proof about {a} and {b} is wrong: {wrong}")
-    return ComparedWorlds((a, b), _relation(a, b), proof)
+    return ComparedWorlds(worlds=(a, b), relation=_relation(a, b), **proof)
 
 
 def separation(a: World, b: World) -> Separation:

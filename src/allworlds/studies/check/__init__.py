@@ -38,7 +38,7 @@ if TYPE_CHECKING:
         estimate as estimate,
         merged_check as merged_check,
     )
-    from allworlds.studies.check.gate import Cell as Cell, count_gate as count_gate
+    from allworlds.studies.check.gate import GateCell as GateCell, count_gate as count_gate
     from allworlds.studies.check.known_findings import UserCorpus as UserCorpus
     from allworlds.studies.check.most_expensive import (
         most_expensive_runs as most_expensive_runs,
@@ -54,7 +54,7 @@ if TYPE_CHECKING:
         refuse_others as refuse_others,
         rules_for as rules_for,
     )
-    from allworlds.studies.check.report import Report as Report
-    from allworlds.studies.check.time_estimate import TimeEstimate as TimeEstimate
+    from allworlds.studies.check.report import CheckReport as CheckReport
+    from allworlds.studies.check.time_estimate import Guess as Guess, TimeEstimate as TimeEstimate
 else:
     open_door(__name__)

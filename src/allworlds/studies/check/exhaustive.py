@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Unpack
 
+from allworlds.document import asdict
 from allworlds.engines import (
     ENDED,
     LOST,
@@ -19,9 +20,12 @@ from allworlds.engines import (
     Identity,
     Job,
     Limits,
+    Listener,
+    Once,
     ReadyEngine,
     Records,
     Scope,
+    Silent,
     Tally,
     TimeIsUp,
     Unsettled,
@@ -42,12 +46,11 @@ from allworlds.inputs import InputError, a_path, an_integer, show
 from allworlds.judging import Finding
 from allworlds.maps import DEFAULT_EDGES, Extent
 from allworlds.outcome import Verdict
-from allworlds.progress import Listener, Once, Silent
 from allworlds.studies.check.ending import Completed, Disagreed, Ending, Interrupted, Stopped
-from allworlds.studies.check.gate import Cell, count_gate, missing_witnesses
+from allworlds.studies.check.gate import GateCell, count_gate, missing_witnesses
 from allworlds.studies.check.known_findings import UserCorpus
 from allworlds.studies.check.options import CheckOptions, ManyRunsOptions, refuse_others, rules_for
-from allworlds.studies.check.report import Report
+from allworlds.studies.check.report import CheckReport
 from allworlds.studies.check.run_identity import identity_of, job_of, settled_once, shelf_for
 from allworlds.studies.check.time_estimate import (
     LONG,
@@ -75,7 +78,7 @@ def check(
     dask: str | None = None,
     listener: Listener | None = None,
     **options: Unpack[ManyRunsOptions],
-) -> Report:
+) -> CheckReport:
     """Run an explorer on every start and every marker orientation of every map in a class.
 
     Args:
@@ -150,7 +153,7 @@ def estimate(
             job, chosen = _asked(explore, {**options, "edges": extent.edges}, 1, heard)
             more = estimated(job, chosen)
             larger = (more, *extrapolated(job, (guess, more)))
-    return TimeEstimate(job.subject.name, guess, larger)
+    return TimeEstimate(explorer=job.subject.name, larger=larger, **asdict(guess))
 
 
 def _asked(
@@ -177,7 +180,7 @@ def _asked(
     return job, engine_for(engine, scope, subject, limits.memory)
 
 
-def merged_check(identity: Identity, records: Records, listener: Listener) -> Report:
+def merged_check(identity: Identity, records: Records, listener: Listener) -> CheckReport:
     """The report of a check that others have done, made from what they have kept.
 
     It is the check itself, with nothing left to do: every count is added up and compared anew.
@@ -193,7 +196,7 @@ def _say_how_long(job: Job, engine: EngineKind, listener: Listener) -> None:
     """Say it beforehand, if it is long and somebody listens."""
     if not isinstance(listener, Silent) and is_worth_a_guess(job, engine):
         seconds = estimated(job, engine).seconds
-        if seconds and seconds > LONG:
+        if seconds is not None and seconds > LONG:
             listener.notice(f"this will take about {duration(seconds)}: a guess from a sample")
 
 
@@ -220,11 +223,11 @@ class _Check:
         self._listener, self._corpus = listener, corpus
         self._tally = Tally(job.keep)
         self._levels: list[int] = []
-        self._gate: list[Cell] = []
+        self._gate: list[GateCell] = []
 
     def run(
         self, beforehand: Callable[[Job, EngineKind, Listener], None] = lambda *_: None
-    ) -> Report:
+    ) -> CheckReport:
         try:
             beforehand(self._job, self._engine, self._listener)
             ending = self._tried()
@@ -236,17 +239,17 @@ class _Check:
             self._listener.notice("every run holds, and none of them has walked an edge")
         return report
 
-    def _report(self, ending: Ending) -> Report:
-        return Report(
-            self._subject.name,
-            self._engine.name,
-            self._scope,
-            self._tally,
-            tuple(self._levels),
-            ending,
-            tuple(self._gate),
-            self._corpus,
-            self._engine.symmetry(self._scope, self._subject),
+    def _report(self, ending: Ending) -> CheckReport:
+        return CheckReport(
+            explorer=self._subject.name,
+            engine=self._engine.name,
+            asked=self._scope,
+            tally=self._tally,
+            levels=tuple(self._levels),
+            ending=ending,
+            cells=tuple(self._gate),
+            past=self._corpus,
+            symmetry=self._engine.symmetry(self._scope, self._subject),
         )
 
     def _tried(self) -> Ending:

@@ -3,28 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from typing import Annotated
 
+from allworlds.document import Document, Natural, Positive, Text, about
 from allworlds.engines import Tally
 from allworlds.explorers import Subject
 from allworlds.maps import Extent, named_map, source_for
 
 
-@dataclass(frozen=True, slots=True)
-class Cell:
-    """One comparison of the count gate.
+class GateCell(Document):
+    """One comparison of the count gate."""
 
-    Attributes:
-        edges, vertices: the size.
-        enumerated: the rooted maps that were visited.
-        counted: those that there are according to ``source``.
-    """
-
-    edges: int
-    vertices: int
-    enumerated: int
-    counted: int
-    source: str
+    edges: Positive
+    vertices: Positive
+    enumerated: Annotated[Natural, about("rooted maps that were visited")]
+    counted: Annotated[Natural, about("those that there are")]
+    source: Annotated[Text, about("says who")]
 
     @property
     def agrees(self) -> bool:
@@ -32,17 +26,25 @@ class Cell:
         return self.counted == self.enumerated
 
 
-def count_gate(extent: Extent, edges: int, tally: Tally) -> list[Cell]:
+def count_gate(extent: Extent, edges: int, tally: Tally) -> list[GateCell]:
     """What was enumerated on a level beside what an independent source counts."""
     source = source_for(extent.map_class)
     counted = source.cells(edges)
-    cells = []
+    cells: list[GateCell] = []
     for vertices in range(1, extent.vertex_limit(edges) + 1):
         row = tally.rows.get((edges, vertices))
         enumerated = row.worlds if row else 0
         known = counted.get(vertices, 0)
         if enumerated or known:
-            cells.append(Cell(edges, vertices, enumerated, known, source.name))
+            cells.append(
+                GateCell(
+                    edges=edges,
+                    vertices=vertices,
+                    enumerated=enumerated,
+                    counted=known,
+                    source=source.name,
+                )
+            )
     return cells
 
 

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Annotated
 
+from allworlds.document import Document, Text, about
 from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, confirmed, workers_for
 from allworlds.explorers import Subject
 from allworlds.judging import LAWS, Finding, file_name, kept_findings, write_finding
 from allworlds.maps import Extent, MapClass
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(slots=True)
@@ -51,6 +49,17 @@ class UserCorpus:
                 self.beyond.append(kept.name)
         return self._standing
 
+    @property
+    def report(self) -> CorpusReport:
+        """The part of the check's report that tells of it."""
+        return CorpusReport(
+            directory=str(self.directory),
+            reproduced=tuple(self.reproduced),
+            beyond_scope=tuple(self.beyond),
+            fixed=tuple(self.fixed),
+            written=tuple(self.written),
+        )
+
     def holds(self, finding: Finding) -> bool:
         """The finding is one of the past that still stands, and has been confirmed."""
         return finding in self._standing
@@ -64,15 +73,20 @@ class UserCorpus:
                 except OSError as error:
                     yield f"the corpus could not take {file_name(finding)}: {error.strerror}"
 
-    def to_json(self) -> documents.CorpusDocument:
-        """As it stands in a report."""
-        return {
-            "directory": str(self.directory),
-            "reproduced": self.reproduced,
-            "beyond_scope": self.beyond,
-            "fixed": self.fixed,
-            "written": self.written,
-        }
+
+class CorpusReport(Document):
+    """What became of the findings of a corpus."""
+
+    directory: Annotated[Text, about("where it is")]
+    reproduced: Annotated[tuple[Text, ...], about("the files whose findings still stand")]
+    beyond_scope: Annotated[
+        tuple[Text, ...],
+        about("of these the ones that this check could not have come upon; they refute nothing"),
+    ]
+    fixed: Annotated[
+        tuple[Text, ...], about("those whose worlds are no longer refuting; they are kept")
+    ]
+    written: Annotated[tuple[Text, ...], about("those that this check has added")]
 
 
 def is_inside(finding: Finding, scope: Scope) -> bool:

@@ -8,18 +8,18 @@ from allworlds.engines import AtRun, Limits, SingleRun, single_run, subject_of
 from allworlds.inputs import InputError
 from allworlds.judging import Rules
 from allworlds.maps import CombinatorialMap
-from allworlds.studies.check.report import Report
+from allworlds.studies.check.report import CheckReport
 from allworlds.world import World
 
 
-def most_expensive_runs(report: Report) -> Iterator[SingleRun]:
+def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
     """The most expensive run of each size, ascending; nothing if the explorer has no name.
 
     Of several it is the least.
 
     Cost: an episode each.
     """
-    limits, rules = Limits(), report.scope.rules
+    limits, rules = Limits(), report.asked.rules
     try:
         subject = subject_of(report.explorer, limits)
     except InputError:  # it was handed over as a function that no name leads to

@@ -2,65 +2,171 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, assert_never
+from collections.abc import Iterator
+from typing import Annotated, Literal, TypeAlias, assert_never
 
-from allworlds.engines import Sample, Scope, Shard, Tally, Whole
-from allworlds.judging import Finding
-from allworlds.outcome import SCHEMA, Exit, Verdict
+from allworlds.document import (
+    Aside,
+    Different,
+    Document,
+    Natural,
+    Positive,
+    Report,
+    ShardText,
+    Text,
+    about,
+    computed,
+    key,
+    one_of,
+)
+from allworlds.engines import EngineName, Sample, Scope, Shard, Tally, Whole
+from allworlds.judging import Finding, JudgedLaw
+from allworlds.maps import MapClass
+from allworlds.outcome import Exit, Verdict
 from allworlds.studies.check.ending import Completed, Disagreed, Ending, Interrupted, Stopped
-from allworlds.studies.check.gate import Cell
-from allworlds.studies.check.known_findings import UserCorpus
-
-if TYPE_CHECKING:
-    from allworlds import documents
+from allworlds.studies.check.gate import GateCell
+from allworlds.studies.check.known_findings import CorpusReport, UserCorpus
 
 
-@dataclass(frozen=True)
-class Report:
-    """What a check has seen, and what follows from it.
+class SampleReport(Document):
+    """How random worlds were drawn."""
 
-    Attributes:
-        explorer: the name of the subject.
-        engine: ``python`` or ``kernel``.
-        scope: what was to be checked.
-        tally: the counts of the finished levels, and the smallest findings.
-        levels: the numbers of edges of the finished levels.
-        ending: how it came to its end.
-        gate: the comparisons of the count gate.
-        corpus: what became of the past findings, if there is a corpus of them.
-        symmetry: where one run has been counted for several, why that is right; else empty.
+    edges: Annotated[Positive, about("at most so many")]
+    min_edges: Annotated[Positive, about("at least so many")]
+    runs: Annotated[Positive, about("how many worlds were drawn")]
+    seed: Annotated[int, about("from which")]
+
+
+Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the merge of all shards"]
+"""What has become of the count gate."""
+
+
+class CheckedScope(Document):
+    """The scope of a check: every option that its counts and its verdict depend on."""
+
+    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
+    edges: Annotated[Positive | None, about("at most so many; null: not bounded")]
+    vertices: Annotated[Positive | None, about("at most so many; null: not bounded")]
+    lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")]
+    policy: Annotated[Text, about("who answered the explorer's choices")]
+    schedules: Annotated[Literal["one", "all"], about("the policy's, or every sequence of choices")]
+    laws: Annotated[Different[JudgedLaw], about("those that were checked")]
+    bound: Annotated[
+        Text, about("the bound on the traversals; `none` where the law was not checked")
+    ]
+    step_budget: Annotated[
+        Positive | None, about("the largest legal number of traversals; null: default")
+    ]
+    shard: Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
+    sample: Annotated[SampleReport | None, about("of `fuzz`: how the worlds were drawn")]
+    symmetry: Annotated[str | None, about("why one run was counted for several, where it was")]
+    gate: Annotated[
+        Gated,
+        about("the count gate: one comparison for each (edges, vertices) of the finished levels"),
+    ]
+    complete: Annotated[bool, about("every world of the scope was tried")]
+    finished_levels: Annotated[Different[Positive], about("the numbers of edges that are done")]
+    stopped: Annotated[str | None, about("why it is not complete; null: it is, or it is a sample")]
+
+
+class CheckRow(Document):
+    """What was seen in the worlds of one size."""
+
+    edges: Positive
+    vertices: Positive
+    worlds: Annotated[Natural, about("rooted maps")]
+    runs: Annotated[Natural, about("worlds x places of the lighthouse")]
+    episodes: Annotated[Natural, about("runs x schedules")]
+    traversals: Annotated[Natural, about("summed over the episodes")]
+    traversals_rooted: Annotated[
+        Natural, about("the same at the first place of each rooted map alone")
+    ]
+    max_cost: Annotated[Natural, about("the largest cost of an episode")]
+    bound: Annotated[int | None, about("the largest bound of a run; null without a bound")]
+
+
+class CheckReport(Report):
+    """Report of 'check' and of 'fuzz'.
+
+    What a check has seen, and what follows from it.
+
+    ``asked`` is what was to be checked, ``tally`` holds the counts of the finished levels and the
+    smallest findings, ``ending`` tells how the check came to its end, ``cells`` are the
+    comparisons of the count gate.
     """
 
-    explorer: str
-    engine: str
-    scope: Scope
-    tally: Tally
-    levels: tuple[int, ...]
-    ending: Ending
-    gate: tuple[Cell, ...] = ()
-    corpus: UserCorpus | None = None
-    symmetry: str = ""
-
-    @property
-    def findings(self) -> list[Finding]:
-        """The smallest findings, ascending."""
-        return self.tally.findings
-
-    @property
-    def worlds(self) -> int:
-        """Rooted maps visited in finished levels."""
-        return self.tally.worlds
-
-    @property
-    def runs(self) -> int:
-        """Worlds x places in finished levels."""
-        return self.tally.runs
+    verdict: Annotated[Verdict, about("about the scope, and nothing else")] = computed(
+        lambda report: report.judged()
+    )
+    exit_code: Annotated[
+        Exit,
+        one_of(
+            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
+            Exit.INTERRUPTED,
+        ),
+    ] = computed(
+        lambda report: (
+            Exit.INTERRUPTED
+            if report.interrupted and report.verdict is not Verdict.ERROR
+            else report.verdict.exit
+        )
+    )
+    explorer: Annotated[Text, about("its name")]
+    engine: Annotated[EngineName, about("whichever did it")]
+    scope: Annotated[CheckedScope, about("what was checked")] = computed(
+        lambda report: report.checked_scope()
+    )
+    worlds: Annotated[Natural, about("rooted maps")] = computed(lambda report: report.tally.worlds)
+    runs: Annotated[Natural, about("worlds x places of the lighthouse")] = computed(
+        lambda report: report.tally.runs
+    )
+    episodes: Annotated[Natural, about("runs x schedules")] = computed(
+        lambda report: sum(row.episodes for row in report.tally.rows.values())
+    )
+    left_out: Annotated[Natural, about("worlds without a place for the lighthouse")] = computed(
+        lambda report: report.tally.left_out
+    )
+    traversals: Annotated[Natural, about("summed over the episodes")] = computed(
+        lambda report: report.tally.traversals
+    )
+    checkpoints: Annotated[Natural, about("how many were published")] = computed(
+        lambda report: report.tally.checkpoints
+    )
+    rows: Annotated[tuple[CheckRow, ...], about("one for each (edges, vertices), ascending")] = (
+        computed(lambda report: tuple(_rows(report.tally)))
+    )
+    witnesses: Annotated[
+        dict[str, Positive],
+        about("how often each [event](verdicts.md#witnesses) occurred"),
+    ] = computed(lambda report: dict(sorted(report.tally.witnesses.items())))
+    missing_witnesses: Annotated[
+        Different[Text], about("those that must have occurred and have not")
+    ] = computed(
+        lambda report: report.ending.missing if isinstance(report.ending, Completed) else ()
+    )
+    remarks: Annotated[
+        tuple[Text, ...],
+        about("what happened to processes and refutes nothing, each said once"),
+    ] = computed(lambda report: tuple(_remarks(report.tally)))
+    corpus: Annotated[CorpusReport | None, about("null without `--corpus`")] = computed(
+        lambda report: report.past.report if report.past else None
+    )
+    findings: Annotated[
+        tuple[Finding, ...],
+        about("ascending by (edges, vertices, canonical code, place, choices)"),
+    ] = computed(lambda report: tuple(report.tally.findings))
+    asked: Aside[Scope]
+    tally: Aside[Tally]
+    levels: Aside[tuple[int, ...]]
+    ending: Aside[Ending]
+    cells: Aside[tuple[GateCell, ...]] = ()
+    past: Aside[UserCorpus | None] = None
+    symmetry: Aside[str] = ""
 
     @property
     def complete(self) -> bool:
         """Every world of the scope was tried; a sample is never complete."""
-        return isinstance(self.ending, Completed) and not isinstance(self.scope.coverage, Sample)
+        return isinstance(self.ending, Completed) and not isinstance(self.asked.coverage, Sample)
 
     @property
     def ended(self) -> bool:
@@ -80,47 +186,26 @@ class Report:
         """By the user."""
         return isinstance(self.ending, Interrupted)
 
-    @property
-    def missing(self) -> tuple[str, ...]:
-        """Witnesses that a complete check must have seen and has not."""
-        return self.ending.missing if isinstance(self.ending, Completed) else ()
-
-    @property
-    def remarks(self) -> list[str]:
-        """What happened and refutes nothing, and how often if more than once."""
-        return [
-            text if times == 1 else f"{text} ({times} times)"
-            for text, times in sorted(self.tally.remarks.items())
-        ]
-
-    @property
-    def verdict(self) -> Verdict:
+    def judged(self) -> Verdict:
         """The verdict, about the scope and nothing else."""
-        if isinstance(self.ending, Disagreed) or not all(cell.agrees for cell in self.gate):
+        if isinstance(self.ending, Disagreed) or not all(cell.agrees for cell in self.cells):
             return Verdict.ERROR
-        if self.findings:
+        if self.tally.findings:
             return Verdict.REFUTED
         if not isinstance(self.ending, Completed):
             return Verdict.INCONCLUSIVE
-        match self.scope.coverage:
+        match self.asked.coverage:
             case Sample():
-                return Verdict.NOT_REFUTED if self.runs else Verdict.INCONCLUSIVE
+                return Verdict.NOT_REFUTED if self.tally.runs else Verdict.INCONCLUSIVE
             case Shard():
                 return Verdict.HOLDS
             case Whole():
-                vacuous = self.missing or not self.runs
+                vacuous = self.ending.missing or not self.tally.runs
                 return Verdict.VACUOUS if vacuous else Verdict.HOLDS
             case coverage:
                 assert_never(coverage)
 
-    @property
-    def exit_code(self) -> Exit:
-        """The exit code of the command."""
-        if self.interrupted and self.verdict is not Verdict.ERROR:
-            return Exit.INTERRUPTED
-        return self.verdict.exit
-
-    def uninterrupted(self) -> Report:
+    def uninterrupted(self) -> CheckReport:
         """This report, for callers to whom half a check says nothing.
 
         Raises:
@@ -130,91 +215,57 @@ class Report:
             raise KeyboardInterrupt
         return self
 
-    def to_json(self) -> documents.CheckDocument:
-        """The document of ``check --json``."""
-        return {
-            "schema": SCHEMA,
-            "verdict": self.verdict.value,
-            "exit_code": self.exit_code,
-            "explorer": self.explorer,
-            "engine": self.engine,
-            "scope": self._scope_json(),
-            "worlds": self.worlds,
-            "runs": self.runs,
-            "episodes": sum(row.episodes for row in self.tally.rows.values()),
-            "left_out": self.tally.left_out,
-            "traversals": self.tally.traversals,
-            "checkpoints": self.tally.checkpoints,
-            "rows": self.rows(),
-            "witnesses": dict(sorted(self.tally.witnesses.items())),
-            "missing_witnesses": list(self.missing),
-            "remarks": self.remarks,
-            "corpus": self.corpus.to_json() if self.corpus else None,
-            "findings": [finding.to_json() for finding in self.findings],
-        }
-
-    def rows(self) -> list[documents.CheckRow]:
-        """One row for each (edges, vertices), ascending."""
-        return [
-            {
-                "edges": edges,
-                "vertices": vertices,
-                "worlds": row.worlds,
-                "runs": row.runs,
-                "episodes": row.episodes,
-                "traversals": row.traversals,
-                "traversals_rooted": row.traversals_rooted,
-                "max_cost": row.max_cost,
-                "bound": row.bound,
-            }
-            for (edges, vertices), row in sorted(self.tally.rows.items())
-        ]
-
-    def _scope_json(self) -> documents.ScopeDocument:
-        scope, rules, coverage = self.scope, self.scope.rules, self.scope.coverage
-        sample: documents.SampleDocument | None = None
-        if isinstance(coverage, Sample):
-            sample = {
-                "edges": scope.extent.levels[-1],
-                "min_edges": coverage.min_edges,
-                "runs": coverage.runs,
-                "seed": coverage.seed,
-            }
-        return {
-            "class": scope.extent.map_class.value,
-            "edges": scope.extent.edges,
-            "vertices": scope.extent.vertices,
-            "lighthouse": rules.lighthouse,
-            "policy": rules.policy,
-            "schedules": scope.schedules,
-            "laws": list(rules.applying),
-            "bound": rules.the_bound.name,
-            "step_budget": rules.step_budget,
-            "shard": str(coverage) if isinstance(coverage, Shard) else "0/1",
-            "sample": sample,
-            "symmetry": self.symmetry or None,
-            "gate": self._gate_json(),
-            "complete": self.complete,
-            "finished_levels": list(self.levels),
-            "stopped": self.ending.reason or None,
-        }
-
-    def _gate_json(self) -> documents.Checked:
-        match self.scope.coverage:
+    def checked_scope(self) -> CheckedScope:
+        """What was checked, and how much of it."""
+        extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
+        sample: SampleReport | None = None
+        gate: Gated = self.cells
+        match coverage:
             case Sample():
-                return "absent"
+                gate = "absent"
+                sample = SampleReport(
+                    edges=extent.levels[-1],
+                    min_edges=coverage.min_edges,
+                    runs=coverage.runs,
+                    seed=coverage.seed,
+                )
             case Shard():
-                return "deferred to the merge of all shards"
-            case Whole():
-                return [
-                    {
-                        "edges": cell.edges,
-                        "vertices": cell.vertices,
-                        "enumerated": cell.enumerated,
-                        "counted": cell.counted,
-                        "source": cell.source,
-                    }
-                    for cell in self.gate
-                ]
-            case coverage:
-                assert_never(coverage)
+                gate = "deferred to the merge of all shards"
+        return CheckedScope(
+            map_class=extent.map_class,
+            edges=extent.edges,
+            vertices=extent.vertices,
+            lighthouse=rules.lighthouse,
+            policy=rules.policy,
+            schedules=self.asked.schedules,
+            laws=rules.applying,
+            bound=rules.the_bound.name,
+            step_budget=rules.step_budget,
+            shard=str(coverage) if isinstance(coverage, Shard) else "0/1",
+            sample=sample,
+            symmetry=self.symmetry or None,
+            gate=gate,
+            complete=self.complete,
+            finished_levels=self.levels,
+            stopped=self.ending.reason or None,
+        )
+
+
+def _rows(tally: Tally) -> Iterator[CheckRow]:
+    for (edges, vertices), row in sorted(tally.rows.items()):
+        yield CheckRow(
+            edges=edges,
+            vertices=vertices,
+            worlds=row.worlds,
+            runs=row.runs,
+            episodes=row.episodes,
+            traversals=row.traversals,
+            traversals_rooted=row.traversals_rooted,
+            max_cost=row.max_cost,
+            bound=row.bound,
+        )
+
+
+def _remarks(tally: Tally) -> Iterator[str]:
+    for text, times in sorted(tally.remarks.items()):
+        yield text if times == 1 else f"{text} ({times} times)"

@@ -15,6 +15,7 @@ from allworlds.engines import (
     Job,
     KeptUnits,
     Limits,
+    Listener,
     ReadyEngine,
     Records,
     Sample,
@@ -30,7 +31,6 @@ from allworlds.engines import (
 from allworlds.explorers import Subject, content_digest, subject_known
 from allworlds.judging import Finding, Rules
 from allworlds.maps import Extent, MapClass
-from allworlds.progress import Listener
 
 VERB = "check"
 

@@ -4,12 +4,25 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import islice
 from random import Random
-from typing import TYPE_CHECKING, Any
+from typing import Annotated, Any, ClassVar, TypeAlias
 
+from allworlds.document import (
+    Document,
+    Figure,
+    Natural,
+    Positive,
+    Report,
+    Seconds,
+    Text,
+    about,
+    computed,
+    one_of,
+)
 from allworlds.engines import (
+    ENGINES,
     ClusterLost,
     EngineKind,
     EnginesDisagree,
@@ -22,10 +35,7 @@ from allworlds.engines import (
     shards_of,
 )
 from allworlds.maps import Extent
-from allworlds.outcome import SCHEMA, Exit
-
-if TYPE_CHECKING:
-    from allworlds import documents
+from allworlds.outcome import Exit
 
 SECONDS = 3.0
 """So long a sample takes from its first piece on."""
@@ -48,74 +58,51 @@ COUNTABLE = 16
 """Levels of more edges are not counted for this; that they are many is said without it."""
 
 
-@dataclass(frozen=True, slots=True)
-class Guess:
-    """A guess of how long a check takes.
+Largest: TypeAlias = Annotated[Positive, about("of the largest worlds")]
+Engine: TypeAlias = Annotated[str, about("which would do it"), one_of(*ENGINES)]
+ToBeTried: TypeAlias = Annotated[Natural, about("rooted maps that are to be tried")]
+Sampled: TypeAlias = Annotated[
+    Natural,
+    about("rooted maps of the last level that were tried for this; 0: the rate is a guess"),
+]
+Rate: TypeAlias = Annotated[
+    Figure | None, about("of these a second; null: none was finished in time")
+]
+Takes: TypeAlias = Annotated[Seconds | None, about("for all: a guess; null where there is no rate")]
 
-    Attributes:
-        edges: of the largest worlds.
-        engine: its name.
-        worlds: that are to be tried.
-        sampled: that were tried for this, all of the last level; 0 where the rate is a guess, too.
-        rate: of these a second; None if none was finished in time.
+
+def _seconds(guess: Guess | TimeEstimate) -> float | None:
+    """For all worlds at this rate; smaller ones take less."""
+    return round(guess.worlds / guess.rate, 1) if guess.rate else None
+
+
+class Guess(Document):
+    """How long a check with so many edges will take."""
+
+    edges: Largest
+    engine: Engine
+    worlds: ToBeTried
+    sampled: Sampled
+    rate: Rate
+    seconds: Takes = computed(_seconds)
+
+
+class TimeEstimate(Report):
+    """Estimate.
+
+    How long a check will take: what `check --estimate` writes.
     """
 
-    edges: int
-    engine: str
-    worlds: int
-    sampled: int
-    rate: float | None
+    exit_code: ClassVar[Exit] = Exit.ANSWERED
 
-    @property
-    def seconds(self) -> float | None:
-        """For all worlds at this rate; smaller ones take less."""
-        return self.worlds / self.rate if self.rate else None
-
-    def to_json(self) -> documents.GuessOfTime:
-        """A row of the document."""
-        return {
-            "edges": self.edges,
-            "engine": self.engine,
-            "worlds": self.worlds,
-            "sampled": self.sampled,
-            "rate": None if self.rate is None else round(self.rate, 3),
-            "seconds": None if self.seconds is None else round(self.seconds, 1),
-        }
-
-
-@dataclass(frozen=True, slots=True)
-class TimeEstimate:
-    """How long a check takes, and larger ones.
-
-    Attributes:
-        explorer: its name.
-        guess: of what was asked.
-        larger: of the same with more edges, ascending.
-    """
-
-    explorer: str
-    guess: Guess
-    larger: tuple[Guess, ...]
-
-    @property
-    def exit_code(self) -> Exit:
-        """0: answered."""
-        return Exit.ANSWERED
-
-    def to_json(self) -> documents.EstimateResult:
-        """The document of ``check --estimate --json``."""
-        guess = self.guess.to_json()
-        return {
-            "schema": SCHEMA,
-            "explorer": self.explorer,
-            "edges": guess["edges"],
-            "engine": guess["engine"],
-            "worlds": guess["worlds"],
-            "sampled": guess["sampled"],
-            "rate": guess["rate"],
-            "seconds": guess["seconds"],
-            "larger": [larger.to_json() for larger in self.larger],
-        }
+    explorer: Annotated[Text, about("its name")]
+    edges: Largest
+    engine: Engine
+    worlds: ToBeTried
+    sampled: Sampled
+    rate: Rate
+    seconds: Takes = computed(_seconds)
+    larger: Annotated[tuple[Guess, ...], about("the same check with more edges")]
 
 
 def _plays(job: Job, engine: EngineKind) -> str:
@@ -158,7 +145,13 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
     except (TimeIsUp, EnginesDisagree, ClusterLost, Unsettled):
         pass  # the check itself will say so
     rate = sampled / (ended - began) if ended > began and sampled else None
-    return Guess(job.scope.extent.levels[-1], engine.name, worlds_of(job), sampled, rate)
+    return Guess(
+        edges=job.scope.extent.levels[-1],
+        engine=engine.name,
+        worlds=worlds_of(job),
+        sampled=sampled,
+        rate=None if rate is None else round(rate, 3),
+    )
 
 
 def one_larger(job: Job) -> Extent | None:
@@ -185,7 +178,10 @@ def extrapolated(job: Job, guesses: tuple[Guess, Guess]) -> tuple[Guess, ...]:
         return ()
     slower = min(1.0, second.rate / first.rate) if first.engine == second.engine else 1.0
     worlds = worlds_of(replace(job, scope=replace(job.scope, extent=extent)))
-    return (Guess(extent.levels[-1], second.engine, worlds, 0, slower * second.rate),)
+    rate = round(slower * second.rate, 3)
+    return (
+        Guess(edges=extent.levels[-1], engine=second.engine, worlds=worlds, sampled=0, rate=rate),
+    )
 
 
 def _pieces(job: Job, worlds: int) -> Iterator[Any]:

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from allworlds.engines import CostTally, GivenWorlds, Limits, key_of, workers_for
+from allworlds.engines import CostTally, GivenWorlds, Limits, Listener, key_of, workers_for
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.judging import Finding, Rules
 from allworlds.maps import CombinatorialMap, Extent, MapClass
-from allworlds.progress import Listener
-from allworlds.studies.check import ending_of
+from allworlds.studies.check import Completed, Stopped, ending_of
 from allworlds.studies.compare.contestants import Contestant
 from allworlds.studies.compare.growing_families import LEAST, Member, members_of
 from allworlds.studies.compare.growth import GrowRow, Growth
@@ -76,12 +75,13 @@ class Climb:
         """What it has cost, as far as it has come."""
         ending = ending_of(self._run, self.limits)
         return Growth(
-            tuple(one.name for one in self.contestants),
-            tuple(self.ladders),
-            tuple(self.rows),
-            tuple(self.findings),
-            ending,
-            self.left_out,
+            complete=isinstance(ending, Completed),
+            explorers=tuple(one.name for one in self.contestants),
+            families=tuple(self.ladders),
+            rows=tuple(self.rows),
+            left_out=self.left_out,
+            stopped=ending.reason if isinstance(ending, Stopped) else None,
+            findings=tuple(self.findings),
         )
 
     def _run(self) -> None:
@@ -124,21 +124,16 @@ class Climb:
         placed = [member for member in size if (key_of(maps[member]), 0) in tally.costs]
         if placed:
             first = maps[placed[0]]
+            bounds = [one.rules.the_bound.of(maps[member], 0) for member in placed]
+            costs = (tally.costs[key_of(maps[member]), 0] for member in placed)
             yield GrowRow(
-                family,
-                first.edge_count,
-                first.vertex_count,
-                one.name,
-                tuple(member.name for member in placed),
-                tuple(tally.costs[key_of(maps[member]), 0].most_expensive for member in placed),
-                max(
-                    (
-                        b
-                        for b in (one.rules.the_bound.of(maps[m], 0) for m in placed)
-                        if b is not None
-                    ),
-                    default=None,
-                ),
+                family=family,
+                edges=first.edge_count,
+                vertices=first.vertex_count,
+                explorer=one.name,
+                bound=max((bound for bound in bounds if bound is not None), default=None),
+                members=tuple(member.name for member in placed),
+                costs=tuple(cost.most_expensive for cost in costs),
             )
 
 

@@ -5,18 +5,28 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import Annotated
 
+from allworlds.document import (
+    Aside,
+    Document,
+    Figure,
+    Natural,
+    Positive,
+    Report,
+    Some,
+    Text,
+    about,
+    computed,
+    key,
+    one_of,
+)
 from allworlds.engines import Limits, SingleRun, single_run
 from allworlds.judging import Finding
-from allworlds.maps import CombinatorialMap, Extent
-from allworlds.outcome import SCHEMA, Exit, Verdict
-from allworlds.studies.check import Cell, Completed, Ending, Interrupted, Stopped
+from allworlds.maps import MapClass
+from allworlds.outcome import Exit, Verdict
 from allworlds.studies.compare.contestants import Contestant
 from allworlds.world import World
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,174 +43,135 @@ class InMap:
         return Fraction(self.total, self.runs)
 
 
-@dataclass(frozen=True, slots=True)
-class ComparedRow:
-    """The worlds of one size.
+class Compared(Document):
+    """An explorer of a comparison, and how it was run."""
 
-    Attributes:
-        edges, vertices: the size.
-        worlds: rooted maps in which every explorer has a place.
-        runs: of all explorers together.
-        mean: for each explorer the mean over these maps.
-        worst: for each explorer the largest cost of a run.
-        less, equal, more: in how many maps the first explorer's mean is less than that of each
-            other one, equal to it, or more.
+    name: Annotated[Text, about("the explorer's")]
+    lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")]
+    policy: Annotated[Text, about("who answered its choices")]
+    bound: Annotated[
+        Text, about("the bound on its traversals; `none` where the law was not checked")
+    ]
+
+
+def _compared(contestant: Contestant) -> Compared:
+    rules = contestant.rules
+    return Compared(
+        name=contestant.name,
+        lighthouse=rules.lighthouse,
+        policy=rules.policy,
+        bound=rules.the_bound.name,
+    )
+
+
+class ComparedRow(Document):
+    """What explorers walk in the worlds of one size; the first is compared with each other one."""
+
+    edges: Positive
+    vertices: Positive
+    worlds: Annotated[
+        Positive, about("rooted maps in which every explorer's lighthouse has a place")
+    ]
+    runs: Annotated[Positive, about("judged in them, of all explorers together")]
+    mean: Annotated[
+        dict[str, Figure],
+        about("for each explorer the mean over these maps of its mean over the places"),
+    ]
+    worst: Annotated[dict[str, Natural], about("for each explorer the largest cost of a run")]
+    ratio: Annotated[
+        dict[str, Figure | None],
+        about("the mean divided by that of the first; null where that is 0"),
+    ]
+    less: Annotated[
+        dict[str, Natural], about("in how many maps the first one's mean is less than this one's")
+    ]
+    equal: Annotated[dict[str, Natural], about("in how many it is equal")]
+    more: Annotated[dict[str, Natural], about("in how many it is more")]
+
+
+class DifferMost(Document):
+    """The smallest of the worlds in which the first explorer differs most from another."""
+
+    world: Annotated[World, about("the rooted map, with the first one's lighthouse")]
+    costs: Annotated[dict[str, Figure], about("for each explorer its mean over the places")]
+
+
+def _verdict(report: Comparison) -> Verdict:
+    if not report.all_counted:
+        return Verdict.ERROR
+    if report.findings:
+        return Verdict.REFUTED
+    if not report.complete:
+        return Verdict.INCONCLUSIVE
+    return Verdict.HOLDS if report.rows else Verdict.VACUOUS
+
+
+def _exit_code(report: Comparison) -> Exit:
+    by_user = not report.complete and report.stopped is None
+    if by_user and report.verdict is not Verdict.ERROR:
+        return Exit.INTERRUPTED
+    return report.verdict.exit
+
+
+class Comparison(Report):
+    """Report of 'compare'.
+
+    Explorers side by side in the same worlds.
+
+    ``all_counted`` tells that an independent source counts the worlds that were enumerated; the
+    contestants were run under ``limits``.
     """
 
-    edges: int
-    vertices: int
-    worlds: int
-    runs: int
-    mean: Mapping[str, Fraction]
-    worst: Mapping[str, int]
-    less: Mapping[str, int]
-    equal: Mapping[str, int]
-    more: Mapping[str, int]
-
-    def ratio(self, name: str) -> Fraction | None:
-        """The mean of an explorer, divided by that of the first; None where that is 0."""
-        first = next(iter(self.mean.values()))
-        return self.mean[name] / first if first else None
-
-    def to_json(self) -> documents.CompareRow:
-        """One row of the document."""
-        ratios = {name: self.ratio(name) for name in self.mean}
-        return {
-            "edges": self.edges,
-            "vertices": self.vertices,
-            "worlds": self.worlds,
-            "runs": self.runs,
-            "mean": {name: rounded(mean) for name, mean in self.mean.items()},
-            "worst": dict(self.worst),
-            "ratio": {n: None if r is None else rounded(r) for n, r in ratios.items()},
-            "less": dict(self.less),
-            "equal": dict(self.equal),
-            "more": dict(self.more),
-        }
-
-
-def rounded(value: Fraction) -> float:
-    """As documents have it, with six digits behind the point."""
-    return round(float(value), 6)
-
-
-@dataclass(frozen=True, slots=True)
-class DifferMost:
-    """The smallest of the rooted maps in which the first explorer differs most from another.
-
-    Attributes:
-        map: rooted at dart 0.
-        costs: for each explorer its mean there.
-    """
-
-    map: CombinatorialMap
-    costs: Mapping[str, Fraction]
-
-    @property
-    def by(self) -> Fraction:
-        """The largest difference."""
-        first, *others = self.costs.values()
-        return max(abs(other - first) for other in others)
-
-
-@dataclass(frozen=True, slots=True)
-class Comparison:
-    """What a comparison has shown.
-
-    Attributes:
-        contestants: two or more.
-        extent: the class of worlds; of a family it is not asked.
-        family: how the one world was named; empty for a class.
-        rows: of finished levels, ascending.
-        differ_most: None where nothing was compared, or nothing differs.
-        findings: the smallest of each explorer, in the level in which the comparison ended.
-        limits: of the effort.
-        ending: how it came to its end.
-        gate: enumerated worlds beside those that an independent source counts.
-    """
-
-    contestants: tuple[Contestant, ...]
-    extent: Extent
-    family: str
-    rows: tuple[ComparedRow, ...]
-    differ_most: DifferMost | None
-    findings: tuple[Finding, ...]
-    limits: Limits
-    ending: Ending
-    gate: tuple[Cell, ...] = ()
+    verdict: Annotated[Verdict, about("whether a run of any explorer broke a law")] = computed(
+        _verdict
+    )
+    exit_code: Annotated[
+        Exit,
+        about("that of the verdict; 130 interrupted, whatever was found till then"),
+        one_of(
+            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
+            Exit.INTERRUPTED,
+        ),
+    ] = computed(_exit_code)
+    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    explorers: Annotated[Some[Compared], about("in the order in which they were named")] = computed(
+        lambda report: tuple(map(_compared, report.contestants))
+    )
+    family: Annotated[Text | None, about("the one world, with its seed; null: a class of worlds")]
+    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
+    edges: Annotated[Positive | None, about("at most so many; null: not bounded, or a family")]
+    vertices: Annotated[Positive | None, about("at most so many; null: not bounded, or a family")]
+    rows: Annotated[
+        tuple[ComparedRow, ...], about("one for each (edges, vertices) of the finished levels")
+    ]
+    differ_most: Annotated[
+        DifferMost | None, about("null: nothing was compared, or nothing differs")
+    ]
+    stopped: Annotated[str | None, about("why it is not complete; null: it is, or by the user")]
+    findings: Annotated[
+        tuple[Finding, ...], about("the smallest of each explorer that broke a law")
+    ]
+    all_counted: Aside[bool]
+    contestants: Aside[tuple[Contestant, ...]]
+    limits: Aside[Limits]
 
     @property
     def names(self) -> list[str]:
         """Those of the explorers."""
-        return [contestant.name for contestant in self.contestants]
-
-    @property
-    def complete(self) -> bool:
-        """Nothing was left undone."""
-        return isinstance(self.ending, Completed)
-
-    @property
-    def verdict(self) -> Verdict:
-        """About all explorers: whether a run of any broke a law."""
-        if not all(cell.agrees for cell in self.gate):
-            return Verdict.ERROR
-        if self.findings:
-            return Verdict.REFUTED
-        if not self.complete:
-            return Verdict.INCONCLUSIVE
-        return Verdict.HOLDS if self.rows else Verdict.VACUOUS
-
-    @property
-    def exit_code(self) -> Exit:
-        """That of the verdict; 130 where it was interrupted, whatever was found till then."""
-        if isinstance(self.ending, Interrupted) and self.verdict is not Verdict.ERROR:
-            return Exit.INTERRUPTED
-        return self.verdict.exit
+        return [explorer.name for explorer in self.explorers]
 
     def walks(self) -> Iterator[SingleRun]:
         """A run of each explorer in the world that differs most, at the first place."""
         if self.differ_most is None:
             return
         for contestant in self.contestants:
-            world = self._world(self.differ_most, contestant)
+            world = contestant.first_world(self.differ_most.world.map)
             yield single_run(contestant.subject, world, contestant.rules, (), self.limits)
 
-    @staticmethod
-    def _world(most: DifferMost, contestant: Contestant) -> World:
-        """The map that differs most, with an explorer's lighthouse at its first place."""
-        return World(most.map, next(iter(contestant.rules.kind.places(most.map, 0))), 0)
 
-    def to_json(self) -> documents.CompareDocument:
-        """The document of ``compare --json``."""
-        most = self.differ_most
-        return {
-            "schema": SCHEMA,
-            "verdict": self.verdict.value,
-            "exit_code": self.exit_code,
-            "complete": self.complete,
-            "explorers": [
-                {
-                    "name": contestant.name,
-                    "lighthouse": contestant.rules.lighthouse,
-                    "policy": contestant.rules.policy,
-                    "bound": contestant.rules.the_bound.name,
-                }
-                for contestant in self.contestants
-            ],
-            "family": self.family or None,
-            "class": self.extent.map_class.value,
-            "edges": None if self.family else self.extent.edges,
-            "vertices": None if self.family else self.extent.vertices,
-            "rows": [row.to_json() for row in self.rows],
-            "differ_most": None
-            if most is None
-            else {
-                "world": self._world(most, self.contestants[0]).to_json(),
-                "costs": {name: rounded(cost) for name, cost in most.costs.items()},
-            },
-            "stopped": self.ending.reason if isinstance(self.ending, Stopped) else None,
-            "findings": [finding.to_json() for finding in self.findings],
-        }
+def rounded(value: Fraction) -> float:
+    """As documents have it, with six digits behind the point."""
+    return round(float(value), 6)
 
 
 def row_of(edges: int, vertices: int, maps: Sequence[Mapping[str, InMap]]) -> ComparedRow:
@@ -213,14 +184,16 @@ def row_of(edges: int, vertices: int, maps: Sequence[Mapping[str, InMap]]) -> Co
             for name in others
         }
 
+    mean = {n: sum((costs[n].mean for costs in maps), Fraction(0)) / len(maps) for n in maps[0]}
     return ComparedRow(
-        edges,
-        vertices,
-        len(maps),
-        sum(cost.runs for costs in maps for cost in costs.values()),
-        {n: sum((costs[n].mean for costs in maps), Fraction(0)) / len(maps) for n in maps[0]},
-        {n: max(costs[n].worst for costs in maps) for n in maps[0]},
-        times(lambda a, b: a < b),
-        times(lambda a, b: a == b),
-        times(lambda a, b: a > b),
+        edges=edges,
+        vertices=vertices,
+        worlds=len(maps),
+        runs=sum(cost.runs for costs in maps for cost in costs.values()),
+        mean={name: rounded(cost) for name, cost in mean.items()},
+        worst={n: max(costs[n].worst for costs in maps) for n in maps[0]},
+        ratio={n: rounded(cost / mean[first]) if mean[first] else None for n, cost in mean.items()},
+        less=times(lambda a, b: a < b),
+        equal=times(lambda a, b: a == b),
+        more=times(lambda a, b: a > b),
     )

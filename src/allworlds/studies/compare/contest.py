@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
+from fractions import Fraction
 from itertools import groupby
 from typing import Any, Unpack, overload
 
@@ -12,7 +13,9 @@ from allworlds.engines import (
     CostTally,
     GivenWorlds,
     Limits,
+    Listener,
     MapKey,
+    Silent,
     Transport,
     UnitOfRuns,
     level_size,
@@ -21,17 +24,25 @@ from allworlds.engines import (
 from allworlds.inputs import InputError, show
 from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap, Extent
-from allworlds.progress import Listener, Silent
 from allworlds.studies.check import (
-    Cell,
+    Completed,
+    GateCell,
     ManyRunsOptions,
+    Stopped,
     count_gate,
     ending_of,
     refuse_others,
     rules_for,
 )
 from allworlds.studies.compare.climb import SEED, WORLDS, growth_of
-from allworlds.studies.compare.comparison import ComparedRow, Comparison, DifferMost, InMap, row_of
+from allworlds.studies.compare.comparison import (
+    ComparedRow,
+    Comparison,
+    DifferMost,
+    InMap,
+    rounded,
+    row_of,
+)
 from allworlds.studies.compare.contestants import Contestant, contestants_of
 from allworlds.studies.compare.growing_families import FORMS, form_of
 from allworlds.studies.compare.growth import Growth
@@ -174,6 +185,20 @@ def _contest(
     return _Contest(contestants, Extent(map_class, edges, vertices), limits, heard)
 
 
+@dataclass(frozen=True, slots=True)
+class _Apart:
+    """A rooted map, and for each explorer its mean there."""
+
+    map: CombinatorialMap
+    costs: Mapping[str, Fraction]
+
+    @property
+    def by(self) -> Fraction:
+        """The largest difference between the first explorer and another."""
+        first, *others = self.costs.values()
+        return max(abs(other - first) for other in others)
+
+
 @dataclass(slots=True)
 class _Contest:
     """A comparison on its way."""
@@ -186,21 +211,32 @@ class _Contest:
     map: CombinatorialMap | None = None
     rows: list[ComparedRow] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
-    gate: list[Cell] = field(default_factory=list)
-    most: DifferMost | None = None
+    gate: list[GateCell] = field(default_factory=list)
+    most: _Apart | None = None
 
     def run(self) -> Comparison:
         ending = ending_of(self._levels, self.limits)
         return Comparison(
-            self.contestants,
-            self.extent,
-            self.family,
-            tuple(self.rows),
-            self.most if self.most and self.most.by else None,
-            tuple(self.findings),
-            self.limits,
-            ending,
-            tuple(self.gate),
+            complete=isinstance(ending, Completed),
+            family=self.family or None,
+            map_class=self.extent.map_class,
+            edges=None if self.family else self.extent.edges,
+            vertices=None if self.family else self.extent.vertices,
+            rows=tuple(self.rows),
+            differ_most=self._differ_most(),
+            stopped=ending.reason if isinstance(ending, Stopped) else None,
+            findings=tuple(self.findings),
+            all_counted=all(cell.agrees for cell in self.gate),
+            contestants=self.contestants,
+            limits=self.limits,
+        )
+
+    def _differ_most(self) -> DifferMost | None:
+        if self.most is None or not self.most.by:
+            return None
+        return DifferMost(
+            world=self.contestants[0].first_world(self.most.map),
+            costs={name: rounded(cost) for name, cost in self.most.costs.items()},
         )
 
     def _levels(self) -> None:
@@ -244,7 +280,7 @@ class _Contest:
             self.rows.append(row_of(edges, vertices, maps))
         for key in shared:
             means = {n: cost[key].mean for n, cost in zip(names, costs, strict=True)}
-            candidate = DifferMost(CombinatorialMap(key[2], key[3]), means)
+            candidate = _Apart(CombinatorialMap(key[2], key[3]), means)
             if self.most is None or candidate.by > self.most.by:
                 self.most = candidate
 

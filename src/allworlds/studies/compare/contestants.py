@@ -10,6 +10,7 @@ from allworlds.engines import (
     CostEngine,
     CostTally,
     Limits,
+    Listener,
     Scope,
     Transport,
     UnitOfRuns,
@@ -20,9 +21,9 @@ from allworlds.engines import (
 from allworlds.explorers import Subject
 from allworlds.inputs import InputError, show
 from allworlds.judging import Finding, Rules
-from allworlds.maps import Extent
-from allworlds.progress import Listener
+from allworlds.maps import CombinatorialMap, Extent
 from allworlds.studies.check import ManyRunsOptions, rules_for
+from allworlds.world import World
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +48,10 @@ class Contestant:
     def scope(self, extent: Extent) -> Scope:
         """The runs that it has in the worlds of an extent."""
         return Scope(extent, self.rules)
+
+    def first_world(self, map_: CombinatorialMap) -> World:
+        """A rooted map with its lighthouse at the first place."""
+        return World(map_, next(iter(self.rules.kind.places(map_, 0))), 0)
 
     def costs(
         self,

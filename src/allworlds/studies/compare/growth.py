@@ -2,153 +2,122 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from math import log
-from typing import TYPE_CHECKING
+from typing import Annotated
 
+from allworlds.document import (
+    Aside,
+    Document,
+    Figure,
+    Natural,
+    Positive,
+    Report,
+    Some,
+    Text,
+    about,
+    computed,
+    one_of,
+)
 from allworlds.judging import Finding
-from allworlds.outcome import SCHEMA, Exit, Verdict
-from allworlds.studies.check import Completed, Ending, Interrupted, Stopped
-
-if TYPE_CHECKING:
-    from allworlds import documents
+from allworlds.outcome import Exit, Verdict
 
 
-@dataclass(frozen=True, slots=True)
-class GrowRow:
-    """What an explorer walks in the members of one size.
+class GrowRow(Document):
+    """What an explorer walks in the members of a family of one size."""
 
-    Attributes:
-        family: as it was asked for.
-        edges, vertices: of the members.
-        explorer: its name.
-        members: the names of these worlds.
-        costs: of the runs in them.
-        bound: the largest legal cost; None without a bound.
+    family: Annotated[Text, about("as it was asked for")]
+    edges: Annotated[Positive, about("of each member")]
+    vertices: Annotated[Positive, about("of the first member")]
+    explorer: Annotated[Text, about("its name")]
+    mean: Annotated[Figure, about("traversals")] = computed(lambda row: round(_mean(row), 6))
+    least: Annotated[Natural, about("traversals")] = computed(lambda row: min(row.costs))
+    worst: Annotated[Natural, about("traversals")] = computed(lambda row: max(row.costs))
+    bound: Annotated[int | None, about("the largest bound of a run; null without a bound")]
+    members: Annotated[Some[Text], about("the worlds, as `run --family` takes them")]
+    costs: Annotated[Some[Natural], about("of the runs in them")]
+
+
+class Exponent(Document):
+    """How an explorer's cost grows in a family: like the edges to this power.
+
+    The slopes are the same, not rounded.
     """
 
-    family: str
-    edges: int
-    vertices: int
-    explorer: str
-    members: tuple[str, ...]
-    costs: tuple[int, ...]
-    bound: int | None
-
-    @property
-    def mean(self) -> float:
-        """Of the costs."""
-        return sum(self.costs) / len(self.costs)
-
-    def to_json(self) -> documents.GrowthRowDocument:
-        """One row of the document."""
-        return {
-            "family": self.family,
-            "edges": self.edges,
-            "vertices": self.vertices,
-            "explorer": self.explorer,
-            "mean": round(self.mean, 6),
-            "least": min(self.costs),
-            "worst": max(self.costs),
-            "bound": self.bound,
-            "members": list(self.members),
-            "costs": list(self.costs),
-        }
+    family: Annotated[Text, about("as it was asked for")]
+    explorer: Annotated[Text, about("its name")]
+    exponent: Annotated[
+        float, about("fitted to the means of all sizes, by least squares of logarithms")
+    ] = computed(lambda one: round(one.slope, 3))
+    last: Annotated[float, about("the same of the last two sizes")] = computed(
+        lambda one: round(one.last_slope, 3)
+    )
+    slope: Aside[float]
+    last_slope: Aside[float]
 
 
-@dataclass(frozen=True, slots=True)
-class Exponent:
-    """How an explorer's cost grows in a family: like m to this power, fitted to the means."""
-
-    family: str
-    explorer: str
-    exponent: float
-    last: float
-
-    def to_json(self) -> documents.ExponentDocument:
-        """One entry of the document."""
-        return {
-            "family": self.family,
-            "explorer": self.explorer,
-            "exponent": round(self.exponent, 3),
-            "last": round(self.last, 3),
-        }
+def _verdict(report: Growth) -> Verdict:
+    if report.findings:
+        return Verdict.REFUTED
+    if not report.complete:
+        return Verdict.INCONCLUSIVE
+    return Verdict.NOT_REFUTED if report.rows else Verdict.VACUOUS
 
 
-@dataclass(frozen=True, slots=True)
-class Growth:
-    """The cost by size.
+def _exit_code(report: Growth) -> Exit:
+    by_user = not report.complete and report.stopped is None
+    return Exit.INTERRUPTED if by_user else report.verdict.exit
 
-    Attributes:
-        explorers: their names.
-        families: as they were asked for.
-        rows: by family, size and explorer, as they were named.
-        findings: the smallest of each explorer in each family.
-        ending: how it came to its end.
-        left_out: members in which a lighthouse has no place.
+
+class Growth(Report):
+    """Report of 'compare --to'.
+
+    Explorers in worlds that grow.
     """
 
-    explorers: tuple[str, ...]
-    families: tuple[str, ...]
-    rows: tuple[GrowRow, ...]
-    findings: tuple[Finding, ...]
-    ending: Ending
-    left_out: int = 0
+    verdict: Annotated[Verdict, about("whether a run broke a law")] = computed(_verdict)
+    exit_code: Annotated[
+        Exit,
+        about("that of the verdict; 130 interrupted, whatever was found till then"),
+        one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
+    ] = computed(_exit_code)
+    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    explorers: Annotated[Some[Text], about("in the order in which they were named")]
+    families: Annotated[Some[Text], about("likewise")]
+    rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
+    exponents: Annotated[
+        tuple[Exponent, ...], about("one for each family and explorer with two sizes or more")
+    ] = computed(lambda report: tuple(_exponents(report)))
+    left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
+    stopped: Annotated[str | None, about("why it is not complete; null: it is, or by the user")] = (
+        None
+    )
+    findings: Annotated[
+        tuple[Finding, ...], about("the smallest of each explorer in each family")
+    ] = ()
 
-    @property
-    def exponents(self) -> list[Exponent]:
-        """Where there are two sizes or more."""
-        fitted = []
-        for family in self.families:
-            for name in self.explorers:
-                rows = [r for r in self.rows if (r.family, r.explorer) == (family, name)]
-                if len(rows) > 1:
-                    fitted.append(Exponent(family, name, _slope(rows), _slope(rows[-2:])))
-        return fitted
 
-    @property
-    def complete(self) -> bool:
-        """Nothing was left undone."""
-        return isinstance(self.ending, Completed)
+def _exponents(report: Growth) -> Iterator[Exponent]:
+    for family in report.families:
+        for name in report.explorers:
+            rows = [r for r in report.rows if (r.family, r.explorer) == (family, name)]
+            if len(rows) > 1:
+                yield Exponent(
+                    family=family,
+                    explorer=name,
+                    slope=_slope(rows),
+                    last_slope=_slope(rows[-2:]),
+                )
 
-    @property
-    def verdict(self) -> Verdict:
-        """Whether a run broke a law."""
-        if self.findings:
-            return Verdict.REFUTED
-        if not self.complete:
-            return Verdict.INCONCLUSIVE
-        return Verdict.NOT_REFUTED if self.rows else Verdict.VACUOUS
 
-    @property
-    def exit_code(self) -> Exit:
-        """That of the verdict; 130 where it was interrupted, whatever was found till then."""
-        if isinstance(self.ending, Interrupted):
-            return Exit.INTERRUPTED
-        return self.verdict.exit
-
-    def to_json(self) -> documents.GrowthDocument:
-        """The document of ``grow --json``."""
-        return {
-            "schema": SCHEMA,
-            "verdict": self.verdict.value,
-            "exit_code": self.exit_code,
-            "complete": self.complete,
-            "explorers": list(self.explorers),
-            "families": list(self.families),
-            "rows": [row.to_json() for row in self.rows],
-            "exponents": [exponent.to_json() for exponent in self.exponents],
-            "left_out": self.left_out,
-            "stopped": self.ending.reason if isinstance(self.ending, Stopped) else None,
-            "findings": [finding.to_json() for finding in self.findings],
-        }
+def _mean(row: GrowRow) -> float:
+    return sum(row.costs) / len(row.costs)
 
 
 def _slope(rows: Sequence[GrowRow]) -> float:
     """Of the straight line through log mean over log edges, by least squares."""
     from numpy import polyfit
 
-    points = [(log(row.edges), log(row.mean)) for row in rows]
+    points = [(log(row.edges), log(_mean(row))) for row in rows]
     slope, _ = polyfit([x for x, _ in points], [y for _, y in points], 1)
     return float(slope)

@@ -19,10 +19,9 @@ from allworlds.document import (
     computed,
     key,
 )
-from allworlds.engines import level_size, tell_of_size
+from allworlds.engines import Listener, Silent, level_size, tell_of_size
 from allworlds.maps import Extent, MapClass, automorphisms, prefixes, rooted_maps, source_for
 from allworlds.outcome import Exit, until_interrupted
-from allworlds.progress import Listener, Silent
 
 SILENT = Silent()
 
@@ -114,8 +113,8 @@ def count(
     )
     return Census(
         map_class=extent.map_class,
-        edges=edges,
-        vertices=vertices,
+        edges=extent.edges,
+        vertices=extent.vertices,
         complete=complete,
         rows=rows,
         source=source_for(extent.map_class).name,

@@ -9,9 +9,11 @@ from typing import Any, Unpack
 from allworlds.engines import (
     GivenWorlds,
     Limits,
+    Listener,
     PythonEngine,
     Sample,
     Scope,
+    Silent,
     Tally,
     TimeIsUp,
     Transport,
@@ -23,8 +25,13 @@ from allworlds.engines import (
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.judging import Finding
 from allworlds.maps import Extent
-from allworlds.progress import Listener, Silent
-from allworlds.studies.check import ManyRunsOptions, Report, ending_of, refuse_others, rules_for
+from allworlds.studies.check import (
+    CheckReport,
+    ManyRunsOptions,
+    ending_of,
+    refuse_others,
+    rules_for,
+)
 from allworlds.studies.fuzz.sample import batches
 from allworlds.studies.fuzz.shrink import shrink
 
@@ -41,7 +48,7 @@ def fuzz(
     min_edges: int = 1,
     listener: Listener | None = None,
     **options: Unpack[ManyRunsOptions],
-) -> Report:
+) -> CheckReport:
     """Run an explorer in random worlds of up to ``edges`` edges; shrink what refutes it.
 
     The report is a sample's: at best ``not-refuted``, never complete.  The sample depends on
@@ -81,7 +88,9 @@ def fuzz(
         ]
 
     ending = ending_of(job, limits)
-    return Report(subject.name, "python", scope, tally, (), ending)
+    return CheckReport(
+        explorer=subject.name, engine="python", asked=scope, tally=tally, levels=(), ending=ending
+    )
 
 
 def _positive(edges: object) -> int:

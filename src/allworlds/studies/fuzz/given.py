@@ -9,6 +9,7 @@ from allworlds.engines import (
     Limits,
     PythonEngine,
     Scope,
+    Silent,
     Tally,
     confirmed,
     gather,
@@ -17,7 +18,6 @@ from allworlds.engines import (
 )
 from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap, Extent, MapClass
-from allworlds.progress import Silent
 from allworlds.studies.check import ManyRunsOptions, refuse_others, rules_for
 from allworlds.studies.fuzz.drive import shrink_found
 from allworlds.studies.fuzz.shrink import in_chunks, rootings

@@ -3,78 +3,54 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, overload
+from typing import Annotated, ClassVar, Literal, overload
 
+from allworlds.document import Positive, Report, Text, about, computed, one_of
 from allworlds.explorers import INTERFACE_VERSION, LANGUAGES, Language, header_text, templates
 from allworlds.inputs import InputError, a_path, show
-from allworlds.outcome import SCHEMA, Exit
-
-if TYPE_CHECKING:
-    from allworlds import documents
+from allworlds.outcome import Exit
 
 
-@dataclass(frozen=True, slots=True)
-class Skeleton:
-    """A skeleton that has been written.
+class Skeleton(Report):
+    """Report of 'init'.
 
-    Attributes:
-        directory: as it was named.
-        lang: the name of the language.
-        files: relative to the directory, with ``/``, sorted.
+    A skeleton that has been written; `/` stands in the names of its files.
     """
 
-    directory: Path
-    lang: str
-    files: tuple[str, ...]
+    exit_code: ClassVar[Exit] = Exit.ANSWERED
+
+    directory: Annotated[Path, about("as it was named")]
+    lang: Annotated[str, about("of the explorer"), one_of(*LANGUAGES)]
+    files: Annotated[
+        tuple[Text, ...], about("that were written, relative to the directory, sorted")
+    ]
+    explorer: Annotated[Text, about("the file to be filled in")] = computed(
+        lambda skeleton: skeleton.language.explorer
+    )
+    check: Annotated[Text, about("a shell command that checks it")] = computed(
+        lambda made: f"cd {shlex.quote(str(made.directory))} && {made.language.check}"
+    )
+    test: Annotated[Text, about("a shell command that runs its test, in the directory")] = computed(
+        lambda skeleton: skeleton.language.test
+    )
 
     @property
     def language(self) -> Language:
         """How its explorer is tried."""
         return LANGUAGES[self.lang]
 
-    @property
-    def check(self) -> str:
-        """The command that checks the explorer, from where the skeleton was made."""
-        return f"cd {shlex.quote(str(self.directory))} && {self.language.check}"
 
-    @property
-    def exit_code(self) -> Exit:
-        """The exit code of the command: it was done."""
-        return Exit.ANSWERED
+class Header(Report):
+    """Report of 'init --header'.
 
-    def to_json(self) -> documents.InitDocument:
-        """The document of ``init --json``."""
-        return {
-            "schema": SCHEMA,
-            "directory": str(self.directory),
-            "lang": self.lang,
-            "files": list(self.files),
-            "explorer": self.language.explorer,
-            "check": self.check,
-            "test": self.language.test,
-        }
-
-
-@dataclass(frozen=True, slots=True)
-class Header:
-    """The C header.
-
-    Attributes:
-        text: of the file.
+    The C header.
     """
 
-    text: str
+    exit_code: ClassVar[Exit] = Exit.ANSWERED
 
-    @property
-    def exit_code(self) -> Exit:
-        """The exit code of the command: a question was answered."""
-        return Exit.ANSWERED
-
-    def to_json(self) -> documents.HeaderDocument:
-        """The document of ``init --header --json``."""
-        return {"schema": SCHEMA, "version": INTERFACE_VERSION, "header": self.text}
+    version: Annotated[Positive, about("of the interface: `ALLWORLDS_VERSION`")] = INTERFACE_VERSION
+    header: Annotated[Text, about("`allworlds.h`")]
 
 
 @overload
@@ -105,7 +81,7 @@ def init(
         if directory is not None or lang is not None:
             given = "directory" if directory is not None else "lang"
             raise InputError(f"init writes a skeleton or tells the header, not both: {given} given")
-        return Header(header_text())
+        return Header(header=header_text())
     if directory is None:
         raise InputError("init needs the directory of a skeleton, or --header for the C header")
     if lang is None:
@@ -130,4 +106,4 @@ def init(
             raise InputError(
                 f"file {show(str(file))} cannot be written: {error.strerror}"
             ) from None
-    return Skeleton(folder, lang, tuple(texts))
+    return Skeleton(directory=folder, lang=lang, files=tuple(texts))

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from allworlds.engines import merged
+from allworlds.engines import Listener, Silent, merged
 from allworlds.inputs import InputError, show
-from allworlds.progress import Listener, Silent
 from allworlds.verbs import BY_NAME, loaded
 from allworlds.version import __version__
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +30,9 @@ class MergedReport:
         code: int = self.report.exit_code
         return code
 
-    def to_json(self) -> documents.MergeDocument:
+    def to_json(self) -> dict[str, Any]:
         """The verb's document."""
-        document: documents.MergeDocument = self.report.to_json()
+        document: dict[str, Any] = self.report.to_json()
         return document
 
 

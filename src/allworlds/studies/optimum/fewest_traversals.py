@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import Estimate
 from allworlds.studies.optimum.knowledge import Known, Places, SensedKnowledge
-from allworlds.studies.optimum.strategy import Leaf, Node, Step, Strategy
+from allworlds.studies.optimum.strategy import Branch, Strategy, StrategyLeaf, StrategyStep
 
 
 class Search:
@@ -86,30 +86,31 @@ class Search:
 
     def strategy(self, starts: Sequence[SensedKnowledge]) -> Strategy:
         """What to do from these states on, whose values have been found."""
-        nodes: list[Node] = []
+        nodes: list[StrategyStep | StrategyLeaf] = []
         numbers: dict[tuple[Known, int], int] = {}
+
+        def branches(parts: Sequence[SensedKnowledge]) -> tuple[Branch, ...]:
+            return tuple(Branch(percept=part.percept, node=node_of(part)) for part in parts)
 
         def node_of(part: SensedKnowledge) -> int:
             key = part.known, part.turned
             if key not in numbers:
-                numbers[key] = self._add_node(part, node_of, nodes)
+                nodes.append(self._node(part, branches))
+                numbers[key] = len(nodes) - 1
             return numbers[key]
 
-        start = {part.percept: node_of(part) for part in starts}
-        return Strategy(start, tuple(nodes))
+        return Strategy(start=branches(starts), nodes=tuple(nodes))
 
-    def _add_node(
-        self, part: SensedKnowledge, node_of: Callable[[SensedKnowledge], int], nodes: list[Node]
-    ) -> int:
+    def _node(
+        self,
+        part: SensedKnowledge,
+        branches: Callable[[Sequence[SensedKnowledge]], tuple[Branch, ...]],
+    ) -> StrategyStep | StrategyLeaf:
         """A node seen from the dart that the robot has come by, not the one it has turned to."""
         known, turned, places = part.known, part.turned, self.places
-        node: Node
         if places.settled(known):
             map_ = CombinatorialMap.trusted(*places.places[known[0]].code)
-            node = Leaf(Estimate(map_, map_.turn(0, -turned)))
-        else:
-            _, k = self._enough[known]
-            then = {after.percept: node_of(after) for after in places.moved(known, k)}
-            node = Step((k + turned) % places.degree(known), then)
-        nodes.append(node)
-        return len(nodes) - 1
+            return StrategyLeaf(answer=Estimate(map_, map_.turn(0, -turned)))
+        _, k = self._enough[known]
+        then = branches(places.moved(known, k))
+        return StrategyStep(move=(k + turned) % places.degree(known), then=then)

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 
 from allworlds.maps import CombinatorialMap, Dart, rooted_code
 from allworlds.protocol import Estimate, Move
-from allworlds.studies.optimum.strategy import Step, Strategy
+from allworlds.studies.optimum.strategy import Strategy, StrategyLeaf, node_after
 from allworlds.world import World
 
 
@@ -30,16 +30,16 @@ def most_expensive(strategy: Strategy, worlds: Iterable[World]) -> int | None:
 
 def _followed(strategy: Strategy, world: World) -> int | None:
     """The traversals to the right answer in a world; None where it is not reached."""
-    state, number, cost = world.initial, strategy.start.get(world.first), 0
+    state, number, cost = world.initial, node_after(world.first, strategy.start), 0
     while number is not None:
         node = strategy.nodes[number]
-        if not isinstance(node, Step):
+        if isinstance(node, StrategyLeaf):
             return cost if _is_right(node.answer, world.map, state.dart) else None
         if cost > len(strategy.nodes):
             return None
-        state, percept = world.step(state, Move(node.k))
+        state, percept = world.step(state, Move(node.move))
         cost += 1
-        number = node.then.get(percept)
+        number = node_after(percept, node.then)
     return None
 
 

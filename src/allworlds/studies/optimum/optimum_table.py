@@ -5,22 +5,20 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Annotated
 
+from allworlds.document import Document, Natural, Positive, Report, about, computed
+from allworlds.engines import Listener, Silent
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.outcome import SCHEMA, Exit, until_interrupted
-from allworlds.progress import Listener, Silent
+from allworlds.outcome import Exit, until_interrupted
 from allworlds.studies.check import check
 from allworlds.studies.optimum.fewest_traversals import Search
 from allworlds.studies.optimum.in_every_world import most_expensive
 from allworlds.studies.optimum.knowledge import Places
 from allworlds.studies.optimum.strategy import Strategy
 from allworlds.world import Directional, World, worlds
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 DEFAULT_EDGES = 3
 MOST_EDGES = 6
@@ -75,61 +73,38 @@ class _Late(Exception):
     """The time is up."""
 
 
-@dataclass(frozen=True, slots=True)
-class OptimumRow:
-    """The worlds with one number of edges, which the explorer knows.
+class OptimumRow(Document):
+    """The worlds with one number of edges, which the explorer knows."""
 
-    Attributes:
-        edges: that number.
-        runs: the worlds with every bearing.
-        solved: what the search has found.
-        replayed: what the strategy costs at its worst when it is followed in every world; None
-            where there is none, or it is wrong.
-        explorers: the worst cost of each built-in explorer that has the same lighthouse.
-    """
-
-    edges: int
-    runs: int
-    solved: Solved
-    replayed: int | None
-    explorers: Mapping[str, int]
-
-    @property
-    def optimum(self) -> int | None:
-        """The best worst case; None where it was not found."""
-        return self.solved.at_least if self.solved.strategy else None
+    edges: Positive
+    runs: Annotated[Positive, about("worlds with every bearing")]
+    optimum: Annotated[
+        Natural | None,
+        about("the fewest traversals that are enough in every world; null: the time was up"),
+    ] = computed(lambda row: row.at_least if row.strategy else None)
+    at_least: Annotated[Natural, about("no explorer needs less in its worst world")]
+    replayed: Annotated[
+        Natural | None,
+        about(
+            "what the strategy costs at its worst, followed in every world; null: there is none, "
+            "or it is wrong"
+        ),
+    ]
+    states: Annotated[Natural, about("how many states of knowledge were looked into")]
+    explorers: Annotated[dict[str, Natural], about("the worst cost of each built-in explorer")]
+    strategy: Annotated[Strategy | None, about("one that attains the optimum")]
 
     @property
     def agrees(self) -> bool:
         """The strategy does what the search says that it does."""
         return self.replayed == self.optimum
 
-    def to_json(self) -> documents.OptimumRowDocument:
-        """The row as it stands in the document."""
-        strategy = self.solved.strategy
-        return {
-            "edges": self.edges,
-            "runs": self.runs,
-            "optimum": self.optimum,
-            "at_least": self.solved.at_least,
-            "replayed": self.replayed,
-            "states": self.solved.states,
-            "explorers": dict(self.explorers),
-            "strategy": strategy.to_json() if strategy else None,
-        }
 
+class OptimumReport(Report):
+    """Report of 'optimum'."""
 
-@dataclass(frozen=True, slots=True)
-class OptimumReport:
-    """The table.
-
-    Attributes:
-        rows: by the number of edges.
-        complete: False if the user has interrupted, and rows are missing.
-    """
-
-    rows: tuple[OptimumRow, ...]
-    complete: bool = True
+    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    rows: Annotated[tuple[OptimumRow, ...], about("by the number of edges")]
 
     @property
     def exit_code(self) -> Exit:
@@ -140,14 +115,6 @@ class OptimumReport:
             return Exit.INTERRUPTED
         found = all(row.optimum is not None for row in self.rows)
         return Exit.ANSWERED if found else Exit.INCONCLUSIVE
-
-    def to_json(self) -> documents.OptimumDocument:
-        """The document of ``optimum --json``."""
-        return {
-            "schema": SCHEMA,
-            "complete": self.complete,
-            "rows": [row.to_json() for row in self.rows],
-        }
 
 
 def optimum(
@@ -173,7 +140,8 @@ def optimum(
     ):
         raise InputError(f"time limit {show(time_limit)} is not a positive number of seconds")
     listener = listener or Silent()
-    return OptimumReport(*until_interrupted(_rows(edges, time_limit, listener)))
+    rows, complete = until_interrupted(_rows(edges, time_limit, listener))
+    return OptimumReport(complete=complete, rows=rows)
 
 
 def _rows(most: int, time_limit: float | None, listener: Listener) -> Iterator[OptimumRow]:
@@ -186,8 +154,15 @@ def _rows(most: int, time_limit: float | None, listener: Listener) -> Iterator[O
         solved = minimax(map(_given, every), deadline)
         replayed = most_expensive(solved.strategy, every) if solved.strategy else None
         listener.progress(len(every))
-        beside = {name: of[edges] for name, of in costs.items()}
-        yield OptimumRow(edges, len(every), solved, replayed, beside)
+        yield OptimumRow(
+            edges=edges,
+            runs=len(every),
+            at_least=solved.at_least,
+            replayed=replayed,
+            states=solved.states,
+            explorers={name: of[edges] for name, of in costs.items()},
+            strategy=solved.strategy,
+        )
 
 
 def _size(world: World) -> int:

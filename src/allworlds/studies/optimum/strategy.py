@@ -2,60 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias, assert_never
+from collections.abc import Sequence
+from typing import Annotated
 
+from allworlds.document import Document, Natural, Some, about
 from allworlds.protocol import Estimate, Percept
 
-if TYPE_CHECKING:
-    from allworlds import documents
+
+class Branch(Document):
+    """What to do after a percept."""
+
+    percept: Annotated[Percept, about("what is sensed")]
+    node: Annotated[Natural, about("the node to go on with, by its place in `nodes`")]
 
 
-@dataclass(frozen=True, slots=True)
-class Leaf:
-    """The robot knows its world, and answers."""
+class StrategyStep(Document):
+    """A node of a strategy: a motion."""
 
-    answer: Estimate
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """The robot makes motion ``k``, and goes on at the node of what it senses then."""
-
-    k: int
-    then: Mapping[Percept, int]
+    move: Annotated[Natural, about("by how many darts clockwise the robot turns before it leaves")]
+    then: Annotated[Some[Branch], about("where to go on")]
 
 
-Node: TypeAlias = Leaf | Step
+class StrategyLeaf(Document):
+    """A node of a strategy: the end."""
+
+    answer: Annotated[Estimate, about("the map, and the robot's dart in it")]
 
 
-@dataclass(frozen=True, slots=True)
-class Strategy:
-    """Nodes by number, each of which may be come to in several ways.
+class Strategy(Document):
+    """A strategy; each of its nodes may be come to in several ways."""
 
-    Attributes:
-        start: for each first percept the node to begin at.
-        nodes: what to do.
-    """
-
-    start: Mapping[Percept, int]
-    nodes: tuple[Node, ...]
-
-    def to_json(self) -> documents.StrategyDocument:
-        """``{"start": [BRANCH], "nodes": [NODE]}``."""
-        return {"start": _branches(self.start), "nodes": [_node(node) for node in self.nodes]}
+    start: Annotated[Some[Branch], about("where to begin after the first percept")]
+    nodes: Annotated[Some[StrategyStep | StrategyLeaf], about("what to do")]
 
 
-def _branches(then: Mapping[Percept, int]) -> list[documents.Branch]:
-    return [{"percept": percept.to_json(), "node": node} for percept, node in then.items()]
-
-
-def _node(node: Node) -> documents.StrategyStep | documents.StrategyLeaf:
-    match node:
-        case Leaf(answer):
-            return {"answer": answer.to_json()}
-        case Step(k, then):
-            return {"move": k, "then": _branches(then)}
-        case _:
-            assert_never(node)
+def node_after(percept: Percept, branches: Sequence[Branch]) -> int | None:
+    """The number of the node to go on with; None where there is none."""
+    return next((branch.node for branch in branches if branch.percept == percept), None)

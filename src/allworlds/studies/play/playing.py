@@ -3,49 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from typing import Annotated, ClassVar, TypeAlias
 
+from allworlds.document import Report, about
 from allworlds.inputs import InputError, show
-from allworlds.outcome import SCHEMA, Exit
+from allworlds.outcome import Exit
 from allworlds.protocol import Action, Percept, Transcript
 from allworlds.world import IllegalAction, World, world_named
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 Player: TypeAlias = Callable[[Percept, str], Action | None]
 """Whoever plays: told what is sensed, and what was wrong with the last action (empty: nothing),
 it says what to do; None ends the game."""
 
 
-@dataclass(frozen=True, slots=True)
-class Play:
-    """A world and a walk in it.
+class Play(Report):
+    """Report of 'play'.
 
-    Attributes:
-        world: where it was played, or is to be.
-        transcript: what was done and sensed.
-        path: the page in which it can be played; None where there is none.
+    A world and a walk in it.
     """
 
+    exit_code: ClassVar[Exit] = Exit.ANSWERED
+
+    path: Annotated[
+        str | None, about("the page in which it is played; null where it was played here")
+    ] = None
     world: World
-    transcript: Transcript
-    path: str | None = None
-
-    @property
-    def exit_code(self) -> Exit:
-        """The exit code of the command: a question was answered."""
-        return Exit.ANSWERED
-
-    def to_json(self) -> documents.PlayDocument:
-        """The document of ``play --json``."""
-        return {
-            "schema": SCHEMA,
-            "path": self.path,
-            "world": self.world.to_json(),
-            "transcript": self.transcript.to_json(),
-        }
+    transcript: Annotated[Transcript, about("what was done and sensed; of a page the start alone")]
 
 
 def play(
@@ -74,4 +57,4 @@ def play(
         else:
             refused = ""
             steps.append((action, percept))
-    return Play(world, Transcript(world.first, tuple(steps)))
+    return Play(world=world, transcript=Transcript(world.first, tuple(steps)))

@@ -3,55 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal
+from dataclasses import replace
+from typing import Annotated, Any, Literal
 
+from allworlds.document import Aside, Report, Text, about, computed, key, one_of
 from allworlds.engines import Limits, SingleRun, single_run, subject_of, unused_choice
 from allworlds.inputs import InputError, show
-from allworlds.judging import Finding, recorded_trail
-from allworlds.outcome import SCHEMA, Exit
+from allworlds.judging import Finding, LawName, recorded_trail
+from allworlds.outcome import Exit
 from allworlds.protocol import ANSWER_TIMEOUT
 
-if TYPE_CHECKING:
-    from allworlds import documents
 
+class Replay(Report):
+    """Report of 'replay'.
 
-@dataclass(frozen=True, slots=True)
-class Replay:
-    """What became of a finding.
+    What became of a finding.
 
-    Attributes:
-        recorded: the finding.
-        again: the run of today.
-        notice: the first recorded choice that this run has not taken; empty if it took all, or
-            if another explorer was to answer by itself.
+    ``notice`` tells the first recorded choice that this run has not taken; it is empty if the run
+    took all, or if another explorer was to answer by itself.
     """
 
-    recorded: Finding
-    again: SingleRun
-    notice: str = ""
-
-    @property
-    def outcome(self) -> Literal["reproduced", "fixed"]:
-        """``reproduced`` if the run still breaks a law, ``fixed`` if it breaks none."""
-        return "reproduced" if self.again.finding else "fixed"
-
-    @property
-    def exit_code(self) -> Exit:
-        """The exit code of the command."""
-        return Exit.FIXED if self.outcome == "fixed" else Exit.ANSWERED
-
-    def to_json(self) -> documents.ReplayDocument:
-        """The document of ``replay --json``."""
-        return {
-            "schema": SCHEMA,
-            "outcome": self.outcome,
-            "exit_code": self.exit_code,
-            "explorer": self.again.explorer,
-            "law": self.recorded.law,
-            "law_now": self.again.finding.law if self.again.finding else None,
-            "run": self.again.to_json(),
-        }
+    outcome: Annotated[
+        Literal["reproduced", "fixed"],
+        about("`reproduced`: a law is broken again; `fixed`: none is"),
+    ] = computed(lambda replay: "reproduced" if replay.again.finding else "fixed")
+    exit_code: Annotated[Exit, one_of(Exit.ANSWERED, Exit.FIXED)] = computed(
+        lambda replay: Exit.FIXED if replay.outcome == "fixed" else Exit.ANSWERED
+    )
+    explorer: Annotated[Text, about("the one that ran")] = computed(
+        lambda replay: replay.again.explorer
+    )
+    law: Annotated[LawName, about("the recorded one")] = computed(
+        lambda replay: replay.recorded.law
+    )
+    law_now: Annotated[LawName | None, about("the one that is broken now; null: none")] = computed(
+        lambda replay: replay.again.finding.law if replay.again.finding else None
+    )
+    again: Annotated[SingleRun, about("the run of today")] = key(name="run")
+    recorded: Aside[Finding]
+    notice: Aside[str] = ""
 
 
 def replay(
@@ -93,4 +83,4 @@ def replay(
     notice = unused_choice(finding.choices, again) if same else ""
     if notice:
         notice = f"the recorded {notice}; they count as far as they fit"
-    return Replay(finding, again, notice)
+    return Replay(again=again, recorded=finding, notice=notice)

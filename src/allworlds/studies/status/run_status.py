@@ -4,10 +4,20 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
+from allworlds.document import (
+    Document,
+    Figure,
+    Natural,
+    Positive,
+    Report,
+    Seconds,
+    ShardText,
+    Text,
+    about,
+)
 from allworlds.engines import (
     ENDED,
     Identity,
@@ -19,81 +29,55 @@ from allworlds.engines import (
 )
 from allworlds.inputs import a_path
 from allworlds.maps import Extent, MapClass
-from allworlds.outcome import SCHEMA, Exit
-
-if TYPE_CHECKING:
-    from allworlds import documents
+from allworlds.outcome import Exit
 
 State: TypeAlias = Literal["running", "finished", "unfinished"]
 
 
-@dataclass(frozen=True, slots=True)
-class LargestCost:
+class DoneOf(Document):
+    """How many of how many."""
+
+    done: Annotated[Natural, about("are finished")]
+    all: Annotated[Natural, about("are to be done")]
+
+
+class LargestCost(Document):
     """The largest cost so far, and the least size of a world in which it was met."""
 
-    edges: int
-    vertices: int
-    cost: int
-
-    def to_json(self) -> documents.MostExpensiveSoFar:
-        """Its three numbers."""
-        return {"edges": self.edges, "vertices": self.vertices, "cost": self.cost}
+    edges: Positive
+    vertices: Positive
+    cost: Annotated[Natural, about("traversals")]
 
 
-@dataclass(frozen=True, slots=True)
-class Standing:
-    """What a run directory holds.
+class Standing(Report):
+    """Report of 'status'.
 
-    Attributes:
-        identity: what it is of.
-        state: whether somebody adds to it, and whether anything is left to add.
-        units: how many are finished, and of how many.
-        worlds: the same; of a shard the second number is about its part.
-        rate: worlds a second since somebody last began; None before the first, and at the end.
-        worst: the largest cost so far; None where there is none.
-        findings: in the finished units.
+    What a run directory holds.  Larger worlds take longer, so what is left is a guess.
     """
 
-    identity: Identity
-    state: State
-    units: tuple[int, int]
-    worlds: tuple[int, int]
-    rate: float | None
-    worst: LargestCost | None
-    findings: int
+    exit_code: ClassVar[Exit] = Exit.ANSWERED
 
-    @property
-    def exit_code(self) -> Exit:
-        """0: the question was answered."""
-        return Exit.ANSWERED
-
-    @property
-    def left(self) -> float | None:
-        """Seconds until the end at this rate: a guess, since larger worlds take longer."""
-        if self.state == "finished":
-            return 0.0
-        done, all_ = self.worlds
-        return max(0, all_ - done) / self.rate if self.rate else None
-
-    def to_json(self) -> documents.StatusDocument:
-        """The document of ``status --json``."""
-        done = dict(zip(("done", "all"), self.units, strict=True))
-        worlds = dict(zip(("done", "all"), self.worlds, strict=True))
-        return {
-            "schema": SCHEMA,
-            "verb": self.identity.verb,
-            "version": self.identity.version,
-            "explorer": self.identity.explorer["name"],
-            "shard": self.identity.shard,
-            "parameters": dict(self.identity.parameters),
-            "state": self.state,
-            "units": {"done": done["done"], "all": done["all"]},
-            "worlds": {"done": worlds["done"], "all": worlds["all"]},
-            "rate": None if self.rate is None else round(self.rate, 1),
-            "left_s": None if self.left is None else round(self.left, 1),
-            "worst": self.worst.to_json() if self.worst else None,
-            "findings": self.findings,
-        }
+    verb: Annotated[Text, about("whose units these are")]
+    version: Annotated[Text, about("of the program that does them")]
+    explorer: Annotated[str, about("its name; empty where there is none")]
+    shard: Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
+    parameters: Annotated[dict[str, Any], about("what else the result depends on")]
+    state: Annotated[
+        State,
+        about("whether somebody adds to it now; if nobody does, whether anything is left to add"),
+    ]
+    units: Annotated[DoneOf, about("pieces of work")]
+    worlds: Annotated[DoneOf, about("rooted maps; of a shard `all` is about its part")]
+    rate: Annotated[
+        Figure | None,
+        about("worlds a second since somebody last began; null: none yet, or all are"),
+    ]
+    left_s: Annotated[
+        Seconds | None,
+        about("until the end at this rate: a guess; null where there is no rate"),
+    ]
+    worst: Annotated[LargestCost | None, about("the largest cost so far; null: there is none")]
+    findings: Annotated[Natural, about("in the finished units")]
 
 
 def status(run: str | Path) -> Standing:
@@ -123,14 +107,22 @@ def status(run: str | Path) -> Standing:
     extent = _extent(identity)
     expected = [units_of_level(extent, edges, identity.portion) for edges in extent.levels]
     size = sum(sum(cells_of_level(extent, edges).values()) for edges in extent.levels)
+    all_worlds = size // shards_of(identity.portion)
+    rate = recent / (until - began) if recent and until > began and not ended else None
+    left = 0.0 if ended else max(0, all_worlds - worlds) / rate if rate else None
     return Standing(
-        identity,
-        state,
-        (units, sum(1 for level in expected for _ in level)),
-        (worlds, size // shards_of(identity.portion)),
-        recent / (until - began) if recent and until > began and not ended else None,
-        worst,
-        findings,
+        verb=identity.verb,
+        version=identity.version,
+        explorer=identity.explorer["name"],
+        shard=str(identity.portion),
+        parameters=dict(identity.parameters),
+        state=state,
+        units=DoneOf(done=units, all=sum(1 for level in expected for _ in level)),
+        worlds=DoneOf(done=worlds, all=all_worlds),
+        rate=None if rate is None else round(rate, 1),
+        left_s=None if left is None else round(left, 1),
+        worst=worst,
+        findings=findings,
     )
 
 
@@ -143,11 +135,11 @@ def _costs(verb: str, result: Any) -> Iterator[LargestCost]:
     """The largest costs of a unit, where its verb has costs."""
     match verb:
         case "check":
-            for edges, vertices, *row in result["rows"]:
-                yield LargestCost(edges, vertices, row[5])
+            for edges, vertices, row in result["rows"]:
+                yield LargestCost(edges=edges, vertices=vertices, cost=row["max_cost"])
         case "worst":
             for vertices, _, worst, *_, sigma, _ in result:
-                yield LargestCost(len(sigma) // 2, vertices, worst)
+                yield LargestCost(edges=len(sigma) // 2, vertices=vertices, cost=worst)
 
 
 def _findings(result: Any) -> int:

@@ -2,8 +2,10 @@
 
 ``every_schedule``
     one world, readably; also a sequence of choices that attains the worst cost;
+``worst_report``
+    what is reported;
 ``all_worlds``
-    every world of a class, with the compiled engine, and what is reported;
+    every world of a class, with the compiled engine;
 ``compiled_engine``
     that engine, and what it brings;
 ``any_explorer``
@@ -16,11 +18,10 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.studies.worst.all_worlds import (
-        WorstReport as WorstReport,
         merged_worst as merged_worst,
         worst as worst,
     )
-    from allworlds.studies.worst.any_explorer import RunsReport as RunsReport
     from allworlds.studies.worst.every_schedule import EverySchedule as EverySchedule
+    from allworlds.studies.worst.worst_report import WorstReport as WorstReport
 else:
     open_door(__name__)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
@@ -14,9 +15,11 @@ from allworlds.engines import (
     Dask,
     Identity,
     Limits,
+    Listener,
     Portion,
     Records,
     Shard,
+    Silent,
     ThisThread,
     Threads,
     Transport,
@@ -27,22 +30,21 @@ from allworlds.engines import (
     records_in,
     shards_of,
     shelf,
-    single_run,
     units_of_level,
 )
-from allworlds.explorers import algorithm1, load
+from allworlds.explorers import Subject, algorithm1, load
 from allworlds.inputs import InputError, an_integer, show
-from allworlds.judging import Answered, default_step_budget, paper_bound, play
+from allworlds.judging import Answered, Rules, default_step_budget, paper_bound, play
 from allworlds.maps import CombinatorialMap, Extent, MapClass, source_for
-from allworlds.outcome import SCHEMA, Exit, until_interrupted
-from allworlds.progress import Listener, Silent
+from allworlds.outcome import until_interrupted
 from allworlds.studies.check import own_rules
-from allworlds.studies.worst.any_explorer import RunsReport, worst_of_runs
+from allworlds.studies.worst.any_explorer import worst_of_runs
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
+from allworlds.studies.worst.worst_report import WorstReport, WorstRow, replayed_cost
+from allworlds.words import size
 from allworlds.world import Directional, World
 
 if TYPE_CHECKING:
-    from allworlds import documents
     from allworlds.engines import ScheduleCosts
     from allworlds.studies.worst.compiled_engine import ScheduleSearch
 
@@ -50,124 +52,10 @@ DEFAULT_EDGES, OTHERS_EDGES = 5, 3
 MOST_EDGES = 12
 
 
-@dataclass(frozen=True, slots=True)
-class WorstRow:
-    """What every schedule can cost in the worlds of one size.
-
-    Attributes:
-        edges, vertices: the size.
-        worlds: rooted maps.
-        worst: the largest cost of a schedule.
-        best: the largest, over the worlds, of the cost of the cheapest schedule.
-        bound: (1) + (2).
-        tests: different tests of false hypotheses, on every simple path.
-        wrong: how many of them confirmed one.
-        counted: rooted maps according to the independent source.
-        world: the least world that attains the worst cost.
-        choices: a sequence of choices that attains it there.
-        replayed: the cost when the Python engine takes these choices.
-    """
-
-    edges: int
-    vertices: int
-    worlds: int
-    worst: int
-    best: int
-    bound: int
-    tests: int
-    wrong: int
-    counted: int
-    world: World
-    choices: tuple[int, ...] = ()
-    replayed: int | None = None
-
-    @property
-    def agrees(self) -> bool:
-        """The count and the replay say the same as the compiled engine."""
-        return self.worlds == self.counted and self.repeats
-
-    @property
-    def repeats(self) -> bool:
-        """The replay does."""
-        return bool(self.wrong) or self.replayed == self.worst
-
-    def to_json(self) -> documents.WorstRowDocument:
-        """One row of the document."""
-        return {
-            "edges": self.edges,
-            "vertices": self.vertices,
-            "worlds": self.worlds,
-            "worst": self.worst,
-            "best": self.best,
-            "bound": self.bound,
-            "tests": self.tests,
-            "wrong_tests": self.wrong,
-            "world": self.world.to_json(),
-            "choices": list(self.choices),
-            "replayed": self.replayed,
-        }
-
-
-@dataclass(frozen=True, slots=True)
-class WorstReport:
-    """The worst and best costs, by size.
-
-    Attributes:
-        extent: class and bounds.
-        transit: how line 4 is read.
-        source: the independent source of the counts.
-        rows: ascending by (edges, vertices).
-        missing: sizes of which the source knows maps, and none was met.
-        complete: False if the user has interrupted, and levels are missing.
-        portion: which part of the worlds was looked at.
-    """
-
-    extent: Extent
-    transit: Transit
-    source: str
-    rows: tuple[WorstRow, ...]
-    missing: tuple[tuple[int, int], ...] = ()
-    complete: bool = True
-    portion: Portion = WHOLE
-
-    @property
-    def agrees(self) -> bool:
-        """Counts and replays say the same as the compiled engine; of a shard the replays."""
-        if isinstance(self.portion, Shard):
-            return all(row.repeats for row in self.rows)
-        return not self.missing and all(row.agrees for row in self.rows)
-
-    @property
-    def exit_code(self) -> Exit:
-        """0 answered, 1 refuted, 4 no world, 70 engines or counts disagree, 130 interrupted."""
-        if not self.agrees:
-            return Exit.DISAGREES
-        if not self.complete:
-            return Exit.INTERRUPTED
-        if any(row.wrong or row.worst > row.bound for row in self.rows):
-            return Exit.REFUTED
-        whole = isinstance(self.portion, Whole)
-        return Exit.VACUOUS if whole and not self.rows else Exit.ANSWERED
-
-    def to_json(self) -> documents.WorstDocument:
-        """The document of ``worst --json``."""
-        return {
-            "schema": SCHEMA,
-            "exit_code": self.exit_code,
-            "explorer": "algorithm1",
-            "lighthouse": "directional",
-            "class": self.extent.map_class.value,
-            "edges": self.extent.levels[-1],
-            "transit": self.transit,
-            "schedules": "all",
-            "symmetry": "one world for each start vertex: every choice of dart is tried, so the "
-            "dart faced at the start and the bearing make no difference",
-            "shard": str(self.portion),
-            "gate": {"source": self.source, "agrees": self.agrees},
-            "complete": self.complete,
-            "rows": [row.to_json() for row in self.rows],
-            "findings": [],
-        }
+SYMMETRY = (
+    "one world for each start vertex: every choice of dart is tried, so the "
+    "dart faced at the start and the bearing make no difference"
+)
 
 
 def worst(
@@ -182,7 +70,7 @@ def worst(
     run: str | Path | None = None,
     dask: str | None = None,
     listener: Listener | None = None,
-) -> WorstReport | RunsReport:
+) -> WorstReport:
     """The exact worst and best cost of an explorer over all worlds and all schedules.
 
     For Algorithm 1 under its own lighthouse a compiled search covers every choice of edge, order
@@ -267,6 +155,12 @@ class _SchedulesSearch:
     extent: Extent
     transit: Transit
     portion: Portion
+    subject: Subject = field(default_factory=partial(load, "algorithm1"))
+
+    @property
+    def rules(self) -> Rules:
+        """What every run is judged by."""
+        return own_rules(self.subject, {}, Directional.kind)
 
     def engine(self) -> ScheduleSearch:
         from allworlds.studies.worst.compiled_engine import ScheduleSearch
@@ -291,7 +185,7 @@ class _SchedulesSearch:
     ) -> WorstReport:
         from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
 
-        extent = self.extent
+        extent, whole = self.extent, isinstance(self.portion, Whole)
         kept = shelf(records, ScheduleCostsBySize.from_json)
         missing: list[tuple[int, int]] = []
 
@@ -301,51 +195,58 @@ class _SchedulesSearch:
             most_expensive = ScheduleCostsBySize()
             units = units_of_level(extent, level, self.portion)
             gather(transport, engine, units, most_expensive, listener, kept)
-            found = sorted(most_expensive.by_vertices.items())
-            missing.extend(
-                (level, n) for n, count in cells.items() if count and n not in most_expensive
-            )
-            rows = [_row(level, row, cells.get(n, 0)) for n, row in found]
-            return [_replayed(row, self.transit) for row in rows]
+            if whole:
+                missing.extend(
+                    (level, n) for n, count in cells.items() if count and n not in most_expensive
+                )
+            return [
+                self._row(level, costs, cells.get(n, 0) if whole else None)
+                for n, costs in sorted(most_expensive.by_vertices.items())
+            ]
 
         finished, complete = until_interrupted(level_rows(level) for level in extent.levels)
         if complete:
             records.note("ended", ENDED)
-        rows = tuple(row for level in finished for row in level)
-        source = source_for(extent.map_class).name
         return WorstReport(
-            extent, self.transit, source, rows, tuple(missing), complete, self.portion
+            map_class=extent.map_class,
+            edges=extent.levels[-1],
+            transit=self.transit,
+            schedules="all",
+            symmetry=SYMMETRY,
+            shard=str(self.portion),
+            complete=complete,
+            rows=tuple(row for level in finished for row in level),
+            source=source_for(extent.map_class).name,
+            disagreement=f"no map with {size(*missing[0])} was met" if missing else "",
+            subject=self.subject,
+            rules=self.rules,
         )
 
+    def _row(self, edges: int, costs: ScheduleCosts, counted: int | None) -> WorstRow:
+        bound = paper_bound(costs.vertices, edges)
+        world = World(CombinatorialMap(costs.sigma, costs.alpha), Directional(0), 0)
+        choices, replayed = ((), None) if costs.wrong else self._replayed(world, bound)
+        return WorstRow(
+            edges=edges,
+            vertices=costs.vertices,
+            worlds=costs.rooted,
+            worst=costs.worst,
+            best=costs.best,
+            bound=bound,
+            tests=costs.tests,
+            wrong_tests=costs.wrong,
+            world=world,
+            choices=choices,
+            replayed=replayed,
+            counted=counted,
+        )
 
-def _row(edges: int, most_expensive: ScheduleCosts, counted: int) -> WorstRow:
-    return WorstRow(
-        edges,
-        most_expensive.vertices,
-        most_expensive.rooted,
-        most_expensive.worst,
-        most_expensive.best,
-        paper_bound(most_expensive.vertices, edges),
-        most_expensive.tests,
-        most_expensive.wrong,
-        counted,
-        World(CombinatorialMap(most_expensive.sigma, most_expensive.alpha), Directional(0), 0),
-    )
-
-
-def _replayed(row: WorstRow, transit: Transit) -> WorstRow:
-    """The row with choices that attain the worst cost, and what they cost in the Python engine."""
-    if row.wrong:
-        return row
-    schedules = EverySchedule(row.world.map, row.world.start, transit)
-    planned = Planned(schedules.most_expensive_picks())
-    budget = default_step_budget(row.bound)
-    algorithm1 = load("algorithm1")
-    episode = play(row.world, algorithm1.player(), planned, budget)
-    if not isinstance(episode.ending, Answered):
-        return row
-    choices = tuple(planned.record)
-    rules = own_rules(algorithm1, {}, row.world.lighthouse.kind)
-    again = single_run(algorithm1, row.world, rules, choices, Limits())
-    holds = again.finding is None
-    return replace(row, choices=choices, replayed=again.outcome.cost if holds else None)
+    def _replayed(self, world: World, bound: int) -> tuple[tuple[int, ...], int | None]:
+        """Choices that attain the worst cost, and what they cost in the Python engine."""
+        schedules = EverySchedule(world.map, world.start, self.transit)
+        planned = Planned(schedules.most_expensive_picks())
+        episode = play(world, self.subject.player(), planned, default_step_budget(bound))
+        if not isinstance(episode.ending, Answered):
+            return (), None
+        choices = tuple(planned.record)
+        return choices, replayed_cost(self.subject, world, self.rules, choices, Limits())

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import astuple, dataclass, field, replace
-from typing import Any, Self
+from dataclasses import dataclass, field
+from typing import Any
 
+from allworlds.document import taken
 from allworlds.engines import (
     LevelUnit,
     ScheduleCosts,
@@ -43,21 +44,14 @@ class ScheduleCostsBySize:
             mine = self.by_vertices.get(vertices)
             self.by_vertices[vertices] = _joined(mine, row) if mine else row
 
-    def to_json(self) -> list[list[Any]]:
+    def to_json(self) -> list[ScheduleCosts]:
         """One row for each number of vertices, ascending, as it is kept in a run directory."""
-        return [list(astuple(row)) for _, row in sorted(self.by_vertices.items())]
+        return [row for _, row in sorted(self.by_vertices.items())]
 
     @classmethod
-    def from_json(cls, rows: Iterable[list[Any]]) -> Self:
+    def from_json(cls, rows: object) -> ScheduleCostsBySize:
         """What has those rows."""
-        kept = []
-        for *numbers, sigma, alpha in rows:
-            vertices, rooted, worst, best, tests, wrong = numbers
-            row = ScheduleCosts(
-                vertices, rooted, worst, best, tests, wrong, tuple(sigma), tuple(alpha)
-            )
-            kept.append(row)
-        return cls({row.vertices: row for row in kept})
+        return cls.of(taken(rows, list[ScheduleCosts], "what is kept of a unit"))
 
 
 def _joined(a: ScheduleCosts, b: ScheduleCosts) -> ScheduleCosts:
@@ -65,8 +59,7 @@ def _joined(a: ScheduleCosts, b: ScheduleCosts) -> ScheduleCosts:
     most_expensive = min(
         (d for d in (a, b) if d.sigma), key=lambda d: (-d.worst, d.sigma, d.alpha), default=a
     )
-    return replace(
-        most_expensive,
+    return most_expensive._replace(
         rooted=a.rooted + b.rooted,
         best=max(a.best, b.best),
         tests=a.tests + b.tests,

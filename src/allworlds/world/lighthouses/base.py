@@ -5,15 +5,15 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import Annotated, Any, ClassVar, NamedTuple, TypeAlias
 
+from allworlds.document import about, plain
 from allworlds.inputs import InputError, integer, show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Action, Percept
 from allworlds.world.lighthouses.sensing import Sensing
 
-if TYPE_CHECKING:
-    from allworlds import documents
+StandsAt: TypeAlias = Annotated[Dart, about("where it stands")]
 
 
 class InvalidWorld(InputError):
@@ -46,6 +46,7 @@ class Lighthouse(ABC):
         leaves_open: whether an explorer may answer with the rooted quotient, where several
             worlds look alike.
         keys: what its JSON may hold besides ``kind``.
+        asked: the types of those that are no attributes: they say which place is meant.
     """
 
     kind: ClassVar[str]
@@ -54,6 +55,7 @@ class Lighthouse(ABC):
     folds: ClassVar[bool]
     leaves_open: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ("dart",)
+    asked: ClassVar[Mapping[str, Any]] = {}
 
     @classmethod
     def with_options(cls, options: Mapping[str, str]) -> type[Lighthouse]:
@@ -86,16 +88,36 @@ class Lighthouse(ABC):
     def relabelled(self, names: Sequence[Dart]) -> Lighthouse:
         """The same place after dart ``d`` has been renamed to ``names[d]``."""
 
-    @abstractmethod
-    def to_json(self) -> documents.LighthouseDocument:
-        """``{"kind": ...}`` and where it stands."""
+    def to_json(self) -> dict[str, Any]:
+        """``{"kind": ...}`` and where it stands: the attributes among its keys."""
+        told = {key: getattr(self, key) for key in self.keys if hasattr(self, key)}
+        return {"kind": self.kind, **{key: plain(value) for key, value in told.items()}}
 
     @classmethod
-    @abstractmethod
     def from_json(
         cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart
     ) -> Lighthouse:
         """The lighthouse of :meth:`to_json`'s document; it may leave out where it stands."""
+        for key in cls.keys:
+            if key in document:
+                return cls.at(document[key])
+        return cls.usual(map_, start)
+
+    @classmethod
+    def at(cls, where: Any) -> Lighthouse:
+        """The lighthouse at the place that a document names."""
+        return cls(where)  # type: ignore[call-arg]  # the field of its only key
+
+    @classmethod
+    def usual(cls, map_: CombinatorialMap, start: Dart) -> Lighthouse:
+        """The lighthouse where no place is named: at its first one.
+
+        Raises:
+            InvalidWorld: if it has none.
+        """
+        for place in cls.places(map_, start):
+            return place
+        raise no_place(cls.kind, start)
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:
         """Its place's number among the places of the rooted map; 0 for one that is none of them."""

@@ -5,21 +5,20 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
+from allworlds.document import about
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
     InvalidWorld,
     Lighthouse,
+    StandsAt,
     WalkInAnswer,
     check_leads_away,
     no_place,
 )
 from allworlds.world.lighthouses.sensing import Sensing, Where
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,13 +30,16 @@ class Cluster(Lighthouse):
     Source: Sections IV and VIII of the paper.
     """
 
-    dart: Dart
+    dart: StandsAt
 
     kind: ClassVar[str] = "cluster"
     sensing: ClassVar[Sensing] = Sensing(Where.AT_V0_AND_V1, bearing=False)
     default_bound: ClassVar[str] = "none"
     folds: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ("dart", "single")
+    asked: ClassVar[Mapping[str, Any]] = {
+        "single": Annotated[bool, about("whether exactly one edge joins v0 and v1; else false")]
+    }
 
     @classmethod
     def with_options(cls, options: Mapping[str, str]) -> type[Cluster]:
@@ -78,10 +80,6 @@ class Cluster(Lighthouse):
     def relabelled(self, names: Sequence[Dart]) -> Cluster:
         """At the renamed dart."""
         return Cluster(names[self.dart])
-
-    def to_json(self) -> documents.AtDart:
-        """``{"kind": "cluster", "dart": d}``."""
-        return {"kind": self.kind, "dart": self.dart}
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart) -> Cluster:

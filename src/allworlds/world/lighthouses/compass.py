@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice, product
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Annotated, ClassVar
 
+from allworlds.document import Some, about
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart, numbering
 from allworlds.world.lighthouses.base import (
@@ -17,9 +18,6 @@ from allworlds.world.lighthouses.base import (
     the_darts,
 )
 from allworlds.world.lighthouses.sensing import Sensing, Where
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 ALL_CHOICES = 3
 """The largest number of edges for which every choice of reference darts is a place."""
@@ -34,7 +32,7 @@ class Compass(Lighthouse):
     Source: Section III of the paper ('global orientation information but no position').
     """
 
-    darts: tuple[Dart, ...]
+    darts: Annotated[Some[Dart], about("the reference dart of each vertex, ascending")]
 
     kind: ClassVar[str] = "compass"
     sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE, bearing=True)
@@ -80,18 +78,12 @@ class Compass(Lighthouse):
         """The renamed reference darts."""
         return Compass(tuple(sorted(names[dart] for dart in self.darts)))
 
-    def to_json(self) -> documents.AtDarts:
-        """``{"kind": "compass", "darts": [...]}``."""
-        return {"kind": self.kind, "darts": list(self.darts)}
+    @classmethod
+    def at(cls, where: object) -> Compass:
+        """With these reference darts, in any order."""
+        return cls(tuple(sorted(the_darts(where))))
 
     @classmethod
-    def from_json(
-        cls,
-        document: Mapping[str, Any],
-        map_: CombinatorialMap,
-        start: Dart,  # noqa: ARG003  # any start will do
-    ) -> Compass:
-        """With ``darts`` in any order; where they are left out, the smallest of each vertex."""
-        if "darts" not in document:
-            return cls(tuple(vertex[0] for vertex in map_.vertices))
-        return cls(tuple(sorted(the_darts(document["darts"]))))
+    def usual(cls, map_: CombinatorialMap, start: Dart) -> Compass:  # noqa: ARG003  # any start
+        """With the smallest dart of each vertex."""
+        return cls(tuple(vertex[0] for vertex in map_.vertices))

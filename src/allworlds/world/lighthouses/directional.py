@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import ClassVar
 
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import Lighthouse, check_at_start
+from allworlds.world.lighthouses.base import Lighthouse, StandsAt, check_at_start
 from allworlds.world.lighthouses.sensing import Sensing, Where
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +19,7 @@ class Directional(Lighthouse):
     Source: Section IV of the paper.
     """
 
-    dart: Dart
+    dart: StandsAt
 
     kind: ClassVar[str] = "directional"
     sensing: ClassVar[Sensing] = Sensing(Where.AT_V0, bearing=True)
@@ -46,17 +43,3 @@ class Directional(Lighthouse):
     def relabelled(self, names: Sequence[Dart]) -> Directional:
         """Pointing to the renamed dart."""
         return Directional(names[self.dart])
-
-    def to_json(self) -> documents.AtDart:
-        """``{"kind": "directional", "dart": d}``."""
-        return {"kind": self.kind, "dart": self.dart}
-
-    @classmethod
-    def from_json(
-        cls,
-        document: Mapping[str, Any],
-        map_: CombinatorialMap,  # noqa: ARG003  # for kinds that need it
-        start: Dart,
-    ) -> Directional:
-        """Pointing to ``dart``, or to the start where no dart is named."""
-        return cls(document.get("dart", start))

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Annotated, ClassVar
 
+from allworlds.document import Some, about
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart, numbering
 from allworlds.protocol import Percept
@@ -17,9 +18,6 @@ from allworlds.world.lighthouses.base import (
     the_darts,
 )
 from allworlds.world.lighthouses.sensing import Sensing, Where
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +33,9 @@ class Labels(Lighthouse):
         numbers: those; 1, 2, 3 ... in every world.
     """
 
-    darts: tuple[Dart, ...]
+    darts: Annotated[
+        Some[Dart], about("the reference dart of each vertex, in the order of their numbers")
+    ]
     numbers: tuple[int, ...]
 
     kind: ClassVar[str] = "labels"
@@ -87,13 +87,7 @@ class Labels(Lighthouse):
         """The renamed reference darts."""
         return Labels(tuple(names[dart] for dart in self.darts), self.numbers)
 
-    def to_json(self) -> documents.AtDarts:
-        """``{"kind": "labels", "darts": [...]}``."""
-        return {"kind": self.kind, "darts": list(self.darts)}
-
     @classmethod
-    def from_json(cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart) -> Labels:
-        """With ``darts`` in the order of the numbers; where they are left out, its place."""
-        if "darts" not in document:
-            return next(cls.places(map_, start))
-        return cls.of(the_darts(document["darts"]))
+    def at(cls, where: object) -> Labels:
+        """With these reference darts, in the order of their numbers."""
+        return cls.of(the_darts(where))

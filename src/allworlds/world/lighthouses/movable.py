@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Annotated, Any, ClassVar
 
+from allworlds.document import Positive, about
 from allworlds.inputs import integer, show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import Action, Drop, Pick
 from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse
 from allworlds.world.lighthouses.sensing import Sensing, Where
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,26 +23,22 @@ class Movable(Lighthouse):
     one is like the other.  The options are ``markers=K``, how many there are (1), and
     ``pick=false``: what has been dropped stays.
     Source: Section II of the paper (Dudek, Jenkin, Milios, Wilkes 1991: one, with ``pick``).
-
-    Attributes:
-        markers: how many are in the hand at the start, at least 1.
-        pick: whether they may be taken up.
     """
 
-    markers: int = 1
-    pick: bool = True
+    markers: Annotated[Positive, about("how many are in the hand at the start")] = 1
+    pick: Annotated[bool, about("whether one that was dropped may be taken up again")] = True
 
     kind: ClassVar[str] = "movable"
     sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
     default_bound: ClassVar[str] = "none"
     folds: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ("markers", "pick")
-    usual: ClassVar[tuple[int, bool]] = (1, True)
+    hand: ClassVar[tuple[int, bool]] = (1, True)
 
     @classmethod
     def with_options(cls, options: Mapping[str, str]) -> type[Movable]:
         """The kind with ``markers=K`` and ``pick=true`` or ``pick=false``."""
-        markers, pick = cls.usual
+        markers, pick = cls.hand
         for key, value in options.items():
             if key == "markers":
                 markers = _markers("option markers", _number(value))
@@ -68,7 +62,7 @@ class Movable(Lighthouse):
         start: Dart,  # noqa: ARG003
     ) -> Iterator[Movable]:
         """One place."""
-        yield Movable(*cls.usual)
+        yield Movable(*cls.hand)
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any map
         """At least one marker; every map and every start will do."""
@@ -99,10 +93,6 @@ class Movable(Lighthouse):
         """The same."""
         return self
 
-    def to_json(self) -> documents.InHand:
-        """``{"kind": "movable", "markers": K, "pick": true}``."""
-        return {"kind": self.kind, "markers": self.markers, "pick": self.pick}
-
     @classmethod
     def from_json(
         cls,
@@ -111,16 +101,16 @@ class Movable(Lighthouse):
         start: Dart,  # noqa: ARG003
     ) -> Movable:
         """With what it does not say as usual."""
-        markers, pick = cls.usual
+        markers, pick = cls.hand
         return Movable(document.get("markers", markers), document.get("pick", pick))
 
 
 @cache
 def _kind_with(markers: int, pick: bool) -> type[Movable]:
     """The kind whose usual lighthouse is this one."""
-    if (markers, pick) == Movable.usual:
+    if (markers, pick) == Movable.hand:
         return Movable
-    return type(Movable.__name__, (Movable,), {"usual": (markers, pick)})
+    return type(Movable.__name__, (Movable,), {"hand": (markers, pick)})
 
 
 def _number(text: str) -> object:

@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import ClassVar
 
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
     InvalidWorld,
     Lighthouse,
+    StandsAt,
     WalkInAnswer,
     check_leads_away,
-    no_place,
 )
 from allworlds.world.lighthouses.sensing import Sensing, Where
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +28,7 @@ class Natural(Lighthouse):
     Source: Section VIII of the paper.
     """
 
-    dart: Dart
+    dart: StandsAt
 
     kind: ClassVar[str] = "natural"
     sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
@@ -79,16 +76,3 @@ class Natural(Lighthouse):
     def relabelled(self, names: Sequence[Dart]) -> Natural:
         """At the renamed dart."""
         return Natural(names[self.dart])
-
-    def to_json(self) -> documents.AtDart:
-        """``{"kind": "natural", "dart": d}``."""
-        return {"kind": self.kind, "dart": self.dart}
-
-    @classmethod
-    def from_json(cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart) -> Natural:
-        """At ``dart``, or at the first place where no dart is named."""
-        if "dart" in document:
-            return cls(document["dart"])
-        for place in cls.places(map_, start):
-            return place
-        raise no_place(cls.kind, start)

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import ClassVar
 
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.sensing import Sensing, Where
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,17 +43,3 @@ class Nothing(Lighthouse):
     def relabelled(self, names: Sequence[Dart]) -> Nothing:  # noqa: ARG002  # it has no dart
         """The same."""
         return self
-
-    def to_json(self) -> documents.LighthouseDocument:
-        """``{"kind": "none"}``."""
-        return {"kind": self.kind}
-
-    @classmethod
-    def from_json(
-        cls,
-        document: Mapping[str, Any],  # noqa: ARG003  # it says nothing else
-        map_: CombinatorialMap,  # noqa: ARG003
-        start: Dart,  # noqa: ARG003
-    ) -> Nothing:
-        """The one there is."""
-        return cls()

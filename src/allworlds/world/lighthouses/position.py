@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import ClassVar
 
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import Lighthouse, check_at_start
+from allworlds.world.lighthouses.base import Lighthouse, StandsAt, check_at_start
 from allworlds.world.lighthouses.sensing import Sensing, Where
-
-if TYPE_CHECKING:
-    from allworlds import documents
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +20,7 @@ class Position(Lighthouse):
     Source: Section III of the paper ('unique position information').
     """
 
-    dart: Dart = field(compare=False)
+    dart: StandsAt = field(compare=False)
 
     kind: ClassVar[str] = "position"
     sensing: ClassVar[Sensing] = Sensing(Where.AT_V0, bearing=False)
@@ -51,17 +48,3 @@ class Position(Lighthouse):
     def relabelled(self, names: Sequence[Dart]) -> Position:
         """At the renamed dart."""
         return Position(names[self.dart])
-
-    def to_json(self) -> documents.AtDart:
-        """``{"kind": "position", "dart": d}``."""
-        return {"kind": self.kind, "dart": self.dart}
-
-    @classmethod
-    def from_json(
-        cls,
-        document: Mapping[str, Any],
-        map_: CombinatorialMap,  # noqa: ARG003  # for kinds that need it
-        start: Dart,
-    ) -> Position:
-        """At the vertex of ``dart``, or of the start where no dart is named."""
-        return cls(document.get("dart", start))

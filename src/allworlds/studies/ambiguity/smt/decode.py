@@ -37,7 +37,7 @@ def decoded(pair: Pair, model: frozenset[int]) -> Twins:
         or not all(_fits(world, asked) for world in (one, two))
     ):
         raise RuntimeError(f"the solver's pair {one}, {two} does not answer: {asked}")
-    return Twins((one, two), classes)
+    return Twins(pair=(one, two), bisimulation=classes)
 
 
 def _world(asked: Question, world: OneWorld, pointed: Block | None, model: frozenset[int]) -> World:

@@ -2,126 +2,105 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import Annotated, TypeAlias
 
-from allworlds.outcome import SCHEMA, Exit
-from allworlds.studies.ambiguity.smt.question import Question, Sizes
+from allworlds.document import (
+    Aside,
+    Document,
+    Natural,
+    Pair,
+    Positive,
+    Report,
+    Text,
+    about,
+    computed,
+    narrowed,
+    one_of,
+)
+from allworlds.maps import MapClass
+from allworlds.outcome import Exit
+from allworlds.studies.ambiguity.smt.question import SEARCHED, Question, Sizes
 from allworlds.studies.ambiguity.smt.solvers import Status
 from allworlds.world import World
 
-if TYPE_CHECKING:
-    from allworlds import documents
-
-Classes: TypeAlias = tuple[tuple[int, ...], tuple[int, ...]]
-"""For each of two worlds the class of each dart."""
+Classes: TypeAlias = Pair[Annotated[tuple[Natural, ...], narrowed(minItems=2)]]
 
 
-class Twins(NamedTuple):
+class Twins(Document):
     """Two worlds that no motion tells apart, and the bisimulation that proves it."""
 
-    worlds: tuple[World, World]
-    classes: Classes
+    pair: Pair[World]
+    bisimulation: Classes
 
 
-@dataclass(frozen=True, slots=True)
-class Searched:
-    """One pair of sizes, decided.
+class Searched(Document):
+    """One level of a search.
 
-    Attributes:
-        sizes: of the two worlds.
-        status: of the formula.
-        formula: the DIMACS file.
-        seconds: for writing and solving it.
-        proof: the checked LRAT proof, where there is one.
-        same_map: twins that are one world with two starts, met on the way.
-        twins: the decoded worlds, where the formula has a model.
+    It was written and solved in so many ``seconds``.  ``same_map`` holds twins that are one world
+    with two starts, met on the way; ``twins`` the decoded worlds, where the formula has a model.
     """
 
-    sizes: Sizes
+    edges: Annotated[Pair[Positive], about("of each world")] = computed(
+        lambda level: tuple(size.edges for size in level.sizes)
+    )
+    vertices: Annotated[Pair[Pair[Positive]], about("for each world the fewest and the most")] = (
+        computed(lambda level: tuple((size.fewest, size.most) for size in level.sizes))
+    )
     status: Status
-    formula: Path
-    seconds: float
-    proof: Path | None = None
-    same_map: tuple[Twins, ...] = ()
-    twins: Twins | None = None
-
-    def to_json(self) -> documents.SearchLevel:
-        """One row of the document."""
-        return {
-            "edges": [size.edges for size in self.sizes],
-            "vertices": [[size.fewest, size.most] for size in self.sizes],
-            "status": self.status,
-            "formula": str(self.formula),
-            "proof": None if self.proof is None else str(self.proof),
-        }
+    formula: Annotated[Path, about("the path of the DIMACS file")]
+    proof: Annotated[Path | None, about("the path of the LRAT proof; null: there is none")] = None
+    sizes: Aside[Sizes]
+    seconds: Aside[float]
+    same_map: Aside[tuple[Twins, ...]] = ()
+    twins: Aside[Twins | None] = None
 
 
-@dataclass(frozen=True, slots=True)
-class SearchResult:
-    """The answer.
+def _exit_code(result: SearchResult) -> Exit:
+    """0 answered, 3 unknown, 4 no world within the bounds, 130 interrupted."""
+    if result.interrupted:
+        return Exit.INTERRUPTED
+    if result.status == "unknown":
+        return Exit.INCONCLUSIVE
+    return Exit.VACUOUS if result.vacuous else Exit.ANSWERED
 
-    Attributes:
-        question: what was asked.
-        status: ``sat``: the twins; ``unsat``: none within the bounds; ``unknown``.
-        twins: two different worlds that no motion tells apart, re-verified.
-        certificate: for sat the file with the pair and its bisimulation; for unsat the
-            directory with a formula and a checked LRAT proof for all sizes; else None.
-        directory: where the formulas are.
-        searched: in the order in which they were decided.
-        vacuous: unsat, because not even one world exists within the bounds.
-        notices: sentences for the reader.
-        interrupted: by the user; the status is ``unknown``, or twins had been found before.
+
+class SearchResult(Report):
+    """Report of 'search'.
+
+    If it was interrupted by the user, the status is `unknown`, or twins had been found before.
     """
 
-    question: Question
-    status: Status
-    twins: Twins | None
-    certificate: Path | None
-    directory: Path
-    searched: tuple[Searched, ...]
-    vacuous: bool
-    notices: tuple[str, ...]
-    interrupted: bool = False
-
-    @property
-    def pair(self) -> tuple[World, World] | None:
-        """The two worlds, if any."""
-        return self.twins.worlds if self.twins else None
-
-    @property
-    def classes(self) -> Classes | None:
-        """Their bisimulation, if any."""
-        return self.twins.classes if self.twins else None
-
-    @property
-    def exit_code(self) -> Exit:
-        """0 answered, 3 unknown, 4 no world within the bounds, 130 interrupted."""
-        if self.interrupted:
-            return Exit.INTERRUPTED
-        if self.status == "unknown":
-            return Exit.INCONCLUSIVE
-        return Exit.VACUOUS if self.vacuous else Exit.ANSWERED
-
-    def to_json(self) -> documents.SearchDocument:
-        """The document of ``search --json``."""
-        same = [twins.worlds for searched in self.searched for twins in searched.same_map]
-        asked = self.question
-        return {
-            "schema": SCHEMA,
-            "status": self.status,
-            "exit_code": self.exit_code,
-            "pair": None if self.pair is None else [world.to_json() for world in self.pair],
-            "bisimulation": None if self.classes is None else [list(c) for c in self.classes],
-            "certificate": None if self.certificate is None else str(self.certificate),
-            "vacuous": self.vacuous,
-            "lighthouse": asked.lighthouse,
-            "class": asked.map_class.value,
-            "vertices": asked.vertices,
-            "edges": asked.edges,
-            "directory": str(self.directory),
-            "levels": [searched.to_json() for searched in self.searched],
-            "same_map": [[world.to_json() for world in worlds] for worlds in same],
-            "notices": list(self.notices),
-        }
+    status: Annotated[Status, about("`sat`: a pair; `unsat`: there is none in the bounds")]
+    exit_code: Annotated[
+        Exit, one_of(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED)
+    ] = computed(_exit_code)
+    pair: Annotated[Pair[World] | None, about("two worlds that look alike; null unless `sat`")] = (
+        None
+    )
+    bisimulation: Annotated[
+        Classes | None, about("for each of them the class of each dart; null unless `sat`")
+    ] = None
+    certificate: Annotated[
+        Path | None,
+        about("the path of what proves the answer; null: see [answers](search.md#answers)"),
+    ] = None
+    vacuous: Annotated[bool, about("not even one world exists within the bounds")] = False
+    lighthouse: Annotated[str, one_of(*SEARCHED)] = computed(lambda r: r.question.lighthouse)
+    map_class: Annotated[MapClass, about("the class of maps")] = computed(
+        lambda result: result.question.map_class, name="class"
+    )
+    vertices: Annotated[Positive, about("at most so many")] = computed(
+        lambda result: result.question.vertices
+    )
+    edges: Annotated[Positive, about("at most so many")] = computed(
+        lambda result: result.question.edges
+    )
+    directory: Annotated[Path, about("where the formulas are")]
+    levels: Annotated[tuple[Searched, ...], about("in the order of the search")]
+    same_map: Annotated[
+        tuple[Pair[World], ...], about("pairs that look alike but are one map with two starts")
+    ] = computed(lambda r: tuple(same.pair for level in r.levels for same in level.same_map))
+    notices: Annotated[tuple[Text, ...], about("sentences for the reader")]
+    question: Aside[Question]
+    interrupted: Aside[bool] = False

@@ -7,12 +7,14 @@ import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from time import monotonic
+from typing import Any
 
+from allworlds.document import replace
+from allworlds.engines import Listener, Silent
 from allworlds.inputs import InputError, a_path, at_most, show
-from allworlds.progress import Listener, Silent
 from allworlds.studies.ambiguity.smt.decode import decoded
 from allworlds.studies.ambiguity.smt.formula import Formula, read_dimacs
 from allworlds.studies.ambiguity.smt.lrat import check_lrat
@@ -131,9 +133,9 @@ class _TwinsSearch:
         except KeyboardInterrupt:
             if self.best:
                 self.notices.append("interrupted before fewer vertices were tried")
-                return replace(self._found(self.best), interrupted=True)
+                return self._found(self.best, interrupted=True)
             self.notices.append("interrupted; no answer follows from the sizes that are decided")
-            return replace(self._result("unknown"), interrupted=True)
+            return self._result("unknown", interrupted=True)
 
     def _answer(self) -> SearchResult:
         every = list(self.question.sizes())
@@ -151,7 +153,7 @@ class _TwinsSearch:
                 return self._result("unknown")
         if not self._some_world_exists():
             self.notices.append("vacuous: no world at all exists within these bounds")
-            return replace(self._result("unsat"), vacuous=True)
+            return self._result("unsat", vacuous=True)
         self.done = [self._proved(searched) for searched in self.done]
         complete = all(searched.proof for searched in self.done)
         self._remark_on_one_map()
@@ -167,7 +169,7 @@ class _TwinsSearch:
             formula.write(path)
             solved = self._solve(path)
             twins = decoded(pair, solved.model) if solved.status == "sat" else None
-            start = same_world_from(*twins.worlds) if twins else None
+            start = same_world_from(*twins.pair) if twins else None
             if twins is None or start is None:
                 break
             same.append(twins)
@@ -176,7 +178,15 @@ class _TwinsSearch:
         status = solved.status
         if proof and not self._accepts(formula, proof):
             status, proof = "unknown", None
-        searched = Searched(sizes, status, path, monotonic() - began, proof, tuple(same), twins)
+        searched = Searched(
+            sizes=sizes,
+            status=status,
+            formula=path,
+            proof=proof,
+            seconds=monotonic() - began,
+            same_map=tuple(same),
+            twins=twins,
+        )
         self.done.append(searched)
         self.best = twins or self.best
         return searched
@@ -197,7 +207,7 @@ class _TwinsSearch:
 
     def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
         """Among the pairs with these numbers of edges one with the fewest vertices."""
-        counts = [world.map.vertex_count for world in twins.worlds]
+        counts = [world.map.vertex_count for world in twins.pair]
         one, two = (replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
         if self.question.sensing.marks_v0:
             smaller = [(_less(one), _less(two))]
@@ -213,27 +223,26 @@ class _TwinsSearch:
                     return twins
         return twins
 
-    def _found(self, twins: Twins) -> SearchResult:
-        certificate = self.directory / "pair.json"
-        document = {
-            "pair": [world.to_json() for world in twins.worlds],
-            "bisimulation": twins.classes,
-        }
-        certificate.write_text(json.dumps(document) + "\n", encoding="ascii")
-        return self._result("sat", twins, certificate)
+    def _found(self, twins: Twins, *, interrupted: bool = False) -> SearchResult:
+        """The pair, with its file, which holds it and its bisimulation."""
+        file = self.directory / "pair.json"
+        file.write_text(json.dumps(twins.to_json()) + "\n", encoding="ascii")
+        return self._result(
+            "sat",
+            certificate=file,
+            interrupted=interrupted,
+            pair=twins.pair,
+            bisimulation=twins.bisimulation,
+        )
 
-    def _result(
-        self, status: Status, twins: Twins | None = None, certificate: Path | None = None
-    ) -> SearchResult:
+    def _result(self, status: Status, **more: Any) -> SearchResult:
         return SearchResult(
             question=self.question,
             status=status,
-            twins=twins,
-            certificate=certificate,
             directory=self.directory,
-            searched=tuple(self.done),
-            vacuous=False,
+            levels=tuple(self.done),
             notices=tuple(self.notices),
+            **more,
         )
 
     def _some_world_exists(self) -> bool:

@@ -1,0 +1,324 @@
+"""JSON Schema of every document, made from the classes that are the documents.
+
+``python -m allworlds.reports.schemas DIRECTORY`` writes one file for each document; the build of
+the package does so.  Every file is complete in itself: what it refers to stands under ``$defs``.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import MISSING, fields as fields_of_dataclass, is_dataclass
+from functools import cache
+from pathlib import Path
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, TypeAlias, Union, get_args, get_origin, get_type_hints
+
+from msgspec import UNSET, Meta, UnsetType, defstruct
+from msgspec.json import schema_components
+from msgspec.structs import fields
+
+from allworlds.document import Document, MadeBy, Text, WrittenByFields, keys_of, plain
+from allworlds.engines import ENGINES
+from allworlds.judging import LAWS, PRECEDENCE, Finding, FindingDocument
+from allworlds.maps import MapClass
+from allworlds.outcome import Result, Verdict
+from allworlds.protocol import AtStart, Dropped, Estimate, Moved, Picked, RootedMap, Transcript
+from allworlds.reports.event_lines import Event
+from allworlds.studies.check import TimeEstimate
+from allworlds.studies.merge import MergedReport
+from allworlds.verbs import VERBS, loaded
+from allworlds.world import LIGHTHOUSES, Lighthouse, Manifest, World, WorldDocument
+
+Schema: TypeAlias = dict[str, Any]
+
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
+
+WRITTEN_AS = {
+    World: WorldDocument,
+    Estimate: RootedMap,
+    Finding: FindingDocument,
+    Path: Text,
+}
+"""What is written in place of a value that is no JSON."""
+
+READ = {"finding", "world", "transcript", "manifest"}
+"""The documents that are read; their schemas say what is taken, and may be left out."""
+
+NAMES: dict[str, tuple[str, Iterable[Any]]] = {
+    "law": ("Law", PRECEDENCE),
+    "judged_law": ("Judged law", LAWS),
+    "class": ("Class of maps", MapClass),
+    "verdict": ("Verdict", Verdict),
+    "engine": ("Engine", ENGINES),
+}
+"""The names that stand in tables, each with its title."""
+
+
+@cache
+def reports() -> dict[str, Any]:
+    """The type of every report by the name of its schema."""
+    found: dict[str, Any] = {}
+    for verb in VERBS:
+        function = loaded(verb.function)
+        returned = eval(function.__annotations__["return"], function.__globals__)  # noqa: S307
+        if returned is not MergedReport:
+            first, *others = members(returned)
+            found[verb.document] = first
+            found |= {other.__name__.lower(): other for other in others}
+    return found | {"estimate": TimeEstimate}
+
+
+@cache
+def pages() -> dict[str, Any]:
+    """The type of every document by the name of its schema: reports, then the rest."""
+    merged = [reports()[verb.document] for verb in VERBS if verb.merged]
+    return reports() | {
+        "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
+        "finding": FindingDocument,
+        "world": WorldDocument,
+        "transcript": Transcript,
+        "event": Event,
+        "made-by": MadeBy,
+        "manifest": Manifest,
+    }
+
+
+# ---------------------------------------------------------------- types that msgspec knows
+
+
+class Shapes:
+    """The types of one page, as msgspec knows them.
+
+    Attributes:
+        written: every key is there that is always written; else those that must be read.
+        also: what is referred to and stands in no type that msgspec is given.
+    """
+
+    def __init__(self, *, written: bool) -> None:
+        self.written = written
+        self.also: dict[str, Any] = {}
+        self._made: dict[Any, Any] = {}
+
+    def of(self, tp: Any) -> Any:
+        """The type in place of any other."""
+        if get_origin(tp) is Annotated:
+            base, *notes = get_args(tp)
+            kind = next((n.extra["kind"] for n in notes if n.extra and "kind" in n.extra), base)
+            shown = [note for note in notes if not note.extra]
+            inner = self.of(kind)
+            for note in shown:
+                if values := (note.extra_json_schema or {}).get("enum"):
+                    inner = Literal[*map(plain, values)]
+                    shown.remove(note)
+            return Annotated[inner, *shown] if shown else inner
+        if tp is Result:
+            files = [{"$ref": f"{name}.schema.json"} for name in reports()]
+            return Annotated[Any, Meta(extra_json_schema={"anyOf": files})]
+        if tp in WRITTEN_AS:
+            return self.of(WRITTEN_AS[tp])
+        if tp is Transcript:
+            return self._transcript()
+        if tp is Lighthouse:
+            return self._one_of([self._lighthouse(kind) for kind in LIGHTHOUSES.values()])
+        if isinstance(tp, type) and issubclass(tp, Document | WrittenByFields):
+            return self._struct(tp)
+        arguments = get_args(tp)
+        if get_origin(tp) in (Union, UnionType):
+            return self._union(arguments)
+        if not arguments or get_origin(tp) is Literal:
+            return tp
+        origin = list if get_origin(tp) is Sequence else get_origin(tp)
+        return origin[*(arg if arg is ... else self.of(arg) for arg in arguments)]
+
+    def _union(self, arguments: tuple[Any, ...]) -> Any:
+        shown = [self.of(arg) for arg in arguments if arg is not UnsetType]
+        objects = [arg for arg in shown if arg in self._made.values()]
+        if len(objects) < 2:
+            return Union[tuple(shown)]  # noqa: UP007
+        return self._one_of(objects, null=NoneType in shown)
+
+    def _struct(self, kind: Any) -> Any:
+        if kind not in self._made:
+            closed = issubclass(kind, Document) and kind.__struct_config__.forbid_unknown_fields
+            self._made[kind] = self._defined(
+                kind.__name__, kind.__doc__, self._keys(kind), closed=closed
+            )
+        return self._made[kind]
+
+    def _keys(self, kind: Any) -> Iterator[tuple[str, Any, bool]]:
+        """The name of each key, its type, and whether it must be there."""
+        hints = get_type_hints(kind, include_extras=True)
+        if is_dataclass(kind):
+            for told in fields_of_dataclass(kind):
+                yield told.name, hints[told.name], self.written or told.default is MISSING
+            return
+        needed = {field.name for field in fields(kind) if field.required}
+        for key in keys_of(kind):
+            tp = hints[key.attribute]
+            sometimes = key.if_any or UnsetType in members(_bare(tp))
+            must = not sometimes and (self.written or key.attribute in needed)
+            yield key.name, tp, must
+
+    def _defined(
+        self, name: str, doc: str, keys: Iterable[tuple[str, Any, bool]], *, closed: bool = True
+    ) -> Any:
+        told = [(key, self.of(tp), must) for key, tp, must in keys]
+        fields = [(key, tp) if must else (key, tp | UnsetType, UNSET) for key, tp, must in told]
+        return defstruct(
+            name,
+            fields,
+            kw_only=True,
+            forbid_unknown_fields=self.written or closed,
+            namespace={"__doc__": doc},
+            module=__name__,
+        )
+
+    def _lighthouse(self, kind: type[Lighthouse]) -> Any:
+        hints = get_type_hints(kind, include_extras=True)
+        keys: list[tuple[str, Any, bool]] = [("kind", Literal[kind.kind], True)]
+        keys += [(key, hints[key], self.written) for key in kind.keys if key in hints]
+        if not self.written:
+            keys += [(key, tp, False) for key, tp in kind.asked.items()]
+        self._made[kind] = self._defined(f"{kind.__name__}Lighthouse", kind.__doc__ or "", keys)
+        return self._made[kind]
+
+    def _transcript(self) -> Any:
+        first, *rest = (self._struct(row) for row in (AtStart, Moved, Dropped, Picked))
+        self.also |= {row.__name__: row for row in (first, *rest)}
+        return Annotated[
+            list[Any],
+            Meta(
+                min_length=1,
+                extra_json_schema={
+                    "prefixItems": [_reference(first)],
+                    "items": {"anyOf": [*map(_reference, rest)]},
+                },
+            ),
+        ]
+
+    def _one_of(self, objects: list[Any], *, null: bool = False) -> Any:
+        self.also |= {one.__name__: one for one in objects}
+        options = [*map(_reference, objects), *([{"type": "null"}] if null else [])]
+        return Annotated[Any, Meta(extra_json_schema={"anyOf": options})]
+
+
+def members(tp: Any) -> tuple[Any, ...]:
+    """The types of a union; of anything else itself."""
+    return get_args(tp) if get_origin(tp) in (Union, UnionType) else (tp,)
+
+
+def _bare(tp: Any) -> Any:
+    return get_args(tp)[0] if get_origin(tp) is Annotated else tp
+
+
+def _reference(struct: Any) -> Schema:
+    return {"$ref": f"#/$defs/{struct.__name__}"}
+
+
+# ---------------------------------------------------------------- schemas
+
+
+def schema_of(tp: Any, *, written: bool = True) -> tuple[Schema, dict[str, Schema]]:
+    """The schema of a type, and of all that it refers to, by name."""
+    shapes = Shapes(written=written)
+    root = shapes.of(tp)
+    (found, *_), parts = schema_components(
+        [root, *shapes.also.values()], ref_template="#/$defs/{name}"
+    )
+    return _plain(found), {name: _plain(told) for name, told in parts.items()}
+
+
+def page(name: str) -> Schema:
+    """The schema of a document; of what is read, of all that is taken."""
+    found, parts = schema_of(pages()[name], written=name not in READ)
+    if found.keys() == {"$ref"}:
+        found = parts.pop(found["$ref"].rpartition("/")[2])
+    title = {} if "title" in found else {"title": name.capitalize()}
+    return _page(name, {**title, **found}, _referred(found, parts, {}))
+
+
+def names_page() -> Schema:
+    """The names that stand in tables, each with its summary where it has one."""
+    parts = {name: {"title": title, **_enum(table)} for name, (title, table) in NAMES.items()}
+    return _page("names", {"title": "Names"}, parts)
+
+
+def schemas() -> dict[str, Schema]:
+    """Every schema by its name."""
+    return {name: page(name) for name in pages()} | {"names": names_page()}
+
+
+def _page(name: str, told: Schema, parts: dict[str, Schema]) -> Schema:
+    more = {"$defs": parts} if parts else {}
+    return {"$schema": DRAFT, "$id": f"{name}.schema.json", **told, **more}
+
+
+def _enum(table: Iterable[Any]) -> Schema:
+    found = [*table]
+    if all(hasattr(name, "summary") for name in found):
+        return {"oneOf": [{"const": str(name), "description": name.summary} for name in found]}
+    return {"enum": [str(name) for name in found]}
+
+
+def _plain(told: Any) -> Any:
+    """A schema in few words: no defaults, and in one object what can be told in one."""
+    if isinstance(told, list):
+        return [_plain(inner) for inner in told]
+    if not isinstance(told, dict):
+        return told
+    kept = {key: _plain(value) for key, value in told.items() if key != "default"}
+    match kept:
+        case {"enum": [only]}:
+            del kept["enum"]
+            kept["const"] = only
+        case {"anyOf": [{"type": str(plain), **more}, {"type": "null"}]} if plain in SIMPLE:
+            del kept["anyOf"]
+            kept |= {"type": [plain, "null"], **more}
+    if kept.keys() & {"const", "enum"}:
+        kept.pop("$ref", None)
+    if "properties" in kept and "description" in kept:
+        # What follows the second paragraph is for those who read the class.
+        title, *rest = kept.pop("description").split("\n\n")
+        kept["title"] = title.removesuffix(".")
+        if rest:
+            kept["description"] = " ".join(rest[0].split())
+    return {key: kept[key] for key in sorted(kept, key=_place)}
+
+
+SIMPLE = {"integer", "number", "string", "boolean"}
+
+FIRST = ("title", "description", "$ref", "type")
+
+
+def _place(key: str) -> int:
+    return FIRST.index(key) if key in FIRST else len(FIRST)
+
+
+def _referred(told: Any, parts: dict[str, Schema], found: dict[str, Schema]) -> dict[str, Schema]:
+    """The parts that a schema refers to, and what these refer to."""
+    match told:
+        case {"$ref": str(reference)} if reference[0] == "#" and (
+            (name := reference.rpartition("/")[2]) not in found
+        ):
+            found[name] = parts[name]
+            _referred(parts[name], parts, found)
+    inner = told.values() if isinstance(told, dict) else told if isinstance(told, list) else ()
+    for each in inner:
+        _referred(each, parts, found)
+    return found
+
+
+def main(directory: Path) -> None:
+    """Write every schema into a directory, and nothing else there."""
+    directory.mkdir(exist_ok=True)
+    for file in directory.glob("*.schema.json"):
+        file.unlink()
+    for name, told in schemas().items():
+        text = json.dumps(told, indent=2) + "\n"
+        (directory / f"{name}.schema.json").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))
