@@ -187,7 +187,7 @@ def bench(
     """
     if isinstance(peers, str):
         raise InputError(f"peers = {show(peers)} is not a list of NAME=COMMAND")
-    if not 4 <= an_integer("edges", edges) <= 10:
+    if not 4 <= (edges := an_integer("edges", edges)) <= 10:
         raise InputError(f"edges = {show(edges)}; a benchmark takes 4 up to 10")
     if an_integer("rounds", rounds) < 1:
         raise InputError(f"rounds = {show(rounds)} is not positive")

@@ -122,7 +122,7 @@ def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> 
 
     Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
     """
-    if not 1 <= an_integer("edges", edges) <= LARGEST_LEVEL:
+    if not 1 <= (edges := an_integer("edges", edges)) <= LARGEST_LEVEL:
         raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
     heard = listener or Silent()
     tables = (_wrong(), EQUIVALENT_EXPLORERS, WEAK_JUDGES, BROKEN_ENUMERATORS)
