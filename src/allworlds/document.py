@@ -48,11 +48,11 @@ from msgspec import (
     field as key,
     inspect,
 )
-from msgspec.structs import asdict, fields, force_setattr, replace as replace_in_struct
+from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
 from allworlds.inputs import InputError, show
 
-__all__ = ["UNSET", "Meta", "UnsetType", "asdict", "key", "replace"]
+__all__ = ["UNSET", "Meta", "UnsetType", "key", "replace"]
 
 T = TypeVar("T")
 
