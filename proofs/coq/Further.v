@@ -10,6 +10,7 @@ From Allworlds Require Import NumberedWorlds Judge Impossibility DoubleCover Tre
 From Allworlds Require Import Ambiguity Regluing RegluingCount Twins Congruence Log Folding OpenDarts.
 From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
+From Allworlds Require Import DecisionTrees.
 From Allworlds Require Import Minimality PlanarMinimality.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -447,6 +448,21 @@ Theorem algorithm1_passes pol u m :
     & natural_check (natural_resumption pol) two_vertices_limit m].
 Proof. by split; [exact: algorithm1_checked|exact: cluster_checked|exact: natural_checked]. Qed.
 
+(* ==== Certificates (certificate_is_right in Main.v) ==== *)
+
+(* What the file of a certificate states, the limit being (1) + (2): episode gives the explorer so many
+   motions at most. *)
+Theorem certificate_within_paper_bound (tree : branches) m : certified tree paper AllWorlds m ->
+  forall X, answers_as X tree -> forall W : lighthouse_world, edges W <= m ->
+  exists transcript answer z,
+  [/\ episode X (rooted start) (@percept_of W) (paper_bound (vertices W) (edges W))
+        = (transcript, Some answer, z),
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. exact: certified_paper. Qed.
+
+(* It speaks of something: every tree is answered as by some explorer. *)
+Theorem trees_are_answered (tree : branches) : exists X, answers_as X tree.
+Proof. exact: tree_answered. Qed.
 
 (* ==== Lighthouses without a direction (Sections IV and VIII) ==== *)
 

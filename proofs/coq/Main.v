@@ -21,13 +21,16 @@
    resumption S O: an explorer that keeps a state of type S between percepts of type O; as_explorer r: the
    function of the percepts that it is.  right_within X M senses limit: X stops after at most `limit`
    motions, with the right answer.  directional_check: the program.  All four in Checker.v.
+   branches: what is done after which percepts, written down as a decision tree (Node k after: make motion k,
+   Leaf e: answer e); answers_as X tree: the explorer X does so, wherever the tree says what is done.
+   certified: the checker, for the tree.  Both in DecisionTrees.v.
 
    Further.v has the other theorems.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps Pass Cost.
 From Allworlds Require Import Correctness Algorithm Refinement Impossibility Twins Log OpenDarts.
-From Allworlds Require Import LowerBounds Cluster Checker.
+From Allworlds Require Import LowerBounds Cluster Checker DecisionTrees.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -104,6 +107,17 @@ Theorem checker_is_right S (r : resumption S percept) limit u m :
   right_within (as_explorer r) (M := rooted (@start W)) (@percept_of W)
     (limit (vertices W) (edges W) (degree (@start W))).
 Proof. exact: directional_check_correct. Qed.
+
+(* A certificate: what a program does after which percepts, written down as a decision tree.  The kernel
+   computes `certified`; then every explorer that answers as the tree, and so the program, is right in every
+   world with at most m edges.  The worlds are not written down: they are those of the theorem above. *)
+Theorem certificate_is_right (tree : branches) limit u m :
+  certified tree limit u m <->
+  forall X : explorer percept numbered_map, answers_as X tree ->
+  forall W : lighthouse_world, in_universe u W -> edges W <= m ->
+  right_within X (M := rooted (@start W)) (@percept_of W)
+    (limit (vertices W) (edges W) (degree (@start W))).
+Proof. exact: certified_right. Qed.
 
 (* ==== Every explorer with a directional lighthouse (Sections V and VI) ==== *)
 

@@ -18,7 +18,7 @@ Set Warnings "-abstract-large-number".
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps Pass Cost.
 From Allworlds Require Import Correctness Algorithm Refinement Impossibility Twins Log OpenDarts.
-From Allworlds Require Import LowerBounds Cluster Checker.
+From Allworlds Require Import LowerBounds Cluster Checker DecisionTrees.
 From Allworlds Require Import Main.
 
 Check (@no_information_is_not_enough :
@@ -71,6 +71,13 @@ Check (@checker_is_right :
   right_within (as_explorer r) (M := rooted (@start W)) (@percept_of W)
     (limit (vertices W) (edges W) (degree (@start W)))).
 
+Check (@certificate_is_right :
+  forall (tree : branches) limit u m, certified tree limit u m <->
+  forall X : explorer percept numbered_map, answers_as X tree ->
+  forall W : lighthouse_world, in_universe u W -> edges W <= m ->
+  right_within X (M := rooted (@start W)) (@percept_of W)
+    (limit (vertices W) (edges W) (degree (@start W)))).
+
 Check (@log_of_a_right_explorer_folds :
   forall u E (meaning : E -> rooted_map) (X : explorer percept E),
   finds_all_maps u meaning X -> forall W, in_universe u W -> forall budget t e z,
@@ -111,6 +118,7 @@ From Allworlds Require Import NumberedWorlds Judge Impossibility DoubleCover Tre
 From Allworlds Require Import Ambiguity Regluing RegluingCount Twins Congruence Log Folding OpenDarts.
 From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
+From Allworlds Require Import DecisionTrees.
 From Allworlds Require Import Minimality PlanarMinimality.
 From Allworlds Require Import Further.
 
@@ -399,6 +407,17 @@ Check (@enumeration_counts :
 
 Check (@every_explorer_can_be_checked :
   forall O (X : explorer O numbered_map) o seen, as_explorer (remembering X) (o :: seen) = X (o :: seen)).
+
+Check (@certificate_within_paper_bound :
+  forall (tree : branches) m, certified tree paper AllWorlds m ->
+  forall X, answers_as X tree -> forall W : lighthouse_world, edges W <= m ->
+  exists transcript answer z,
+  [/\ episode X (rooted start) (@percept_of W) (paper_bound (vertices W) (edges W))
+        = (transcript, Some answer, z),
+      valid answer & isomorphic (denote answer) (rooted z)]).
+
+Check (@trees_are_answered :
+  forall (tree : branches), exists X, answers_as X tree).
 
 Check (@refutations_are_right :
   forall S (r : resumption S percept) limit u m M k, (M, k) \in directional_refutations r limit u m ->
