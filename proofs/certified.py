@@ -7,7 +7,13 @@ asks the certified checker whether a program is right (``certified_checker.py``)
     python proofs/certified.py [--edges 4] [--walked-edges 3] [--judged-edges 3]
                                [--checked-edges 3] [--folded-edges 3]
 
-compares.  Both need the programs that ``make -C proofs/coq explorer`` builds, and the package.
+compares.
+
+    python proofs/certified.py --certificate FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4]
+                               [--limit paper] [--universe all]
+
+writes what a program does into a file that Coq's kernel checks (``certified_trees.py``).  The first
+two need the programs that ``make -C proofs/coq explorer`` builds, and the package.
 
 The certified explorers, one a lighthouse, are checked like anybody's, and the traversals of each
 must equal, row by row, those of the built-in Algorithm 1, in the Python engine and, where it has
@@ -44,6 +50,7 @@ from allworlds.studies.check import check
 from allworlds.world import worlds
 from certified_checker import CHECKER, checkers_agree, judge_program
 from certified_folding import FOLDING, foldings_agree
+from certified_trees import write_certificate
 
 HERE = Path(__file__).resolve().parent
 EXPLORER, JUDGE = HERE / "coq" / "explorer", HERE / "coq" / "judge"
@@ -204,7 +211,9 @@ def missing() -> list[Path]:
 
 
 def main() -> int:
-    """Judge a program, or compare."""
+    """Judge a program, write a certificate, or compare."""
+    if any(word.split("=")[0] == "--certificate" for word in sys.argv[1:]):
+        return write_certificate(sys.argv[1:])
     if any(word == "--exec" or word.startswith("--exec=") for word in sys.argv[1:]):
         return 2 if missing() else judge_program(sys.argv[1:])
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])

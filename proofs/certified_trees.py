@@ -1,0 +1,376 @@
+"""Certificates: what a program does in all worlds to a bound, as a file that Coq's kernel checks.
+
+    python proofs/certified.py --certificate FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4]
+                               [--limit paper] [--universe all]
+
+runs the explorer in every world with at most so many edges under a directional lighthouse, and
+writes to FILE.v the decision tree of what it has done, and a theorem about every explorer that
+answers as the tree does (``proofs/coq/DecisionTrees.v``).  Nothing is judged here: ``coqc`` computes
+whether the theorem holds, and the worlds are those that Coq enumerates.  A world that was left out
+here, a run without an answer, a wrong answer: each makes ``coqc`` refuse the file.  EXPLORER is a name
+that ``allworlds check`` takes: a built-in one, MODULE:FUNCTION, FILE.py:FUNCTION, native:LIBRARY.
+The file is the same, byte by byte, whenever the explorer does the same.
+
+    python proofs/certified_trees.py [--edges 3] [--all | WRONG ...]
+
+has ``coqc`` accept the certificate of Algorithm 1, and those of wrong explorers exactly where
+``allworlds check`` finds nothing wrong.  It needs what ``make -C proofs/coq`` builds.  Exit code 1: coqc says otherwise; 2: bad arguments, or no Coq.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal, TypeAlias
+
+from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
+from allworlds.explorers import Subject, in_process_subject, load
+from allworlds.inputs import InputError
+from allworlds.judging import Answered, Fault, bound_named, default_step_budget, paper_bound, play
+from allworlds.protocol import Choices, Move, Percept
+from allworlds.world import worlds
+from certified_checker import package_outcome
+
+HERE = Path(__file__).resolve().parent
+COQ = HERE / "coq"
+LARGEST = 5000
+"""Coq writes a number n as n signs, and its parser warns of larger ones."""
+REFUSAL = 'Unable to unify "true" with "false"'
+"""What coqc says where it has computed that a tree is not right."""
+OF_THE_PACKAGE = {"holds": "accepted", "refuted": "refused", "no function": "no function"}
+"""What coqc says where ``allworlds check`` says this."""
+WRONG = ("mirror-image", "pose-lost", "walks-too-much", "wrong-in-one-world")
+
+Sensed: TypeAlias = tuple[int, int]
+"""A percept: the degree and the bearing, -1 for none, so that percepts have an order."""
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf:
+    """An answer: a rooted map."""
+
+    sigma: tuple[int, ...]
+    alpha: tuple[int, ...]
+    here: int
+
+
+@dataclass(slots=True)
+class Node:
+    """A motion, and what is done after each percept that may follow."""
+
+    k: int
+    after: Branches = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Nothing:
+    """Neither a motion nor an answer: the law that the run has broken."""
+
+    law: str
+
+
+Branches: TypeAlias = "dict[Sensed, Leaf | Node | Nothing]"
+
+
+class NoFunction(Exception):
+    """The program has not always answered the same percepts alike; the message says where."""
+
+
+# ---- What a program does ----
+
+
+def sensed(percept: Percept) -> Sensed:
+    """A percept under a directional lighthouse; there is one mark exactly where a bearing is."""
+    assert percept.marks == (percept.bearing is not None)
+    return percept.degree, -1 if percept.bearing is None else percept.bearing
+
+
+def tree_of(subject: Subject, edges: int, map_class: str = "maps") -> tuple[Branches, int, int]:
+    """The decision tree of what an explorer does, how many runs there were, how many had no answer.
+
+    Raises:
+        NoFunction: if it does something else after the same percepts.
+    """
+    tree: Branches = {}
+    runs = unanswered = 0
+    player = subject.player()
+    most = max(paper_bound(n, edges) for n in range(1, edges + 2))
+    with subject.running():
+        for world in worlds(edges=edges, map_class=map_class, places="all"):
+            # the same for all worlds: where a run is cut off depends on its percepts alone
+            episode = play(world, player, Choices(), default_step_budget(most))
+            runs += 1
+            at, seen = tree, [sensed(episode.transcript.first)]
+            for action, percept in episode.transcript.steps:
+                assert isinstance(action, Move)  # there is nothing to be dropped
+                branch = at.setdefault(seen[-1], Node(action.k))
+                if not isinstance(branch, Node) or branch.k != action.k:
+                    raise NoFunction(apart(seen, branch, Node(action.k)))
+                at = branch.after
+                seen.append(sensed(percept))
+            match episode.ending:
+                case Answered(estimate=e):
+                    last: Leaf | Nothing = Leaf(tuple(e.map.sigma), tuple(e.map.alpha), e.here)
+                case Fault(law=law):
+                    last = Nothing(law)
+                case _:
+                    last = Nothing("no-estimate")
+            unanswered += isinstance(last, Nothing)
+            if at.setdefault(seen[-1], last) != last:
+                raise NoFunction(apart(seen, at[seen[-1]], last))
+    return tree, runs, unanswered
+
+
+def apart(seen: Sequence[Sensed], before: object, now: object) -> str:
+    """Two things done after the same percepts, in words."""
+
+    def words(done: object) -> str:
+        return f"motion {done.k}" if isinstance(done, Node) else str(done)
+
+    percepts = " ".join(_percept(o) for o in seen)
+    return f"after {percepts}: {words(before)}, and another time: {words(now)}"
+
+
+def walks(tree: Branches) -> Iterator[int]:
+    """The number of motions before each answer."""
+    todo = [(tree, 0)]
+    while todo:
+        branches, motions = todo.pop()
+        for branch in branches.values():
+            if isinstance(branch, Node):
+                todo.append((branch.after, motions + 1))
+            elif isinstance(branch, Leaf):
+                yield motions
+
+
+def size_of(tree: Branches) -> int:
+    """The number of its motions and answers."""
+    count, todo = 0, [tree]
+    while todo:
+        for branch in todo.pop().values():
+            count += not isinstance(branch, Nothing)
+            if isinstance(branch, Node):
+                todo.append(branch.after)
+    return count
+
+
+# ---- The file ----
+
+HEAD = """(* A certificate (proofs/coq/DecisionTrees.v): what an explorer, {who}, does in every world
+   with at most {edges} edges.  Written by proofs/certified.py; coqc checks it. *)
+From mathcomp Require Import all_ssreflect.
+From Allworlds Require Import Model DecisionTrees.
+
+Definition tree : branches :=
+"""
+
+TAIL = """
+{definition}Lemma computed : certified tree {name} {universe} {edges} = true.
+Proof. vm_compute. reflexivity. Qed.
+
+Theorem right_in_every_world :
+  forall X : explorer percept numbered_map, answers_as X tree ->
+  forall W : lighthouse_world, {promise}edges W <= {edges} ->
+  exists transcript answer z,
+  [/\\ episode X (rooted start) (@percept_of W) ({limit})
+        = (transcript, Some answer, z),
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. exact: ({lemma} computed). Qed.
+Print Assumptions right_in_every_world.
+"""
+
+
+def certificate(
+    tree: Branches, edges: int, who: str, limit: str = "paper", universe: str = "all"
+) -> str:
+    """The text of the file.
+
+    Raises:
+        InputError: if the limit is no bound, or needs more of a world than n, m and d0.
+    """
+    definition, name, term = "", "paper", "paper_bound (vertices W) (edges W)"
+    if limit != "paper":
+        definition, name = f"Definition limit := {_limit(limit, edges, tree)}.\n", "limit"
+        term = "limit (vertices W) (edges W) (degree (@start W))"
+    simple = universe == "simple"
+    lemma = "certified_paper" if limit == "paper" else "certified_limit"
+    return (
+        # a comment is read for its end, and for quotation marks
+        HEAD.format(who=re.sub(r"[^A-Za-z0-9 ./:=_-]", "_", who), edges=edges)
+        + "".join(_branches(tree, 0))
+        + ".\n"
+        + TAIL.format(
+            definition=definition,
+            name=name,
+            universe="SimpleWorlds" if simple else "AllWorlds",
+            edges=edges,
+            promise="simple_world W -> " if simple else "",
+            limit=term,
+            lemma=f"{lemma}_simple" if simple else lemma,
+        )
+    )
+
+
+def _branches(branches: Branches, depth: int) -> Iterator[str]:
+    """A line for each motion and each answer; branches in the order of their percepts."""
+    separator = "[::"
+    for percept, branch in sorted(branches.items(), key=lambda item: item[0]):
+        if isinstance(branch, Nothing):
+            continue
+        yield f"{separator}\n{' ' * depth}({_percept(percept)}, "
+        if isinstance(branch, Node):
+            yield f"Node {branch.k} "
+            yield from _branches(branch.after, depth + 1)
+            yield ")"
+        else:
+            numbers = f"{_numbers(branch.sigma)} {_numbers(branch.alpha)} {branch.here}"
+            yield f"Leaf (NumberedMap {numbers}))"
+        separator = ";"
+    yield "[::]" if separator == "[::" else "]"
+
+
+def _percept(percept: Sensed) -> str:
+    degree, bearing = percept
+    return f"({degree}, {'None' if bearing < 0 else f'Some {bearing}'})"
+
+
+def _numbers(numbers: Sequence[int]) -> str:
+    return f"[:: {'; '.join(map(str, numbers))}]" if numbers else "[::]"
+
+
+def _limit(text: str, edges: int, tree: Branches) -> str:
+    """A limit as Coq has it: a function of n, m and d0."""
+    bound = bound_named(text)
+    if text == "none":  # the tree is finite: no walk is longer than its longest
+        return f"fun _ _ _ : nat => {max(walks(tree), default=0)}"
+    rows = []
+    for m in range(1, edges + 1):
+        for n in range(1, m + 2):
+            for d0 in range(1, 2 * m + 1):
+                value = bound.value(n, m, d0, 0)
+                if value is None or "D" in bound.variables:
+                    raise InputError(f"limit {text}: an expression in n, m and d0 expected")
+                if value > LARGEST:
+                    raise InputError(f"limit {text}: {value} for n = {n}, m = {m} is too large")
+                rows.append(f"({n}, {m}, {d0}, {max(value, 0)})")
+    return f"limit_from [:: {'; '.join(rows)}]"
+
+
+# ---- Coq ----
+
+
+def asked_of_coq(file: Path) -> Literal["accepted", "refused"]:
+    """Whether coqc accepts a certificate, or has computed that its tree is not right.
+
+    Raises:
+        RuntimeError: if it refuses the file for another reason, or finds an assumption.
+    """
+    command = ["coqc", "-w", "-notation-overridden", "-Q", str(COQ), "Allworlds", str(file)]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    if run.returncode == 0 and run.stdout == "Closed under the global context\n":
+        return "accepted"
+    if run.returncode == 1 and REFUSAL in run.stderr:
+        return "refused"
+    raise RuntimeError(f"coqc {file}: {run.returncode} {run.stdout}{run.stderr}")
+
+
+# ---- Programs ----
+
+
+def write_certificate(arguments: Sequence[str]) -> int:
+    """The exit code: 0 written, 1 no function, 2 bad arguments."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--certificate", required=True, type=Path, metavar="FILE.v")
+    parser.add_argument("explorer", nargs="?", help="a name that allworlds check takes")
+    parser.add_argument("--exec", metavar="COMMAND")
+    parser.add_argument("--edges", type=int, default=4)
+    parser.add_argument("--limit", default="paper", help="a bound in n, m and d0, or none")
+    parser.add_argument("--universe", choices=("all", "simple"), default="all")
+    parser.add_argument("--answer-timeout", type=float, default=10.0, metavar="SECONDS")
+    options = parser.parse_args(arguments)
+    file: Path = options.certificate
+    try:
+        if (options.explorer is None) == (options.exec is None):
+            raise InputError("one explorer expected: a name, or --exec 'COMMAND'")
+        if options.edges < 1:
+            raise InputError(f"--edges {options.edges}: at least 1")
+        if not re.fullmatch(r"[A-Za-z]\w*\.v", file.name, re.ASCII):
+            raise InputError(f"{file}: a name of letters, digits and _ expected, and .v")
+        name = options.explorer if options.exec is None else f"exec:{options.exec}"
+        subject = load(name, options.answer_timeout)
+        map_class = "simple" if options.universe == "simple" else "maps"
+        tree, runs, unanswered = tree_of(subject, options.edges, map_class)
+        text = certificate(tree, options.edges, name, options.limit, options.universe)
+        file.write_text(text, encoding="ascii", errors="replace")
+    except NoFunction as error:
+        print(f"NO FUNCTION  {error}")
+        return 1
+    except (InputError, OSError) as error:
+        print(error, file=sys.stderr)
+        return 2
+    print(f"{file}: {runs:,} runs, {size_of(tree):,} motions and answers, {len(text):,} bytes")
+    if unanswered:
+        print(f"{unanswered:,} runs had no answer: coqc will refuse the file")
+    print(f"to check it: coqc -Q {COQ} Allworlds {file}")
+    return 0
+
+
+def verdict_of(subject: Subject, name: str, edges: int, folder: Path) -> str:
+    """What coqc says of an explorer's certificate; ``no function`` if there is none."""
+    try:
+        tree, _, _ = tree_of(subject, edges)
+    except NoFunction:
+        return "no function"
+    file = folder / "certificate.v"
+    file.write_text(certificate(tree, edges, name), encoding="ascii")
+    return asked_of_coq(file)
+
+
+def certificates_agree(edges: int, names: Sequence[str]) -> bool:
+    """Whether coqc accepts the certificate of Algorithm 1, and that of a mutant if it holds."""
+    known = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
+    said: dict[str, int] = {}
+    agree = True
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("algorithm1", *names):
+            start = time.monotonic()
+            subject = in_process_subject(known[name].explorer()) if name in known else load(name)
+            certified = verdict_of(subject, name, edges, Path(folder))
+            package = package_outcome(known[name], edges).verdict if name in known else "holds"
+            agree = agree and certified == OF_THE_PACKAGE[package]
+            said[certified] = said.get(certified, 0) + 1
+            print(
+                f"certificate of {name}, at most {edges} edges: {certified} by coqc, "
+                f"allworlds check {package}, {time.monotonic() - start:.0f} s"
+            )
+    print(f"certificates: {said}; the same from allworlds check: {'yes' if agree else 'NO'}")
+    # Agreement says nothing if nothing was refused.
+    return agree and {"accepted", "refused"} <= set(said)
+
+
+def main() -> int:
+    """Compare."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--edges", type=int, default=3)
+    parser.add_argument("wrong", nargs="*", default=WRONG, metavar="WRONG")
+    parser.add_argument("--all", action="store_true", help="of every wrong explorer")
+    options = parser.parse_args()
+    if unknown := set(options.wrong) - {mutant.name for mutant in WRONG_EXPLORERS}:
+        parser.error(f"no wrong explorer is called {', '.join(sorted(unknown))}")
+    if shutil.which("coqc") is None or not (COQ / "DecisionTrees.vo").exists():
+        print("not built: make -C proofs/coq", file=sys.stderr)
+        return 2
+    names = [mutant.name for mutant in WRONG_EXPLORERS] if options.all else options.wrong
+    return 0 if certificates_agree(options.edges, names) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
