@@ -5,16 +5,18 @@
 
 runs the explorer in every world with at most so many edges under a directional lighthouse, and
 writes to FILE.v the decision tree of what it has done, and a theorem about every explorer that
-answers as the tree does (``proofs/coq/DecisionTrees.v``).  Nothing is judged here: ``coqc`` computes
-whether the theorem holds, and the worlds are those that Coq enumerates.  A world that was left out
-here, a run without an answer, a wrong answer: each makes ``coqc`` refuse the file.  EXPLORER is a name
-that ``allworlds check`` takes: a built-in one, MODULE:FUNCTION, FILE.py:FUNCTION, native:LIBRARY.
-The file is the same, byte by byte, whenever the explorer does the same.
+answers as the tree does (``proofs/coq/DecisionTrees.v``).  Nothing is judged here: ``coqc``
+computes whether the theorem holds, and the worlds are those that Coq enumerates.  A world that is
+left out here, a run without an answer, a wrong answer: each makes ``coqc`` refuse the file.
+EXPLORER is a name that ``allworlds check`` takes: a built-in one, MODULE:FUNCTION,
+FILE.py:FUNCTION, native:LIBRARY.  The file is the same, byte by byte, whenever the explorer does
+the same.
 
     python proofs/certified_trees.py [--edges 3] [--all | WRONG ...]
 
 has ``coqc`` accept the certificate of Algorithm 1, and those of wrong explorers exactly where
-``allworlds check`` finds nothing wrong.  It needs what ``make -C proofs/coq`` builds.  Exit code 1: coqc says otherwise; 2: bad arguments, or no Coq.
+``allworlds check`` finds nothing wrong.  It needs what ``make -C proofs/coq`` builds.  Exit code 1:
+coqc says otherwise; 2: bad arguments, or no Coq.
 """
 
 from __future__ import annotations
@@ -164,8 +166,8 @@ def size_of(tree: Branches) -> int:
 
 # ---- The file ----
 
-HEAD = """(* A certificate (proofs/coq/DecisionTrees.v): what an explorer, {who}, does in every world
-   with at most {edges} edges.  Written by proofs/certified.py; coqc checks it. *)
+HEAD = """(* A certificate (proofs/coq/DecisionTrees.v): what {who} does
+   in every world with at most {edges} edges.  Written by proofs/certified.py; coqc checks it. *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model DecisionTrees.
 
