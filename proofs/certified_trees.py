@@ -168,6 +168,7 @@ def size_of(tree: Branches) -> int:
 
 HEAD = """(* A certificate (proofs/coq/DecisionTrees.v): what {who} does
    in every world with at most {edges} edges.  Written by proofs/certified.py; coqc checks it. *)
+Set Warnings "-notation-overridden".
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model DecisionTrees.
 
@@ -275,7 +276,7 @@ def asked_of_coq(file: Path) -> Literal["accepted", "refused"]:
     Raises:
         RuntimeError: if it refuses the file for another reason, or finds an assumption.
     """
-    command = ["coqc", "-w", "-notation-overridden", "-Q", str(COQ), "Allworlds", str(file)]
+    command = ["coqc", "-Q", str(COQ), "Allworlds", str(file)]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     if run.returncode == 0 and run.stdout == "Closed under the global context\n":
         return "accepted"
@@ -321,7 +322,9 @@ def write_certificate(arguments: Sequence[str]) -> int:
     print(f"{file}: {runs:,} runs, {size_of(tree):,} motions and answers, {len(text):,} bytes")
     if unanswered:
         print(f"{unanswered:,} runs had no answer: coqc will refuse the file")
-    print(f"to check it: coqc -Q {COQ} Allworlds {file}")
+    here = Path.cwd()
+    where = COQ.relative_to(here) if COQ.is_relative_to(here) else COQ
+    print(f"to check it: coqc -Q {where} Allworlds {file}")
     return 0
 
 
