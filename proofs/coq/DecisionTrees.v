@@ -19,13 +19,20 @@
      certified_right      certified b limit u m if and only if every explorer that answers as b is right
                           within the limit in every world of u with at most m edges.
      tree_answered        there is such an explorer.
+
+     unrolled os fuel seen   what explorer X does after the percepts seen, to so many motions, if what is
+                          sensed is one of the percepts os; unrolled_from os fuel: the same from the start.
+     percepts_to m        all that is sensed in worlds with at most m edges.
+     largest limit m      the largest limit in these worlds.
+     certificate_exists   an explorer has a certificate if and only if it is right in these worlds.
+
      certified_paper, certified_paper_simple   what a certificate states, with (1)+(2) as the limit.
      certified_limit, certified_limit_simple   what it states with any other.
      limit_from           a limit that is given as a list of numbers.
      one_edge_tree             the tree of Algorithm 1 for the two worlds with one edge.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Model Codes Explorers Checker.
+From Allworlds Require Import Model Maps Codes Explorers Checker.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -117,6 +124,106 @@ Theorem certified_right b limit u m : certified b limit u m <->
 Proof.
 split=> [/directional_check_correct H X F W uW le|H]; first exact: answers_right F (H W uW le).
 by apply/directional_check_correct=> W uW le; apply: H uW le; exact: tree_answers.
+Qed.
+
+(* ---- Every right explorer has a certificate ---- *)
+Section Unrolled.
+Variable X : explorer percept numbered_map.
+
+Fixpoint unrolled (os : seq percept) fuel seen : decision_tree :=
+  match X seen with
+  | Stop e => Leaf e
+  | Move k =>
+      Node k (if fuel is fuel'.+1 then [seq (o, unrolled os fuel' (rcons seen o)) | o <- os] else [::])
+  end.
+Definition unrolled_from os fuel : branches := [seq (o, unrolled os fuel [:: o]) | o <- os].
+
+Lemma branch_to_map (f : percept -> decision_tree) os o :
+  branch_to [seq (p, f p) | p <- os] o = if o \in os then Some (f o) else None.
+Proof. by elim: os => //= p os ->; rewrite inE eq_sym; case: eqP => // ->. Qed.
+
+Lemma unrolled_decides os fuel seen : tree_decides (Some (unrolled os fuel seen)) = X seen.
+Proof. by case: fuel => [|fuel] /=; case: (X seen). Qed.
+
+Lemma unrolled_goes_on os fuel seen k o : X seen = Move k -> o \in os ->
+  tree_goes_on (Some (unrolled os fuel.+1 seen)) o = Some (unrolled os fuel (rcons seen o)).
+Proof. by move=> E os_o; rewrite /= E branch_to_map os_o. Qed.
+
+Lemma unrolled_stands os fuel seen more t :
+  foldl tree_goes_on (Some (unrolled os fuel seen)) more = Some t ->
+  tree_decides (Some t) = X (seen ++ more).
+Proof.
+elim: more fuel seen => [|o more IH] fuel seen.
+  by case=> <-; rewrite cats0 unrolled_decides.
+rewrite -cat_rcons [foldl _ _ _]/=; case: fuel => [|fuel] /=; case: (X seen) => [k|e] /=;
+  rewrite ?stands_nowhere // branch_to_map; case: ifP => _; rewrite ?stands_nowhere //; exact: IH.
+Qed.
+
+Lemma unrolled_answers os fuel : answers_as X (unrolled_from os fuel).
+Proof.
+move=> [|o seen] a //; rewrite saidE /stands branch_to_map; case: ifP => _; rewrite ?stands_nowhere //.
+by case E: (foldl _ _ _) => [t|] //; have D := unrolled_stands E; case=> <-; rewrite -D.
+Qed.
+
+Lemma unrolled_explore os n (M : rooted_map) (senses : carrier M -> percept) :
+  (forall d, senses d \in os) -> forall fuel m o seen d t e z, fuel <= m ->
+  stands (unrolled_from os n) o seen = Some (unrolled os m (o :: seen)) ->
+  explore X M senses fuel (o :: seen) d = (t, Some e, z) ->
+  explore (as_explorer (tree_resumption (unrolled_from os n))) M senses fuel (o :: seen) d
+    = (t, Some e, z).
+Proof.
+move=> listed; elim=> [|fuel IH] m o seen d t e z le S.
+  by rewrite /= -/(stands _ o seen) S unrolled_decides; case: (X (o :: seen)).
+rewrite /= -/(stands _ o seen) S unrolled_decides; case E: (X (o :: seen)) => [k|a]; last by [].
+case R: (explore _ _ _ _ _ _) => [[t' a'] z'] [<- A <-]; subst a'.
+case: m le S => // m le S; rewrite (IH m _ _ _ _ _ _ _ _ R) //.
+rewrite /stands -[rcons seen _]cats1 foldl_cat -/(stands _ o seen) S cats1.
+exact: unrolled_goes_on E (listed _).
+Qed.
+End Unrolled.
+
+(* all that is sensed in worlds with at most m edges *)
+Definition percepts_to m : seq percept :=
+  flatten [seq (d, None) :: [seq (d, Some b) | b <- iota 0 d] | d <- iota 0 m.*2.+1].
+
+Lemma percept_listed (W : lighthouse_world) m (d : W) : edges W <= m -> percept_of d \in percepts_to m.
+Proof.
+move=> le; apply/flattenP; exists ((degree d, None) :: [seq (degree d, Some b) | b <- iota 0 (degree d)]).
+  apply: (map_f (fun d => (d, None) :: [seq (d, Some b) | b <- iota 0 d])).
+  rewrite mem_iota ltnS; apply: leq_trans (max_card _) _; rewrite -(edges_double W) leq_double //.
+rewrite /percept_of /bearing inE; case: ifP => c; last by rewrite eqxx.
+by apply/orP; right; apply: map_f; rewrite mem_iota; exact: findex_max.
+Qed.
+
+Definition largest (limit : nat -> nat -> nat -> nat) m :=
+  \max_(n < m.*2.+1) \max_(k < m.+1) \max_(d < m.*2.+1) limit n k d.
+
+Lemma largest_limit limit (W : lighthouse_world) m : edges W <= m ->
+  limit (vertices W) (edges W) (degree (@start W)) <= largest limit m.
+Proof.
+move=> le; have le2 : #|W| <= m.*2 by rewrite -(edges_double W) leq_double.
+have lv : vertices W < m.*2.+1 by rewrite ltnS; apply: leq_trans le2; exact: max_card.
+have ld : degree (@start W) < m.*2.+1 by rewrite ltnS; apply: leq_trans le2; exact: max_card.
+have lm : edges W < m.+1 by [].
+apply: leq_trans (leq_bigmax (Ordinal lv)); apply: leq_trans (leq_bigmax (Ordinal lm)).
+exact: (leq_bigmax (F := fun d : 'I__ => limit (vertices W) (edges W) d) (Ordinal ld)).
+Qed.
+
+Theorem certificate_exists X limit u m :
+  (forall W : lighthouse_world, in_universe u W -> edges W <= m ->
+   right_within X (M := rooted (@start W)) (@percept_of W)
+     (limit (vertices W) (edges W) (degree (@start W)))) <->
+  exists2 b, answers_as X b & certified b limit u m.
+Proof.
+split=> [H|[b F /certified_right C] W uW le]; last exact: C.
+pose os := percepts_to m; pose n := largest limit m.
+exists (unrolled_from X os n); first exact: unrolled_answers.
+apply/directional_check_correct=> W uW le; have /right_withinE [t [e [z [R V I]]]] := H W uW le.
+apply/right_withinE; exists t, e, z; split=> //.
+have listed (d : W) : percept_of d \in os by exact: percept_listed.
+apply: (@unrolled_explore X os n (rooted (@start W)) (@percept_of W) listed _ n _ _ _ _ _ _
+  (largest_limit limit le) _ R).
+by rewrite /stands branch_to_map listed.
 Qed.
 
 (* ---- What a certificate states ---- *)

@@ -460,6 +460,15 @@ Theorem certificate_within_paper_bound (tree : branches) m : certified tree pape
       valid answer & isomorphic (denote answer) (rooted z)].
 Proof. exact: certified_paper. Qed.
 
+(* None is missing: an explorer, any function of the percepts, has a certificate if and only if it is right in
+   these worlds. *)
+Theorem right_explorers_have_certificates X limit u m :
+  (forall W : lighthouse_world, in_universe u W -> edges W <= m ->
+   right_within X (M := rooted (@start W)) (@percept_of W)
+     (limit (vertices W) (edges W) (degree (@start W)))) <->
+  exists2 tree, answers_as X tree & certified tree limit u m.
+Proof. exact: certificate_exists. Qed.
+
 (* It speaks of something: every tree is answered as by some explorer. *)
 Theorem trees_are_answered (tree : branches) : exists X, answers_as X tree.
 Proof. exact: tree_answered. Qed.

@@ -416,6 +416,12 @@ Check (@certificate_within_paper_bound :
         = (transcript, Some answer, z),
       valid answer & isomorphic (denote answer) (rooted z)]).
 
+Check (@right_explorers_have_certificates :
+  forall X limit u m, (forall W : lighthouse_world, in_universe u W -> edges W <= m ->
+   right_within X (M := rooted (@start W)) (@percept_of W)
+     (limit (vertices W) (edges W) (degree (@start W)))) <->
+  exists2 tree, answers_as X tree & certified tree limit u m).
+
 Check (@trees_are_answered :
   forall (tree : branches), exists X, answers_as X tree).
 
