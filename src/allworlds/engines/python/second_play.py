@@ -353,8 +353,7 @@ class PlayedTwice:
         self.players.send_records([play.record], self._policy)
         (second,) = self.players.receive_logs()
         if not may_be_the_machine(log, second) and log.ending != before.log.ending:
-            remark(
-                f"a run ended otherwise when it was tried again; at first: {ending_in_words(before.log)}"
-            )
+            ended = ending_in_words(before.log)
+            remark(f"a run ended otherwise when it was tried again; at first: {ended}")
         outcome = self._referee.outcome(one.world, play.episode, log.choices)
         return overruled(outcome, log, second)
