@@ -33,7 +33,7 @@ class Outcome:
     """One judged episode.
 
     Attributes:
-        episode: what happened.
+        episode: the run.
         violation: the first broken law, or None.
         detail: a traceback, or a program's stderr; may be empty.
         choices: the index taken at each choice.
