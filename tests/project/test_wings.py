@@ -60,7 +60,7 @@ HOMES = {
     "distributed": ["engines.transports.dask_cluster", "engines.transports.dask_lanes"],
     "hypothesis": ["strategies"],
     "llvmlite": ["engines.kernel"],
-    "msgspec": ["document", "engines.isolation.messages", "reports.schemas"],
+    "msgspec": ["document", "engines.isolation.messages", "judging.endings", "reports.schemas"],
     "matplotlib": ["reports.growth_plot", "evidence.figures"],
     "networkx": [
         "maps.networks",

@@ -158,7 +158,7 @@ def _beside(
                 beside.submit(_played, ListingEngine(scope, keep=0), subject, workers, units),
             )
         except BaseException:
-            # What is on its way is given up at its next look at the time.
+            # Units that are under way are given up at the next look at the time.
             workers.deadline = 0.0
             raise
 
