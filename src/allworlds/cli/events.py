@@ -10,6 +10,7 @@ from typing import Any, TextIO
 
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import Progress, complain
+from allworlds.engines import Listener
 from allworlds.inputs import InputError, a_path, show
 from allworlds.outcome import Result
 from allworlds.reports import (
@@ -27,7 +28,7 @@ EVERY = 1.0
 """Seconds between two lines that say how much is done."""
 
 
-class Events:
+class Events(Listener):
     """A listener that hands everything on, and writes what happens.
 
     A disk that is full costs the rest of the events and nothing else.
