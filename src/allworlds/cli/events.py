@@ -8,6 +8,8 @@ from contextlib import ExitStack, contextmanager, suppress
 from time import monotonic
 from typing import Any, TextIO
 
+from typing_extensions import override
+
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import Progress, complain
 from allworlds.engines import Listener
@@ -38,8 +40,8 @@ class Events(Listener):
         self._progress, self._file = progress, file
         self._done, self._told = 0, monotonic()
 
+    @override
     def level(self, edges: int, worlds: int) -> None:
-        """A level begins."""
         self._progress.level(edges, worlds)
         self._done = 0
         self._write(LevelEvent(edges=edges, worlds=worlds))
@@ -58,12 +60,12 @@ class Events(Listener):
             self._told = monotonic()
             self._write(ProgressEvent(done=self._done))
 
+    @override
     def unit(self, key: str, worlds: int) -> None:
-        """A unit is finished."""
         self._write(UnitEvent(unit=key, worlds=worlds))
 
+    @override
     def finding(self, document: Mapping[str, Any]) -> None:
-        """A run refutes."""
         self._write(FindingEvent(finding=document))
 
     def notice(self, text: str) -> None:
