@@ -68,6 +68,9 @@ IfAny: TypeAlias = Annotated[T, IF_ANY]
 """A key that is left out where its value is None or empty."""
 
 
+NOTHING = (None, "", ())
+
+
 def read_by(kind: Any) -> Meta:
     """The value is of that kind; where it is read, its class reads it, and not :func:`taken`."""
     return Meta(extra={"kind": kind})
@@ -138,10 +141,11 @@ class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=T
 
     def to_json(self) -> dict[str, Any]:
         """The JSON object."""
+        told = {key: getattr(self, key.attribute) for key in keys_of(type(self))}
         return {
             key.name: plain(value)
-            for key in keys_of(type(self))
-            if (value := getattr(self, key.attribute)) is not UNSET and (value or not key.if_any)
+            for key, value in told.items()
+            if value is not UNSET and not (key.if_any and value in NOTHING)
         }
 
 
