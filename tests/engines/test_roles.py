@@ -22,10 +22,7 @@ from allworlds.engines.isolation.jobs import (
     PlayerSetup,
     PlayRecords,
     PlayRuns,
-    RefereeSetup,
     Trace,
-    UnitJob,
-    UnitProgress,
 )
 from allworlds.engines.isolation.messages import (
     ExplorerDescription,
@@ -38,6 +35,7 @@ from allworlds.engines.isolation.messages import (
 from allworlds.engines.isolation.player import PlayerProcess
 from allworlds.engines.isolation.process import Guardian, guardian
 from allworlds.engines.isolation.referee import RefereeProcess
+from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.python.play import Record
 from allworlds.explorers import load
 from allworlds.judging import Fault, Rules, UncheckedAnswer

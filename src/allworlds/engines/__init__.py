@@ -71,10 +71,8 @@ if TYPE_CHECKING:
         Referee as Referee,
         name_run as name_run,
     )
-    from allworlds.engines.python.python_engine import (
-        EnginesDisagree as EnginesDisagree,
-        PythonEngine as PythonEngine,
-    )
+    from allworlds.engines.python.python_engine import PythonEngine as PythonEngine
+    from allworlds.engines.python.run_counter import EnginesDisagree as EnginesDisagree
     from allworlds.engines.python.runs_of_unit import (
         GivenWorlds as GivenWorlds,
         LevelRuns as LevelRuns,

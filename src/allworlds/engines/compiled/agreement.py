@@ -20,7 +20,8 @@ from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.rows import Listed, walk_number
 from allworlds.engines.kernel.runs import examine
 from allworlds.engines.python.examiner import Examiner
-from allworlds.engines.python.python_engine import EnginesDisagree, PythonEngine
+from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns, NumberedRun, UnitOfRuns, numbered_runs
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.units.effort import Limits

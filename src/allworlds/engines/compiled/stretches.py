@@ -40,12 +40,8 @@ from allworlds.engines.kernel.runs import examine
 from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.comparison import nondeterministic
 from allworlds.engines.python.examiner import LOST, Outcome, Referee
-from allworlds.engines.python.python_engine import (
-    REPORT_EVERY,
-    EnginesDisagree,
-    PartwiseEngine,
-    PythonEngine,
-)
+from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree, PartwiseEngine
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, NumberedRun, UnitOfRuns
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.second_play import KEPT, EarlierPlays, OneRun, PlayedTwice

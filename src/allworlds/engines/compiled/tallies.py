@@ -25,7 +25,7 @@ from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.rows import BrokenRun, Rows
 from allworlds.engines.kernel.runs import examine
 from allworlds.engines.python.examiner import Examiner
-from allworlds.engines.python.python_engine import EnginesDisagree
+from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.tally import AtRun, Row, Tally

@@ -6,6 +6,8 @@
     the units into which it is cut;
 ``examiner``
     one run, judged;
+``run_counter``
+    the runs of a unit, and how they are counted, whoever plays them;
 ``python_engine``
     all runs of a unit; **the** loop of the exhaustive check;
 ``play``, ``second_play``, ``comparison``, ``in_process``

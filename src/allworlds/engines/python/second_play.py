@@ -40,7 +40,7 @@ from allworlds.engines.python.comparison import (
 )
 from allworlds.engines.python.examiner import Outcome, Referee, name_run
 from allworlds.engines.python.play import Record
-from allworlds.engines.python.python_engine import REPORT_EVERY, PythonEngine
+from allworlds.engines.python.run_counter import REPORT_EVERY, RunCounter
 from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
 from allworlds.engines.python.tally import Tally
 from allworlds.judging import Episode, Fault, Finding, Log, LostRun, retold
@@ -67,7 +67,7 @@ class Players(Protocol):
 
     def play_runs(
         self,
-        engine: PythonEngine,
+        engine: RunCounter,
         unit: UnitOfRuns,
         numbers: Sequence[int],
         script: tuple[int, ...] | None = None,
@@ -189,7 +189,7 @@ class EarlierPlays(Generic[P]):
 class PlayedTwice:
     """The engine for a foreign explorer."""
 
-    engine: PythonEngine
+    engine: RunCounter
     explorer: str
     players: Players
     earlier: EarlierPlays[_Play] = field(default_factory=EarlierPlays)
