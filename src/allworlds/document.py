@@ -104,6 +104,11 @@ Some: TypeAlias = Annotated[tuple[T, ...], Meta(min_length=1)]
 Different: TypeAlias = Annotated[tuple[T, ...], narrowed(uniqueItems=True)]
 
 
+AllRows = Annotated[bool, about("every row is there; false: the user has interrupted")]
+Bounded = Annotated[Positive | None, about("at most so many; null: not bounded")]
+WhichShard = Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
+
+
 class _Computed:
     """Makes the value of a key that follows from the other fields, when these are known."""
 
