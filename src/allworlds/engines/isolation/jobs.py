@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any, Self
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.python.scope import Schedule
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import ExplorerSource, Subject
 from allworlds.judging import Rules
+from allworlds.protocol import Schedule
 from allworlds.world import World
 
 if TYPE_CHECKING:
