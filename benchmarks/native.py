@@ -32,7 +32,7 @@ from allworlds.engines.kernel.batches import LONGEST_STRETCH, Stretch, UnitJudge
 from allworlds.engines.kernel.native import RUN_TOLD
 from allworlds.explorers import NativeExplorer, load
 from allworlds.explorers.shared_library.library import ROOM, Library
-from allworlds.judging import make_rules
+from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
 
 PARTS = ("laid out", "first play", "judged", "second play", "compared")
@@ -80,7 +80,7 @@ def main() -> None:
     parser.add_argument("--units", type=int, default=1 << 30, help="the first so many alone")
     parser.add_argument("--explore", metavar="PROGRAM")
     given = parser.parse_args()
-    rules = make_rules({}, "directional", "paper")
+    rules = Rules("directional", own_bound="paper")
     extent = Extent(MapClass.MAPS, given.edges, None)
     scope = Scope(extent, rules)
     units = list(scope.units(given.edges))[: given.units]

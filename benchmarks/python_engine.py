@@ -19,7 +19,7 @@ from collections.abc import Callable
 import allworlds
 from allworlds.engines import Examiner
 from allworlds.explorers import load
-from allworlds.judging import make_rules
+from allworlds.judging import Rules
 from allworlds.maps import family, rooted_code, rooted_maps, unrooted_code
 from allworlds.protocol import Choices
 
@@ -37,7 +37,7 @@ def seconds(work: Callable[[], object]) -> float:
 def judged_runs() -> float:
     """Runs a second: Algorithm 1 on every run of the level, judged, in this process alone."""
     worlds = [w for w in allworlds.worlds(edges=LEVEL, places="all") if w.map.edge_count == LEVEL]
-    examiner = Examiner(load("algorithm1"), make_rules({}, "directional"))
+    examiner = Examiner(load("algorithm1"), Rules("directional"))
 
     def work() -> None:
         for world in worlds:

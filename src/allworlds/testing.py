@@ -21,16 +21,16 @@ from __future__ import annotations
 import inspect
 import sys
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import partial
 from pathlib import Path
-from typing import Any, TypeAlias, cast
+from typing import Any, TypeAlias
 
 from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap, Extent, MapClass
 from allworlds.outcome import Verdict
 from allworlds.reports import brief, finding_in_words
-from allworlds.studies.check import CheckReport, ManyRunsOptions, check
+from allworlds.studies.check import CheckReport, ManyRuns, check
 from allworlds.studies.fuzz import refuted_in
 from allworlds.words import plural
 from allworlds.world import own_corpus
@@ -210,7 +210,7 @@ def known_hard_maps() -> list[CombinatorialMap]:
 
 def _known(explore: Explorer, options: Mapping[str, Any]) -> None:
     __tracebackhide__ = True
-    _assert_no(refuted_in(explore, known_hard_maps(), **_many_runs(options)))
+    _assert_no(refuted_in(known_hard_maps(), _many_runs(explore, options)))
 
 
 def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]) -> None:
@@ -218,13 +218,13 @@ def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]
     from allworlds.strategies import sampled_maps
 
     map_class = options.get("map_class", MapClass.MAPS.value)
-    _assert_no(refuted_in(explore, sampled_maps(map_class, edges, count), **_many_runs(options)))
+    _assert_no(refuted_in(sampled_maps(map_class, edges, count), _many_runs(explore, options)))
 
 
-def _many_runs(options: Mapping[str, Any]) -> ManyRunsOptions:
+def _many_runs(explore: Explorer, options: Mapping[str, Any]) -> ManyRuns:
     """Those of the options that are not of an exhaustive check alone."""
-    named = ManyRunsOptions.__annotations__
-    return cast("ManyRunsOptions", {key: options[key] for key in options if key in named})
+    named = {field.name for field in fields(ManyRuns)}
+    return ManyRuns(explore, **{key: options[key] for key in options if key in named})
 
 
 # Raised, not asserted: pytest rewrites the assertions of a package that has a plugin, and would

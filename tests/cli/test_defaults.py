@@ -9,16 +9,20 @@ from allworlds import ambiguity
 from allworlds.engines import Limits
 from allworlds.judging import Rules
 
+RULES = {"policy": "fifo", "answer_timeout": 10.0}
+MANY = {**RULES, "map_class": "maps", "workers": 1}
+
 # All that are not None, where None says that something else decides.
 DEFAULTS = {
     allworlds.check: {
+        **MANY,
         "explore": "algorithm1",
         "schedules": "one",
         "engine": "auto",
         "max_findings": 1,
     },
-    allworlds.fuzz: {"explore": "algorithm1", "min_edges": 1, "seed": 0},
-    allworlds.run: {"choices": ()},
+    allworlds.fuzz: {**MANY, "explore": "algorithm1", "min_edges": 1, "seed": 0},
+    allworlds.run: {**RULES, "choices": ()},
     allworlds.compare: {},
     allworlds.replay: {"answer_timeout": 10.0},
     allworlds.mutants: {"edges": 4},

@@ -6,7 +6,7 @@ from allworlds.engines.compiled.agreement import AGREED
 from allworlds.engines.kernel.engine import COMPILING
 from allworlds.explorers import Subject, load
 from allworlds.inputs import InputError
-from allworlds.judging import make_rules
+from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
 from allworlds.outcome import Verdict
 from allworlds.studies.check.time_estimate import is_worth_a_guess
@@ -74,7 +74,7 @@ def test_auto_takes_the_kernel_from_five_edges_on_wherever_it_can():
 
 
 def scope_to(edges, lighthouse="directional"):
-    return Scope(Extent(MapClass.MAPS, edges, None), make_rules({}, lighthouse, "none"))
+    return Scope(Extent(MapClass.MAPS, edges, None), Rules(lighthouse, own_bound="none"))
 
 
 MINE, PROGRAM = Subject("mine.py:explore", frozenset()), Subject("exec:./mine", frozenset())

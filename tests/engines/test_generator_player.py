@@ -29,7 +29,7 @@ from allworlds.engines.python.play import Recorded
 from allworlds.engines.python.second_play import KEPT, EarlierPlays
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import Subject, algorithm1
-from allworlds.judging import Fault, UncheckedAnswer, make_rules, perform
+from allworlds.judging import Fault, Rules, UncheckedAnswer, perform
 from allworlds.maps import Extent, MapClass
 from allworlds.protocol import ExplorerFault
 from allworlds.world import Directional, World
@@ -42,7 +42,7 @@ STRANGE = bytes((LogEnd.STRANGE,))
 
 
 def scope_of(edges):
-    return Scope(Extent(MapClass.MAPS, edges, None), make_rules({}, "directional", "paper"))
+    return Scope(Extent(MapClass.MAPS, edges, None), Rules("directional", own_bound="paper"))
 
 
 def worlds(edges):

@@ -50,7 +50,7 @@ ENGINE = PythonEngine(Scope(Extent(MapClass.MAPS, 1), Rules()), 4)
 
 
 def setup(name):
-    limits = Limits(1)
+    limits = Limits(workers=1)
     subject = subject_of(f"{WRONG}:{name}", limits)
     return PlayerSetup.of(subject, limits)
 
@@ -148,7 +148,7 @@ def test_a_player_that_fails_says_so(live):
 
 
 def test_a_referee_examines_a_unit_and_tells_tallies(live):
-    subject = subject_of(f"{WRONG}:right", Limits(1))
+    subject = subject_of(f"{WRONG}:right", Limits(workers=1))
     units = [UnitJob(ENGINE, UNIT, 0), UnitJob(ENGINE, UNIT, 0)]
 
     def talk(connection):
@@ -168,7 +168,7 @@ def test_a_referee_examines_a_unit_and_tells_tallies(live):
 
 
 def test_a_referee_plays_an_explorer_of_ours_itself(live):
-    subject = subject_of("algorithm1", Limits(1))
+    subject = subject_of("algorithm1", Limits(workers=1))
 
     def talk(connection):
         connection.send(RefereeSetup(subject, Limits(), 5))

@@ -36,7 +36,7 @@ from allworlds.engines.kernel.rows import BrokenRun, Rows
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.explorers import load
-from allworlds.judging import make_rules
+from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
 from allworlds.outcome import Verdict
 from allworlds.studies.check import check
@@ -105,7 +105,7 @@ def test_every_class_is_judged_as_in_the_other_engine(map_class, source):
     "lighthouse", ["none", "position", "compass", "cluster", "cluster:single=true", "natural"]
 )
 def test_every_lighthouse_is_judged_as_in_the_other_engine(lighthouse):
-    rules = make_rules({"step_budget": 30}, lighthouse, "none")
+    rules = Rules(lighthouse, step_budget=30, own_bound="none")
     scope = Scope(Extent(MapClass.MAPS, 3, None), rules)
     tally = parts(PairHere(example("c/hasty.c")), 3, keep=3, scope=scope)
     assert tally.runs
@@ -113,7 +113,7 @@ def test_every_lighthouse_is_judged_as_in_the_other_engine(lighthouse):
 
 
 def test_what_several_worlds_look_like_is_judged_by_the_other_engine():
-    scope = Scope(Extent(MapClass.MAPS, 2, None), make_rules({}, "position", "none"))
+    scope = Scope(Extent(MapClass.MAPS, 2, None), Rules("position", own_bound="none"))
     tally = parts(PairHere(quotient()), 2, keep=3, scope=scope)
     assert {found.law for found in tally.findings} == {"ambiguity"}
 
@@ -152,7 +152,7 @@ def test_what_the_kernel_cannot_do_is_told_and_done_by_the_other_engine():
 
 
 def scope_of(edges, bound="paper", **options):
-    rules = make_rules(options, "directional", bound)
+    rules = Rules("directional", own_bound=bound, **options)
     return Scope(Extent(MapClass.MAPS, edges, None), rules)
 
 

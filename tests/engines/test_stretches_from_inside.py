@@ -20,7 +20,7 @@ from allworlds.engines.isolation.referee_jobs import RefereeSetup
 from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.explorers import load
-from allworlds.judging import make_rules
+from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass
 from native_libraries import example
 
@@ -92,7 +92,7 @@ def test_a_referee_takes_the_engine_of_native_explorers():
     ours, theirs = Pipe()
     with ours, theirs:
         subject = load(f"native:{example('c/algorithm1.c')}")
-        scope = Scope(Extent(MapClass.MAPS, 1, None), make_rules({}, "directional", "paper"))
+        scope = Scope(Extent(MapClass.MAPS, 1, None), Rules("directional", own_bound="paper"))
         referee = RefereeProcess(theirs, bytearray(16), None)
         pair = PlayerPair(None, SETUP, Random(1))
         engine = referee._bind(

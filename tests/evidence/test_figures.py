@@ -11,7 +11,7 @@ from msgspec import structs
 
 from allworlds import figure, run
 from allworlds.engines import Limits, Silent
-from allworlds.evidence.figures import files_of, holes as fig3
+from allworlds.evidence.figures import FigureRequest, holes as fig3
 from allworlds.evidence.figures.augmentation import figure_2
 from allworlds.evidence.figures.bounds import figure_bounds
 from allworlds.evidence.figures.figure_table import FIGURES
@@ -22,7 +22,7 @@ from allworlds.judging import paper_bound, printed_bound
 from allworlds.outcome import Verdict
 from allworlds.studies.compare import Growth
 from allworlds.studies.optimum import optimum
-from allworlds.world import world_of_family
+from allworlds.world import FamilyWords
 
 # ---------------------------------------------------------------- Fig. 1
 
@@ -96,7 +96,7 @@ def test_every_run_is_one_in_the_world_of_that_name_under_that_policy(small):
     for row in rows:
         told = dict(zip(header, row, strict=True))
         text, _, holes, _, seed = told["world"].split()
-        world = world_of_family(text, holes, int(seed), "directional")
+        world = FamilyWords(family=text, holes=holes, seed=int(seed)).world("directional")
         name, _, policy = told["explorer"].partition(", ")
         again = run(name, world, policy=policy or "fifo").outcome
         assert again.cost == told["traversals"]
@@ -235,7 +235,7 @@ def test_the_command_tells_the_caption(cli, tmp_path):
 
 
 def test_a_figure_goes_where_its_name_says_if_nobody_says():
-    assert [str(path) for path in files_of("2", None)] == ["figure-2.svg", "figure-2.csv"]
+    assert [str(path) for path in FigureRequest("2").files] == ["figure-2.svg", "figure-2.csv"]
 
 
 def test_a_complete_growth_has_come_to_its_end(small):

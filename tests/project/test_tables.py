@@ -15,15 +15,11 @@ import typer
 
 import allworlds
 from allworlds import reports, strategies
-from allworlds.cli import options as opt
 from allworlds.cli.app import app
 from allworlds.document import Report, taken
 from allworlds.engines import (
     ENGINES,
-    EffortOptions,
-    Limits,
     Sample,
-    Schedule,
     Scope,
     engine_table as engines,
 )
@@ -31,8 +27,8 @@ from allworlds.engines.kernel.law_numbers import CHECKED
 from allworlds.evidence.figures.figure_table import FIGURES
 from allworlds.evidence.mutants.judges import WEAK_JUDGES
 from allworlds.explorers import BUILT_IN, LANGUAGES, builtin as explorers, load
-from allworlds.inputs import InputError
-from allworlds.judging import LAWS, PRECEDENCE, RecordedRules, Rules, RulesOptions, make_rules
+from allworlds.inputs import InputError, fields_of
+from allworlds.judging import LAWS, PRECEDENCE, AskedRules, RecordedRules, Rules
 from allworlds.judging.explanations.by_law import TELLERS
 from allworlds.maps import (
     Extent,
@@ -44,13 +40,14 @@ from allworlds.maps import (
 from allworlds.maps.counting.sources import sources
 from allworlds.maps.families import FAMILIES
 from allworlds.outcome import Exit, Verdict
-from allworlds.protocol import POLICIES, SEEDED
+from allworlds.protocol import POLICIES, SEEDED, Schedule
 from allworlds.reports import FORMATS, schemas, text
 from allworlds.reports.html.pages import PAGES
 from allworlds.reports.rendering import FILES
 from allworlds.studies.ambiguity.smt.question import SEARCHED
-from allworlds.studies.check import ManyRunsOptions, RunOptions
 from allworlds.studies.check.report import CheckedScope
+from allworlds.studies.compare import CompareRequest
+from allworlds.studies.compare.contest import CompareOptions
 from allworlds.studies.compare.growing_families import GROWING
 from allworlds.studies.fuzz.sample import GENERATORS, batches
 from allworlds.studies.worst.every_schedule import Transit
@@ -184,8 +181,7 @@ ONLY_CLI = {
     "check": {"estimate", "explorer", "command", "native", "watch"},
     "fuzz": {"explorer", "command", "native"},
     "run": {"arguments", "command", "native", "family", "holes", "seed"},
-    "replay": {"file", "explorer", "command", "native"},
-    "explain": {"file"},
+    "replay": {"explorer", "command", "native"},
     "ambiguity twins": {"lighthouse"},
     "ambiguity class": {"lighthouse"},
     "self bench": {"peer"},
@@ -196,8 +192,7 @@ ONLY_PYTHON = {
     "check": {"explore"},
     "fuzz": {"explore"},
     "run": {"explore", "world"},
-    "replay": {"finding", "explore"},
-    "explain": {"finding"},
+    "replay": {"explore"},
     "self bench": {"peers"},
     "play": {"player"},
     # It runs no explorers but the built-in ones.
@@ -217,6 +212,12 @@ def keywords_of(function):
     return taken - {"listener"}
 
 
+def test_the_keywords_of_compare_are_the_fields_of_its_request():
+    fields = {field.name: field.type for field in fields_of(CompareRequest)}
+    assert fields.pop("explorers")
+    assert fields == get_type_hints(CompareOptions)
+
+
 @pytest.mark.parametrize("name", BY_NAME)
 def test_the_command_line_takes_what_the_function_takes(name):
     shown = {param.name for param in command_of(BY_NAME[name]).params} - PRINTED
@@ -225,27 +226,11 @@ def test_the_command_line_takes_what_the_function_takes(name):
     assert taken - shown == ONLY_PYTHON.get(name, set())
 
 
-def test_the_groups_of_options_are_those_of_the_functions():
-    assert set(opt.RulesGroup().options()) == set(RunOptions.__annotations__)
-    many = opt.many_runs("maps", None, opt.RulesGroup(), opt.EffortGroup())
-    assert set(many) == set(ManyRunsOptions.__annotations__)
-    assert set(RunOptions.__annotations__) == {*RulesOptions.__annotations__, "answer_timeout"}
-    assert set(EffortOptions.__annotations__) <= set(many)
-
-
-def test_what_is_left_out_means_the_same_on_the_command_line_and_in_python():
-    many = opt.many_runs("maps", None, opt.RulesGroup(), opt.EffortGroup(workers="1"))
-    for options in ({}, opt.RulesGroup().options(), many):
-        assert make_rules(options, "directional") == make_rules({}, "directional")
-    effort = {key: many[key] for key in EffortOptions.__annotations__}
-    assert Limits.of(effort) == Limits.of({}) == Limits()
-
-
 def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
-    assert set(RecordedRules.__annotations__) == set(RulesOptions.__annotations__)
-    assert set(RulesOptions.__annotations__) < set(CheckedScope.__annotations__)
+    assert set(RecordedRules.__annotations__) == set(AskedRules.__annotations__)
+    assert set(AskedRules.__annotations__) < set(CheckedScope.__annotations__)
     others = {"policy": "lifo", "bound": "n", "laws": ("map",), "step_budget": 7}
-    assert set(others) == set(RulesOptions.__annotations__)
+    assert set(others) == set(AskedRules.__annotations__)
     report = allworlds.check(silent(), edges=1)
     (finding,) = report.findings
     for key, value in others.items():
@@ -484,7 +469,7 @@ def test_under_every_lighthouse_a_run_is_checked_told_and_explained(kind):
 
 # ---------------------------------------------------------------- where a new thing goes
 
-NOT_NAMED = ("the function", "where it acts", "where the result is")
+NOT_NAMED = ("the function", "the request", "where it acts", "where the result is")
 PLACES = [
     [cell.strip() for cell in re.split(r"(?<!\\)\|", row)[1:-1]]
     for row in section(page("docs/ARCHITECTURE.md"), "Where a new thing goes").splitlines()
@@ -516,7 +501,7 @@ def test_what_is_said_of_a_new_thing_is_so(row):
 def test_every_table_says_where_a_new_entry_goes():
     told = {name for new, *_ in PLACES for name in re.findall(r"`(\w+)`", new)}
     assert {"BUILT_IN", "LIGHTHOUSES", "LAWS", "VERBS", "FORMATS", "ENGINES", "POLICIES"} <= told
-    assert {"RulesOptions", "EffortOptions", "MapClass", "Transport"} <= told
+    assert {"AskedRules", "Limits", "MapClass", "Transport"} <= told
 
 
 # ---------------------------------------------------------------- policies, explorers, exit codes

@@ -18,7 +18,7 @@ from allworlds.reports import file_of
 from allworlds.reports.growth_text import growth_csv, growth_text
 from allworlds.studies.compare import Climb, GrowRow, Growth
 from allworlds.studies.compare.growing_families import GROWING, members_of
-from allworlds.world import world_of_family
+from allworlds.world import FamilyWords
 from kept_jobs import EXPLORERS
 
 
@@ -32,7 +32,7 @@ def test_every_cost_is_that_of_a_single_run_in_the_world_of_that_name(report):
     for row in report.rows:
         for member, cost in zip(row.members, row.costs, strict=True):
             text, seed = member.split(" --seed ")
-            world = world_of_family(text, None, int(seed), "directional")
+            world = FamilyWords(family=text, seed=int(seed)).world("directional")
             assert run(row.explorer, world).outcome.cost == cost
             assert (world.map.edge_count, world.map.vertex_count) == (row.edges, row.vertices)
 

@@ -8,8 +8,9 @@ from allworlds.maps import named_map
 from allworlds.studies.ambiguity.smt.decode import decoded
 from allworlds.studies.ambiguity.smt.one_world import Size
 from allworlds.studies.ambiguity.smt.pair import pair_formula
-from allworlds.studies.ambiguity.smt.question import Sizes, question
+from allworlds.studies.ambiguity.smt.question import Sizes
 from allworlds.world import Compass, Directional, Nothing, Position, World
+from searches import question
 
 PLANE, TORUS = named_map("two-loops-plane"), named_map("two-loops-torus")
 LOOPS = (World(PLANE, Position(0)), World(TORUS, Position(0)))

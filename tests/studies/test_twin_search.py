@@ -15,9 +15,10 @@ from allworlds.studies.ambiguity.smt.formula import read_dimacs
 from allworlds.studies.ambiguity.smt.lrat import check_lrat
 from allworlds.studies.ambiguity.smt.one_world import Size
 from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula
-from allworlds.studies.ambiguity.smt.question import Sizes, question
+from allworlds.studies.ambiguity.smt.question import Sizes
 from allworlds.studies.ambiguity.smt.witness import bisimulation, code, same_world_from
 from allworlds.world import Compass, Directional, Nothing, Position, World, flaw
+from searches import question
 from small import slow
 
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}

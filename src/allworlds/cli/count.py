@@ -2,25 +2,17 @@
 
 from __future__ import annotations
 
-from allworlds.cli import options as opt
-from allworlds.cli.events import listening
+import allworlds
+from allworlds.cli.events import answered
+from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import emit
+from allworlds.studies.count import CountRequest
 
 
-def count(*, bounds: opt.ExtentGroup, output: opt.LongOutputGroup) -> int:
+def count(request: CountRequest, *, output: LongOutputGroup) -> int:
     """Example: allworlds count --edges 6
 
     Enumerate every rooted map of a class, count, and compare the counts with an independent
     source.
     """
-    import allworlds
-
-    with listening(output) as listener:
-        census = allworlds.count(
-            edges=bounds.edges,
-            vertices=bounds.vertices,
-            map_class=bounds.map_class,
-            listener=listener,
-        )
-        listener.verdict(census)
-    return emit(census, "count", output)
+    return emit(answered(allworlds.count, request, output), "count", output)

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import replace
 from time import monotonic
-from typing import Any, TextIO
+from typing import Any, TextIO, TypeVar
 
 from typing_extensions import override
 
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import Progress, complain
-from allworlds.engines import Listener
-from allworlds.inputs import InputError, a_path, show
+from allworlds.engines import AskedListener, Listener
+from allworlds.inputs import InputError, a_path, answer, show
 from allworlds.outcome import Result
 from allworlds.reports import (
     Event,
@@ -25,6 +26,8 @@ from allworlds.reports import (
     UnitEvent,
     VerdictEvent,
 )
+
+Answer = TypeVar("Answer", bound=Result)
 
 EVERY = 1.0
 """Seconds between two lines that say how much is done."""
@@ -99,6 +102,16 @@ def listening(output: LongOutputGroup) -> Iterator[Events]:
         if file is not None:
             stack.callback(_let_go, file)
         yield Events(stack.enter_context(Progress(quiet=output.quiet)), file)
+
+
+def answered(
+    function: Callable[..., Answer], request: AskedListener, output: LongOutputGroup
+) -> Answer:
+    """What a function of the package answers to a request, told of meanwhile and at the end."""
+    with listening(output) as listener:
+        report = answer(function, replace(request, listener=listener))
+        listener.verdict(report)
+    return report
 
 
 def _opened(path: str) -> TextIO:

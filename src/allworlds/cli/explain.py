@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from allworlds.cli import options as opt
+import allworlds
 from allworlds.cli.files import PageFile
+from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import emit
-from allworlds.inputs import read_text
+from allworlds.studies.replay import AskedFinding
 
 
-def explain(file: opt.FindingFile, *, page: PageFile, output: opt.OutputGroup) -> int:
+def explain(request: AskedFinding, *, page: PageFile, output: OutputGroup) -> int:
     """Example: allworlds explain finding.json
 
     Tell in words what the robot believed, what was true, and the first step where they part.
     """
-    import allworlds
-
     page.ensure_writable()
-    explained = allworlds.explain(allworlds.Finding.from_json(read_text(file)))
+    explained = allworlds.explain(request.finding)
     page.write("explain", explained)
     return emit(explained, "explain", output)

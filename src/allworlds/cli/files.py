@@ -9,10 +9,9 @@ from dataclasses import dataclass, make_dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-from allworlds.cli import options as opt
 from allworlds.cli.output import complain
 from allworlds.cli.service import tell_service
-from allworlds.inputs import InputError, a_path, show
+from allworlds.inputs import OUTPUT, InputError, Option, a_path, show
 from allworlds.outcome import Result
 from allworlds.reports import FORMATS, PAGE, file_of, page_of, written
 
@@ -43,7 +42,7 @@ class _Files:
 
 def _option(form: str) -> object:
     help_ = FORMATS[form].help
-    return Annotated[str | None, opt.option(opt.OUTPUT, "FILE", help_, show_default=False)]
+    return Annotated[str | None, Option(OUTPUT, "FILE", help_)]
 
 
 if TYPE_CHECKING:
@@ -58,7 +57,7 @@ else:
 class PageFile:
     """The option that writes a verb's result as a web page."""
 
-    html: Annotated[str | None, opt.option(opt.OUTPUT, "FILE", PAGE, show_default=False)] = None
+    html: Annotated[str | None, Option(OUTPUT, "FILE", PAGE)] = None
 
     def ensure_writable(self) -> None:
         """Nothing, if the file can be written; it is left as it is, and not made.
@@ -128,7 +127,7 @@ def _refusal(path: str, error: Exception) -> InputError:
     return InputError(f"file {show(path)} cannot be written: {reason}")
 
 
-def ensure_directory(name: str | None) -> None:
+def ensure_directory(name: str | Path | None) -> None:
     """Make the directory if it is missing; bad input if no file can be written there."""
     if name is None:
         return

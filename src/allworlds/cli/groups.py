@@ -1,49 +1,115 @@
-"""Options declared once and taken by many verbs: a dataclass of options in a verb's signature."""
+"""A verb's function as the command line calls it: each field of a request is an option.
+
+Typer makes the options, from a signature that is made here.  What it says of bad values, and the
+look of its help, is what other programs and people know, so no other library takes its place.
+"""
 
 from __future__ import annotations
 
-import inspect
-from collections.abc import Callable
-from dataclasses import fields, is_dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import MISSING, fields, is_dataclass
 from functools import wraps
-from typing import Any, get_type_hints
+from inspect import Parameter, Signature, signature
+from typing import Annotated, Any, get_args, get_type_hints
+
+import typer
+
+from allworlds.inputs import AS_IN_PYTHON, PANELS, Argument, InputError, Named, Option, fields_of
+
+Words = Mapping[str, Any]
+"""What the command line was given, by the names of the parameters."""
 
 
 def grouped(verb: Callable[..., int]) -> Callable[..., int]:
-    """The verb as typer is to see it: each parameter that is a group as the options in it.
+    """The verb as typer is to see it, with an option for each field of its requests.
 
-    A group is a parameter whose type is a dataclass; every field is an option, with its default.
-    The verb itself gets the group as one value.
+    A parameter of the verb is a request, that is a dataclass, or one option by itself.
     """
     hints = get_type_hints(verb, include_extras=True)
-    seen: list[inspect.Parameter] = []
-    groups: dict[str, Any] = {}
-    for name, parameter in inspect.signature(verb).parameters.items():
-        if isinstance(hints[name], type) and is_dataclass(hints[name]):
-            groups[name] = hints[name]
-            seen += _options(hints[name])
-        else:
-            seen.append(parameter.replace(annotation=hints[name]))
+    taken = signature(verb).parameters.values()
+    seen = [shown for each in taken for shown in _shown(each.name, hints[each.name], each.default)]
+    seen.sort(key=_panel)
 
     @wraps(verb)
-    def command(**given: Any) -> int:
-        for name, group in groups.items():
-            given[name] = group(**{field.name: given.pop(field.name) for field in fields(group)})
-        return verb(**given)
+    def command(**words: Any) -> int:
+        return verb(**{each.name: _value(each.name, hints[each.name], words) for each in taken})
 
-    command.__signature__ = inspect.Signature(seen)  # type: ignore[attr-defined]  # for typer
+    command.__signature__ = Signature(seen)  # type: ignore[attr-defined]  # for typer
     command.__annotations__ = {parameter.name: parameter.annotation for parameter in seen}
     return command
 
 
-def _options(group: Any) -> list[inspect.Parameter]:
-    hints = get_type_hints(group, include_extras=True)
-    return [
-        inspect.Parameter(
-            field.name,
-            inspect.Parameter.KEYWORD_ONLY,
-            default=field.default,
-            annotation=hints[field.name],
-        )
-        for field in fields(group)
-    ]
+def _shown(name: str, hint: Any, default: Any) -> Iterator[Parameter]:
+    """The options and arguments by which a value is given."""
+    if is_dataclass(hint):
+        defaults = {field.name: field.default for field in fields(hint)}
+        for field in fields_of(hint):  # type: ignore[arg-type]  # a class
+            yield from _shown(field.name, Annotated[field.type, field.asked], defaults[field.name])
+        return
+    kind, asked = get_args(hint)
+    if isinstance(asked, Named):
+        yield from _shown(name, asked.words, default)
+    elif isinstance(asked, Option):
+        yield _parameter(name, kind, asked, default)
+
+
+def _value(name: str, hint: Any, words: Words) -> Any:
+    """The value that these words give."""
+    if is_dataclass(hint):
+        told = [field for field in fields_of(hint) if isinstance(field.asked, Option | Named)]  # type: ignore[arg-type]
+        return hint(**{f.name: _value(f.name, Annotated[f.type, f.asked], words) for f in told})  # type: ignore[operator]
+    _, asked = get_args(hint)
+    if isinstance(asked, Named):
+        return _value(name, asked.words, words).value()
+    return words[name]
+
+
+def _parameter(name: str, kind: Any, asked: Option, default: Any) -> Parameter:
+    """One of them, as typer reads it."""
+    told: dict[str, Any] = {"metavar": asked.metavar, "help": asked.help}
+    if asked.parse is not str:
+        told["parser"] = _read_by(asked.parse)
+    if asked.default is not AS_IN_PYTHON:
+        default = asked.default
+    if isinstance(asked, Argument):
+        option = typer.Argument(**told)
+    else:
+        names = [f"--{asked.name}"] if asked.name else []
+        names += [f"-{asked.short}"] if asked.short else []
+        option = typer.Option(*names, rich_help_panel=asked.panel, **told)
+    seen: Any = bool if kind is bool else list[str] if asked.repeated else str
+    if default is None:
+        seen |= None
+    return Parameter(
+        name,
+        Parameter.KEYWORD_ONLY,
+        default=Parameter.empty if default in (MISSING, Parameter.empty) else default,
+        annotation=Annotated[seen, option],
+    )
+
+
+def _panel(parameter: Parameter) -> int:
+    """Where the panel of an option stands; arguments have none, and come first."""
+    (option,) = parameter.annotation.__metadata__
+    return ("", *PANELS).index(option.rich_help_panel or "")
+
+
+class _Refused(typer.BadParameter):
+    """A line about bad input that names the option itself."""
+
+    def format_message(self) -> str:
+        return self.message
+
+
+def _read_by(parse: Callable[[str], Any]) -> Callable[[Any], Any]:
+    """A reader of texts as typer calls it, with defaults too, which may be values."""
+
+    def read(text: Any) -> Any:
+        try:
+            return parse(text) if isinstance(text, str) else text
+        except InputError as error:
+            raise _Refused(str(error)) from None
+        except ValueError as error:
+            raise typer.BadParameter(str(error)) from None
+
+    return read

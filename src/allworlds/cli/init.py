@@ -4,41 +4,41 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
-from allworlds.cli import options as opt
+import allworlds
+from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import emit
 from allworlds.explorers import LANGUAGES
+from allworlds.inputs import OUTPUT, Argument, Option, one_of
 
 
 def init(
     directory: Annotated[
         str | None,
-        typer.Argument(
-            metavar="[DIR]",
-            help="The directory of the skeleton; no file in it is overwritten.",
-            show_default=False,
+        Argument(
+            "",
+            "[DIR]",
+            "The directory of the skeleton; no file in it is overwritten.",
         ),
     ] = None,
     *,
     lang: Annotated[
         str | None,
-        opt.option(
-            opt.OUTPUT,
+        Option(
+            OUTPUT,
             "LANG",
-            f"{opt.one_of(LANGUAGES)} [default: python].",
-            show_default=False,
+            f"{one_of(LANGUAGES)} [default: python].",
         ),
     ] = None,
     header: Annotated[
         bool,
-        opt.flag(
-            opt.OUTPUT,
+        Option(
+            OUTPUT,
+            "",
             "Print the C header of native explorers instead, which is its own manual.",
-            "--header",
+            "header",
         ),
     ] = False,
-    output: opt.OutputGroup,
+    output: OutputGroup,
 ) -> int:
     """Example: allworlds init my-explorer --lang javascript
 
@@ -46,6 +46,4 @@ def init(
     check refutes it, until it is filled in.  With --header print allworlds.h, for explorers in
     shared libraries: check --native PATH tries one.
     """
-    import allworlds
-
     return emit(allworlds.init(directory, lang=lang, header=header), "init", output)

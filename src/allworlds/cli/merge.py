@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
-from allworlds.cli import options as opt
+import allworlds
 from allworlds.cli.events import listening
+from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import emit
+from allworlds.inputs import Argument
 
 
 def merge(
-    runs: Annotated[list[str], typer.Argument(metavar="DIR...", help="One a shard.")],
+    runs: Annotated[list[str], Argument("", "DIR...", "One a shard.", repeated=True)],
     *,
-    output: opt.LongOutputGroup,
+    output: LongOutputGroup,
 ) -> int:
     """Example: allworlds merge shard-0 shard-1
 
@@ -22,8 +22,6 @@ def merge(
     itself: counts and witnesses are judged over all of them.  Exit code 75: a part is missing,
     else that of the job.
     """
-    import allworlds
-
     with listening(output) as listener:
         report = allworlds.merge(*runs, listener=listener)
         listener.verdict(report)

@@ -6,27 +6,28 @@ import re
 import sys
 from typing import Annotated
 
+import allworlds
 from allworlds import Drop, Move, Percept, Pick
-from allworlds.cli import options as opt
 from allworlds.cli.files import ensure_all_writable, write_files
+from allworlds.cli.options import LighthouseOfWorld, OutputGroup, WorldText
 from allworlds.cli.output import emit, printable
 from allworlds.document import replace
+from allworlds.inputs import OUTPUT, Option
 
 
 def play(
-    world: opt.WorldText,
+    world: WorldText,
     *,
-    lighthouse: opt.LighthouseOfWorld = "directional",
+    lighthouse: LighthouseOfWorld = "directional",
     html: Annotated[
         str | None,
-        opt.option(
-            opt.OUTPUT,
+        Option(
+            OUTPUT,
             "FILE",
             "Write a web page in which it is played, and play nothing here.",
-            show_default=False,
         ),
     ] = None,
-    output: opt.OutputGroup,
+    output: OutputGroup,
 ) -> int:
     """Example: allworlds play theta-torus --html play.html
 
@@ -34,8 +35,6 @@ def play(
     that dart, clockwise from the one you came by, drop or pick for a marker; an empty line
     ends the walk and uncovers the world.
     """
-    import allworlds
-
     files = {"html": html}
     ensure_all_writable(files)
     if html is None:

@@ -2,57 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
-from allworlds.cli import options as opt
+import allworlds
 from allworlds.cli.files import PageFile
+from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import complain, emit
-from allworlds.inputs import read_text
+from allworlds.inputs import answer
+from allworlds.studies.replay import ReplayRequest
 
 
-def replay(
-    file: opt.FindingFile,
-    *,
-    explorer: Annotated[
-        str | None, opt.option(opt.SCOPE, "E", "In place of the recorded explorer.")
-    ] = None,
-    command: Annotated[
-        str | None,
-        opt.option(
-            opt.SCOPE,
-            "COMMAND",
-            "In place of the recorded explorer: a program that speaks JSON lines.",
-            "--exec",
-        ),
-    ] = None,
-    native: Annotated[
-        str | None,
-        opt.option(
-            opt.SCOPE,
-            "PATH",
-            "In place of the recorded explorer: a shared library with the functions of "
-            "allworlds.h.",
-            "--native",
-        ),
-    ] = None,
-    answer_timeout: opt.AnswerTimeout = opt.ANSWER_TIMEOUT,
-    page: PageFile,
-    output: opt.OutputGroup,
-) -> int:
+def replay(request: ReplayRequest, *, page: PageFile, output: OutputGroup) -> int:
     """Example: allworlds replay finding.json --explorer mended.py:explore
 
     Run a recorded finding again.  Exit code 0: reproduced, 5: fixed.  The recorded explorer
     repeats the recorded choices as far as they fit.
     """
-    import allworlds
-
     page.ensure_writable()
-
-    another = None
-    if any(given is not None for given in (explorer, command, native)):
-        another = opt.explorer_name(explorer, command, native)
-    finding = allworlds.Finding.from_json(read_text(file))
-    replayed = allworlds.replay(finding, another, answer_timeout=answer_timeout)
+    replayed = answer(allworlds.replay, request)
     if replayed.notice:
         complain(replayed.notice)
     page.write("replay", replayed)

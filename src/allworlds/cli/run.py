@@ -4,64 +4,57 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
-from allworlds.cli import options as opt
+import allworlds
 from allworlds.cli.files import PageFile
+from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import emit
-from allworlds.cli.values import index_list
-from allworlds.explorers import names_explorer
-from allworlds.inputs import InputError, show
+from allworlds.explorers import DEFAULT_EXPLORER, ProgramWords, names_explorer, own_lighthouse
+from allworlds.inputs import Argument, InputError, answer, show, values_of
+from allworlds.studies.run import AskedRun, RunRequest
+from allworlds.world import FamilyWords, World
 
 
-def run(
+class RunWords(FamilyWords, ProgramWords):
+    """The explorer and its world, as the command line names them."""
+
     arguments: Annotated[
         list[str] | None,
-        typer.Argument(
-            metavar="[EXPLORER] WORLD",
-            help="WORLD: inline JSON, @file, or a name such as k4, wheel-4, theta-torus; "
+        Argument(
+            "",
+            "[EXPLORER] WORLD",
+            "WORLD: inline JSON, @file, or a name such as k4, wheel-4, theta-torus; "
             "left out with --family.",
-            show_default=False,
+            repeated=True,
         ),
-    ] = None,
-    *,
-    command: opt.Exec = None,
-    native: opt.Native = None,
-    drawn: opt.FamilyGroup,
-    choices: Annotated[
-        str | None,
-        opt.option(
-            opt.RULES,
-            "I,I,...",
-            "Answers to the first choices, by index; then the policy goes on.",
-        ),
-    ] = None,
-    rules: opt.RulesGroup,
-    page: PageFile,
-    output: opt.OutputGroup,
-) -> int:
+    ] = None
+
+    def request(self, asked: AskedRun) -> RunRequest:
+        """One run of that explorer in that world.
+
+        Raises:
+            InputError: naming the words of which nothing can be made.
+        """
+        explorer, place = explorer_and_world(
+            list(self.arguments or []),
+            family=self.family is not None,
+            program=self.named(None) is not None,
+        )
+        name = self.named(explorer) or DEFAULT_EXPLORER
+        world: World | str = place
+        if self.family is not None:
+            world = self.world(own_lighthouse(name))
+        elif self.holes is not None:
+            raise InputError(f"holes {self.holes} has no effect without --family")
+        return RunRequest(name, world, **values_of(AskedRun, asked))
+
+
+def run(words: RunWords, *, asked: AskedRun, page: PageFile, output: OutputGroup) -> int:
     """Example: allworlds run algorithm1 theta
 
     Run an explorer once in one world, tell it step by step, and judge it.
     """
-    import allworlds
-    from allworlds.explorers import own_lighthouse
-    from allworlds.world import World, world_of_family
-
     page.ensure_writable()
-
-    explorer, place = explorer_and_world(
-        list(arguments or []),
-        family=drawn.family is not None,
-        program=any(given is not None for given in (command, native)),
-    )
-    name = opt.explorer_name(explorer, command, native)
-    world: World | str = place
-    if drawn.family is not None:
-        world = world_of_family(drawn.family, drawn.holes, drawn.seed, own_lighthouse(name))
-    elif drawn.holes is not None:
-        raise InputError(f"holes {drawn.holes} has no effect without --family")
-    told = allworlds.run(name, world, choices=index_list(choices), **rules.options())
+    told = answer(allworlds.run, words.request(asked))
     page.write("run", told)
     return emit(told, "run", output)
 

@@ -4,25 +4,25 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from allworlds.cli import options as opt
+import allworlds
 from allworlds.cli.events import listening
+from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import emit
+from allworlds.inputs import EFFORT, SCOPE, Option, integer_of
 
 
 def mutants(
     *,
     edges: Annotated[
-        int, opt.number(opt.SCOPE, "M", "Try worlds with at most M edges (1 to 4).")
+        int, Option(SCOPE, "M", "Try worlds with at most M edges (1 to 4).", parse=integer_of)
     ] = 4,
-    output: opt.LongOutputGroup,
+    output: LongOutputGroup,
 ) -> int:
     """Example: allworlds self mutants
 
     Try wrong explorers, weakened judges and broken enumerators, and say which check kills
     which at which smallest world.  Exit code 1: one survived.
     """
-    import allworlds
-
     with listening(output) as listener:
         matrix = allworlds.mutants(edges=edges, listener=listener)
         listener.verdict(matrix)
@@ -32,30 +32,28 @@ def mutants(
 def bench(
     *,
     edges: Annotated[
-        int, opt.number(opt.SCOPE, "M", "The level that the compiled engines do.")
+        int, Option(SCOPE, "M", "The level that the compiled engines do.", parse=integer_of)
     ] = 7,
     rounds: Annotated[
-        int, opt.number(opt.EFFORT, "R", "How often each contender takes its turn.")
+        int, Option(EFFORT, "R", "How often each contender takes its turn.", parse=integer_of)
     ] = 3,
     peer: Annotated[
         list[str] | None,
-        opt.option(
-            opt.SCOPE,
+        Option(
+            SCOPE,
             "NAME[@M]=COMMAND",
             "Another program that walks every world with M edges (default: those of --edges); "
             "repeatable.",
-            show_default=False,
+            repeated=True,
         ),
     ] = None,
-    output: opt.LongOutputGroup,
+    output: LongOutputGroup,
 ) -> int:
     """Example: allworlds self bench --edges 7 --peer 'lazy=./lazy 1 7'
 
     Measure this program's engines and others side by side, in turns; ratios with their
     spread.
     """
-    import allworlds
-
     with listening(output) as listener:
         report = allworlds.bench(edges=edges, rounds=rounds, peers=peer or (), listener=listener)
         listener.verdict(report)

@@ -4,22 +4,20 @@ from __future__ import annotations
 
 from typing import Annotated
 
-import typer
-
-from allworlds.cli import options as opt
+import allworlds
+from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import emit
+from allworlds.inputs import Argument
 
 
 def status(
-    run: Annotated[str, typer.Argument(metavar="DIR", help="A run directory.")],
+    run: Annotated[str, Argument("", "DIR", "A run directory.")],
     *,
-    output: opt.OutputGroup,
+    output: OutputGroup,
 ) -> int:
     """Example: allworlds status shard-0
 
     How far a run directory is, also while somebody adds to it: units, worlds, rate, and what was
     met.
     """
-    import allworlds
-
     return emit(allworlds.status(run), "status", output)

@@ -49,7 +49,7 @@ def watched(explorer: str, once: Callable[[], int]) -> int:
 
 
 @contextmanager
-def kept_in(corpus: str | None) -> Iterator[str]:
+def kept_in(corpus: str | Path | None) -> Iterator[str | Path]:
     """The directory of past findings; without a name one that is gone in the end."""
     if corpus is not None:
         yield corpus

@@ -81,9 +81,7 @@ if TYPE_CHECKING:
     )
     from allworlds.engines.python.scope import (
         Sample as Sample,
-        Schedule as Schedule,
         Scope as Scope,
-        a_schedule as a_schedule,
     )
     from allworlds.engines.python.tally import (
         AtRun as AtRun,
@@ -117,7 +115,11 @@ if TYPE_CHECKING:
     from allworlds.engines.transports.inline import ThisThread as ThisThread
     from allworlds.engines.transports.threads import Threads as Threads
     from allworlds.engines.units.effort import (
-        EffortOptions as EffortOptions,
+        AskedCluster as AskedCluster,
+        AskedDirectory as AskedDirectory,
+        AskedListener as AskedListener,
+        AskedPatience as AskedPatience,
+        AskedWorkers as AskedWorkers,
         Limits as Limits,
         TimeIsUp as TimeIsUp,
     )
@@ -133,6 +135,7 @@ if TYPE_CHECKING:
     from allworlds.engines.units.shards import (
         UNMERGEABLE as UNMERGEABLE,
         WHOLE as WHOLE,
+        AskedShard as AskedShard,
         Portion as Portion,
         Shard as Shard,
         Whole as Whole,

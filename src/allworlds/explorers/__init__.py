@@ -6,6 +6,8 @@
     an explorer as a check speaks of it;
 ``loading``
     its code, found by its name, in a process that may run foreign code;
+``asked``
+    how requests ask for one;
 ``moved``
     modules of explorers that have moved since 0.1.0;
 ``spelling``
@@ -27,6 +29,13 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds.explorers.asked import (
+        DEFAULT_EXPLORER as DEFAULT_EXPLORER,
+        AskedExplorer as AskedExplorer,
+        ExplorersWords as ExplorersWords,
+        ExplorerWords as ExplorerWords,
+        ProgramWords as ProgramWords,
+    )
     from allworlds.explorers.builtin.algorithm1 import (
         Algorithm1 as Algorithm1,
         Walk as Walk,

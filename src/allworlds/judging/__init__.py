@@ -59,10 +59,9 @@ if TYPE_CHECKING:
         place_of as place_of,
     )
     from allworlds.judging.findings.rules import (
+        AskedRules as AskedRules,
         RecordedRules as RecordedRules,
         Rules as Rules,
-        RulesOptions as RulesOptions,
-        make_rules as make_rules,
     )
     from allworlds.judging.findings.walks import (
         recorded_trail as recorded_trail,

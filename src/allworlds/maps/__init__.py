@@ -85,6 +85,8 @@ if TYPE_CHECKING:
     )
     from allworlds.maps.classes import (
         DEFAULT_EDGES as DEFAULT_EDGES,
+        AskedClass as AskedClass,
+        AskedExtent as AskedExtent,
         Extent as Extent,
         MapClass as MapClass,
     )

@@ -5,8 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Annotated
 
-from allworlds.inputs import LARGEST_SIZE, InputError, an_integer, at_most, show
+from allworlds.inputs import (
+    LARGEST_SIZE,
+    SCOPE,
+    InputError,
+    Option,
+    Request,
+    Taken,
+    an_integer,
+    at_most,
+    integer_of,
+    one_of,
+    show,
+)
 from allworlds.maps.combinatorial import CombinatorialMap
 
 DEFAULT_EDGES = 5
@@ -145,3 +158,50 @@ class Extent:
         edges, vertices = map_.edge_count, map_.vertex_count
         within = edges in self.levels and vertices <= self.vertex_limit(edges)
         return within and self.map_class.includes(map_)
+
+
+# ---------------------------------------------------------------- as requests ask for it
+
+
+class AskedClass(Request):
+    """Of which maps."""
+
+    map_class: Annotated[
+        Taken[str, MapClass], Option(SCOPE, "CLASS", f"{one_of(MapClass)}.", "class")
+    ] = Taken(MapClass.named, MapClass.MAPS.value)
+
+
+class AskedSize(Request):
+    """How large maps are."""
+
+    edges: Annotated[
+        int | None,
+        Option(
+            SCOPE,
+            "M",
+            f"At most M edges (default of check, unless --vertices is given: {DEFAULT_EDGES}).",
+            parse=integer_of,
+        ),
+    ] = None
+    vertices: Annotated[
+        int | None,
+        Option(
+            SCOPE,
+            "N",
+            "At most N vertices (alone: simple classes only; default: any).",
+            parse=integer_of,
+        ),
+    ] = None
+
+
+class AskedExtent(AskedClass, AskedSize):
+    """Of which maps, and how large they are."""
+
+    @property
+    def extent(self) -> Extent:
+        """Class and bounds.
+
+        Raises:
+            InputError: naming the offending bound and what would be legal.
+        """
+        return Extent(self.map_class, self.edges, self.vertices)

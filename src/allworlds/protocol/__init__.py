@@ -42,7 +42,9 @@ if TYPE_CHECKING:
         Choices as Choices,
         Kind as Kind,
         Policy as Policy,
+        Schedule as Schedule,
         Schedules as Schedules,
+        a_schedule as a_schedule,
         next_script as next_script,
         policy_named as policy_named,
     )

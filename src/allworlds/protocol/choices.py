@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence, Sized
 from random import Random
-from typing import Literal, Protocol, TypeAlias, TypeVar, get_args, overload
+from typing import Literal, Protocol, TypeAlias, TypeVar, cast, get_args, overload
 
 from allworlds.inputs import InputError, show
 
@@ -226,3 +226,18 @@ class _Fixed(Sequence[T]):
     def __getitem__(self, index: slice) -> Sequence[T]: ...
     def __getitem__(self, index: int | slice) -> T | Sequence[T]:
         return self._options[index]
+
+
+Schedule: TypeAlias = Literal["one", "all"]
+"""Which schedules a run has: the policy's, or every one."""
+
+
+def a_schedule(text: object) -> Schedule:
+    """``one`` or ``all``.
+
+    Raises:
+        InputError: for anything else.
+    """
+    if text not in get_args(Schedule):
+        raise InputError(f"schedules {show(text)} is not one of {', '.join(get_args(Schedule))}")
+    return cast("Schedule", text)

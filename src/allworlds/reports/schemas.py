@@ -11,6 +11,7 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import MISSING, fields as fields_of_dataclass, is_dataclass
 from functools import cache
+from inspect import unwrap
 from pathlib import Path
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, TypeAlias, Union, get_args, get_origin, get_type_hints
@@ -61,7 +62,7 @@ def reports() -> dict[str, Any]:
     """The type of every report by the name of its schema."""
     found: dict[str, Any] = {}
     for verb in VERBS:
-        function = loaded(verb.function)
+        function = unwrap(loaded(verb.function))
         returned = eval(function.__annotations__["return"], function.__globals__)  # noqa: S307
         if returned is not MergedReport:
             first, *others = members(returned)

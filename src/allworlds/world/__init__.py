@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.directional import Directional as Directional
     from allworlds.world.lighthouses.kinds import (
         LIGHTHOUSES as LIGHTHOUSES,
+        AskedLighthouse as AskedLighthouse,
         lighthouse_from_json as lighthouse_from_json,
         lighthouse_named as lighthouse_named,
     )
@@ -44,9 +45,10 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.position import Position as Position
     from allworlds.world.lighthouses.sensing import Sensing as Sensing, Where as Where
     from allworlds.world.named import (
+        HOLES as HOLES,
+        FamilyWords as FamilyWords,
         map_of_family as map_of_family,
         world_named as world_named,
-        world_of_family as world_of_family,
     )
     from allworlds.world.state import State as State
     from allworlds.world.world import (

@@ -5,13 +5,26 @@ from __future__ import annotations
 import re
 from difflib import get_close_matches
 from pathlib import Path
+from typing import Annotated
 
-from allworlds.inputs import InputError, parse_json, read_text, show
-from allworlds.maps import CombinatorialMap, NoSuchMap, family, named_map, named_maps
+from allworlds.inputs import (
+    SCOPE,
+    InputError,
+    Option,
+    Request,
+    integer_of,
+    parse_json,
+    read_text,
+    show,
+)
+from allworlds.maps import FORMS, CombinatorialMap, NoSuchMap, family, named_map, named_maps
 from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
 from allworlds.world.world import World
+
+HOLES = Option(SCOPE, "P%", "Share of a family's edges to remove [default: none].")
+"""An option of every verb that takes a family."""
 
 
 def world_named(text: str, kind: str = Directional.kind) -> World:
@@ -74,10 +87,20 @@ def _hint(name: str) -> str:
     return f"; did you mean {meant[0]!r}?" if meant else ""
 
 
-def world_of_family(text: str, holes: str | None, seed: int, kind: str) -> World:
-    """The world of a family, started at dart 0, with a lighthouse at its default place."""
-    map_ = map_of_family(text, holes, seed)
-    return World(map_, lighthouse_from_json(None, map_, 0, kind))
+class FamilyWords(Request):
+    """One world of a family, in place of another, as the command line names it."""
+
+    family: Annotated[str | None, Option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
+    holes: Annotated[str | None, HOLES] = None
+    seed: Annotated[
+        int, Option(SCOPE, "S", "For whatever is drawn of a family.", parse=integer_of)
+    ] = 0
+
+    def world(self, kind: str) -> World:
+        """That world, started at dart 0, with a lighthouse at its default place."""
+        assert self.family is not None
+        map_ = map_of_family(self.family, self.holes, self.seed)
+        return World(map_, lighthouse_from_json(None, map_, 0, kind))
 
 
 def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:

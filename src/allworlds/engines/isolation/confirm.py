@@ -17,7 +17,7 @@ from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.python_engine import PythonEngine
 from allworlds.engines.python.runs_of_unit import GivenWorlds
-from allworlds.engines.python.scope import Schedule, Scope
+from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.second_play import OneRun, PlayedTwice, Players
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
@@ -35,7 +35,7 @@ from allworlds.judging import (
     place_of,
 )
 from allworlds.maps import CombinatorialMap, Extent, MapClass
-from allworlds.protocol import Estimate, Percept, Transcript, action_numbered
+from allworlds.protocol import Estimate, Percept, Schedule, Transcript, action_numbered
 from allworlds.world import World
 
 MOST_CHOICES = 1000

@@ -11,10 +11,10 @@ from typing import Self
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.python.scope import Schedule
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import ExplorerSource, Subject
 from allworlds.judging import Rules
+from allworlds.protocol import Schedule
 from allworlds.world import World
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal, TypeAlias, cast, get_args
+from typing import TypeAlias
 
 from allworlds.engines.python.runs_of_unit import LevelRuns
 from allworlds.engines.units.levels import units_of_level
@@ -12,9 +12,7 @@ from allworlds.engines.units.shards import WHOLE, Shard, Whole
 from allworlds.inputs import InputError, an_integer, at_most, show
 from allworlds.judging import Rules
 from allworlds.maps import Extent
-from allworlds.protocol import Choices, Schedules
-
-Schedule: TypeAlias = Literal["one", "all"]
+from allworlds.protocol import Choices, Schedule, Schedules
 
 MOST_RUNS = 10**12
 
@@ -80,14 +78,3 @@ class Scope:
             yield self.rules.choices(name)
         else:
             yield from Schedules()
-
-
-def a_schedule(text: object) -> Schedule:
-    """``one`` or ``all``.
-
-    Raises:
-        InputError: for anything else.
-    """
-    if text not in get_args(Schedule):
-        raise InputError(f"schedules {show(text)} is not one of {', '.join(get_args(Schedule))}")
-    return cast("Schedule", text)

@@ -2,12 +2,27 @@
 
 from __future__ import annotations
 
+import os
+import re
 import time
-from dataclasses import dataclass, fields
 from math import inf
-from typing import Any, TypedDict, cast
+from pathlib import Path
+from typing import Annotated
 
-from allworlds.inputs import InputError, an_integer, at_most, show
+from allworlds.engines.progress import Listener, Silent
+from allworlds.inputs import (
+    EFFORT,
+    InputError,
+    Option,
+    Request,
+    Taken,
+    an_integer,
+    at_most,
+    integer_of,
+    seconds_of,
+    show,
+    values_of,
+)
 from allworlds.protocol import ANSWER_TIMEOUT
 
 LEAST_TIMEOUT = 0.1
@@ -20,41 +35,61 @@ MOST = {"workers": 10_000, "answer-timeout": 10**6, "time-limit": 10**9, "memory
 """The largest legal value of each limit: an operating system does not count further."""
 
 
-class EffortOptions(TypedDict, total=False):
-    """Options of every verb that has explorers run in many worlds.
-
-    Attributes:
-        workers: processes, or threads (default 1).
-        answer_timeout: seconds of silence after which an explorer is killed (default 10).
-        time_limit: seconds for everything; None (default) for no limit.
-        memory: MB of address space of a worker process; None (default) for no limit.
-    """
-
-    workers: int
-    answer_timeout: float
-    time_limit: float | None
-    memory: int | None
+def worker_count(text: str) -> int:
+    """A number of processes, or one a usable core for ``auto``."""
+    if text == "auto":
+        return len(os.sched_getaffinity(0))
+    if re.fullmatch(r"[0-9]{1,9}", text) and int(text) > 0:
+        return int(text)
+    raise InputError(f"workers {show(text)} is neither auto nor a positive number")
 
 
-@dataclass(frozen=True, slots=True)
-class Limits:
-    """The values of :class:`EffortOptions`.
+class AskedPatience(Request):
+    """How long explorers are waited for."""
+
+    answer_timeout: Annotated[
+        float,
+        Option(EFFORT, "S", "Seconds of silence that break the law 'timeout'.", parse=seconds_of),
+    ] = ANSWER_TIMEOUT
+
+
+class AskedWorkers(Request):
+    """How many there are."""
+
+    workers: Annotated[
+        int,
+        Option(
+            EFFORT,
+            "N|auto",
+            "Processes, or threads.",
+            parse=worker_count,
+            default="auto",
+            apart=True,
+        ),
+    ] = 1
+
+
+class Limits(AskedWorkers, AskedPatience):
+    """What bounds the effort of many runs.
 
     Raises:
         InputError: for values that are not positive, for infinite ones, and for a timeout that
             is too short to be kept.
     """
 
-    workers: int = 1
-    answer_timeout: float = ANSWER_TIMEOUT
-    time_limit: float | None = None
-    memory: int | None = None
-
-    @classmethod
-    def of(cls, options: EffortOptions) -> Limits:
-        """The limits of a verb's options."""
-        given = cast("dict[str, Any]", options)
-        return cls(**{f.name: given[f.name] for f in fields(cls) if f.name in given})
+    time_limit: Annotated[
+        float | None,
+        Option(EFFORT, "S", "Seconds for everything.", parse=seconds_of, apart=True),
+    ] = None
+    memory: Annotated[
+        int | None,
+        Option(
+            EFFORT,
+            "MB",
+            "Address space of each worker process; the kernel engine has none.",
+            parse=integer_of,
+        ),
+    ] = None
 
     def __post_init__(self) -> None:
         for name in ("workers", "answer_timeout", "time_limit", "memory"):
@@ -74,9 +109,51 @@ class Limits:
                 f"least is {LEAST_TIMEOUT} s"
             )
 
+    @property
+    def limits(self) -> Limits:
+        """These alone, of a request that says more."""
+        return Limits(**values_of(Limits, self))
+
     def deadline(self) -> float | None:
         """When the time is up, on the monotonic clock, if the job begins now."""
         return None if self.time_limit is None else time.monotonic() + self.time_limit
+
+
+class AskedListener(Request):
+    """Who is told."""
+
+    listener: Annotated[
+        Taken[Listener | None, Listener], "is told of the progress; by default nobody"
+    ] = Taken(lambda listener: listener or Silent(), None)
+
+
+class AskedDirectory(Request):
+    """Where finished units are kept."""
+
+    run: Annotated[
+        str | Path | None,
+        Option(
+            EFFORT,
+            "DIR",
+            "A directory that keeps what is finished: the same command goes on from there, and "
+            "'merge' joins shards.",
+            apart=True,
+        ),
+    ] = None
+
+
+class AskedCluster(Request):
+    """On which machines the work is done."""
+
+    dask: Annotated[
+        str | None,
+        Option(
+            EFFORT,
+            "ADDRESS|local",
+            "Do the work on the workers of this Dask scheduler (extra: distributed).",
+            apart=True,
+        ),
+    ] = None
 
 
 class TimeIsUp(Exception):

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heapreplace
-from typing import TypeAlias
+from typing import Annotated, TypeAlias
 
-from allworlds.inputs import InputError, an_integer, show
+from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, an_integer, show
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,18 +54,49 @@ def shards_of(portion: object) -> int:
     return portion.count if isinstance(portion, Shard) else 1
 
 
+SHARD_DIGITS = 9
+
+
+def shard_numbers(text: str) -> tuple[int, int]:
+    """``K/N``."""
+    match = re.fullmatch(r"([0-9]+)/([0-9]+)", text)
+    if match is None:
+        raise InputError(f"shard {show(text)} is not of the form K/N, counted from 0")
+    if max(map(len, match.groups())) > SHARD_DIGITS:
+        raise InputError(f"shard {show(text)} is too big; N is at most {10**SHARD_DIGITS - 1}")
+    return int(match[1]), int(match[2])
+
+
 def a_shard(pair: object) -> Portion:
     """The shard of ``(K, N)``; of one shard, and of None, the whole.
 
     Raises:
         InputError: for anything else.
     """
+    if isinstance(pair, Whole | Shard):
+        return pair
     if pair is None:
         return Whole()
     if not isinstance(pair, tuple | list) or len(pair) != 2:
         raise InputError(f"shard = {show(pair)} is not a pair (K, N)")
     shard = Shard(an_integer("shard K", pair[0]), an_integer("shard N", pair[1]))
     return Whole() if shard.count == 1 else shard
+
+
+class AskedShard(Request):
+    """Which part of a job is done here."""
+
+    shard: Annotated[
+        Taken[tuple[int, int] | Portion | None, Portion],
+        Option(
+            SCOPE,
+            "K/N",
+            "Only the K-th of N parts of about equal weight, from 0.",
+            parse=shard_numbers,
+            default="0/1",
+            apart=True,
+        ),
+    ] = Taken(a_shard, None)
 
 
 def dealt(weights: Sequence[int], shard: Shard) -> Iterator[int]:

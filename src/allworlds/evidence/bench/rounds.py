@@ -278,7 +278,7 @@ def _walk(edges: int, threads: int = 1) -> None:
 
 def _check(scope: Scope, threads: int) -> None:
     """The last level of the scope."""
-    job = Job(scope, load("algorithm1"), Limits(threads), 1, None, lambda _: None)
+    job = Job(scope, load("algorithm1"), Limits(workers=threads), 1, None, lambda _: None)
     ready = ENGINES["kernel"].ready(job)
     with ready.transport:
         units = scope.units(scope.extent.levels[-1])

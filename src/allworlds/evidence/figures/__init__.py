@@ -4,6 +4,8 @@ Every figure is computed before it is drawn, and its data stand beside it as CSV
 checked (a proof that two worlds are twins, or runs that were judged).  matplotlib, from the extra
 ``figures``, is imported when something is drawn.
 
+``figure_request``
+    what is asked for;
 ``figure_table``
     **the** table of the figures;
 ``drawn``
@@ -23,6 +25,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.evidence.figures.figure_table import figure as figure, files_of as files_of
+    from allworlds.evidence.figures.figure_request import FigureRequest as FigureRequest
+    from allworlds.evidence.figures.figure_table import figure as figure
 else:
     open_door(__name__)

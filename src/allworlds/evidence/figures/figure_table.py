@@ -7,36 +7,54 @@ import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, Unpack
+from typing import Annotated
 
 from allworlds.document import Natural, Report, Some, Text, about, one_of
-from allworlds.engines import EffortOptions, Limits, Listener, Silent
 from allworlds.evidence.figures.augmentation import figure_2
 from allworlds.evidence.figures.bounds import figure_bounds
 from allworlds.evidence.figures.drawn import Drawn
+from allworlds.evidence.figures.figure_request import FigureRequest
 from allworlds.evidence.figures.holes import figure_3
 from allworlds.evidence.figures.twins import figure_1
-from allworlds.inputs import InputError, an_integer, ensure_installed, show
+from allworlds.inputs import InputError, an_integer, answers, ensure_installed, show
 from allworlds.outcome import Exit, Verdict
-from allworlds.studies.check import refuse_others
 
 WORLDS, SEED, EDGES = 30, 1, 6
 """What is taken where nothing is said: graphs of a size, the first seed, the largest size."""
 
 MOST_EDGES = 7
 
-SUFFIXES = (".svg", ".png", ".pdf")
-
 
 @dataclass(frozen=True, slots=True)
-class FigureRequest:
-    """What a figure is made of."""
+class FigureNumbers:
+    """The numbers of a figure."""
 
-    worlds: int
-    seed: int
-    edges: int
-    limits: Limits
-    listener: Listener
+    worlds: int = WORLDS
+    seed: int = SEED
+    edges: int = EDGES
+
+    @classmethod
+    def of(cls, request: FigureRequest, kind: Kind) -> FigureNumbers:
+        """Those of a request.
+
+        Raises:
+            InputError: for one that is out of range, or of no effect.
+        """
+        numbers = {}
+        for option, least, most in (
+            ("worlds", 1, 10_000),
+            ("seed", 0, 10**9),
+            ("edges", 1, MOST_EDGES),
+        ):
+            value = getattr(request, option)
+            if value is None:
+                continue
+            if option not in kind.options:
+                raise InputError(f"{option} {show(value)} has no effect on figure {request.name}")
+            numbers[option] = an_integer(option, value)
+            if not least <= numbers[option] <= most:
+                raise InputError(f"{option} = {show(value)} is not in {least}..{most}")
+        return cls(**numbers)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,21 +68,21 @@ class Kind:
     """
 
     title: str
-    make: Callable[[FigureRequest], Drawn]
+    make: Callable[[FigureRequest, FigureNumbers], Drawn]
     options: tuple[str, ...] = ()
 
 
 FIGURES: Mapping[str, Kind] = {
-    "1": Kind("two worlds that no motion tells apart", lambda _: figure_1()),
-    "2": Kind("one pass before and after", lambda _: figure_2()),
+    "1": Kind("two worlds that no motion tells apart", lambda *_: figure_1()),
+    "2": Kind("one pass before and after", lambda *_: figure_2()),
     "3": Kind(
         "the cost in lattices and dense graphs with holes",
-        lambda asked: figure_3(asked.worlds, asked.seed, asked.limits, asked.listener),
+        lambda asked, of: figure_3(of.worlds, of.seed, asked.limits, asked.listener),
         ("worlds", "seed"),
     ),
     "bounds": Kind(
         "exact worst cases beside the bound",
-        lambda asked: figure_bounds(asked.edges, asked.limits, asked.listener),
+        lambda asked, of: figure_bounds(of.edges, asked.limits, asked.listener),
         ("edges",),
     ),
 }
@@ -93,31 +111,9 @@ class Figure(Report):
     rows: Annotated[Natural, about("how many there are")]
 
 
-class FigureOptions(EffortOptions, total=False):
-    """What ``figure`` takes beside the name.
-
-    Attributes:
-        out: the file; its end says the format (default ``figure-NAME.svg``).
-        worlds: how many graphs of each size (``3``; default 30).
-        seed: of the first of them (``3``; default 1).
-        edges: the largest number of edges (``bounds``; default 6).
-    """
-
-    out: str | None
-    worlds: int | None
-    seed: int | None
-    edges: int | None
-
-
-def figure(
-    name: str, *, listener: Listener | None = None, **options: Unpack[FigureOptions]
-) -> Figure:
+@answers(FigureRequest)
+def figure(request: FigureRequest) -> Figure:
     """Compute a figure, draw it into a file, and write its data beside it as CSV.
-
-    Args:
-        name: one of :data:`FIGURES`.
-        listener: is told of the progress.
-        options: see :class:`FigureOptions`.
 
     Raises:
         InputError: naming the offending option and what would be legal, or what is missing.
@@ -125,14 +121,14 @@ def figure(
 
     Cost: ``3`` some minutes; the others seconds.
     """
-    refuse_others("figure", options, FigureOptions)
+    name = request.name
     kind = FIGURES.get(name)
     if kind is None:
         raise InputError(f"figure {show(name)} is not one of {', '.join(FIGURES)}")
-    asked = _asked(name, kind, options, listener or Silent())
-    path, data = files_of(name, options.get("out"))
+    asked = FigureNumbers.of(request, kind)
+    path, data = request.files
     ensure_installed("matplotlib", "figures", "figure")
-    drawn = kind.make(asked)
+    drawn = kind.make(request, asked)
     path.write_bytes(_picture(drawn, path.suffix))
     data.write_text(_csv(drawn), encoding="utf-8")
     header, rows = drawn.table()
@@ -146,35 +142,6 @@ def figure(
         columns=tuple(header),
         rows=len(rows),
     )
-
-
-def files_of(name: str, out: str | None) -> tuple[Path, Path]:
-    """The files of a figure: the picture, and its data.
-
-    Raises:
-        InputError: for an end that is no format.
-    """
-    path = Path(f"figure-{name}.svg" if out is None else out)
-    if path.suffix not in SUFFIXES:
-        raise InputError(f"out {show(str(path))} ends with none of {', '.join(SUFFIXES)}")
-    return path, path.with_suffix(".csv")
-
-
-def _asked(name: str, kind: Kind, options: FigureOptions, listener: Listener) -> FigureRequest:
-    numbers = {}
-    given: Mapping[str, Any] = options
-    for option, usual, least, most in (
-        ("worlds", WORLDS, 1, 10_000),
-        ("seed", SEED, 0, 10**9),
-        ("edges", EDGES, 1, MOST_EDGES),
-    ):
-        value = given.get(option)
-        if value is not None and option not in kind.options:
-            raise InputError(f"{option} {show(value)} has no effect on figure {name}")
-        numbers[option] = usual if value is None else an_integer(option, value)
-        if not least <= numbers[option] <= most:
-            raise InputError(f"{option} = {show(value)} is not in {least}..{most}")
-    return FigureRequest(**numbers, limits=Limits.of(options), listener=listener)
 
 
 def _picture(drawn: Drawn, suffix: str) -> bytes:

@@ -11,7 +11,7 @@ from allworlds.engines import Limits, Listener, subject_of
 from allworlds.evidence.figures.drawn import Table
 from allworlds.judging import paper_bound, printed_bound
 from allworlds.outcome import Exit, Verdict
-from allworlds.studies.check import rules_for
+from allworlds.studies.check import ManyRuns
 from allworlds.studies.compare import Climb, Contestant, GrowRow, Growth, Member
 
 HOLES = "10%"
@@ -186,8 +186,8 @@ def figure_3(worlds: int, seed: int, limits: Limits, listener: Listener) -> Hole
 
 def _contestant(name: str, policy: str, limits: Limits) -> Contestant:
     subject = subject_of(name, limits)
-    _, rules = rules_for(subject, {"policy": policy} if policy else {})
-    return Contestant(subject, rules, _name(name, policy))
+    request = ManyRuns(policy=policy) if policy else ManyRuns()
+    return Contestant(subject, request.rules(subject), _name(name, policy))
 
 
 def _name(explorer: str, policy: str) -> str:

@@ -3,68 +3,145 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import field
 from functools import cached_property
-from typing import Annotated, TypedDict
+from typing import Annotated
 
 from allworlds.document import Different, Document, Positive, Text, about
-from allworlds.inputs import InputError, a_text, an_integer, show
+from allworlds.explorers import Subject
+from allworlds.inputs import (
+    RULES,
+    InputError,
+    Option,
+    Request,
+    Taken,
+    a_text,
+    an_integer,
+    integer_of,
+    one_of,
+    show,
+    values_of,
+)
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.laws.bounds import Bound, bound_named, paper_bound
 from allworlds.judging.laws.law_table import LAWS, JudgedLaw, Setting
 from allworlds.maps import CombinatorialMap
-from allworlds.protocol import DEFAULT_POLICY, Choices, policy_named
+from allworlds.protocol import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
 from allworlds.world import Lighthouse, World, lighthouse_named
 
 
-class RulesOptions(TypedDict, total=False):
-    """Options of every verb that plays and judges runs.
-
-    Attributes:
-        policy: answers the explorer's choices: one of :data:`allworlds.protocol.choices.POLICIES`
-            (default ``fifo``), or ``random:SEED``.
-        bound: on the traversals: ``paper``, ``two-vertices``, ``none``, an expression or an
-            integer; None (default) takes the explorer's own, else the lighthouse's.
-        laws: those to check; None (default) takes all that apply.
-        step_budget: the largest legal number of traversals; None (default) takes
-            8 x ((1)+(2)) + 100.
-    """
-
-    policy: str
-    bound: str | int | None
-    laws: Iterable[str] | None
-    step_budget: int | None
+def law_names(text: str) -> tuple[str, ...]:
+    """The laws of a list with commas."""
+    return tuple(part.strip() for part in text.split(","))
 
 
-@dataclass(frozen=True)
-class Rules:
+def _policy(given: object) -> str:
+    policy = a_text("policy", given)
+    policy_named(policy)
+    return policy
+
+
+def _bound(given: object) -> str | None:
+    if given is None:
+        return None
+    return bound_named(given if isinstance(given, str) else str(an_integer("bound", given))).name
+
+
+def _laws(given: object) -> tuple[str, ...] | None:
+    """The names of laws, each once."""
+    if given is None:
+        return None
+    if isinstance(given, str) or not isinstance(given, Iterable):
+        raise InputError(f"laws = {show(given)} is not a list of names of {', '.join(LAWS)}")
+    names = tuple(given)
+    for name in names:
+        if names.count(name) > 1:
+            raise InputError(f"law {show(name)} is named twice")
+        if name not in list(LAWS):  # a key would have to be hashable
+            raise InputError(f"law {show(name)} is not one of {', '.join(LAWS)}")
+    if not names:
+        raise InputError(f"laws = () names no law; legal are {', '.join(LAWS)}")
+    return names
+
+
+def _step_budget(given: object) -> int | None:
+    if given is None:
+        return None
+    budget = an_integer("step_budget", given)
+    if budget < 1:
+        raise InputError(f"step budget {show(budget)} is not positive")
+    return budget
+
+
+class AskedRules(Request):
+    """How runs are played and judged."""
+
+    policy: Annotated[
+        Taken[str, str],
+        Option(
+            RULES,
+            "POLICY",
+            f"Who answers the explorer's choices: {one_of([*POLICIES, SEEDED])}.",
+        ),
+    ] = Taken(_policy, DEFAULT_POLICY)
+    bound: Annotated[
+        Taken[str | int | None, str | None],
+        Option(
+            RULES,
+            "BOUND",
+            "Largest number of traversals: paper (the sum of the paper's bounds (1) and (2)), "
+            "two-vertices, none, or an expression over n, m, d0, D with + - * // **, min, max "
+            "(default: the explorer's own, else the lighthouse's).",
+        ),
+    ] = Taken(_bound, None)
+    laws: Annotated[
+        Taken[Iterable[str] | None, tuple[str, ...] | None],
+        Option(
+            RULES,
+            "LAWS",
+            f"Of {', '.join(LAWS)}, with commas (default: all that apply).",
+            parse=law_names,
+        ),
+    ] = Taken(_laws, None)
+    step_budget: Annotated[
+        Taken[int | None, int | None],
+        Option(
+            RULES,
+            "B",
+            "More traversals break the law 'budget' (default: 8 x the bound paper + 100).",
+            parse=integer_of,
+        ),
+    ] = Taken(_step_budget, None)
+
+    def rules_of(self, subject: Subject, lighthouse: str, *, promised: bool = False) -> Rules:
+        """The rules under a lighthouse, with the bound and the budget that the explorer brings.
+
+        Raises:
+            InputError: naming the offending option and what would be legal.
+        """
+        told = values_of(AskedRules, self)
+        if self.step_budget is None:
+            told["step_budget"] = subject.step_budget
+        own = subject.bound_under(lighthouse)
+        return Rules(lighthouse, promised=promised, own_bound=own, **told)
+
+
+class Rules(AskedRules, kw_only=False):
     """How one run is played and judged, whatever the world.
 
     Attributes:
         lighthouse: the kind of lighthouse.
-        policy, bound, laws, step_budget: see :class:`RulesOptions`.
         promised: the worlds keep a promise, such as planarity, that can make an explorer right
             without folding.
         own_bound: the bound that the explorer brings for this lighthouse; None if it has none.
     """
 
     lighthouse: str = "directional"
-    policy: str = DEFAULT_POLICY
-    bound: str | None = None
-    laws: tuple[str, ...] | None = None
-    step_budget: int | None = None
-    promised: bool = False
-    own_bound: str | None = None
+    promised: bool = field(default=False, kw_only=True)
+    own_bound: str | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
         lighthouse_named(a_text("lighthouse", self.lighthouse))
-        policy_named(a_text("policy", self.policy))
-        bound_named("none" if self.bound is None else a_text("bound", self.bound))
-        for law in self.laws or ():
-            if law not in list(LAWS):  # a key would have to be hashable
-                raise InputError(f"law {show(law)} is not one of {', '.join(LAWS)}")
-        if self.laws == ():
-            raise InputError(f"laws = () names no law; legal are {', '.join(LAWS)}")
         for law in self.laws or ():
             if not LAWS[law].applies(self._setting):
                 raise InputError(f"law {law!r} {LAWS[law].idle}")
@@ -73,10 +150,6 @@ class Rules:
                 f"bound {show(self.bound)} has no effect without the law 'bound'; the laws are "
                 f"{', '.join(self.laws or ())}"
             )
-        if self.step_budget is not None:
-            object.__setattr__(self, "step_budget", an_integer("step_budget", self.step_budget))
-            if self.step_budget < 1:
-                raise InputError(f"step budget {show(self.step_budget)} is not positive")
 
     @property
     def kind(self) -> type[Lighthouse]:
@@ -190,52 +263,11 @@ class RecordedRules(Document, forbid_unknown_fields=False):
                 laws = tuple(law for law in laws if law != "bound")
             elif "bound" not in laws:
                 bound = None
-        return make_rules(
-            {
-                "policy": self.policy,
-                "bound": bound,
-                "laws": laws,
-                "step_budget": self.step_budget,
-            },
+        return Rules(
             world.lighthouse.kind,
-            own_bound,
+            policy=self.policy,
+            bound=bound,
+            laws=laws,
+            step_budget=self.step_budget,
+            own_bound=own_bound,
         )
-
-
-def make_rules(
-    options: RulesOptions,
-    lighthouse: str,
-    own_bound: str | None = None,
-    *,
-    promised: bool = False,
-) -> Rules:
-    """The rules of a verb's options.
-
-    Raises:
-        InputError: naming the offending option and what would be legal.
-    """
-    bound, laws = options.get("bound"), options.get("laws")
-    if bound is not None and not isinstance(bound, str):
-        bound = str(an_integer("bound", bound))
-    if laws is not None:
-        laws = _names("laws", laws)
-    return Rules(
-        lighthouse,
-        options.get("policy", DEFAULT_POLICY),
-        bound,
-        laws,
-        options.get("step_budget"),
-        promised,
-        own_bound,
-    )
-
-
-def _names(what: str, given: object) -> tuple[str, ...]:
-    """The names of laws, each once."""
-    if isinstance(given, str) or not isinstance(given, Iterable):
-        raise InputError(f"{what} = {show(given)} is not a list of names of {', '.join(LAWS)}")
-    names = tuple(given)
-    for name in names:
-        if names.count(name) > 1:
-            raise InputError(f"law {show(name)} is named twice")
-    return names

@@ -18,6 +18,8 @@ separation
 
 Modules
 -------
+``ambiguity_requests``
+    what is asked for;
 ``telling_apart``
     two worlds: a bisimulation or a separation;
 ``members``, ``lifting``, ``marked_code``
@@ -33,6 +35,13 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds.studies.ambiguity.ambiguity_requests import (
+        DEFAULT_LIMIT as DEFAULT_LIMIT,
+        AskedMembers as AskedMembers,
+        CensusRequest as CensusRequest,
+        ClassRequest as ClassRequest,
+        SearchRequest as SearchRequest,
+    )
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,
         CensusRow as CensusRow,
@@ -40,7 +49,6 @@ if TYPE_CHECKING:
         merged_census as merged_census,
     )
     from allworlds.studies.ambiguity.members import (
-        DEFAULT_LIMIT as DEFAULT_LIMIT,
         AmbiguityClass as AmbiguityClass,
         class_of as class_of,
         projection_of as projection_of,

@@ -6,7 +6,6 @@ import os
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
 from allworlds.document import (
@@ -36,10 +35,8 @@ from allworlds.engines import (
     Portion,
     Records,
     Shard,
-    Silent,
     ThisThread,
     Transport,
-    a_shard,
     gather,
     level_size,
     records_in,
@@ -48,6 +45,7 @@ from allworlds.engines import (
     tell_of_size,
     units_of_level,
 )
+from allworlds.inputs import answers
 from allworlds.maps import (
     CombinatorialMap,
     Disagreement,
@@ -60,6 +58,7 @@ from allworlds.maps import (
 )
 from allworlds.outcome import Exit, until_interrupted
 from allworlds.protocol import Percept
+from allworlds.studies.ambiguity.ambiguity_requests import CensusRequest
 from allworlds.studies.ambiguity.marked_code import is_least_rooting
 from allworlds.studies.ambiguity.members import SensedQuotient, projection_of
 from allworlds.world import Position, World
@@ -137,34 +136,17 @@ class AmbiguityCensus(Report):
         return Exit.ANSWERED if met else Exit.VACUOUS
 
 
-def census(
-    *,
-    edges: int | None = None,
-    vertices: int | None = None,
-    map_class: str = MapClass.MAPS.value,
-    shard: tuple[int, int] | None = None,
-    run: str | Path | None = None,
-    dask: str | None = None,
-    listener: Listener | None = None,
-) -> AmbiguityCensus:
+@answers(CensusRequest)
+def census(request: CensusRequest) -> AmbiguityCensus:
     """Every map of a class with every choice of a marked vertex, up to isomorphism.
-
-    Args:
-        edges: the largest number of edges.
-        vertices: the largest number of vertices; alone only for the simple classes.
-        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
-        shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0.
-        run: a directory that keeps what is finished; the same census goes on from there.
-        dask: the address of a Dask scheduler, or ``local``: where the work is done.
-        listener: told how far it is.
 
     Raises:
         InputError: naming the offending option and what would be legal.
 
     Cost: some 100 microseconds a rooted map; memory for the ambiguous quotients of a level.
     """
-    task = _CensusTask(Extent(MapClass.named(map_class), edges, vertices), a_shard(shard))
-    heard = listener or Silent()
+    task = _CensusTask(request.extent, request.shard)
+    run, dask, heard = request.run, request.dask, request.listener
     tell_of_size(task.extent, heard, shards_of(task.portion))
     if run is None and isinstance(task.portion, Shard):
         heard.notice(UNMERGEABLE)

@@ -15,7 +15,7 @@ from allworlds.document import (
     computed,
     key,
 )
-from allworlds.inputs import InputError, an_integer, show
+from allworlds.inputs import InputError, an_integer, answers, show
 from allworlds.maps import (
     Code,
     CombinatorialMap,
@@ -32,12 +32,10 @@ from allworlds.maps import (
 )
 from allworlds.outcome import Exit
 from allworlds.protocol import Percept
+from allworlds.studies.ambiguity.ambiguity_requests import ClassRequest
 from allworlds.studies.ambiguity.lifting import lifts
 from allworlds.studies.ambiguity.marked_code import LeastRooting, least_rooting
 from allworlds.world import Directional, Position, World
-
-DEFAULT_LIMIT = 1000
-"""The largest class whose members are all made, unless another limit is named."""
 
 
 class SensedQuotient(Document):
@@ -99,16 +97,11 @@ def projection_of(world: World) -> Projection:
     return project(Labelled(world.map, world.percepts, world.start))
 
 
-def class_of(
-    world: World, *, limit: int = DEFAULT_LIMIT, map_class: str = MapClass.MAPS.value
-) -> AmbiguityClass:
+@answers(ClassRequest)
+def class_of(request: ClassRequest) -> AmbiguityClass:
     """The complete ambiguity class of a world.
 
-    Args:
-        world: with a position lighthouse, or a directional one (then it is alone).
-        limit: the largest number of members that are made; of a larger class only so many
-            are listed, with its exact size.
-        map_class: the universe; only members that belong to it count.
+    The class of maps is the universe: only members that belong to it count.
 
     Raises:
         InputError: for another lighthouse, under which a class can be infinite; for a world
@@ -117,7 +110,8 @@ def class_of(
 
     Cost: O(k m) for each of the at most k ``limit`` lifts.
     """
-    universe = _checked(world, limit, map_class)
+    world, limit, universe = request.world, request.limit, request.map_class
+    _checked(world, limit, universe)
     quotient, classes = projection_of(world)
     size = class_size(quotient)
     if (size > 1) != is_ambiguous(quotient):
@@ -152,7 +146,7 @@ def class_of(
     )
 
 
-def _checked(world: World, limit: int, map_class: str) -> MapClass:
+def _checked(world: World, limit: int, universe: MapClass) -> None:
     if not isinstance(world, World):
         raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
     if not isinstance(world.lighthouse, Position | Directional):
@@ -162,10 +156,8 @@ def _checked(world: World, limit: int, map_class: str) -> MapClass:
         )
     if an_integer("limit", limit) < 1:
         raise InputError(f"limit {show(limit)} is too small; at least the world itself is listed")
-    universe = MapClass.named(map_class)
     if not universe.includes(world.map):
         raise InputError(f"the world itself is not {universe}, so its class there is empty")
-    return universe
 
 
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:

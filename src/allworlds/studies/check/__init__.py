@@ -1,7 +1,7 @@
 """The check: every world of a class, one explorer, a verdict with its scope.
 
-``options``
-    the arguments that the functions ``check``, ``fuzz`` and ``run`` share;
+``requests``
+    what ``check`` and its like are asked for, as values;
 ``exhaustive``
     level by level to a report;
 ``time_estimate``
@@ -44,17 +44,13 @@ if TYPE_CHECKING:
         most_expensive_runs as most_expensive_runs,
         world_at as world_at,
     )
-    from allworlds.studies.check.options import (
-        DEFAULTS as DEFAULTS,
-        LEGAL as LEGAL,
-        CheckOptions as CheckOptions,
-        ManyRunsOptions as ManyRunsOptions,
-        RunOptions as RunOptions,
-        own_rules as own_rules,
-        refuse_others as refuse_others,
-        rules_for as rules_for,
-    )
     from allworlds.studies.check.report import CheckReport as CheckReport
+    from allworlds.studies.check.requests import (
+        CheckRequest as CheckRequest,
+        EstimateRequest as EstimateRequest,
+        ManyRuns as ManyRuns,
+        ManyWorlds as ManyWorlds,
+    )
     from allworlds.studies.check.time_estimate import Guess as Guess, TimeEstimate as TimeEstimate
 else:
     open_door(__name__)

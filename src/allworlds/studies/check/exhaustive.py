@@ -6,8 +6,6 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
-from pathlib import Path
-from typing import Any, Unpack
 
 from allworlds.engines import (
     ENDED,
@@ -18,7 +16,6 @@ from allworlds.engines import (
     EnginesDisagree,
     Identity,
     Job,
-    Limits,
     Listener,
     Once,
     ReadyEngine,
@@ -28,8 +25,6 @@ from allworlds.engines import (
     Tally,
     TimeIsUp,
     Unsettled,
-    a_schedule,
-    a_shard,
     confirmed,
     engine_for,
     gather,
@@ -41,15 +36,14 @@ from allworlds.engines import (
     tell_of_size,
     why_not_compiled,
 )
-from allworlds.inputs import InputError, a_path, an_integer, show
+from allworlds.inputs import InputError, a_path, answers, show
 from allworlds.judging import Finding
-from allworlds.maps import DEFAULT_EDGES, Extent
 from allworlds.outcome import Verdict
 from allworlds.studies.check.ending import Completed, Disagreed, Ending, Interrupted, Stopped
 from allworlds.studies.check.gate import GateCell, count_gate, missing_witnesses
 from allworlds.studies.check.known_findings import UserCorpus
-from allworlds.studies.check.options import CheckOptions, ManyRunsOptions, refuse_others, rules_for
 from allworlds.studies.check.report import CheckReport
+from allworlds.studies.check.requests import CheckRequest, EstimateRequest
 from allworlds.studies.check.run_identity import identity_of, job_of, settled_once, shelf_for
 from allworlds.studies.check.time_estimate import (
     LONG,
@@ -63,41 +57,9 @@ from allworlds.studies.check.time_estimate import (
 from allworlds.words import duration
 
 
-def check(
-    explore: str | Callable[..., Any] = "algorithm1",
-    *,
-    edges: int | None = None,
-    vertices: int | None = None,
-    schedules: str = "one",
-    shard: tuple[int, int] | None = None,
-    max_findings: int = 1,
-    engine: str = "auto",
-    corpus: str | Path | None = None,
-    run: str | Path | None = None,
-    dask: str | None = None,
-    listener: Listener | None = None,
-    **options: Unpack[ManyRunsOptions],
-) -> CheckReport:
+@answers(CheckRequest)
+def check(request: CheckRequest) -> CheckReport:
     """Run an explorer on every start and every marker orientation of every map in a class.
-
-    Args:
-        explore: a name (see :func:`allworlds.explorers.loading.load`) or a generator function.
-        edges: the largest number of edges (default: one that takes seconds).
-        vertices: the largest number of vertices.
-        schedules: ``one`` or ``all``.
-        shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0.
-        max_findings: with so many findings in finished levels the check ends; they are the
-            smallest of each law and map.
-        engine: ``auto``, ``python`` or ``kernel``.
-        corpus: a directory of past findings, which are tried first; new ones are written
-            to it.
-        run: a directory that keeps what is finished; the same check goes on from there.
-        dask: the address of a Dask scheduler, or ``local``: where the work is done.
-        listener: is told of the progress.
-        options: class and lighthouse, rules and effort: see
-            :class:`~allworlds.studies.check.options.ManyRunsOptions`,
-            :class:`~allworlds.judging.findings.rules.RulesOptions` and
-            :class:`~allworlds.engines.units.effort.EffortOptions`.
 
     An explorer that cannot be imported by its name runs in this process, where its
     KeyboardInterrupt cannot be told from the user's: it interrupts the check.  In a worker it
@@ -106,17 +68,8 @@ def check(
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    listener = listener or Silent()
-    asked: CheckOptions = {
-        **options,
-        "edges": edges,
-        "vertices": vertices,
-        "schedules": schedules,
-        "shard": shard,
-        "engine": engine,
-        "dask": dask,
-    }
-    job, chosen = _asked(explore, asked, max_findings, listener)
+    run, corpus, listener = request.run, request.corpus, request.listener
+    job, chosen = _job(request, keep=request.max_findings)
     directory = None if corpus is None else UserCorpus(a_path("corpus", corpus))
     if run is not None and corpus is not None:
         raise InputError(
@@ -125,16 +78,14 @@ def check(
         )
     if run is None and not job.scope.whole:
         listener.notice(UNMERGEABLE)
-    with records_in(run, lambda: identity_of(job, chosen.name), listener.notice) as records:
+    with records_in(
+        run, lambda: identity_of(request, job, chosen.name), listener.notice
+    ) as records:
         return _Check(job, chosen, listener, directory, records).run(_say_how_long)
 
 
-def estimate(
-    explore: str | Callable[..., Any] = "algorithm1",
-    *,
-    listener: Listener | None = None,
-    **options: Unpack[CheckOptions],
-) -> TimeEstimate:
+@answers(EstimateRequest)
+def estimate(request: EstimateRequest) -> TimeEstimate:
     """How long :func:`check` will take with these options, from a sample of some seconds.
 
     And with more edges: one more is tried as well, by the engine that would do it, and for the
@@ -143,40 +94,29 @@ def estimate(
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    heard = Once(listener or Silent())
-    job, chosen = _asked(explore, options, 1, heard)
+    heard = replace(request, listener=Once(request.listener))
+    job, chosen = _job(heard)
     guess, larger = estimated(job, chosen), tuple[Guess, ...]()
     if guess.rate and (extent := one_larger(job)):
         # What an engine cannot do ends the table.
         with suppress(InputError):
-            job, chosen = _asked(explore, {**options, "edges": extent.edges}, 1, heard)
+            job, chosen = _job(replace(heard, edges=extent.edges))
             more = estimated(job, chosen)
             larger = (more, *extrapolated(job, (guess, more)))
     return TimeEstimate(explorer=job.subject.name, larger=larger, **guess.to_json())
 
 
-def _asked(
-    explore: str | Callable[..., Any], options: CheckOptions, max_findings: int, listener: Listener
-) -> tuple[Job, EngineKind]:
+def _job(request: EstimateRequest, keep: int = 1) -> tuple[Job, EngineKind]:
     """What is to be done, and by which engine."""
-    refuse_others("check", options, CheckOptions)
-    limits = Limits.of(options)
-    keep = _positive("max-findings", max_findings)
-    subject = subject_of(explore, limits)
-    map_class, rules = rules_for(subject, options)
-    edges, vertices = options.get("edges"), options.get("vertices")
-    if edges is None and vertices is None:
-        edges = DEFAULT_EDGES
-    schedules, shard = a_schedule(options.get("schedules", "one")), a_shard(options.get("shard"))
-    scope = Scope(Extent(map_class, edges, vertices), rules, schedules, shard)
+    limits, notice = request.limits, request.listener.notice
+    subject = subject_of(request.explore, limits)
+    scope = Scope(request.extent, request.rules(subject), request.schedules, request.shard)
     if scope.schedules == "all" and not subject.takes_choices:
         raise InputError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
-    engine = options.get("engine", "auto")
-    if engine == "auto" and (why := why_not_compiled(scope, subject)):
-        listener.notice(why)
-    deadline, dask = limits.deadline(), options.get("dask")
-    job = Job(scope, subject, limits, keep, deadline, listener.notice, dask)
-    return job, engine_for(engine, scope, subject, limits.memory)
+    if request.engine == "auto" and (why := why_not_compiled(scope, subject)):
+        notice(why)
+    job = Job(scope, subject, limits, keep, limits.deadline(), notice, request.dask)
+    return job, engine_for(request.engine, scope, subject, limits.memory)
 
 
 def merged_check(identity: Identity, records: Records, listener: Listener) -> CheckReport:
@@ -197,13 +137,6 @@ def _say_how_long(job: Job, engine: EngineKind, listener: Listener) -> None:
         seconds = estimated(job, engine).seconds
         if seconds is not None and seconds > LONG:
             listener.notice(f"this will take about {duration(seconds)}: a guess from a sample")
-
-
-def _positive(name: str, value: object) -> int:
-    number = an_integer(name, value)
-    if number < 1:
-        raise InputError(f"{name} {show(number)} is not positive and finite")
-    return number
 
 
 class _Check:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -14,7 +14,6 @@ from allworlds.engines import (
     Identity,
     Job,
     KeptUnits,
-    Limits,
     Listener,
     ReadyEngine,
     Records,
@@ -22,41 +21,34 @@ from allworlds.engines import (
     Scope,
     Tally,
     ThisThread,
-    Whole,
     canonical,
     finding_from_record,
     finding_to_record,
     shelf,
 )
 from allworlds.explorers import Subject, content_digest, subject_known
-from allworlds.judging import Finding, Rules
-from allworlds.maps import Extent, MapClass
+from allworlds.inputs import meant, remembered, values_of
+from allworlds.judging import AskedRules, Finding, Rules
+from allworlds.studies.check.requests import CheckRequest
 
 VERB = "check"
 
 
-def identity_of(job: Job, engine: str) -> Identity:
+def identity_of(request: CheckRequest, job: Job, engine: str) -> Identity:
     """Everything that the report of a check depends on.
 
     Raises:
         InputError: if the explorer cannot be told by its content.
     """
-    scope, subject = job.scope, job.subject
-    rules = {f.name: getattr(scope.rules, f.name) for f in fields(Rules)}
-    parameters = {
-        "class": scope.extent.map_class.value,
-        "edges": scope.extent.edges,
-        "vertices": scope.extent.vertices,
-        **{
-            name: list(value) if name == "laws" and value else value
-            for name, value in rules.items()
-        },
-        "schedules": scope.schedules,
-        "engine": engine,
-        "max_findings": job.keep,
-        "answer_timeout": job.limits.answer_timeout,
-        "memory": job.limits.memory,
-    }
+    scope, subject, rules = job.scope, job.subject, job.scope.rules
+    decided = replace(
+        request,
+        edges=scope.extent.edges,
+        lighthouse=rules.lighthouse,
+        step_budget=rules.step_budget,
+        engine=engine,
+    )
+    brought = {"promised": rules.promised, "own_bound": rules.own_bound}
     explorer = {
         "name": subject.name,
         "keywords": sorted(subject.keywords),
@@ -64,6 +56,7 @@ def identity_of(job: Job, engine: str) -> Identity:
     }
     assert not isinstance(scope.coverage, Sample)
     shard = str(scope.coverage)
+    parameters = {**meant(decided), **brought}
     return Identity(verb=VERB, parameters=parameters, explorer=explorer, shard=shard)
 
 
@@ -72,16 +65,17 @@ def job_of(identity: Identity, listener: Listener) -> tuple[Job, EngineKind]:
 
     The explorer is not looked for: what it has done is known.
     """
-    told = dict(identity.parameters)
-    rules = {f.name: told[f.name] for f in fields(Rules)}
-    if rules["laws"] is not None:
-        rules["laws"] = tuple(rules["laws"])
-    extent = Extent(MapClass(told["class"]), told["edges"], told["vertices"])
+    told = identity.parameters
+    request = CheckRequest(**remembered(CheckRequest, told))
+    asked = values_of(AskedRules, request)
+    rules = Rules(
+        told["lighthouse"], promised=told["promised"], own_bound=told["own_bound"], **asked
+    )
     subject = subject_known(identity.explorer["name"], identity.explorer["keywords"])
-    limits = Limits(answer_timeout=told["answer_timeout"], memory=told["memory"])
-    scope = Scope(extent, Rules(**rules), told["schedules"], Whole())
-    job = Job(scope, subject, limits, told["max_findings"], None, listener.notice)
-    return job, NothingLeft(ENGINES[told["engine"]], told["engine"])
+    scope = Scope(request.extent, rules, request.schedules)
+    keep, limits = request.max_findings, request.limits
+    job = Job(scope, subject, limits, keep, None, listener.notice)
+    return job, NothingLeft(ENGINES[request.engine], request.engine)
 
 
 @dataclass(slots=True)

@@ -6,6 +6,8 @@ the explorers has no place is left out for all.  Of a growing family a few membe
 drawn from seeds; every member has a name that gives it back (``allworlds run greedy --family
 torus:6x6 --seed 1``).
 
+``compare_request``
+    what is asked for;
 ``contestants``
     explorers that are run in the same worlds;
 ``contest``, ``comparison``
@@ -20,11 +22,12 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.studies.compare.climb import Climb as Climb
+    from allworlds.studies.compare.compare_request import CompareRequest as CompareRequest
     from allworlds.studies.compare.comparison import (
         ComparedRow as ComparedRow,
         Comparison as Comparison,
     )
-    from allworlds.studies.compare.contest import compare as compare
+    from allworlds.studies.compare.contest import compare as compare, compared as compared
     from allworlds.studies.compare.contestants import Contestant as Contestant
     from allworlds.studies.compare.growing_families import Member as Member
     from allworlds.studies.compare.growth import GrowRow as GrowRow, Growth as Growth

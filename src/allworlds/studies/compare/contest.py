@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from fractions import Fraction
+from inspect import signature
 from itertools import groupby
-from typing import Any, Unpack, overload
+from typing import Any, TypedDict, Unpack, overload
 
 from allworlds.engines import (
     CostTally,
@@ -15,26 +16,23 @@ from allworlds.engines import (
     Limits,
     Listener,
     MapKey,
-    Silent,
     Transport,
     UnitOfRuns,
     level_size,
     workers_for,
 )
-from allworlds.inputs import InputError, show
+from allworlds.inputs import InputError, ensure_takes, show
 from allworlds.judging import Finding
-from allworlds.maps import CombinatorialMap, Extent
+from allworlds.maps import CombinatorialMap, Extent, MapClass
 from allworlds.studies.check import (
     Completed,
     GateCell,
-    ManyRunsOptions,
     Stopped,
     count_gate,
     ending_of,
-    refuse_others,
-    rules_for,
 )
 from allworlds.studies.compare.climb import SEED, WORLDS, growth_of
+from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.comparison import (
     ComparedRow,
     Comparison,
@@ -49,31 +47,32 @@ from allworlds.studies.compare.growth import Growth
 from allworlds.world import World, map_of_family
 
 
-class SameWorldsOptions(ManyRunsOptions, total=False):
-    """What ``compare`` takes beside the options of many runs, in worlds that are given.
+class SameWorldsOptions(TypedDict, total=False):
+    """The fields of :class:`CompareRequest`, in worlds that do not grow.
 
-    Attributes:
-        edges, vertices: the extent of the class.
-        family: one world of a family, in place of a class; with ``to`` one or more families that
-            grow, as a list or with commas.
-        holes: the share of its edges to be removed.
-        seed: for whatever is drawn of it; None (default) for 0, with ``to`` for 1.
+    They stand here once more: a list of explorers of any length cannot be said otherwise.
     """
 
     edges: int | None
     vertices: int | None
+    map_class: str
     family: str | Sequence[str] | None
     holes: str | None
     seed: int | None
+    lighthouse: str | None
+    policy: str
+    bound: str | int | None
+    laws: Iterable[str] | None
+    step_budget: int | None
+    answer_timeout: float
+    workers: int
+    time_limit: float | None
+    memory: int | None
+    listener: Listener | None
 
 
 class CompareOptions(SameWorldsOptions, total=False):
-    """What ``compare`` takes in worlds that grow, too.
-
-    Attributes:
-        to: the largest number of edges of worlds that grow; None (default) for the same worlds.
-        worlds: how many worlds of each size; None (default) for 3.
-    """
+    """All of them."""
 
     to: int | None
     worlds: int | None
@@ -83,28 +82,19 @@ class CompareOptions(SameWorldsOptions, total=False):
 def compare(
     *explorers: str | Callable[..., Any],
     to: int,
-    family: str | Sequence[str],
     worlds: int | None = ...,
-    seed: int | None = ...,
-    listener: Listener | None = ...,
-    **options: Unpack[ManyRunsOptions],
+    **options: Unpack[SameWorldsOptions],
 ) -> Growth: ...
 @overload
 def compare(
-    *explorers: str | Callable[..., Any],
-    listener: Listener | None = ...,
-    **options: Unpack[SameWorldsOptions],
+    *explorers: str | Callable[..., Any], **options: Unpack[SameWorldsOptions]
 ) -> Comparison: ...
 @overload
 def compare(
-    *explorers: str | Callable[..., Any],
-    listener: Listener | None = ...,
-    **options: Unpack[CompareOptions],
+    *explorers: str | Callable[..., Any], **options: Unpack[CompareOptions]
 ) -> Comparison | Growth: ...
 def compare(
-    *explorers: str | Callable[..., Any],
-    listener: Listener | None = None,
-    **options: Unpack[CompareOptions],
+    *explorers: str | Callable[..., Any], **options: Unpack[CompareOptions]
 ) -> Comparison | Growth:
     """Run explorers in the same worlds, judge every run, and compare what they walk.
 
@@ -114,57 +104,56 @@ def compare(
     Args:
         explorers: names (see :func:`allworlds.explorers.loading.load`) or generator functions; two
             or more.
-        listener: is told of the progress.
-        options: the worlds, and how runs are judged; see :class:`CompareOptions`.
+        options: the worlds, and how runs are judged; see :class:`CompareRequest`.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    refuse_others("compare", options, CompareOptions)
-    limits = Limits.of(options)
-    contestants = contestants_of(explorers, limits, options)
-    heard = listener or Silent()
-    if options.get("to") is not None:
-        return _growing(contestants, options, limits, heard)
-    if options.get("worlds") is not None:
-        raise InputError(f"worlds = {show(options['worlds'])} has no effect without to")
+    ensure_takes("compare", signature(CompareRequest), **options)
+    return compared(CompareRequest(explorers=explorers, **options))
+
+
+def compared(request: CompareRequest) -> Comparison | Growth:
+    """The same of a request."""
+    limits = request.limits
+    contestants = contestants_of(request)
+    if request.to is not None:
+        return _growing(contestants, request, request.to)
+    if request.worlds is not None:
+        raise InputError(f"worlds = {show(request.worlds)} has no effect without to")
     if len(contestants) < 2:
         only = show(contestants[0].name) if contestants else "none"
         raise InputError(f"compare takes two explorers at least, not {only}")
-    return _contest(contestants, options, limits, heard).run()
+    return _contest(contestants, request, limits).run()
 
 
-def _growing(
-    contestants: tuple[Contestant, ...], asked: CompareOptions, limits: Limits, heard: Listener
-) -> Growth:
+def _growing(contestants: tuple[Contestant, ...], request: CompareRequest, to: int) -> Growth:
     """Explorers in families that grow."""
     for name in ("edges", "vertices", "holes"):
-        if asked.get(name) is not None:
-            raise InputError(f"{name} = {show(asked.get(name))} has no effect on worlds that grow")
-    if asked.get("map_class", "maps") != "maps":
-        raise InputError(f"class {show(asked['map_class'])} has no effect on worlds that grow")
+        if (given := getattr(request, name)) is not None:
+            raise InputError(f"{name} = {show(given)} has no effect on worlds that grow")
+    if request.map_class is not MapClass.MAPS:
+        raise InputError(f"class {show(request.map_class.value)} has no effect on worlds that grow")
     if not contestants:
         raise InputError("compare with to takes an explorer at least, not none")
-    families = asked.get("family")
+    families = request.family
     if not families:
         raise InputError(f"compare with to takes a family at least: {FORMS}")
-    seed, worlds = asked.get("seed"), asked.get("worlds")
     numbers = {
-        "to": asked["to"] or 0,
-        "worlds": WORLDS if worlds is None else worlds,
-        "seed": SEED if seed is None else seed,
+        "to": to,
+        "worlds": WORLDS if request.worlds is None else request.worlds,
+        "seed": SEED if request.seed is None else request.seed,
     }
     named = families.split(",") if isinstance(families, str) else [*families]
-    return growth_of(contestants, named, numbers, limits, heard)
+    return growth_of(contestants, named, numbers, request.limits, request.listener)
 
 
 def _contest(
-    contestants: tuple[Contestant, ...], asked: CompareOptions, limits: Limits, heard: Listener
+    contestants: tuple[Contestant, ...], request: CompareRequest, limits: Limits
 ) -> _Contest:
     """Explorers in every world of a class, or in one of a family."""
-    map_class, _ = rules_for(contestants[0].subject, asked)
-    edges, vertices = asked.get("edges"), asked.get("vertices")
-    family, holes = asked.get("family"), asked.get("holes")
+    edges, vertices = request.edges, request.vertices
+    family, holes, heard = request.family, request.holes, request.listener
     if family is not None:
         if not isinstance(family, str) or all(form_of(each) for each in family.split(",")):
             raise InputError(
@@ -173,16 +162,16 @@ def _contest(
             )
         if edges is not None or vertices is not None:
             raise InputError(f"family {show(family)} is one world; it takes no edges or vertices")
-        seed = asked.get("seed") or 0
+        seed = request.seed or 0
         map_ = map_of_family(family, holes, seed)
-        extent = Extent(map_class, map_.edge_count)
+        extent = Extent(request.map_class, map_.edge_count)
         text = f"{family}{f' with holes {holes}' if holes else ''}, seed {seed}"
         return _Contest(contestants, extent, limits, heard, text, map_)
     if holes is not None:
         raise InputError(f"holes {holes} has no effect without a family")
     if edges is None and vertices is None:
         raise InputError("compare takes edges, vertices or a family")
-    return _Contest(contestants, Extent(map_class, edges, vertices), limits, heard)
+    return _Contest(contestants, request.extent, limits, heard)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,7 +22,7 @@ from allworlds.explorers import Subject
 from allworlds.inputs import InputError, show
 from allworlds.judging import Finding, Rules
 from allworlds.maps import CombinatorialMap, Extent
-from allworlds.studies.check import ManyRunsOptions, rules_for
+from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.world import World
 
 
@@ -70,18 +70,16 @@ class Contestant:
         return [confirmed(found, self.subject, limits, "one") for found in tally.findings]
 
 
-def contestants_of(
-    explorers: Sequence[str | Callable[..., Any]], limits: Limits, options: ManyRunsOptions
-) -> tuple[Contestant, ...]:
-    """The explorers, each under its own lighthouse unless the options name one.
+def contestants_of(request: CompareRequest) -> tuple[Contestant, ...]:
+    """The explorers, each under its own lighthouse unless the request names one.
 
     Raises:
         InputError: for one that is none or is there twice, or for an option.
     """
     contestants: list[Contestant] = []
-    for explore in explorers:
-        subject = subject_of(explore, limits)
+    for explore in request.explorers:
+        subject = subject_of(explore, request.limits)
         if any(subject.name == other.name for other in contestants):
             raise InputError(f"explorer {show(subject.name)} is named twice")
-        contestants.append(Contestant(subject, rules_for(subject, options)[1]))
+        contestants.append(Contestant(subject, request.rules(subject)))
     return tuple(contestants)

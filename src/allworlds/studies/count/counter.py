@@ -22,8 +22,17 @@ from allworlds.document import (
     key,
 )
 from allworlds.engines import Listener, Silent, level_size, tell_of_size
-from allworlds.maps import Extent, MapClass, automorphisms, prefixes, rooted_maps, source_for
+from allworlds.inputs import answers
+from allworlds.maps import (
+    Extent,
+    MapClass,
+    automorphisms,
+    prefixes,
+    rooted_maps,
+    source_for,
+)
 from allworlds.outcome import Exit, until_interrupted
+from allworlds.studies.count.count_request import CountRequest
 
 SILENT = Silent()
 
@@ -86,20 +95,9 @@ class Census(Report):
         return Exit.ANSWERED if any(row.rooted for row in self.rows) else Exit.VACUOUS
 
 
-def count(
-    *,
-    edges: int | None = None,
-    vertices: int | None = None,
-    map_class: str = "maps",
-    listener: Listener | None = None,
-) -> Census:
+@answers(CountRequest)
+def count(request: CountRequest) -> Census:
     """Enumerate every rooted map of a class and count.
-
-    Args:
-        edges: the largest number of edges.
-        vertices: the largest number of vertices; alone only for the simple classes.
-        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
-        listener: is told of the progress, and if that will take long.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -107,8 +105,7 @@ def count(
     Cost: some microseconds a rooted map, in the class ``maps`` from 7 edges on less than
     100 ns; constant memory.
     """
-    extent = Extent(MapClass.named(map_class), edges, vertices)
-    heard = listener or Silent()
+    extent, heard = request.extent, request.listener
     tell_of_size(extent, heard)
     rows, complete = until_interrupted(
         _count_level(extent, level, heard) for level in extent.levels

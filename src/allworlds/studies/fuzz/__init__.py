@@ -1,5 +1,7 @@
 """The fuzzer: worlds far beyond the exhaustive bound, and the way back to small ones.
 
+``fuzz_request``
+    what is asked for;
 ``sample``
     the worlds of a run, a function of its seed;
 ``drive``
@@ -16,6 +18,7 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.studies.fuzz.drive import fuzz as fuzz
+    from allworlds.studies.fuzz.fuzz_request import FuzzRequest as FuzzRequest
     from allworlds.studies.fuzz.given import refuted_in as refuted_in
 else:
     open_door(__name__)

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
-from typing import Any, Unpack
 
 from allworlds.engines import (
     GivenWorlds,
-    Limits,
     Listener,
     PythonEngine,
     Sample,
@@ -22,16 +20,17 @@ from allworlds.engines import (
     subject_of,
     workers_for,
 )
-from allworlds.inputs import InputError, an_integer, show
+from allworlds.explorers import Subject
+from allworlds.inputs import (
+    InputError,
+    an_integer,
+    answers,
+    show,
+)
 from allworlds.judging import Finding
 from allworlds.maps import Extent
-from allworlds.studies.check import (
-    CheckReport,
-    ManyRunsOptions,
-    ending_of,
-    refuse_others,
-    rules_for,
-)
+from allworlds.studies.check import CheckReport, ending_of
+from allworlds.studies.fuzz.fuzz_request import FuzzRequest
 from allworlds.studies.fuzz.sample import batches
 from allworlds.studies.fuzz.shrink import shrink
 
@@ -39,49 +38,26 @@ MANY_EDGES = 10_000_000
 """Whoever asks for worlds with more of them in all is told that it takes long."""
 
 
-def fuzz(
-    explore: str | Callable[..., Any] = "algorithm1",
-    *,
-    edges: int,
-    runs: int,
-    seed: int = 0,
-    min_edges: int = 1,
-    listener: Listener | None = None,
-    **options: Unpack[ManyRunsOptions],
-) -> CheckReport:
+@answers(FuzzRequest)
+def fuzz(request: FuzzRequest) -> CheckReport:
     """Run an explorer in random worlds of up to ``edges`` edges; shrink what refutes it.
 
     The report is a sample's: at best ``not-refuted``, never complete.  The sample depends on
     the class, ``edges``, ``min_edges``, ``runs`` and ``seed`` alone, and the finding is the
-    smallest that the shrinker reaches from the smallest refuting world of the sample.
-
-    Args:
-        explore: a name or a generator function.
-        edges: the largest number of edges.
-        runs: how many worlds, with one start and one place of the lighthouse each.
-        seed: another seed, another sample.
-        min_edges: the smallest number of edges; what is shrunk may have fewer.
-        listener: is told of the progress.
-        options: as for :func:`allworlds.check`; shrinking ends with the time limit.
+    smallest that the shrinker reaches from the smallest refuting world of the sample; that may
+    have fewer than ``min_edges`` edges.  Shrinking ends with the time limit.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    refuse_others("fuzz", options, ManyRunsOptions)
-    limits = Limits.of(options)
-    subject = subject_of(explore, limits)
-    map_class, rules = rules_for(subject, options)
-    sample = Sample(runs, seed, min_edges)
-    scope = Scope(Extent(map_class, _positive(edges)), rules, coverage=sample)
-    if sample.min_edges > scope.extent.levels[-1]:
-        raise InputError(
-            f"min-edges = {show(sample.min_edges)} is more than edges = {scope.extent.levels[-1]}"
-        )
+    limits = request.limits
+    subject = subject_of(request.explore, limits)
+    scope = _scope(request, subject)
     tally = Tally(keep=1)
 
     def job() -> None:
         with workers_for(subject, limits, limits.deadline()) as workers:
-            _try(workers, scope, tally, listener or Silent())
+            _try(workers, scope, tally, request.listener)
             shrink_found(workers, scope, tally)
         tally.findings = [
             confirmed(found, subject, limits, scope.schedules) for found in tally.findings
@@ -93,11 +69,16 @@ def fuzz(
     )
 
 
-def _positive(edges: object) -> int:
-    number = an_integer("edges", edges)
-    if number < 1:
-        raise InputError(f"edges = {show(number)} is not positive")
-    return number
+def _scope(request: FuzzRequest, subject: Subject) -> Scope:
+    """The worlds that are drawn, and the rules."""
+    rules, sample = request.rules(subject), Sample(request.runs, request.seed, request.min_edges)
+    edges = an_integer("edges", request.edges)
+    if edges < 1:
+        raise InputError(f"edges = {show(edges)} is not positive")
+    scope = Scope(Extent(request.map_class, edges), rules, coverage=sample)
+    if sample.min_edges > edges:
+        raise InputError(f"min-edges = {show(sample.min_edges)} is more than edges = {edges}")
+    return scope
 
 
 def _try(workers: Transport[PythonEngine], scope: Scope, tally: Tally, listener: Listener) -> None:

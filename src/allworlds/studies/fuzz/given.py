@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from typing import Any, Unpack
+from collections.abc import Iterable, Iterator
 
 from allworlds.engines import (
-    Limits,
     PythonEngine,
     Scope,
     Silent,
@@ -18,26 +16,21 @@ from allworlds.engines import (
 )
 from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap, Extent, MapClass
-from allworlds.studies.check import ManyRunsOptions, refuse_others, rules_for
+from allworlds.studies.check import ManyRuns
 from allworlds.studies.fuzz.drive import shrink_found
 from allworlds.studies.fuzz.shrink import in_chunks, rootings
 from allworlds.world import Lighthouse, World
 
 
-def refuted_in(
-    explore: str | Callable[..., Any],
-    maps: Iterable[CombinatorialMap],
-    **options: Unpack[ManyRunsOptions],
-) -> Finding | None:
+def refuted_in(maps: Iterable[CombinatorialMap], request: ManyRuns) -> Finding | None:
     """The smallest finding that the shrinker reaches from these maps; None where no law is broken.
 
     The explorer starts at every dart of each map, with every place of the lighthouse.  Maps
     that are not of the class are left out.
 
     Args:
-        explore: a name or a generator function.
         maps: of any size.
-        options: as for :func:`allworlds.check`.
+        request: for an explorer, the class, rules and limits.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -46,10 +39,9 @@ def refuted_in(
 
     Cost: O(m) runs for each map with m edges.
     """
-    refuse_others("refuted_in", options, ManyRunsOptions)
-    limits = Limits.of(options)
-    subject = subject_of(explore, limits)
-    map_class, rules = rules_for(subject, options)
+    limits, map_class = request.limits, request.map_class
+    subject = subject_of(request.explore, limits)
+    rules = request.rules(subject)
     given = [*_rooted(maps, map_class, rules.kind)]
     if not given:
         return None

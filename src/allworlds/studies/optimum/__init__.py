@@ -8,6 +8,8 @@
     how: a tree of motions and answers;
 ``in_every_world``
     the strategy followed in every world, by code of its own;
+``optimum_request``
+    what is asked for;
 ``optimum_table``
     the optimum beside the worst cases of the built-in explorers.
 """
@@ -17,6 +19,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds.studies.optimum.optimum_request import OptimumRequest as OptimumRequest
     from allworlds.studies.optimum.optimum_table import (
         OptimumReport as OptimumReport,
         OptimumRow as OptimumRow,

@@ -8,20 +8,23 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from allworlds.document import AllRows, Document, Natural, Positive, Report, about, computed
-from allworlds.engines import Listener, Silent
+from allworlds.engines import Listener
 from allworlds.explorers import BUILT_IN
-from allworlds.inputs import InputError, an_integer, show
+from allworlds.inputs import (
+    InputError,
+    an_integer,
+    answers,
+    show,
+)
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.outcome import Exit, until_interrupted
 from allworlds.studies.check import check
 from allworlds.studies.optimum.fewest_traversals import Search
 from allworlds.studies.optimum.in_every_world import most_expensive
 from allworlds.studies.optimum.knowledge import Places
+from allworlds.studies.optimum.optimum_request import MOST_EDGES, OptimumRequest
 from allworlds.studies.optimum.strategy import Strategy
 from allworlds.world import Directional, World, worlds
-
-DEFAULT_EDGES = 3
-MOST_EDGES = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,30 +120,24 @@ class OptimumReport(Report):
         return Exit.ANSWERED if found else Exit.INCONCLUSIVE
 
 
-def optimum(
-    *, edges: int = DEFAULT_EDGES, time_limit: float | None = None, listener: Listener | None = None
-) -> OptimumReport:
+@answers(OptimumRequest)
+def optimum(request: OptimumRequest) -> OptimumReport:
     """The best that any explorer can do in the worst world with so many edges.
 
-    The explorer has a directional lighthouse, and knows the number of edges.
-
-    Args:
-        edges: the largest number; there is a row for each up to it.
-        time_limit: seconds for the search of a row; None (default) for no limit.  A row that is
-            not found in time tells a lower bound.
-        listener: is told of the progress.
+    The explorer has a directional lighthouse, and knows the number of edges.  A row that is not
+    found in time tells a lower bound.
 
     Raises:
         InputError: for a number of edges, or a limit, that is not legal.
     """
+    edges, time_limit = request.edges, request.time_limit
     if not 1 <= an_integer("edges", edges) <= MOST_EDGES:
         raise InputError(f"edges = {show(edges)}; the optimum is searched for 1..{MOST_EDGES}")
     if time_limit is not None and not (
         isinstance(time_limit, int | float) and 0 < time_limit < float("inf")
     ):
         raise InputError(f"time limit {show(time_limit)} is not a positive number of seconds")
-    listener = listener or Silent()
-    rows, complete = until_interrupted(_rows(edges, time_limit, listener))
+    rows, complete = until_interrupted(_rows(edges, time_limit, request.listener))
     return OptimumReport(complete=complete, rows=rows)
 
 

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from allworlds.document import Aside, Report, Text, about, computed, key, one_of
-from allworlds.engines import Limits, SingleRun, single_run, subject_of, unused_choice
-from allworlds.inputs import InputError, show
+from allworlds.engines import (
+    Limits,
+    SingleRun,
+    single_run,
+    subject_of,
+    unused_choice,
+)
+from allworlds.inputs import (
+    InputError,
+    answers,
+    show,
+)
 from allworlds.judging import Finding, LawName, recorded_trail
 from allworlds.outcome import Exit
-from allworlds.protocol import ANSWER_TIMEOUT
+from allworlds.studies.replay.replay_request import ReplayRequest
 
 
 class Replay(Report):
@@ -44,12 +53,8 @@ class Replay(Report):
     notice: Aside[str] = ""
 
 
-def replay(
-    finding: Finding,
-    explore: str | Callable[..., Any] | None = None,
-    *,
-    answer_timeout: float = ANSWER_TIMEOUT,
-) -> Replay:
+@answers(ReplayRequest)
+def replay(request: ReplayRequest) -> Replay:
     """Run a finding's world again under its rules, with ``explore`` in place of its explorer.
 
     The recorded choices are repeated for the recorded explorer, as far as they fit: it may have
@@ -60,9 +65,10 @@ def replay(
             its world, or it records choices of an explorer that takes none, unless that one is
             named by ``explore``, too.
     """
+    finding, explore = request.finding, request.explore
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
-    limits = Limits(answer_timeout=answer_timeout)
+    limits = Limits(answer_timeout=request.answer_timeout)
     recorded_trail(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
     subject = subject_of(finding.explorer if explore is None else explore, limits)

@@ -1,5 +1,7 @@
 """One world, told step by step.
 
+``run_request``
+    what is asked for;
 ``single``
     the verb;
 ``hypotheses``
@@ -16,6 +18,7 @@ if TYPE_CHECKING:
         embedded as embedded,
         hypotheses_in as hypotheses_in,
     )
+    from allworlds.studies.run.run_request import AskedRun as AskedRun, RunRequest as RunRequest
     from allworlds.studies.run.single import run as run
 else:
     open_door(__name__)

@@ -2,6 +2,8 @@
 
 ``every_schedule``
     one world, readably; also a sequence of choices that attains the worst cost;
+``worst_request``
+    what is asked for;
 ``worst_report``
     what is reported;
 ``all_worlds``
@@ -23,5 +25,6 @@ if TYPE_CHECKING:
     )
     from allworlds.studies.worst.every_schedule import EverySchedule as EverySchedule
     from allworlds.studies.worst.worst_report import WorstReport as WorstReport
+    from allworlds.studies.worst.worst_request import WorstRequest as WorstRequest
 else:
     open_door(__name__)

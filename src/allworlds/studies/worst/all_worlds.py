@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, Any
 
 from allworlds.engines import (
     ENDED,
@@ -19,12 +17,10 @@ from allworlds.engines import (
     Portion,
     Records,
     Shard,
-    Silent,
     ThisThread,
     Threads,
     Transport,
     Whole,
-    a_shard,
     cells_of_level,
     gather,
     records_in,
@@ -33,14 +29,14 @@ from allworlds.engines import (
     units_of_level,
 )
 from allworlds.explorers import Subject, algorithm1, load
-from allworlds.inputs import InputError, an_integer, show
-from allworlds.judging import Answered, Rules, default_step_budget, paper_bound, play
+from allworlds.inputs import InputError, an_integer, answers, show
+from allworlds.judging import Answered, AskedRules, Rules, default_step_budget, paper_bound, play
 from allworlds.maps import CombinatorialMap, Extent, MapClass, source_for
 from allworlds.outcome import until_interrupted
-from allworlds.studies.check import own_rules
 from allworlds.studies.worst.any_explorer import worst_of_runs
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
 from allworlds.studies.worst.worst_report import WorstReport, WorstRow, replayed_cost
+from allworlds.studies.worst.worst_request import DEFAULT_EDGES, OTHERS_EDGES, WorstRequest
 from allworlds.words import size
 from allworlds.world import Directional, World
 
@@ -48,9 +44,7 @@ if TYPE_CHECKING:
     from allworlds.engines import ScheduleCosts
     from allworlds.studies.worst.compiled_engine import ScheduleSearch
 
-DEFAULT_EDGES, OTHERS_EDGES = 5, 3
 MOST_EDGES = 12
-
 
 SYMMETRY = (
     "one world for each start vertex: every choice of dart is tried, so the "
@@ -58,67 +52,45 @@ SYMMETRY = (
 )
 
 
-def worst(
-    explore: str | Callable[..., Any] = "algorithm1",
-    *,
-    edges: int | None = None,
-    map_class: str = "maps",
-    transit: str | None = None,
-    lighthouse: str | None = None,
-    shard: tuple[int, int] | None = None,
-    workers: int = 1,
-    run: str | Path | None = None,
-    dask: str | None = None,
-    listener: Listener | None = None,
-) -> WorstReport:
+@answers(WorstRequest)
+def worst(request: WorstRequest) -> WorstReport:
     """The exact worst and best cost of an explorer over all worlds and all schedules.
 
     For Algorithm 1 under its own lighthouse a compiled search covers every choice of edge, order
     of hypotheses and path.  Of any other explorer every run is played, in each place of its
-    lighthouse and, if it takes choices, under every schedule.
-
-    Args:
-        explore: a name or a generator function.
-        edges: the largest number of edges (default: one that takes a second).
-        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
-        transit: ``shortest`` or ``simple`` (default): how the robot goes through S in line 4; of
-            Algorithm 1 only, as are ``shard``, ``run`` and ``dask``.
-        lighthouse: that of another explorer; None takes its own.
-        shard: ``(K, N)``: only the K-th of N parts of about equal weight, from 0.
-        workers: threads.
-        run: a directory that keeps what is finished; the same search goes on from there.
-        dask: the address of a Dask scheduler, or ``local``: where the work is done.
-        listener: is told of the progress.
+    lighthouse and, if it takes choices, under every schedule; there ``transit``, ``shard``,
+    ``run`` and ``dask`` are refused.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    if explore not in ("algorithm1", algorithm1) or lighthouse is not None:
-        part = None if a_shard(shard) == WHOLE else shard
-        special = {"transit": transit, "shard": part, "run": run, "dask": dask}
-        for option, value in special.items():
+    if request.explore not in ("algorithm1", algorithm1) or request.lighthouse is not None:
+        shard = request.shard
+        part = (shard.index, shard.count) if isinstance(shard, Shard) else None
+        special = {"transit": request.transit, "shard": part}
+        for option, value in {**special, "run": request.run, "dask": request.dask}.items():
             if value is not None:
                 raise InputError(f"{option} = {show(value)} is for algorithm1 as it is built in")
-        extent = Extent(MapClass.named(map_class), _edges(edges, OTHERS_EDGES))
-        return worst_of_runs(explore, extent, lighthouse, workers, listener or Silent())
-    transit = "simple" if transit is None else transit
-    if transit not in get_args(Transit):
-        raise InputError(f"transit {show(transit)} is not one of {', '.join(get_args(Transit))}")
-    if an_integer("workers", workers) < 1:
-        raise InputError(f"workers {show(workers)} is not positive")
-    extent = Extent(MapClass.named(map_class), _edges(edges, DEFAULT_EDGES))
+        return worst_of_runs(request, Extent(request.map_class, _edges(request, OTHERS_EDGES)))
+    way: Transit = request.transit or "simple"
+    if an_integer("workers", request.workers) < 1:
+        raise InputError(f"workers {show(request.workers)} is not positive")
+    extent = Extent(request.map_class, _edges(request, DEFAULT_EDGES))
     if not extent.map_class.plain:
         raise InputError(
             f"class {show(extent.map_class.value)} is none of those whose maps the compiled search "
             f"makes: {', '.join(known for known in MapClass if known.plain)}"
         )
+    return _searched(_SchedulesSearch(extent, way, request.shard), request)
+
+
+def _searched(search: _SchedulesSearch, request: WorstRequest) -> WorstReport:
+    """The report of a search with the compiled engine."""
     from allworlds.engines import COMPILING
 
-    way: Transit = "shortest" if transit == "shortest" else "simple"
-    search = _SchedulesSearch(extent, way, a_shard(shard))
-    heard = listener or Silent()
+    run, heard, workers = request.run, request.listener, request.workers
     engine = search.engine()
-    transport = Threads(workers) if dask is None else Dask(dask, workers)
+    transport = Threads(workers) if request.dask is None else Dask(request.dask, workers)
     with records_in(run, search.identity, heard.notice) as records, transport as there:
         if run is None and isinstance(search.portion, Shard):
             heard.notice(UNMERGEABLE)
@@ -127,8 +99,8 @@ def worst(
         return search.report(there, engine, records, heard)
 
 
-def _edges(edges: int | None, default: int) -> int:
-    number = default if edges is None else an_integer("edges", edges)
+def _edges(request: WorstRequest, default: int) -> int:
+    number = default if request.edges is None else an_integer("edges", request.edges)
     if number > MOST_EDGES:
         raise InputError(f"edges = {show(number)}, but there is room for {MOST_EDGES} at most")
     return number
@@ -160,7 +132,7 @@ class _SchedulesSearch:
     @property
     def rules(self) -> Rules:
         """What every run is judged by."""
-        return own_rules(self.subject, {}, Directional.kind)
+        return AskedRules().rules_of(self.subject, Directional.kind)
 
     def engine(self) -> ScheduleSearch:
         from allworlds.studies.worst.compiled_engine import ScheduleSearch

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from allworlds.engines import (
     AtRun,
@@ -30,8 +29,9 @@ from allworlds.explorers import Subject
 from allworlds.judging import Finding, Rules
 from allworlds.maps import Extent, source_for
 from allworlds.outcome import until_interrupted
-from allworlds.studies.check import rules_for, world_at
+from allworlds.studies.check import ManyRuns, world_at
 from allworlds.studies.worst.worst_report import WorstReport, WorstRow, replayed_cost
+from allworlds.studies.worst.worst_request import WorstRequest
 
 PLAYED = (
     "compiled code tries every schedule of algorithm1 alone; this library takes choices, and is "
@@ -40,23 +40,18 @@ PLAYED = (
 """The notice for libraries that are played so, where ``check`` judges them in compiled code."""
 
 
-def worst_of_runs(
-    explore: str | Callable[..., Any],
-    extent: Extent,
-    lighthouse: str | None,
-    workers: int,
-    listener: Listener,
-) -> WorstReport:
+def worst_of_runs(request: WorstRequest, extent: Extent) -> WorstReport:
     """The worst and best cost of any explorer over its runs, in the worlds of an extent.
 
     Raises:
         InputError: for an explorer or a lighthouse that is none.
     """
-    limits = Limits(workers)
-    subject = subject_of(explore, limits)
-    _, rules = rules_for(subject, {"map_class": extent.map_class.value, "lighthouse": lighthouse})
+    limits = Limits(workers=request.workers)
+    subject = subject_of(request.explore, limits)
+    asked = ManyRuns(map_class=request.map_class, lighthouse=request.lighthouse)
+    rules = asked.rules(subject)
     scope = Scope(extent, rules, "all" if subject.takes_choices else "one")
-    search = _RunsSearch(subject, rules, scope, limits, listener)
+    search = _RunsSearch(subject, rules, scope, limits, request.listener)
     finished, complete = until_interrupted(search.levels())
     return WorstReport(
         map_class=extent.map_class,

@@ -20,11 +20,12 @@ from allworlds.document import (
     key,
     one_of,
 )
-from allworlds.engines import WHOLE, Limits, Schedule, SingleRun, single_run
+from allworlds.engines import WHOLE, Limits, SingleRun, single_run
 from allworlds.explorers import Subject
 from allworlds.judging import Finding, Rules
 from allworlds.maps import MapClass
 from allworlds.outcome import Exit
+from allworlds.protocol import Schedule
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.world import World
 

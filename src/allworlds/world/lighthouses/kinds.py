@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Annotated
 
-from allworlds.inputs import show
+from allworlds.inputs import SCOPE, Option, Request, Taken, a_text, one_of, show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
     InvalidWorld,
@@ -71,8 +72,31 @@ def lighthouse_from_json(
     return kind.from_json(document, map_, start)
 
 
+def _lighthouse(given: object) -> str | None:
+    if given is None:
+        return None
+    text = a_text("lighthouse", given)
+    lighthouse_named(text)
+    return text
+
+
+class AskedLighthouse(Request):
+    """Under which lighthouse explorers are run."""
+
+    lighthouse: Annotated[
+        Taken[str | None, str | None],
+        Option(
+            SCOPE,
+            "KIND",
+            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)} (default: directional, or the one "
+            "that a built-in explorer is written for).",
+        ),
+    ] = Taken(_lighthouse, None)
+
+
 __all__ = [
     "LIGHTHOUSES",
+    "AskedLighthouse",
     "Cluster",
     "Compass",
     "Directional",

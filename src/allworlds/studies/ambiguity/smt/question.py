@@ -7,8 +7,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from allworlds.inputs import LARGEST_SIZE, InputError, a_text, an_integer, at_most, show
+from allworlds.inputs import (
+    LARGEST_SIZE,
+    InputError,
+    a_text,
+    an_integer,
+    at_most,
+    show,
+)
 from allworlds.maps import Dart, MapClass
+from allworlds.studies.ambiguity.ambiguity_requests import SearchRequest
 from allworlds.studies.ambiguity.smt.one_world import Degrees, Size
 from allworlds.words import plural
 from allworlds.world import (
@@ -205,32 +213,24 @@ def _listed(name: str, values: object) -> Sequence[Any]:
     return values
 
 
-def question(
-    lighthouse: str,
-    map_class: str,
-    vertices: int,
-    edges: int,
-    *,
-    degree_marked: int | None = None,
-    degree_others: int | None = None,
-    motions: Sequence[int] = (),
-    percepts: Sequence[str] = (),
-) -> Question:
-    """The question of these names and numbers.
+def question_of(request: SearchRequest) -> Question:
+    """What a search is for.
 
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    if lighthouse not in SEARCHED:
-        raise InputError(f"lighthouse {show(lighthouse)} is not one of {', '.join(SEARCHED)}")
+    if request.lighthouse not in SEARCHED:
+        legal = ", ".join(SEARCHED)
+        raise InputError(f"lighthouse {show(request.lighthouse)} is not one of {legal}")
+    motions, percepts = _listed("motions", request.motions), _listed("percepts", request.percepts)
     return Question(
-        lighthouse,
-        MapClass.named(map_class),
-        vertices,
-        edges,
-        Degrees(degree_marked, degree_others),
+        request.lighthouse,
+        request.map_class,
+        request.vertices,
+        request.edges,
+        Degrees(request.degree_marked, request.degree_others),
         Walk(
-            tuple(an_integer("motion", k) for k in _listed("motions", motions)),
-            tuple(percept_named(text) for text in _listed("percepts", percepts)),
+            tuple(an_integer("motion", k) for k in motions),
+            tuple(percept_named(text) for text in percepts),
         ),
     )

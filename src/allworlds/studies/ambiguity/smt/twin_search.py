@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,13 +14,14 @@ from typing import Any
 
 from allworlds.document import replace
 from allworlds.engines import Listener, Silent
-from allworlds.inputs import InputError, a_path, at_most, show
+from allworlds.inputs import InputError, a_path, answers, at_most, show
+from allworlds.studies.ambiguity.ambiguity_requests import SearchRequest
 from allworlds.studies.ambiguity.smt.decode import decoded
 from allworlds.studies.ambiguity.smt.formula import Formula, read_dimacs
 from allworlds.studies.ambiguity.smt.lrat import check_lrat
 from allworlds.studies.ambiguity.smt.one_world import Size
 from allworlds.studies.ambiguity.smt.pair import forbid_other_start, pair_formula, world_formula
-from allworlds.studies.ambiguity.smt.question import Question, Sizes, question
+from allworlds.studies.ambiguity.smt.question import Question, Sizes, question_of
 from allworlds.studies.ambiguity.smt.result import Searched, SearchResult, Twins
 from allworlds.studies.ambiguity.smt.rup import ProofRefused, lrat_of_drat, write_lrat
 from allworlds.studies.ambiguity.smt.solvers import (
@@ -39,53 +40,17 @@ PROOF_LIMIT = 10_000_000
 """Bytes of DRAT that our own checker takes on: a minute or two."""
 
 
-def search(
-    *,
-    lighthouse: str,
-    vertices: int,
-    edges: int,
-    map_class: str = "maps",
-    degree_marked: int | None = None,
-    degree_others: int | None = None,
-    motions: Sequence[int] = (),
-    percepts: Sequence[str] = (),
-    solver: str | None = None,
-    out: str | Path | None = None,
-    time_limit: float | None = None,
-    listener: Listener | None = None,
-) -> SearchResult:
+@answers(SearchRequest)
+def search(request: SearchRequest) -> SearchResult:
     """Two different worlds that no motion separates, or that there are none, by z3.
 
     Worlds are different if no isomorphism of the maps carries the marks of one to those of
     the other; where they start does not count.
 
-    Args:
-        lighthouse: ``none``, ``position``, ``compass`` or ``directional``.
-        vertices: the largest number of vertices of each of the two worlds.
-        edges: the largest number of edges.
-        map_class: ``maps``, ``simple``, ``planar`` or ``planar-simple``.
-        degree_marked: the degree of the start's vertex (with ``position``: the marked one).
-        degree_others: the degree of every other vertex.
-        motions: a walk from the start, in both worlds.
-        percepts: what it senses, ``3A`` or ``4P`` after each motion.
-        solver: the path of a CaDiCaL 2 or later, in place of z3.
-        out: the directory for formulas and proofs; a new temporary one where it is missing.
-        time_limit: seconds for everything; when they are over the answer is unknown.
-        listener: is told of the progress.
-
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    asked = question(
-        lighthouse,
-        map_class,
-        vertices,
-        edges,
-        degree_marked=degree_marked,
-        degree_others=degree_others,
-        motions=motions,
-        percepts=percepts,
-    )
+    asked, time_limit, solver = question_of(request), request.time_limit, request.solver
     if time_limit is not None and (not isinstance(time_limit, int | float) or not time_limit > 0):
         raise InputError(f"time-limit = {show(time_limit)}, but it must be more than 0 seconds")
     at_most("time-limit", time_limit or 0, LONGEST_WAIT)
@@ -94,9 +59,12 @@ def search(
         a_path("solver", solver)
         # As it was given: of ./solver a Path would leave a name that is looked for on PATH.
         external = ExternalSolver(solver)
-    with _directory(out) as directory:
-        clock, heard = Clock(time_limit), listener or Silent()
-        return _TwinsSearch(asked, external, directory, clock, listener=heard).run()
+    with _directory(request.out) as directory:
+        clock, heard = Clock(time_limit), request.listener
+        found = _TwinsSearch(asked, external, directory, clock, listener=heard).run()
+    for notice in found.notices:
+        heard.notice(notice)
+    return found
 
 
 @contextmanager

@@ -1,0 +1,89 @@
+"""What ``check`` and its like are asked for, as values."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from allworlds.engines import (
+    AskedCluster,
+    AskedDirectory,
+    AskedListener,
+    AskedShard,
+    Limits,
+)
+from allworlds.explorers import AskedExplorer, Subject
+from allworlds.inputs import EFFORT, RULES, InputError, Option, Taken, an_integer, integer_of, show
+from allworlds.judging import AskedRules, Rules
+from allworlds.maps import DEFAULT_EDGES, AskedClass, AskedExtent, Extent
+from allworlds.protocol import Schedule, a_schedule
+from allworlds.world import AskedLighthouse
+
+
+class ManyWorlds(AskedListener, Limits, AskedRules, AskedLighthouse, AskedClass):
+    """Many worlds of a class, under rules, with an effort."""
+
+    def rules(self, subject: Subject) -> Rules:
+        """The rules under which the explorer is run; its own lighthouse, if none is named.
+
+        Raises:
+            InputError: naming the offending option and what would be legal.
+        """
+        lighthouse = subject.lighthouse if self.lighthouse is None else self.lighthouse
+        return self.rules_of(subject, lighthouse, promised=self.map_class.promises)
+
+
+class ManyRuns(ManyWorlds, AskedExplorer):
+    """An explorer that is run in many worlds."""
+
+
+def _max_findings(given: object) -> int:
+    number = an_integer("max-findings", given)
+    if number < 1:
+        raise InputError(f"max-findings {show(number)} is not positive and finite")
+    return number
+
+
+class EstimateRequest(AskedCluster, ManyRuns, AskedShard, AskedExtent):
+    """Which check is meant, and with what effort: that is done, or its time guessed."""
+
+    schedules: Annotated[
+        Taken[str, Schedule],
+        Option(
+            RULES, "one|all", "all: every sequence of choices, for an explorer that takes choices."
+        ),
+    ] = Taken(a_schedule, "one")
+    engine: Annotated[str, Option(EFFORT, "auto|python|kernel", "Which engine.")] = "auto"
+
+    @property
+    def extent(self) -> Extent:
+        """Class and bounds; without a bound a check takes seconds.
+
+        Raises:
+            InputError: naming the offending bound and what would be legal.
+        """
+        unbounded = self.edges is None and self.vertices is None
+        return Extent(self.map_class, DEFAULT_EDGES if unbounded else self.edges, self.vertices)
+
+
+class CheckRequest(AskedDirectory, EstimateRequest):
+    """What ``check`` is asked for."""
+
+    max_findings: Annotated[
+        Taken[int, int],
+        Option(
+            EFFORT,
+            "K",
+            "Stop after whole levels with K findings, the smallest of each law and map.",
+            parse=integer_of,
+        ),
+    ] = Taken(_max_findings, 1)
+    corpus: Annotated[
+        str | Path | None,
+        Option(
+            EFFORT,
+            "DIR",
+            "A directory of findings: tried first, and new ones are written to it.",
+            apart=True,
+        ),
+    ] = None

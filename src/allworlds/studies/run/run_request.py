@@ -1,0 +1,50 @@
+"""What ``run`` is asked for, as a value."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from typing import Annotated, Any
+
+from allworlds.engines import AskedPatience
+from allworlds.inputs import RULES, InputError, Option, Taken, an_integer, show
+from allworlds.judging import AskedRules
+from allworlds.world import World
+
+
+def index_list(text: str) -> tuple[int, ...]:
+    """Integers from 0 on with commas."""
+    if not re.fullmatch(r"[0-9]{1,9}(,[0-9]{1,9})*", text):
+        raise InputError(f"choices {show(text)} are not indices from 0 on with commas")
+    return tuple(int(part) for part in text.split(","))
+
+
+def _indices(choices: object) -> tuple[int, ...]:
+    if isinstance(choices, str) or not isinstance(choices, Iterable):
+        raise InputError(f"choices = {show(choices)} is not a list of indices")
+    return tuple(an_integer(f"choices[{i}]", index) for i, index in enumerate(choices))
+
+
+class AskedRun(AskedPatience, AskedRules):
+    """How one run is played and judged."""
+
+    choices: Annotated[
+        Taken[Sequence[int], tuple[int, ...]],
+        Option(
+            RULES,
+            "I,I,...",
+            "Answers to the first choices, by index; then the policy goes on.",
+            parse=index_list,
+        ),
+    ] = Taken(_indices, ())
+
+
+class RunRequest(AskedRun, kw_only=False):
+    """What ``run`` is asked for."""
+
+    explore: Annotated[str | Callable[..., Any], "a name or a generator function"]
+    world: Annotated[
+        World | str,
+        "map, lighthouse and start; or what :func:`allworlds.world.named.world_named` reads, under "
+        "the explorer's own lighthouse where none is named",
+    ]

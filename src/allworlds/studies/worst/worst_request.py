@@ -1,0 +1,58 @@
+"""What ``worst`` is asked for, as a value."""
+
+from __future__ import annotations
+
+from typing import Annotated, cast, get_args
+
+from allworlds.engines import (
+    AskedCluster,
+    AskedDirectory,
+    AskedListener,
+    AskedShard,
+    AskedWorkers,
+)
+from allworlds.explorers import AskedExplorer
+from allworlds.inputs import RULES, SCOPE, InputError, Option, Taken, integer_of, show
+from allworlds.maps import AskedClass
+from allworlds.studies.worst.every_schedule import Transit
+from allworlds.world import AskedLighthouse
+
+DEFAULT_EDGES, OTHERS_EDGES = 5, 3
+
+
+def _transit(given: object) -> Transit | None:
+    if given not in (None, *get_args(Transit)):
+        raise InputError(f"transit {show(given)} is not one of {', '.join(get_args(Transit))}")
+    return cast("Transit | None", given)
+
+
+class WorstRequest(
+    AskedListener,
+    AskedCluster,
+    AskedDirectory,
+    AskedWorkers,
+    AskedShard,
+    AskedLighthouse,
+    AskedClass,
+    AskedExplorer,
+):
+    """What ``worst`` is asked for."""
+
+    edges: Annotated[
+        int | None,
+        Option(
+            SCOPE,
+            "M",
+            f"At most M edges (default: {DEFAULT_EDGES} of algorithm1, {OTHERS_EDGES} of others).",
+            parse=integer_of,
+        ),
+    ] = None
+    transit: Annotated[
+        Taken[str | None, Transit | None],
+        Option(
+            RULES,
+            "|".join(get_args(Transit)),
+            "How Algorithm 1 goes to the next edge: on a shortest or on any simple path "
+            "[default: simple].",
+        ),
+    ] = Taken(_transit, None)
