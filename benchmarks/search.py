@@ -22,30 +22,30 @@ FIG_1 = {
     "percepts": ("3A", "3A", "3A", "3A", "4P"),
 }
 QUESTIONS: dict[str, dict[str, Any]] = {
-    "position, any map, m <= 2": {"info": "position", "max_edges": 2},
-    "position, simple, m <= 5": {"info": "position", "map_class": "simple", "max_edges": 5},
-    "position, simple, m <= 6": {"info": "position", "map_class": "simple", "max_edges": 6},
+    "position, any map, m <= 2": {"lighthouse": "position", "edges": 2},
+    "position, simple, m <= 5": {"lighthouse": "position", "map_class": "simple", "edges": 5},
+    "position, simple, m <= 6": {"lighthouse": "position", "map_class": "simple", "edges": 6},
     "position, planar simple, m <= 8": {
-        "info": "position",
+        "lighthouse": "position",
         "map_class": "planar-simple",
-        "max_edges": 8,
+        "edges": 8,
     },
     "Fig. 1: planar simple, n <= 9, m <= 14": {
-        "info": "position",
+        "lighthouse": "position",
         "map_class": "planar-simple",
-        "max_edges": 14,
+        "edges": 14,
         **FIG_1,
     },
-    "directional, any map, m <= 5": {"info": "directional", "max_edges": 5},
+    "directional, any map, m <= 5": {"lighthouse": "directional", "edges": 5},
 }
-FURTHER = {"directional, any map, m <= 6": {"info": "directional", "max_edges": 6}}
+FURTHER = {"directional, any map, m <= 6": {"lighthouse": "directional", "edges": 6}}
 
 
 def measured(question: dict[str, Any], solver: str | None) -> str:
     """Answer and seconds."""
     with tempfile.TemporaryDirectory() as out:
         start = time.perf_counter()
-        result = allworlds.search(max_vertices=9, out=out, solver=solver, **question)
+        result = allworlds.search(vertices=9, out=out, solver=solver, **question)
         seconds = time.perf_counter() - start
     solving = sum(searched.seconds for searched in result.levels)
     proofs = sum(searched.proof is not None for searched in result.levels)

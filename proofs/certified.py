@@ -27,7 +27,7 @@ import subprocess
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -41,6 +41,7 @@ from allworlds.explorers import Algorithm1, in_process_subject, load
 from allworlds.judging import Answered, Case, paper_bound, play
 from allworlds.protocol import Choices, policy_named
 from allworlds.studies.check import check
+from allworlds.studies.check.report import CheckRow
 from allworlds.world import worlds
 from certified_checker import CHECKER, checkers_agree, judge_program
 from certified_folding import FOLDING, foldings_agree
@@ -98,7 +99,7 @@ def explorers_agree(pair: Pair, edges: int, workers: int) -> bool:
     )
     for engine in pair.engines:
         built_in = checked(pair.built_in, engine=engine).uninterrupted()
-        same = _rows(certified.rows()) == _rows(built_in.rows())
+        same = _rows(certified.rows) == _rows(built_in.rows)
         agree = agree and same
         print(f"  traversals equal the {engine} engine's in every row: {'yes' if same else 'NO'}")
     return agree
@@ -134,9 +135,9 @@ def transcripts_agree(pair: Pair, policy: str, edges: int) -> bool:
     return runs > 0 and not apart
 
 
-def _rows(rows: list[dict[str, int]]) -> list[tuple[int, ...]]:
+def _rows(rows: Sequence[CheckRow]) -> list[tuple[int, ...]]:
     kept = ("edges", "vertices", "worlds", "runs", "traversals", "traversals_rooted", "max_cost")
-    return [tuple(row[key] for key in kept) for row in rows]
+    return [tuple(getattr(row, key) for key in kept) for row in rows]
 
 
 def judges_agree(edges: int) -> bool:

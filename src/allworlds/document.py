@@ -68,6 +68,9 @@ IfAny: TypeAlias = Annotated[T, IF_ANY]
 """A key that is left out where its value is None or empty."""
 
 
+NOTHING = (None, "", ())
+
+
 def read_by(kind: Any) -> Meta:
     """The value is of that kind; where it is read, its class reads it, and not :func:`taken`."""
     return Meta(extra={"kind": kind})
@@ -99,6 +102,11 @@ Permutation: TypeAlias = Annotated[tuple[Natural, ...], Meta(min_length=2)]
 Pair: TypeAlias = Annotated[tuple[T, ...], Meta(min_length=2, max_length=2)]
 Some: TypeAlias = Annotated[tuple[T, ...], Meta(min_length=1)]
 Different: TypeAlias = Annotated[tuple[T, ...], narrowed(uniqueItems=True)]
+
+
+AllRows = Annotated[bool, about("every row is there; false: the user has interrupted")]
+Bounded = Annotated[Positive | None, about("at most so many; null: not bounded")]
+WhichShard = Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
 
 
 class _Computed:
@@ -138,10 +146,11 @@ class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=T
 
     def to_json(self) -> dict[str, Any]:
         """The JSON object."""
+        told = {key: getattr(self, key.attribute) for key in keys_of(type(self))}
         return {
             key.name: plain(value)
-            for key in keys_of(type(self))
-            if (value := getattr(self, key.attribute)) is not UNSET and (value or not key.if_any)
+            for key, value in told.items()
+            if value is not UNSET and not (key.if_any and value in NOTHING)
         }
 
 

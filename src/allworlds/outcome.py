@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from enum import IntEnum, StrEnum
-from typing import Any, Final, Protocol, TypeVar
+from typing import Any, Protocol, TypeVar
 
 T = TypeVar("T")
-
-SCHEMA: Final = 1
-"""The version of every document that a verb writes, and of a corpus's manifest."""
 
 
 class Exit(IntEnum):

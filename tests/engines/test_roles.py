@@ -22,10 +22,7 @@ from allworlds.engines.isolation.jobs import (
     PlayerSetup,
     PlayRecords,
     PlayRuns,
-    RefereeSetup,
     Trace,
-    UnitJob,
-    UnitProgress,
 )
 from allworlds.engines.isolation.messages import (
     ExplorerDescription,
@@ -38,6 +35,7 @@ from allworlds.engines.isolation.messages import (
 from allworlds.engines.isolation.player import PlayerProcess
 from allworlds.engines.isolation.process import Guardian, guardian
 from allworlds.engines.isolation.referee import RefereeProcess
+from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.python.play import Record
 from allworlds.explorers import load
 from allworlds.judging import Fault, Rules, UncheckedAnswer
@@ -191,7 +189,7 @@ def test_a_guardian_of_nobody_is_gone():
 @pytest.mark.early
 def test_a_guardian_that_has_been_stopped_is_not_waited_for(monkeypatch):
     monkeypatch.setattr(process, "ANSWERS", 0.5)
-    stopped = process.started(hash_seed=0)
+    stopped = process.start_guardian(hash_seed=0)
     os.kill(stopped._process.pid, signal.SIGSTOP)
     with pytest.raises(HarnessError, match="the guardian of the processes has gone: timed out"):
         stopped.exit_code(1)

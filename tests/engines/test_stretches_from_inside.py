@@ -10,12 +10,13 @@ import pytest
 from allworlds.engines import Limits, Scope
 from allworlds.engines.compiled.stretches import PlayedByStretches, StretchEngine
 from allworlds.engines.isolation.guardian import Prepare, _Guardian
-from allworlds.engines.isolation.jobs import PlayerSetup, PlayStretch, RefereeSetup
+from allworlds.engines.isolation.jobs import PlayerSetup, PlayStretch
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.player import PlayerProcess
 from allworlds.engines.isolation.player_pair import PlayerLost, PlayerPair
 from allworlds.engines.isolation.process import address_space
 from allworlds.engines.isolation.referee import RefereeProcess
+from allworlds.engines.isolation.referee_jobs import RefereeSetup
 from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.explorers import load

@@ -44,6 +44,13 @@ def test_a_finding_survives_its_json(finding):
     assert again.key == finding.key
 
 
+def test_a_checkpoint_before_the_first_step_is_told(finding):
+    assert "step" not in finding.to_json()
+    at_once = dataclasses.replace(finding, step=0)
+    assert at_once.to_json()["step"] == 0
+    assert Finding.from_json(at_once.to_json()).step == 0
+
+
 def test_the_findings_of_all_numberings_are_one_finding():
     map_ = named_map("k4")
     findings = set()

@@ -60,7 +60,7 @@ HOMES = {
     "distributed": ["engines.transports.dask_cluster", "engines.transports.dask_lanes"],
     "hypothesis": ["strategies"],
     "llvmlite": ["engines.kernel"],
-    "msgspec": ["document", "engines.isolation.messages", "reports.schemas"],
+    "msgspec": ["document", "engines.isolation.messages", "judging.endings", "reports.schemas"],
     "matplotlib": ["reports.growth_plot", "evidence.figures"],
     "networkx": [
         "maps.networks",
@@ -76,6 +76,8 @@ HOMES = {
     "typer": ["cli", "reports"],
     "z3": ["studies.ambiguity.smt"],
 }
+# What comes with Python, or will.
+EVERYWHERE = {*sys.stdlib_module_names, "typing_extensions"}
 # Loaded only inside the functions that need them, or for types.
 LAZY = {"dask", "distributed", "matplotlib", "networkx", "rich", "sympy"}
 
@@ -309,7 +311,7 @@ def test_a_library_is_imported_only_at_home():
     for short, imports in MODULES.items():
         for target in imports:
             library = target.module.partition(".")[0]
-            if library == "allworlds" or library in sys.stdlib_module_names:
+            if library == "allworlds" or library in EVERYWHERE:
                 continue
             assert library in HOMES, f"HOMES needs a row for {library}, which {short} imports"
             assert within(short, HOMES[library]), f"{short} imports {library}"

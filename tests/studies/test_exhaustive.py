@@ -112,7 +112,7 @@ def test_a_missing_witness_is_no_success(monkeypatch):
     report = check(edges=2)
     assert (report.verdict, report.exit_code) == (Verdict.VACUOUS, 4)
     assert [*report.missing_witnesses] == report.to_json()["missing_witnesses"] == ["case-4"]
-    assert check(edges=2, map_class="simple").missing == ()
+    assert check(edges=2, map_class="simple").missing_witnesses == ()
 
 
 def test_an_interrupt_of_a_closure_interrupts_the_check_and_that_of_a_worker_is_a_crash(tmp_path):

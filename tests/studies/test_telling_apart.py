@@ -1,5 +1,5 @@
 import sys
-from itertools import combinations_with_replacement, pairwise, product
+from itertools import combinations, combinations_with_replacement, pairwise, product
 
 import pytest
 
@@ -189,6 +189,21 @@ def test_a_wrong_proof_is_an_internal_fault(monkeypatch):
         twins(a, b)
     with pytest.raises(Disagreement, match="no motion tells"):
         separation(a, a)
+
+
+@pytest.mark.parametrize(("kind", "fewest"), [("cluster", 3), ("natural", 4)])
+def test_worlds_look_alike_under_a_cluster_from_3_edges_on_and_under_a_natural_from_4(kind, fewest):
+    # docs/protocol.md says so.
+    by_first = {}
+    for world in worlds(LIGHTHOUSES[kind], fewest):
+        by_first.setdefault((world.first, world.told), []).append(world)
+    pairs = [pair for alike in by_first.values() for pair in combinations(alike, 2)]
+    least = min(
+        max(one.map.edge_count, two.map.edge_count)
+        for one, two in pairs
+        if {*one.percepts} == {*two.percepts} and twins(one, two).twins
+    )
+    assert least == fewest
 
 
 def test_every_kind_of_lighthouse_can_be_compared():

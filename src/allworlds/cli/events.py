@@ -9,9 +9,11 @@ from dataclasses import replace
 from time import monotonic
 from typing import Any, TextIO, TypeVar
 
+from typing_extensions import override
+
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import Progress, complain
-from allworlds.engines import AskedListener
+from allworlds.engines import AskedListener, Listener
 from allworlds.inputs import InputError, a_path, answer, show
 from allworlds.outcome import Result
 from allworlds.reports import (
@@ -31,7 +33,7 @@ EVERY = 1.0
 """Seconds between two lines that say how much is done."""
 
 
-class Events:
+class Events(Listener):
     """A listener that hands everything on, and writes what happens.
 
     A disk that is full costs the rest of the events and nothing else.
@@ -41,8 +43,8 @@ class Events:
         self._progress, self._file = progress, file
         self._done, self._told = 0, monotonic()
 
+    @override
     def level(self, edges: int, worlds: int) -> None:
-        """A level begins."""
         self._progress.level(edges, worlds)
         self._done = 0
         self._write(LevelEvent(edges=edges, worlds=worlds))
@@ -61,12 +63,12 @@ class Events:
             self._told = monotonic()
             self._write(ProgressEvent(done=self._done))
 
+    @override
     def unit(self, key: str, worlds: int) -> None:
-        """A unit is finished."""
         self._write(UnitEvent(unit=key, worlds=worlds))
 
+    @override
     def finding(self, document: Mapping[str, Any]) -> None:
-        """A run refutes."""
         self._write(FindingEvent(finding=document))
 
     def notice(self, text: str) -> None:

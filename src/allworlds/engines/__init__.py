@@ -57,6 +57,7 @@ if TYPE_CHECKING:
     )
     from allworlds.engines.kernel.schedules import search as search
     from allworlds.engines.progress import Listener as Listener, Once as Once, Silent as Silent
+    from allworlds.engines.python.comparison import nondeterministic as nondeterministic
     from allworlds.engines.python.costs import (
         CostEngine as CostEngine,
         CostTally as CostTally,
@@ -69,12 +70,9 @@ if TYPE_CHECKING:
         Outcome as Outcome,
         Referee as Referee,
         name_run as name_run,
-        nondeterministic as nondeterministic,
     )
-    from allworlds.engines.python.python_engine import (
-        EnginesDisagree as EnginesDisagree,
-        PythonEngine as PythonEngine,
-    )
+    from allworlds.engines.python.python_engine import PythonEngine as PythonEngine
+    from allworlds.engines.python.run_counter import EnginesDisagree as EnginesDisagree
     from allworlds.engines.python.runs_of_unit import (
         GivenWorlds as GivenWorlds,
         LevelRuns as LevelRuns,

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Protocol
+from typing import Any
 
 
-class Listener(Protocol):
-    """Is told how a job gets on."""
+class Listener:
+    """Is told how a job gets on; one that overrides nothing lets it pass."""
 
     def level(self, edges: int, worlds: int) -> None:
         """A level begins; it holds so many worlds (a shard: about so many)."""
@@ -28,26 +28,8 @@ class Listener(Protocol):
         """Something that the user may want to know now."""
 
 
-class Silent:
-    """The listener who is not there."""
-
-    def level(self, edges: int, worlds: int) -> None:
-        """Nothing."""
-
-    def stage(self, name: str, total: int, of: str) -> None:
-        """Nothing."""
-
-    def progress(self, count: int) -> None:
-        """Nothing."""
-
-    def unit(self, key: str, worlds: int) -> None:
-        """Nothing."""
-
-    def finding(self, document: Mapping[str, Any]) -> None:
-        """Nothing."""
-
-    def notice(self, text: str) -> None:
-        """Nothing."""
+class Silent(Listener):
+    """The listener of those who do not want to know."""
 
 
 class Once(Silent):

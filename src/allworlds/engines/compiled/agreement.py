@@ -20,7 +20,8 @@ from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.rows import Listed, walk_number
 from allworlds.engines.kernel.runs import examine
 from allworlds.engines.python.examiner import Examiner
-from allworlds.engines.python.python_engine import EnginesDisagree, PythonEngine
+from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns, NumberedRun, UnitOfRuns, numbered_runs
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.units.effort import Limits
@@ -158,7 +159,7 @@ def _beside(
                 beside.submit(_played, ListingEngine(scope, keep=0), subject, workers, units),
             )
         except BaseException:
-            # What is on its way is given up at its next look at the time.
+            # Units that are under way are given up at the next look at the time.
             workers.deadline = 0.0
             raise
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 COMPILED_FROM = 5
-"""Checks of so many edges are worth the compiling; smaller ones are done before it would begin."""
+"""The least m of a check that is worth the compiling; smaller ones end before it would."""
 
 WALKED_FROM = 6
 """The least m whose maps are walked once for every bearing, where that can be done.  Up to

@@ -38,13 +38,10 @@ from allworlds.engines.kernel.native import play_worlds
 from allworlds.engines.kernel.rows import BrokenRun, Rows
 from allworlds.engines.kernel.runs import examine
 from allworlds.engines.kernel.writing import LogEnd, read_log
-from allworlds.engines.python.examiner import LOST, Outcome, Referee, nondeterministic
-from allworlds.engines.python.python_engine import (
-    REPORT_EVERY,
-    EnginesDisagree,
-    PartwiseEngine,
-    PythonEngine,
-)
+from allworlds.engines.python.comparison import nondeterministic
+from allworlds.engines.python.examiner import LOST, Outcome, Referee
+from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree, PartwiseEngine
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, NumberedRun, UnitOfRuns
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.second_play import KEPT, EarlierPlays, OneRun, PlayedTwice
@@ -111,7 +108,7 @@ class StretchEngine:
         return PlayedByStretches(PythonEngine(self.scope, self.keep), explorer, players, earlier)
 
 
-class _Play(NamedTuple):
+class _EarlierRun(NamedTuple):
     """A play that was the same twice, with the number of its run in its unit."""
 
     unit: LevelRuns
@@ -135,7 +132,7 @@ class PlayedByStretches:
     _referee: Referee = field(init=False)
     _most: int = AT_FIRST
     _worst: Tally = field(init=False)
-    _kept: EarlierPlays[_Play] = field(default_factory=EarlierPlays)
+    _kept: EarlierPlays[_EarlierRun] = field(default_factory=EarlierPlays)
 
     def __post_init__(self) -> None:
         self._general = PlayedTwice(self.engine, self.explorer, self.players, self.earlier)
@@ -208,7 +205,7 @@ class PlayedByStretches:
             for row in self.players.random.sample(range(batch.runs), wanted):
                 kept = judge.kept(row)
                 if kept.short:
-                    self._kept.keep(_Play(unit, judge.number(row), kept))
+                    self._kept.keep(_EarlierRun(unit, judge.number(row), kept))
         return tally
 
     def _by_the_general_engine(self, unit: LevelRuns, batch: LaidOutRuns) -> Tally:
@@ -277,15 +274,15 @@ class PlayedByStretches:
         given = GivenWorlds(((world, place),))
         for one, outcome in self._general.outcomes(given, {0: OneRun(0, place, world)}):
             if not isinstance(outcome, Outcome):
-                tally.find(self._referee.lost(one.world, one.place, outcome))
+                tally.find(self._general.finding(one, outcome))
                 continue
-            settled, law = outcome, outcome.violation.law if outcome.violation else ""
+            settled, law = outcome, _law(outcome)
             # Of a run without an answer the general engine alone knows why.
             unknown = law and broken.law == "illegal-action"
             if not unknown and law not in (broken.law, "nondeterministic", *LOST):
                 self._confirm(unit, batch, judge, broken)
                 settled = replace(outcome, violation=nondeterministic(THIRD))
-            finding = self._referee.finding(one.world, one.place, settled)
+            finding = self._general.finding(one, settled)
             tally.find(finding)
             self._worst.find(finding)
 
@@ -297,7 +294,7 @@ class PlayedByStretches:
         for one, outcome in self._outcomes(unit, batch, judge, self.engine.tally()):
             map_ = one.world.map
             if (map_.sigma, map_.alpha, one.place) == (broken.sigma, broken.alpha, broken.place):
-                law = outcome.violation.law if outcome.violation else ""
+                law = _law(outcome)
         if law != broken.law:
             raise EnginesDisagree(
                 f"the kernel says that {broken.law} is broken, the python engine that "
@@ -312,13 +309,14 @@ class PlayedByStretches:
         chosen.sort(key=lambda run: run.map.vertex_count)
         placed = {run.number: _one(run) for run in chosen[:MOST_DIFFERING]}
         for one, outcome in self._general.outcomes(unit, placed):
-            if not isinstance(outcome, Outcome):
-                tally.find(self._referee.lost(one.world, one.place, outcome))
-                continue
             settled = outcome
-            if outcome.violation is None or outcome.violation.law != "nondeterministic":
+            if isinstance(outcome, Outcome) and _law(outcome) != "nondeterministic":
                 settled = replace(outcome, violation=nondeterministic(DIFFERENT))
-            tally.find(self._referee.finding(one.world, one.place, settled))
+            tally.find(self._general.finding(one, settled))
+
+
+def _law(outcome: Outcome) -> str:
+    return outcome.violation.law if outcome.violation else ""
 
 
 def _one(run: NumberedRun) -> OneRun:

@@ -5,8 +5,8 @@ In small worlds every run is played and judged by itself.  From
 directional lighthouse is walked once in each rooted map, and the walk is counted for every
 bearing, because the marker's direction only tells the darts of v0 apart.  That premise, and the
 kernel itself, are compared with the general engine before the first level
-(:mod:`allworlds.engines.compiled.agreement`).  What the kernel says of a broken law is taken from
-the general engine, or nothing is.
+(:mod:`allworlds.engines.compiled.agreement`).  A broken law is reported only as the general
+engine finds it.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.rows import BrokenRun, Rows
 from allworlds.engines.kernel.runs import examine
 from allworlds.engines.python.examiner import Examiner
-from allworlds.engines.python.python_engine import EnginesDisagree
+from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import LevelRuns
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.tally import AtRun, Row, Tally
@@ -38,8 +38,8 @@ BATCH = 8
 """Units that a thread does at a time, so that handing them over costs little."""
 
 SOON, SOON_WALKED = 10_000, 2_000_000
-"""To judge, or to walk, so many worlds takes a tenth of a second: about as long as it takes until
-the workers of a cluster are busy, and then until they all have said what they found."""
+"""The number of worlds that are judged, or walked, in a tenth of a second: about the time until the
+workers of a cluster are busy, and then until all have sent their results."""
 
 SYMMETRY = (
     f"from m = {WALKED_FROM} on each rooted map is walked once, at bearing 0, and counted for "
@@ -111,7 +111,11 @@ class CompiledEngine:
         return tally
 
     def _blame(self, broken: BrokenRun, tally: Tally) -> None:
-        """The findings of the general engine where the kernel says that a law is broken."""
+        """Find the runs by the general engine in which the kernel finds a law broken.
+
+        Raises:
+            EnginesDisagree: if the general engine finds another law broken, or none.
+        """
         try:
             map_ = CombinatorialMap(broken.sigma, broken.alpha)
         except InvalidMap as error:

@@ -5,7 +5,9 @@ explorer in them, of which the first plays in worlds and the second against reco
 The **guardian** forks them all, and ends them, and all that they have started.
 
 ``jobs``, ``messages``
-    messages to players and of referees; and those of players: integers and texts alone;
+    messages to players; and those of players: integers and texts alone;
+``referee_jobs``
+    messages to referees, and their answers;
 ``guardian``, ``roles``, ``process``
     starting, reading and ending processes;
 ``player``, ``player_pair``

@@ -146,7 +146,7 @@ class _Guardian:
     def run(self) -> NoReturn:
         """Serve until the owner is gone; then end everything."""
         _control(_SUBREAPER)
-        # What is imported stays: nobody that is forked looks for garbage there.
+        # Imported modules stay: no forked process looks for garbage there.
         gc.freeze()
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         for terminating in (signal.SIGTERM, signal.SIGHUP):
@@ -258,7 +258,7 @@ class _Guardian:
             kill_tree(pid)
             with suppress(ChildProcessError):
                 os.waitpid(pid, 0)
-        # What they have left behind in sessions of their own is a child of ours by now.
+        # A process that they have left in a session of its own is a child of ours by now.
         for stray in _children().get(os.getpid(), ()):
             if stray not in self._known:
                 kill_tree(stray)

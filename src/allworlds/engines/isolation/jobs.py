@@ -1,4 +1,4 @@
-"""Messages to players, and between owner and referee: small frozen values.
+"""Messages to players: small frozen values.
 
 What players answer is in :mod:`allworlds.engines.isolation.messages`.
 """
@@ -6,19 +6,16 @@ What players answer is in :mod:`allworlds.engines.isolation.messages`.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Self
+from typing import Self
 
 from allworlds.engines.python.play import Record
-from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import ExplorerSource, Subject
 from allworlds.judging import Rules
 from allworlds.protocol import Schedule
 from allworlds.world import World
-
-if TYPE_CHECKING:
-    from allworlds.engines.isolation.player_pair import WorkerEngine
 
 
 class HarnessError(RuntimeError):
@@ -65,7 +62,7 @@ class PlayRuns:
             scope asks for.
     """
 
-    engine: PythonEngine
+    engine: RunCounter
     unit: UnitOfRuns
     numbers: tuple[int, ...]
     order: int
@@ -115,39 +112,3 @@ class Trace:
     world: World
     schedules: Schedule
     script: tuple[int, ...] = ()
-
-
-# ---------------------------------------------------------------- to and from a referee
-
-
-@dataclass(frozen=True, slots=True)
-class RefereeSetup:
-    """A referee's first message: the explorer whose runs it judges.
-
-    Attributes:
-        subject: the explorer; the referee itself never loads foreign code.
-        limits: of its players.
-        order: seed of every order of runs.
-    """
-
-    subject: Subject
-    limits: Limits
-    order: int
-
-
-@dataclass(frozen=True, slots=True)
-class UnitJob:
-    """Do a unit from run ``start`` on; answered by :class:`UnitProgress`, more than once."""
-
-    engine: WorkerEngine
-    unit: UnitOfRuns
-    start: int
-
-
-@dataclass(frozen=True, slots=True)
-class UnitProgress:
-    """Answer to a :class:`UnitJob`: the result since the last one, up to the run ``next_run``."""
-
-    next_run: int
-    result: Any
-    last: bool

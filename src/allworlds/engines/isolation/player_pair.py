@@ -24,7 +24,7 @@ from allworlds.engines.isolation.messages import (
 )
 from allworlds.engines.isolation.process import GRACE, NO_RUN, Garbled, Guardian, Process, close_all
 from allworlds.engines.python.play import Record
-from allworlds.engines.python.python_engine import PartwiseEngine, PythonEngine
+from allworlds.engines.python.run_counter import PartwiseEngine, RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.units.effort import POLL
@@ -182,7 +182,7 @@ class PlayerPair:
 
     def play_runs(
         self,
-        engine: PythonEngine,
+        engine: RunCounter,
         unit: UnitOfRuns,
         numbers: Sequence[int],
         script: tuple[int, ...] | None = None,

@@ -109,12 +109,12 @@ class Guardian:
         return answer
 
 
-def started(hash_seed: int) -> Guardian:
+def start_guardian(hash_seed: int) -> Guardian:
     """A guardian of its own interpreter.
 
     Args:
         hash_seed: of the interpreter.  All that it forks have the same, so that an explorer
-            that depends on the order of a set does the same in each; another one tells.
+            that depends on the order of a set does the same in each; another seed tells.
     """
     path = json.dumps(child_path())
     ours, theirs = socket.socketpair()
@@ -139,7 +139,7 @@ def guardian(hash_seed: int = 0) -> Guardian:
     """This process's guardian with that seed; it is started once."""
     key = (os.getpid(), hash_seed)
     if key not in _guardians:
-        _guardians[key] = started(hash_seed)
+        _guardians[key] = start_guardian(hash_seed)
         atexit.register(forget, _guardians[key])
     return _guardians[key]
 

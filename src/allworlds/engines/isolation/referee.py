@@ -8,16 +8,11 @@ from multiprocessing.connection import Connection
 from random import Random
 from typing import Any
 
-from allworlds.engines.isolation.jobs import (
-    HarnessError,
-    PlayerSetup,
-    RefereeSetup,
-    UnitJob,
-    UnitProgress,
-)
+from allworlds.engines.isolation.jobs import HarnessError, PlayerSetup
 from allworlds.engines.isolation.player_pair import PlayerPair, Unsettled, WorkerEngine
 from allworlds.engines.isolation.process import Guardian, limit_memory
-from allworlds.engines.python.python_engine import EnginesDisagree, PartwiseEngine
+from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
+from allworlds.engines.python.run_counter import EnginesDisagree, PartwiseEngine
 from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.transports.inline import with_last
 from allworlds.explorers import built_in

@@ -11,11 +11,12 @@ from multiprocessing.connection import Connection, wait
 from random import Random
 from typing import Any, Self
 
-from allworlds.engines.isolation.jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.isolation.player_pair import Unsettled, WorkerEngine
 from allworlds.engines.isolation.process import Guardian, Process, close_all, guardian
+from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.python.in_process import InProcessPlayers
-from allworlds.engines.python.python_engine import EnginesDisagree, PythonEngine
+from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.engines.python.second_play import EarlierPlays
 from allworlds.engines.python.tally import Tally

@@ -1,21 +1,19 @@
-"""One run: judged, compared with its second play, and made a finding if it breaks a law."""
+"""One run: judged, and made a finding if it breaks a law."""
 
 from __future__ import annotations
 
 from collections.abc import MutableSequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from allworlds.explorers import Subject
 from allworlds.inputs import show
 from allworlds.judging import (
     LAWS,
-    PRECEDENCE,
     Answered,
     Case,
     Episode,
     Fault,
     Finding,
-    Log,
     Rules,
     Undecided,
     Violation,
@@ -35,7 +33,7 @@ class Outcome:
     """One judged episode.
 
     Attributes:
-        episode: what happened.
+        episode: the run.
         violation: the first broken law, or None.
         detail: a traceback, or a program's stderr; may be empty.
         choices: the index taken at each choice.
@@ -167,51 +165,3 @@ def name_run(rules: Rules, world: World) -> str:
     if not rules.policy.startswith("random"):
         return ""
     return f"{rooted_code(world.map.sigma, world.map.alpha, 0)}/{place_of(world)}"
-
-
-def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
-    """The outcome of a first play after the second, which must be the same."""
-    difference = difference_of(first, second)
-    if difference is None or not _may_be_overruled(outcome.violation):
-        return outcome
-    faults = [log.ending for log in (second, first) if isinstance(log.ending, Fault)]
-    detail = next((fault.detail for fault in faults if fault.detail), "")
-    return replace(outcome, violation=difference, detail=detail)
-
-
-def _may_be_overruled(violation: Violation | None) -> bool:
-    """A crash or a time-out that is not repeated says only that the plays differ."""
-    if violation is None or violation.law in LOST:
-        return True
-    return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
-
-
-def difference_of(first: Log, second: Log) -> Violation | None:
-    """The violation of an explorer whose plays on the same percepts differ; None if they do not."""
-    if first.actions != second.actions:
-        pairs = zip(first.actions, second.actions, strict=False)
-        same = next((i for i, (a, b) in enumerate(pairs) if a != b), None)
-        where = "in its length" if same is None else f"at step {same + 1}"
-        difference = f"the second walk differs {where}"
-    elif _meaning(first) != _meaning(second):
-        difference = "the second answer differs"
-    else:
-        return None
-    for which, log in (("first", first), ("second", second)):
-        if isinstance(log.ending, Fault):
-            difference += f"; the {which} ended with {log.ending.law}: {log.ending.seen}"
-    return nondeterministic(difference)
-
-
-def nondeterministic(seen: str) -> Violation:
-    """The violation of two plays that differ in that."""
-    return Violation(
-        "nondeterministic",
-        "the same walk and answer when the same world is explored again",
-        seen,
-    )
-
-
-def _meaning(log: Log) -> object:
-    """The part of the ending that both plays must share: the answer, or the law of the fault."""
-    return log.ending.law if isinstance(log.ending, Fault) else log.ending

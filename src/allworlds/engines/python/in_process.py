@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from allworlds.engines.python.play import ExplorerRunner, Record
-from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.explorers import Subject
 from allworlds.judging import Log
@@ -29,7 +29,7 @@ class InProcessPlayers:
 
     def play_runs(
         self,
-        engine: PythonEngine,
+        engine: RunCounter,
         unit: UnitOfRuns,
         numbers: Sequence[int],
         script: tuple[int, ...] | None = None,

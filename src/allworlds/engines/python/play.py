@@ -8,7 +8,7 @@ from random import Random
 from typing import NamedTuple
 
 from allworlds.engines.python.examiner import name_run
-from allworlds.engines.python.python_engine import PythonEngine
+from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
 from allworlds.judging import Log, perform
 from allworlds.protocol import Choices, Percept, Player, policy_named
@@ -74,7 +74,7 @@ class ExplorerRunner:
 
     def play_runs(
         self,
-        engine: PythonEngine,
+        engine: RunCounter,
         unit: UnitOfRuns,
         numbers: Sequence[int],
         order: int,
@@ -120,7 +120,7 @@ class ExplorerRunner:
         return [logs[number] for number in range(len(records))]
 
     def _find(
-        self, engine: PythonEngine, unit: UnitOfRuns, numbers: Sequence[int]
+        self, engine: RunCounter, unit: UnitOfRuns, numbers: Sequence[int]
     ) -> list[tuple[int, World]]:
         """The worlds of these runs; going on in a unit costs nothing."""
         if unit != self._unit or not numbers or numbers[0] < self._next:

@@ -30,19 +30,20 @@ from itertools import islice
 from random import Random
 from typing import Generic, NamedTuple, Protocol, TypeVar
 
-from allworlds.engines.python.examiner import (
-    Outcome,
-    Referee,
+from allworlds.engines.python.comparison import (
     difference_of,
-    name_run,
+    differing_or_first,
+    ending_in_words,
+    may_be_the_machine,
     nondeterministic,
     overruled,
 )
+from allworlds.engines.python.examiner import Outcome, Referee, name_run
 from allworlds.engines.python.play import Record
-from allworlds.engines.python.python_engine import REPORT_EVERY, PythonEngine
+from allworlds.engines.python.run_counter import REPORT_EVERY, RunCounter
 from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
 from allworlds.engines.python.tally import Tally
-from allworlds.judging import Episode, Fault, Log, LostRun, retold
+from allworlds.judging import Episode, Fault, Finding, Log, LostRun, retold
 from allworlds.protocol import DEFAULT_POLICY, next_script
 from allworlds.world import IllegalAction, World
 
@@ -52,7 +53,6 @@ FEW, MANY = 16, 1024
 ENOUGH, BEGINNING = 32, 128
 """The number of second plays that leaves an explorer that goes by their number no chance; and the
 number that is the beginning of a check, in which even a unit of one run is played often enough."""
-
 
 OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
@@ -67,7 +67,7 @@ class Players(Protocol):
 
     def play_runs(
         self,
-        engine: PythonEngine,
+        engine: RunCounter,
         unit: UnitOfRuns,
         numbers: Sequence[int],
         script: tuple[int, ...] | None = None,
@@ -189,7 +189,7 @@ class EarlierPlays(Generic[P]):
 class PlayedTwice:
     """The engine for a foreign explorer."""
 
-    engine: PythonEngine
+    engine: RunCounter
     explorer: str
     players: Players
     earlier: EarlierPlays[_Play] = field(default_factory=EarlierPlays)
@@ -229,10 +229,10 @@ class PlayedTwice:
             if isinstance(outcome, Outcome):
                 self.engine.count_outcome(self._referee, one.world, one.place, outcome, tally)
             elif matters(one):
-                tally.find(self._referee.lost(one.world, one.place, outcome))
+                tally.find(self.finding(one, outcome))
         for one, outcome in self._belated:
             if matters(one):
-                tally.find(self._referee.finding(one.world, one.place, outcome))
+                tally.find(self.finding(one, outcome))
         self._belated.clear()
         return tally
 
@@ -280,10 +280,10 @@ class PlayedTwice:
             for i, log in zip(order, again, strict=False):
                 seconds[i].append(log)
             for i, (play, outcome) in enumerate(zip(whole, outcomes, strict=True)):
-                second = _another(play.log, seconds[i])
+                second = differing_or_first(play.log, seconds[i])
                 if not play.fits:
                     yield play.one, replace(outcome, violation=nondeterministic(OTHER_CHOICES))
-                elif _may_be_the_machine(play.log, second) and matters(play.one):
+                elif may_be_the_machine(play.log, second) and matters(play.one):
                     yield play.one, self._once_more(unit, play, remark)
                 else:
                     settled = overruled(outcome, play.log, second)
@@ -291,6 +291,12 @@ class PlayedTwice:
                         self.earlier.keep(play)
                     yield play.one, settled
         scripts.finish()
+
+    def finding(self, one: OneRun, outcome: Outcome | LostRun) -> Finding:
+        """The finding of a run that breaks a law, or was lost."""
+        if isinstance(outcome, Outcome):
+            return self._referee.finding(one.world, one.place, outcome)
+        return self._referee.lost(one.world, one.place, outcome)
 
     @property
     def _every(self) -> bool:
@@ -304,7 +310,7 @@ class PlayedTwice:
     def _look_back(self, plays: list[_Play], again: list[Log]) -> None:
         """Note the earlier plays that differ by now, unless the machine can have done it."""
         for play, log in zip(plays, again, strict=True):
-            if difference_of(play.log, log) and not _may_be_the_machine(play.log, log):
+            if difference_of(play.log, log) and not may_be_the_machine(play.log, log):
                 outcome = self._referee.outcome(play.one.world, play.episode, play.log.choices)
                 self._belated.append((play.one, overruled(outcome, play.log, log)))
 
@@ -346,23 +352,8 @@ class PlayedTwice:
         play = self._play(one, log, script)
         self.players.send_records([play.record], self._policy)
         (second,) = self.players.receive_logs()
-        if not _may_be_the_machine(log, second) and log.ending != before.log.ending:
-            remark(f"a run ended otherwise when it was tried again; at first: {_how(before.log)}")
+        if not may_be_the_machine(log, second) and log.ending != before.log.ending:
+            ended = ending_in_words(before.log)
+            remark(f"a run ended otherwise when it was tried again; at first: {ended}")
         outcome = self._referee.outcome(one.world, play.episode, log.choices)
         return overruled(outcome, log, second)
-
-
-def _another(first: Log, again: Sequence[Log]) -> Log:
-    """The first of the later plays that differs, if one does."""
-    return next((log for log in again if difference_of(first, log)), again[0])
-
-
-def _may_be_the_machine(first: Log, second: Log) -> bool:
-    """One play ended in a way that is not always the explorer's own, and the other did not."""
-    endings = (first.ending, second.ending)
-    suspicious = any(isinstance(end, Fault) and end.machine for end in endings)
-    return suspicious and difference_of(first, second) is not None
-
-
-def _how(log: Log) -> str:
-    return log.ending.seen if isinstance(log.ending, Fault) else "it ended with an answer"

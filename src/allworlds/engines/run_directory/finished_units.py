@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
+from typing_extensions import override
+
 from allworlds.engines.run_directory import database
 from allworlds.engines.run_directory.database import Database
 from allworlds.engines.run_directory.identity import Identity
@@ -51,24 +53,28 @@ class Records(Protocol):
         """Note a JSON value under a name."""
 
 
-class NoRecords:
+class NoRecords(Records):
     """Nobody keeps anything."""
 
+    @override
     def result(self, key: str) -> None:
-        """None."""
+        pass
 
+    @override
     def keep(self, key: str, worlds: int, result: Any) -> None:
-        """Nothing."""
+        pass
 
+    @override
     def recall(self, name: str) -> None:
-        """None."""
+        pass
 
+    @override
     def note(self, name: str, value: Any) -> None:
-        """Nothing."""
+        pass
 
 
 @dataclass(slots=True)
-class RunDirectory:
+class RunDirectory(Records):
     """The records of a job that goes on after an interruption.
 
     What there is no room for is lost with a word, and nothing else is.
@@ -85,20 +91,20 @@ class RunDirectory:
     found: frozenset[str]
     _full: bool = False
 
+    @override
     def result(self, key: str) -> Any:
-        """See :class:`Records`."""
         return self.database.result(key) if key in self.found else None
 
+    @override
     def keep(self, key: str, worlds: int, result: Any) -> None:
-        """See :class:`Records`."""
         self._write(lambda: self.database.keep(key, worlds, time.time(), result))
 
+    @override
     def recall(self, name: str) -> Any:
-        """See :class:`Records`."""
         return self.database.recall(name)
 
+    @override
     def note(self, name: str, value: Any) -> None:
-        """See :class:`Records`."""
         self._write(lambda: self.database.note(name, value))
 
     def _write(self, write: Callable[[], None]) -> None:
@@ -115,7 +121,7 @@ class RunDirectory:
 
 
 @dataclass(frozen=True, slots=True)
-class Merged:
+class Merged(Records):
     """The records of several run directories as those of one job, to which nothing is added."""
 
     directories: Sequence[Database]
@@ -149,8 +155,9 @@ class Merged:
                 return told
         raise Gap(f"a finding has not been confirmed yet{self._unfinished()}")
 
+    @override
     def note(self, name: str, value: Any) -> None:
-        """Nothing."""
+        pass
 
     def _unfinished(self) -> str:
         names = [

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, Generic, Protocol, Self, TypeVar
 
+from typing_extensions import override
+
 
 class Unit(Protocol):
     """A piece of work; the same whoever does it, and however many do."""
@@ -55,14 +57,16 @@ class KeptUnits(Protocol):
         """Take in the whole result of a unit; what is lost then is not the check's fault."""
 
 
-class NothingKept:
+class NothingKept(KeptUnits):
     """Nobody keeps anything."""
 
-    def result(self, unit: Unit) -> None:  # nothing is there
-        """Nothing."""
+    @override
+    def result(self, unit: Unit) -> None:
+        pass
 
+    @override
     def keep(self, unit: Unit, result: Any) -> None:
-        """Nothing."""
+        pass
 
 
 NOTHING_KEPT = NothingKept()

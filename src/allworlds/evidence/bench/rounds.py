@@ -18,6 +18,7 @@ from statistics import median
 from typing import Annotated
 
 from allworlds.document import (
+    AllRows,
     Aside,
     Document,
     Figure,
@@ -138,7 +139,7 @@ class BenchReport(Report):
 
     commit: Annotated[Text | None, about("of the sources; null outside a checkout")]
     edges: Annotated[int, Meta(ge=4, le=10), about("the level of the compiled engines")]
-    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    complete: AllRows
     rounds: Positive = computed(lambda report: len(report.contenders[0].seconds))
     peak_mb: Annotated[Natural, about("the largest memory that the process has had")]
     contenders: Annotated[Some[Measured], about("the reference first")]

@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated, Literal, TypeAlias, cast
 
-from allworlds.document import Aside, Positive, Report, about, computed, one_of
+from allworlds.document import AllRows, Aside, Positive, Report, about, computed, one_of
 from allworlds.engines import Listener, Silent
 from allworlds.evidence.claims.claim_types import (
     Budget,
@@ -110,7 +110,7 @@ class ClaimsReport(Report):
     The ledger as far as it was made.
     """
 
-    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    complete: AllRows
     exit_code: Annotated[
         Exit,
         one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds.document import (
+    AllRows,
     Different,
     Document,
     Natural,
@@ -93,7 +94,7 @@ class KillMatrix(Report):
     """
 
     edges: Annotated[Positive, about("at most so many")]
-    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    complete: AllRows
     mutants: Annotated[Natural, about("how many there are")] = computed(
         lambda matrix: len(matrix.kill_matrix)
     )

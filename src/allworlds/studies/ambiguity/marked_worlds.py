@@ -9,13 +9,15 @@ from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal, Self
 
 from allworlds.document import (
+    AllRows,
     Aside,
+    Bounded,
     Document,
     Gate,
     Natural,
     Positive,
     Report,
-    ShardText,
+    WhichShard,
     about,
     computed,
     key,
@@ -107,14 +109,14 @@ class AmbiguityCensus(Report):
     """
 
     map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    edges: Annotated[Positive | None, about("at most so many; null: not bounded")]
-    vertices: Annotated[Positive | None, about("at most so many; null: not bounded")]
+    edges: Bounded
+    vertices: Bounded
     lighthouse: Literal["position"] = "position"
-    shard: Annotated[ShardText, about("`K/N`; `0/1` is the whole")] = str(WHOLE)
+    shard: WhichShard = str(WHOLE)
     gate: Annotated[Gate, about("the comparison of the rooted maps with an independent source")] = (
         computed(_gate)
     )
-    complete: Annotated[bool, about("every row is there; false: the user has interrupted")] = True
+    complete: AllRows = True
     rows: Annotated[tuple[CensusRow, ...], about("one a number of edges, ascending")]
     source: Aside[str]
 

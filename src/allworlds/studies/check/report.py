@@ -7,13 +7,14 @@ from typing import Annotated, Literal, TypeAlias, assert_never
 
 from allworlds.document import (
     Aside,
+    Bounded,
     Different,
     Document,
     Natural,
     Positive,
     Report,
-    ShardText,
     Text,
+    WhichShard,
     about,
     computed,
     key,
@@ -45,8 +46,8 @@ class CheckedScope(Document):
     """The scope of a check: every option that its counts and its verdict depend on."""
 
     map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    edges: Annotated[Positive | None, about("at most so many; null: not bounded")]
-    vertices: Annotated[Positive | None, about("at most so many; null: not bounded")]
+    edges: Bounded
+    vertices: Bounded
     lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")]
     policy: Annotated[Text, about("who answered the explorer's choices")]
     schedules: Annotated[Literal["one", "all"], about("the policy's, or every sequence of choices")]
@@ -57,7 +58,7 @@ class CheckedScope(Document):
     step_budget: Annotated[
         Positive | None, about("the largest legal number of traversals; null: default")
     ]
-    shard: Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
+    shard: WhichShard
     sample: Annotated[SampleReport | None, about("of `fuzz`: how the worlds were drawn")]
     symmetry: Annotated[str | None, about("why one run was counted for several, where it was")]
     gate: Annotated[

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Annotated
 
 from allworlds.document import (
+    AllRows,
     Aside,
     Document,
     Figure,
@@ -133,7 +134,7 @@ class Comparison(Report):
             Exit.INTERRUPTED,
         ),
     ] = computed(_exit_code)
-    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    complete: AllRows
     explorers: Annotated[Some[Compared], about("in the order in which they were named")] = computed(
         lambda report: tuple(map(_compared, report.contestants))
     )

@@ -7,6 +7,7 @@ from math import log
 from typing import Annotated
 
 from allworlds.document import (
+    AllRows,
     Aside,
     Document,
     Figure,
@@ -81,7 +82,7 @@ class Growth(Report):
         Exit,
         one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
     ] = computed(_exit_code)
-    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    complete: AllRows
     explorers: Annotated[Some[Text], about("in the order in which they were named")]
     families: Annotated[Some[Text], about("likewise")]
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]

@@ -8,7 +8,9 @@ from typing import Annotated
 
 from allworlds.document import (
     UNSET,
+    AllRows,
     Aside,
+    Bounded,
     Document,
     Gate,
     Natural,
@@ -74,12 +76,12 @@ class Census(Report):
     """
 
     map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    edges: Annotated[Positive | None, about("at most so many; null: not bounded")]
-    vertices: Annotated[Positive | None, about("at most so many; null: not bounded")]
+    edges: Bounded
+    vertices: Bounded
     gate: Annotated[Gate, about("the comparison of every row with an independent source")] = (
         computed(lambda c: Gate(source=c.source, agrees=all(row.agrees for row in c.rows)))
     )
-    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    complete: AllRows
     rows: Annotated[tuple[CountRow, ...], about("one a number of edges, ascending")]
     source: Aside[str]
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-from allworlds.document import Document, Natural, Positive, Report, about, computed
+from allworlds.document import AllRows, Document, Natural, Positive, Report, about, computed
 from allworlds.engines import Listener
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import (
@@ -106,7 +106,7 @@ class OptimumRow(Document):
 class OptimumReport(Report):
     """Report of 'optimum'."""
 
-    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    complete: AllRows
     rows: Annotated[tuple[OptimumRow, ...], about("by the number of edges")]
 
     @property

@@ -14,8 +14,8 @@ from allworlds.document import (
     Positive,
     Report,
     Seconds,
-    ShardText,
     Text,
+    WhichShard,
     about,
 )
 from allworlds.engines import (
@@ -60,7 +60,7 @@ class Standing(Report):
     verb: Annotated[Text, about("whose units these are")]
     version: Annotated[Text, about("of the program that does them")]
     explorer: Annotated[str, about("its name; empty where there is none")]
-    shard: Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
+    shard: WhichShard
     parameters: Annotated[dict[str, Any], about("what else the result depends on")]
     state: Annotated[
         State,

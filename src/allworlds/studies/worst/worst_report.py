@@ -6,14 +6,15 @@ from collections.abc import Iterator
 from typing import Annotated
 
 from allworlds.document import (
+    AllRows,
     Aside,
     Document,
     Gate,
     Natural,
     Positive,
     Report,
-    ShardText,
     Text,
+    WhichShard,
     about,
     computed,
     key,
@@ -114,11 +115,11 @@ class WorstReport(Report):
     symmetry: Annotated[
         Text | None, about("why one world stands for every direction; null: each was tried")
     ] = None
-    shard: Annotated[ShardText, about("`K/N`; `0/1` is the whole")] = str(WHOLE)
+    shard: WhichShard = str(WHOLE)
     gate: Annotated[
         Gate, about("counts, of a shard left to the merge, and replays in the Python engine")
     ] = computed(lambda r: Gate(source=r.source, agrees=_agrees(r)))
-    complete: Annotated[bool, about("every row is there; false: the user has interrupted")]
+    complete: AllRows
     rows: Annotated[tuple[WorstRow, ...], about("one for each (edges, vertices), ascending")]
     findings: Annotated[
         tuple[Finding, ...], about("the smallest, if a run of another explorer broke a law")

@@ -7,6 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
+from typing_extensions import override
+
 from allworlds.document import about
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
@@ -77,8 +79,8 @@ class Cluster(Lighthouse):
         """Seen from the start in the same direction, even where the answer breaks what it needs."""
         return Cluster(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
 
+    @override
     def relabelled(self, names: Sequence[Dart]) -> Cluster:
-        """At the renamed dart."""
         return Cluster(names[self.dart])
 
     @classmethod

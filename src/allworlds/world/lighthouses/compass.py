@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from itertools import islice, product
 from typing import Annotated, ClassVar
 
+from typing_extensions import override
+
 from allworlds.document import Some, about
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart, numbering
@@ -74,8 +76,8 @@ class Compass(Lighthouse):
             north[answer.vertex_of[dart]] = answer.turn(dart, percept.bearing)
         return Compass(tuple(sorted(north.values())))
 
+    @override
     def relabelled(self, names: Sequence[Dart]) -> Compass:
-        """The renamed reference darts."""
         return Compass(tuple(sorted(names[dart] for dart in self.darts)))
 
     @classmethod

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
+from typing_extensions import override
+
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import Lighthouse, StandsAt, check_at_start
 from allworlds.world.lighthouses.sensing import Sensing, Where
@@ -36,8 +38,8 @@ class Directional(Lighthouse):
         """The pointed dart is one of the start's vertex."""
         check_at_start("points to", self.dart, map_, start)
 
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # it knows
-        """The pointed dart."""
+    @override
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
         return (self.dart,)
 
     def relabelled(self, names: Sequence[Dart]) -> Directional:

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar
 
+from typing_extensions import override
+
 from allworlds.document import Some, about
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart, numbering
@@ -83,8 +85,8 @@ class Labels(Lighthouse):
             at[answer.vertex_of[dart]] = (answer.turn(dart, percept.bearing), percept.marks)
         return Labels(tuple(dart for dart, _ in at.values()), tuple(n for _, n in at.values()))
 
+    @override
     def relabelled(self, names: Sequence[Dart]) -> Labels:
-        """The renamed reference darts."""
         return Labels(tuple(names[dart] for dart in self.darts), self.numbers)
 
     @classmethod

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Annotated, Any, ClassVar
 
+from typing_extensions import override
+
 from allworlds.document import Positive, about
 from allworlds.inputs import integer, show
 from allworlds.maps import CombinatorialMap, Dart
@@ -79,8 +81,8 @@ class Movable(Lighthouse):
         """All of them."""
         return self.markers
 
+    @override
     def refusal(self, action: Action, lying: int, hand: int) -> str:
-        """See :meth:`Lighthouse.refusal`."""
         if type(action) is Drop:
             return "" if hand else "a Drop only with a marker in hand"
         if type(action) is not Pick:
@@ -89,8 +91,8 @@ class Movable(Lighthouse):
             return "no Pick: under pick=false a marker stays where it was dropped"
         return "" if lying else "a Pick only where a marker lies"
 
-    def relabelled(self, names: Sequence[Dart]) -> Movable:  # noqa: ARG002  # it has no dart
-        """The same."""
+    @override
+    def relabelled(self, names: Sequence[Dart]) -> Movable:
         return self
 
     @classmethod

@@ -7,6 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
+from typing_extensions import override
+
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
@@ -73,6 +75,6 @@ class Natural(Lighthouse):
         """Seen from the start in the same direction, even where the answer breaks what it needs."""
         return Natural(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
 
+    @override
     def relabelled(self, names: Sequence[Dart]) -> Natural:
-        """At the renamed dart."""
         return Natural(names[self.dart])

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
+from typing_extensions import override
+
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.sensing import Sensing, Where
@@ -36,10 +38,10 @@ class Nothing(Lighthouse):
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """Every map and every start will do."""
 
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # any map
-        """None."""
+    @override
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
         return ()
 
-    def relabelled(self, names: Sequence[Dart]) -> Nothing:  # noqa: ARG002  # it has no dart
-        """The same."""
+    @override
+    def relabelled(self, names: Sequence[Dart]) -> Nothing:
         return self

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar
 
+from typing_extensions import override
+
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import Lighthouse, StandsAt, check_at_start
 from allworlds.world.lighthouses.sensing import Sensing, Where
@@ -41,10 +43,10 @@ class Position(Lighthouse):
         """The marked vertex is the start's."""
         check_at_start("stands at", self.dart, map_, start)
 
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # it knows
-        """The dart of v0."""
+    @override
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
         return (self.dart,)
 
+    @override
     def relabelled(self, names: Sequence[Dart]) -> Position:
-        """At the renamed dart."""
         return Position(names[self.dart])

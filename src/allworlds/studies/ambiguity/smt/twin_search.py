@@ -54,7 +54,11 @@ def search(request: SearchRequest) -> SearchResult:
     if time_limit is not None and (not isinstance(time_limit, int | float) or not time_limit > 0):
         raise InputError(f"time-limit = {show(time_limit)}, but it must be more than 0 seconds")
     at_most("time-limit", time_limit or 0, LONGEST_WAIT)
-    external = None if solver is None else ExternalSolver(str(a_path("solver", solver)))
+    external = None
+    if solver is not None:
+        a_path("solver", solver)
+        # As it was given: of ./solver a Path would leave a name that is looked for on PATH.
+        external = ExternalSolver(solver)
     with _directory(request.out) as directory:
         clock, heard = Clock(time_limit), request.listener
         found = _TwinsSearch(asked, external, directory, clock, listener=heard).run()

@@ -1,0 +1,74 @@
+"""Two plays of one run compared, and the outcome that follows from both."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from allworlds.engines.python.examiner import LOST, Outcome
+from allworlds.judging import PRECEDENCE, Fault, Log, Violation
+
+
+def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
+    """The outcome of a first play, overruled by the violation of two plays that differ."""
+    difference = difference_of(first, second)
+    if difference is None or not _may_be_overruled(outcome.violation):
+        return outcome
+    faults = [log.ending for log in (second, first) if isinstance(log.ending, Fault)]
+    detail = next((fault.detail for fault in faults if fault.detail), "")
+    return replace(outcome, violation=difference, detail=detail)
+
+
+def _may_be_overruled(violation: Violation | None) -> bool:
+    """Whether the law comes behind: a crash or a time-out that is not repeated does, too."""
+    if violation is None or violation.law in LOST:
+        return True
+    return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
+
+
+def difference_of(first: Log, second: Log) -> Violation | None:
+    """The violation of an explorer whose plays on the same percepts differ; None if they do not."""
+    if first.actions != second.actions:
+        pairs = zip(first.actions, second.actions, strict=False)
+        same = next((i for i, (a, b) in enumerate(pairs) if a != b), None)
+        where = "in its length" if same is None else f"at step {same + 1}"
+        difference = f"the second walk differs {where}"
+    elif _meaning(first) != _meaning(second):
+        difference = "the second answer differs"
+    else:
+        return None
+    for which, log in (("first", first), ("second", second)):
+        if isinstance(log.ending, Fault):
+            difference += f"; the {which} ended with {log.ending.law}: {log.ending.seen}"
+    return nondeterministic(difference)
+
+
+def nondeterministic(seen: str) -> Violation:
+    """The violation of two plays that differ in that."""
+    return Violation(
+        "nondeterministic",
+        "the same walk and answer when the same world is explored again",
+        seen,
+    )
+
+
+def _meaning(log: Log) -> object:
+    """The part of the ending that both plays must share: the answer, or the law of the fault."""
+    return log.ending.law if isinstance(log.ending, Fault) else log.ending
+
+
+def differing_or_first(first: Log, again: Sequence[Log]) -> Log:
+    """The first of the later plays that differs from the first play, or else the first of them."""
+    return next((log for log in again if difference_of(first, log)), again[0])
+
+
+def may_be_the_machine(first: Log, second: Log) -> bool:
+    """Whether the plays differ, and one of them ended in a way that may be the machine's doing."""
+    endings = (first.ending, second.ending)
+    suspicious = any(isinstance(end, Fault) and end.machine for end in endings)
+    return suspicious and difference_of(first, second) is not None
+
+
+def ending_in_words(log: Log) -> str:
+    """The fault of a play, or that it ended with an answer."""
+    return log.ending.seen if isinstance(log.ending, Fault) else "it ended with an answer"

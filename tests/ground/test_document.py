@@ -1,0 +1,150 @@
+"""A document: its keys, what follows from them, and what is refused where one is read."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Literal
+
+import pytest
+
+from allworlds.document import (
+    UNSET,
+    Aside,
+    Document,
+    IfAny,
+    Natural,
+    Positive,
+    Some,
+    UnsetType,
+    WrittenByFields,
+    about,
+    computed,
+    key,
+    keys_of,
+    plain,
+    replace,
+    taken,
+)
+from allworlds.inputs import InputError
+from allworlds.outcome import Exit, Verdict
+
+
+class Part(Document):
+    """A part."""
+
+    size: Annotated[Natural, about("how large")]
+    kind: Literal["round", "square"] = "round"
+
+
+class Whole(Document):
+    """A whole."""
+
+    total: Annotated[int, about("of all parts")] = computed(
+        lambda whole: sum(part.size for part in whole.parts)
+    )
+    code: Exit = computed(lambda whole: Exit.HOLDS if whole.total else Exit.VACUOUS, name="exit")
+    class_: Annotated[str, about("of something")] = key(name="class")
+    parts: Annotated[Some[Part], about("at least one")]
+    note: IfAny[str] = ""
+    step: IfAny[Natural | None] = None
+    seldom: int | UnsetType = UNSET
+    counted: Aside[object] = None
+
+
+WHOLE = Whole(class_="toys", parts=(Part(size=2), Part(size=3, kind="square")), counted=object())
+
+
+def test_the_keys_stand_in_their_order_and_what_is_aside_is_none():
+    assert WHOLE.to_json() == {
+        "total": 5,
+        "exit": 0,
+        "class": "toys",
+        "parts": [{"size": 2, "kind": "round"}, {"size": 3, "kind": "square"}],
+    }
+    assert [key.name for key in keys_of(Whole)][-3:] == ["note", "step", "seldom"]
+
+
+def test_a_key_that_is_left_out_while_empty_is_told_when_it_is_not_even_if_it_is_0():
+    told = replace(WHOLE, note="of wood", step=0, seldom=0).to_json()
+    assert (told["note"], told["step"], told["seldom"]) == ("of wood", 0, 0)
+
+
+def test_what_follows_cannot_be_contradicted():
+    assert Whole(class_="toys", parts=WHOLE.parts, total=9).total == 5
+    empty = replace(WHOLE, parts=(Part(size=0),), total=9)
+    assert (empty.total, empty.code) == (0, Exit.VACUOUS)
+
+
+def test_a_document_is_frozen_and_takes_keywords_alone():
+    with pytest.raises(AttributeError):
+        WHOLE.note = "of tin"
+    with pytest.raises(TypeError):
+        Part(3)
+
+
+@dataclass(frozen=True)
+class Point(WrittenByFields):
+    """Two numbers."""
+
+    x: int
+    y: int
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        (Verdict.HOLDS, "holds"),
+        (Exit.REFUTED, 1),
+        (Path("a/b"), "a/b"),
+        ({2: (Point(1, 2),)}, {"2": [{"x": 1, "y": 2}]}),
+        ([None, True, 1.5, "text"], [None, True, 1.5, "text"]),
+        (10**40, 10**40),
+    ],
+)
+def test_a_value_becomes_what_json_holds(value, expected):
+    assert plain(value) == expected
+    assert type(plain(value)) is type(expected)
+
+
+def test_what_cannot_be_told_is_an_error_and_not_a_guess():
+    with pytest.raises(AttributeError):
+        plain(object())
+
+
+def test_a_copy_of_a_dataclass_is_made_like_one_of_a_document():
+    assert replace(Point(1, 2), y=3) == Point(1, 3)
+
+
+class Read(Document):
+    """What is read."""
+
+    name: str
+    rows: tuple[Part, ...] = ()
+    count: Positive = 1
+
+
+def test_what_is_written_is_read():
+    read = Read(name="a", rows=WHOLE.parts, count=7)
+    assert taken(read.to_json(), Read, "reading") == read
+
+
+@pytest.mark.parametrize(
+    ("document", "said"),
+    [
+        ([], "reading: expected object, got array"),
+        ({}, "reading: object missing required field name"),
+        ({"name": 3}, "name = 3: expected str, got int"),
+        ({"name": "a", "count": 0}, "count = 0: expected int >= 1"),
+        ({"name": "a", "count": True}, "count = True: expected int, got bool"),
+        ({"name": "a", "other": 1}, "reading: object contains unknown field other"),
+        ({"name": "a", "rows": [{"size": 1}, {"size": "b"}]}, "rows[1].size = 'b': expected int"),
+        (
+            {"name": "a", "rows": [{"size": 1, "kind": "flat"}]},
+            "rows[0].kind = 'flat' is not one of round, square",
+        ),
+    ],
+)
+def test_what_is_none_is_refused_by_its_place_and_value(document, said):
+    with pytest.raises(InputError) as refusal:
+        taken(document, Read, "reading")
+    assert said in str(refusal.value)
+    assert "\n" not in str(refusal.value)
