@@ -45,7 +45,7 @@ from allworlds.engines import (
     tell_of_size,
     units_of_level,
 )
-from allworlds.inputs import answers
+from allworlds.inputs import answers, meant, remembered
 from allworlds.maps import (
     CombinatorialMap,
     Disagreement,
@@ -151,8 +151,17 @@ def census(request: CensusRequest) -> AmbiguityCensus:
     if run is None and isinstance(task.portion, Shard):
         heard.notice(UNMERGEABLE)
     transport = ThisThread() if dask is None else Dask(dask, CORES)
-    with records_in(run, task.identity, heard.notice) as records, transport as there:
+    with records_in(run, lambda: _identity(request), heard.notice) as records, transport as there:
         return task.census(there, Classify(task.extent), records, heard)
+
+
+def _identity(request: CensusRequest) -> Identity:
+    return Identity(
+        verb="ambiguity census",
+        parameters=meant(request),
+        explorer={"name": ""},
+        shard=str(request.shard),
+    )
 
 
 def merged_census(identity: Identity, records: Records, listener: Listener) -> AmbiguityCensus:
@@ -161,10 +170,9 @@ def merged_census(identity: Identity, records: Records, listener: Listener) -> A
     Raises:
         Gap: if something is missing.
     """
-    told = identity.parameters
-    extent = Extent(MapClass(told["class"]), told["edges"], told["vertices"])
+    request = CensusRequest(**remembered(CensusRequest, identity.parameters))
     with ThisThread() as here:
-        return _CensusTask(extent, WHOLE).census(here, None, records, listener)
+        return _CensusTask(request.extent, WHOLE).census(here, None, records, listener)
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,19 +181,6 @@ class _CensusTask:
 
     extent: Extent
     portion: Portion
-
-    def identity(self) -> Identity:
-        parameters = {
-            "class": self.extent.map_class.value,
-            "edges": self.extent.edges,
-            "vertices": self.extent.vertices,
-        }
-        return Identity(
-            verb="ambiguity census",
-            parameters=parameters,
-            explorer={"name": ""},
-            shard=str(self.portion),
-        )
 
     def census(
         self, transport: Transport[Any], engine: Any, records: Records, listener: Listener

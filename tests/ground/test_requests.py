@@ -1,0 +1,88 @@
+"""A request is a value: frozen, checked where it is made, and the one home of a verb's options."""
+
+import inspect
+import subprocess
+import sys
+from dataclasses import FrozenInstanceError, replace
+
+import pytest
+
+import allworlds
+from allworlds.engines import Shard, Silent
+from allworlds.inputs import InputError, Option, answer, fields_of, meant, remembered
+from allworlds.maps import MapClass
+from allworlds.studies.check import CheckRequest
+from allworlds.verbs import VERBS, loaded
+
+GIVEN = {"map_class": "simple", "shard": (0, 2), "laws": ["map", "pose"], "bound": 7}
+
+
+def test_what_users_give_becomes_values_and_stays_so():
+    request = CheckRequest("greedy", **GIVEN)
+    assert request.map_class is MapClass.SIMPLE
+    assert request.shard == Shard(0, 2)
+    assert (request.laws, request.bound) == (("map", "pose"), "7")
+    assert isinstance(request.listener, Silent)
+    changed = replace(request, edges=3)
+    assert (changed.edges, changed.shard) == (3, Shard(0, 2))
+    with pytest.raises(FrozenInstanceError):
+        request.edges = 4
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("map_class", "planr"), ("shard", (2, 2)), ("laws", ["mpa"]), ("max_findings", 0)],
+)
+def test_a_request_of_bad_input_is_none(name, value):
+    with pytest.raises(InputError):
+        CheckRequest(**{name: value})
+
+
+def test_what_is_meant_makes_the_same_request_again():
+    request = CheckRequest(**{**GIVEN, "shard": None}, workers=3, time_limit=9.0)
+    told = meant(request)
+    assert (told["class"], told["laws"]) == ("simple", ["map", "pose"])
+    assert not {"workers", "time_limit", "shard", "run", "explore", "listener"} & told.keys()
+    again = CheckRequest(**remembered(CheckRequest, told))
+    assert meant(again) == told
+
+
+def test_a_function_takes_its_request_ready_or_in_keywords():
+    told = allworlds.count(edges=2)
+    request = inspect.get_annotations(inspect.unwrap(allworlds.count), eval_str=True)["request"]
+    assert answer(allworlds.count, request(edges=2)) == told
+    with pytest.raises(TypeError, match=r"^count\(\) got an unexpected keyword argument 'edgs'$"):
+        allworlds.count(edgs=2)
+
+
+def test_each_option_of_a_request_has_its_line_in_the_docstring():
+    functions = [loaded(verb.function) for verb in VERBS]
+    asked = [function for function in functions if hasattr(function, "__wrapped__")]
+    assert len(asked) >= 11
+    for function in asked:
+        request = inspect.get_annotations(inspect.unwrap(function), eval_str=True)["request"]
+        for field in fields_of(request):
+            assert f"\n    {field.name}: " in function.__doc__
+            assert not isinstance(field.asked, Option) or field.asked.help
+
+
+@pytest.mark.slow
+@pytest.mark.no_cover
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        ('check("x", edgs=4)', 'Unexpected keyword argument "edgs" for "check"'),
+        ('check("x", edges="4")', 'Argument "edges" to "check" has incompatible type "str"'),
+        ("fuzz(runs=3)", 'Missing named argument "edges" for "fuzz"'),
+        ('compare("a", "b", edgs=3)', 'Unexpected keyword argument "edgs"'),
+        ('check("x", map_class="simple", shard=(0, 2), laws=["map"], bound=7)', ""),
+    ],
+)
+def test_mypy_knows_the_keywords(call, said, tmp_path):
+    pytest.importorskip("mypy")
+    file = tmp_path / "call.py"
+    file.write_text(f"import allworlds\nallworlds.{call}\n", encoding="utf-8")
+    words = [sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", str(file)]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert done.returncode == bool(said), done.stdout
+    assert said in done.stdout
