@@ -194,9 +194,11 @@ class PlayerPair:
             HarnessError: if a player fails otherwise than by the explorer's acts in its turn, and
                 a fresh one does so, too.
         """
+        # All that a player has loaded when a foreign explorer is: it may load no more then.
+        counter = RunCounter(engine.scope, engine.keep)
         left, received = list(numbers), Counter[int]()
         while left:
-            job = PlayRuns(engine, unit, tuple(left), self.random.getrandbits(64), script)
+            job = PlayRuns(counter, unit, tuple(left), self.random.getrandbits(64), script)
             lost = yield from self._attempt(job, left, received)
             if lost is None:
                 return
