@@ -209,8 +209,8 @@ def plain(value: Any) -> Any:
 
 
 def replace(value: T, **changes: Any) -> T:
-    """A copy of a document, or of a dataclass, with other values of some fields."""
-    copied: Any = replace_in_struct if isinstance(value, Document) else replace_in_dataclass
+    """A copy of a struct, such as a document, or of a dataclass, with other values of fields."""
+    copied: Any = replace_in_struct if isinstance(value, Struct) else replace_in_dataclass
     found: T = copied(value, **changes)
     return found
 

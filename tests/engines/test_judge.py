@@ -226,7 +226,7 @@ def laws_of(monkeypatch, explore, only):
     subject = replace(in_process_subject(explore), explore=explore)
     for edges in EDGES:
         extent = Extent(MapClass.MAPS, edges)
-        listing = ListingEngine(Scope(extent, rules)).for_built_in(subject)
+        listing = ListingEngine(Scope(extent, rules), 1).for_built_in(subject)
         for prefix in prefixes(edges, depth=1):
             for _, listed in listing.parts(LevelRuns(edges, prefix)):
                 level = level_of("algorithm1", rules, extent, edges)

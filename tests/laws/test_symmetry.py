@@ -1,11 +1,10 @@
 """Nothing depends on the names of the darts, on where a robot looks, or on clockwise."""
 
-from dataclasses import replace
-
 import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import data, integers, permutations, tuples
 
+from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from allworlds.explorers import algorithm1
 from allworlds.judging import Answered, fold, play

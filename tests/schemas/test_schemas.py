@@ -254,6 +254,9 @@ DOCUMENTS = {
 }
 # Keys that may be missing, and objects whose keys are data.
 OPTIONAL = {"detail", "labelled", "step"}
+# What a percept that is read may leave out, or call by another name.
+LEFT_OUT = {f"without {key}" for key in ("marks", "bearing")}
+LEFT_OUT |= {f"{key} misspelt" for key in ("marks", "bearing")}
 TABLES = {
     *("witnesses", "by_vertices", "by_genus", "labelled", "expected", "parameters"),
     *("expected_witnesses", "figures", "expected_figures"),
@@ -309,6 +312,8 @@ def test_a_missing_misspelt_or_odd_key_is_refused(name):
         found = {**found, "transcript": found["transcript"][:3]}
     tried = 0
     for where, wrong in spoilt(found):
+        if name == "transcript" and where[-1] in LEFT_OUT:
+            continue
         assert wrongs(reference, wrong), where
         tried += 1
     assert tried > 5

@@ -230,7 +230,7 @@ def test_an_explorer_that_is_wrong_in_one_run_is_refuted_there(planted, wrong):
     told = run(wrong("planted"), world)
     assert told.finding.world == finding.world
     # The walk determines the world: no other run has the same log.
-    assert check(wrong("planted"), edges=edges, workers=3, max_findings=2).findings == [finding]
+    assert check(wrong("planted"), edges=edges, workers=3, max_findings=2).findings == (finding,)
 
 
 @pytest.mark.slow
@@ -282,7 +282,7 @@ def test_the_shards_make_the_whole(edges, shards):
     assert sum((part.tally.witnesses for part in parts), whole.tally.witnesses.__class__()) == (
         whole.tally.witnesses
     )
-    assert all(part.missing == () for part in parts)
+    assert all(part.missing_witnesses == () for part in parts)
 
 
 @pytest.mark.usefixtures("without_workers")

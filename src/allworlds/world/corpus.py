@@ -15,7 +15,7 @@ from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
-from allworlds.document import SCHEMA, Document, Meta, Text, about, taken
+from allworlds.document import Document, Meta, Text, about, taken
 from allworlds.inputs import InputError, parse_json, show
 
 Kind: TypeAlias = Literal["world", "finding", "pair", "counts", "check"]
@@ -40,7 +40,7 @@ class CorpusEntry(Document):
 class Manifest(Document):
     """Manifest of a corpus."""
 
-    schema: Annotated[Literal[1], about("the version of the document")] = SCHEMA
+    schema: Annotated[Literal[1], about("the version of the document")]
     entries: Annotated[
         tuple[CorpusEntry, ...], about("what is kept, in the order in which it is told")
     ]
