@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, Self
 
-from allworlds.document import Document, WrittenByFields, taken
+from allworlds.document import Document, plain_at_once, taken
 from allworlds.judging import Finding, Rules
 
 
@@ -25,7 +25,7 @@ class AtRun(NamedTuple):
 
 
 @dataclass(slots=True)
-class Row(WrittenByFields):
+class Row:
     """What was seen in the worlds with one number of edges and of vertices.
 
     Attributes:
@@ -137,14 +137,15 @@ class Tally:
 
     def to_json(self) -> dict[str, Any]:
         """The document :class:`KeptTally`, as it is kept in a run directory."""
-        return KeptTally(
+        kept = KeptTally(
             rows=tuple((*size, row) for size, row in sorted(self.rows.items())),
             witnesses=dict(sorted(self.witnesses.items())),
             left_out=self.left_out,
             checkpoints=self.checkpoints,
             findings=tuple(map(finding_to_record, self.findings)),
             remarks=dict(sorted(self.remarks.items())),
-        ).to_json()
+        )
+        return plain_at_once(kept)
 
     @classmethod
     def from_json(cls, document: object, keep: int, rules: Rules) -> Self:
