@@ -77,9 +77,9 @@ def read_by(kind: Any) -> Meta:
     return Meta(extra={"kind": kind})
 
 
-def about(meaning: str, **narrowed: Any) -> Meta:
-    """One line of meaning, and keywords of JSON Schema that narrow the type."""
-    return Meta(description=meaning, extra_json_schema=narrowed or None)
+def about(meaning: str) -> Meta:
+    """One line of meaning."""
+    return Meta(description=meaning)
 
 
 def narrowed(**keywords: Any) -> Meta:
@@ -139,7 +139,7 @@ class _Keywords(StructMeta):
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(key, computed))
 class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=True):
-    """What is written, or a part of it."""
+    """A JSON object that is written, or a part of one."""
 
     def __post_init__(self) -> None:
         for name, function in _computed_keys(type(self)):
@@ -147,10 +147,10 @@ class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=T
 
     def to_json(self) -> dict[str, Any]:
         """The JSON object."""
-        told = {key: getattr(self, key.attribute) for key in keys_of(type(self))}
+        told = ((key, getattr(self, key.attribute)) for key in keys_of(type(self)))
         return {
             key.name: plain(value)
-            for key, value in told.items()
+            for key, value in told
             if value is not UNSET and not (key.if_any and value in NOTHING)
         }
 
@@ -236,7 +236,7 @@ def replace(value: T, **changes: Any) -> T:
 
 
 def taken(document: object, kind: type[T], what: str) -> T:
-    """What a JSON value says, as a value of that type.
+    """The value of that type that a JSON value stands for.
 
     Args:
         document: as a parser of JSON hands it back.
@@ -261,7 +261,7 @@ def taken(document: object, kind: type[T], what: str) -> T:
 
 
 _PLACED = re.compile(r"(.*?)(?: - at `(?:key` in `)?\$([^`\n]*)`)?", re.DOTALL)
-"""What msgspec says, and where."""
+"""An error of msgspec: its words, and the path of the value."""
 
 
 def _at(document: Any, steps: Iterable[str]) -> object:
@@ -354,7 +354,7 @@ class MadeBy(Document):
 
 
 class Report(Document):
-    """What a verb writes."""
+    """A document that a verb writes."""
 
     schema: Annotated[Literal[1], about("the version of the document")] = SCHEMA
     made_by: Annotated[MadeBy | UnsetType, about("in Python; always there on the command line")] = (

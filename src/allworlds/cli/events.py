@@ -107,7 +107,7 @@ def listening(output: LongOutputGroup) -> Iterator[Events]:
 def answered(
     function: Callable[..., Answer], request: AskedListener, output: LongOutputGroup
 ) -> Answer:
-    """What a function of the package answers to a request, told of meanwhile and at the end."""
+    """Answer a request by a function of the package, and tell of it meanwhile and at the end."""
     with listening(output) as listener:
         report = answer(function, replace(request, listener=listener))
         listener.verdict(report)

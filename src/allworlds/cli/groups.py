@@ -17,7 +17,7 @@ import typer
 from allworlds.inputs import AS_IN_PYTHON, PANELS, Argument, InputError, Named, Option, fields_of
 
 Words = Mapping[str, Any]
-"""What the command line was given, by the names of the parameters."""
+"""The values that the command line was given, by the names of the parameters."""
 
 
 def grouped(verb: Callable[..., int]) -> Callable[..., int]:

@@ -97,7 +97,7 @@ def read_message(data: bytes) -> Message:
 
 
 def _no_value(_object: object) -> None:
-    """None, which no reader takes for an integer or a text."""
+    """Return None, which no reader takes for an integer or a text."""
 
 
 def _extended(value: Any) -> Any:

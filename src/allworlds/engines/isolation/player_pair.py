@@ -289,7 +289,7 @@ class PlayerPair:
             return self._one_by_one(interfered)
 
     def _one_by_one(self, lost: PlayerLost) -> list[Log]:
-        """The same logs, where one of the records has cost the player its life."""
+        """Play each record by itself, and log the one that has killed the player as lost."""
         logs = []
         repeated = False
         for record in self._sent.records:
