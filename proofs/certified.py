@@ -51,6 +51,7 @@ from allworlds.studies.check.report import CheckRow
 from allworlds.world import worlds
 from certified_checker import CHECKER, checkers_agree, judge_program
 from certified_folding import FOLDING, foldings_agree
+from certified_shield import shields_agree
 from certified_trees import write_certificate
 
 HERE = Path(__file__).resolve().parent
@@ -223,6 +224,7 @@ def main() -> int:
     parser.add_argument("--judged-edges", type=int, default=3, help="for the judge")
     parser.add_argument("--checked-edges", type=int, default=3, help="for the checker")
     parser.add_argument("--folded-edges", type=int, default=3, help="for the folding")
+    parser.add_argument("--shielded-edges", type=int, default=3, help="for the shield")
     parser.add_argument("--workers", type=int, default=2)
     options = parser.parse_args()
     if missing():
@@ -232,7 +234,8 @@ def main() -> int:
         answers.append(explorers_agree(pair, options.edges, options.workers))
         answers += [transcripts_agree(pair, policy, options.walked_edges) for policy in POLICIES]
     answers += [judges_agree(options.judged_edges), checkers_agree(options.checked_edges)]
-    agree = all([*answers, foldings_agree(options.folded_edges)])
+    answers += [foldings_agree(options.folded_edges), shields_agree(options.shielded_edges)]
+    agree = all(answers)
     print("AGREE" if agree else "DISAGREE")
     return 0 if agree else 1
 

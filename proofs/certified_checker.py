@@ -2,12 +2,13 @@
 
     python proofs/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
 
-asks it about a program (docs/programs.md): is it right, and within the limit, in every world with
-at most so many edges?  ``holds`` is a theorem (``check_correct`` in ``proofs/coq/Checker.v``) about
-the function of the percepts that the program's answers are part of.  Trusted is what the README of
-``proofs/coq`` says of all extracted programs, the driver ``ocaml/checker.ml`` and ``ocaml/pipe.ml``
-between the program and the theorem, and that the program would answer the same percepts in the same
-way again; where it is seen not to, the verdict is ``no function``.
+asks it about a program (docs/how-to/languages.md): is it right, and within the limit, in every
+world with at most so many edges?  ``holds`` is a theorem (``check_correct`` in
+``proofs/coq/Checker.v``) about the function of the percepts that the program's answers are part of.
+Trusted is what the README of ``proofs/coq`` says of all extracted programs, the driver
+``ocaml/checker.ml`` and ``ocaml/pipe.ml`` between the program and the theorem, and that the program
+would answer the same percepts in the same way again; where it is seen not to, the verdict is ``no
+function``.
 
 ``checkers_agree`` compares: Algorithm 1 and every wrong explorer of ``allworlds.evidence.mutants``
 get the same verdict from both, and are refuted by the same smallest world.
@@ -98,8 +99,8 @@ def limits(text: str, edges: int) -> str:
     for m in range(1, edges + 1):
         for n in range(1, m + 2):
             for d0 in range(1, 2 * m + 1):
-                value = bound.value(n, m, d0, 0)
-                if value is None or "D" in bound.variables:
+                value = bound.value(n, m, d0, 0, 0, 0)
+                if value is None or not bound.variables <= {"n", "m", "d0"}:
                     message = (
                         f"--limit {text}: without a limit the question cannot be decided; legal "
                         "are paper, two-vertices and expressions in n, m and d0"

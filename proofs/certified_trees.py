@@ -258,8 +258,8 @@ def _limit(text: str, edges: int, tree: Branches) -> str:
     for m in range(1, edges + 1):
         for n in range(1, m + 2):
             for d0 in range(1, 2 * m + 1):
-                value = bound.value(n, m, d0, 0)
-                if value is None or "D" in bound.variables:
+                value = bound.value(n, m, d0, 0, 0, 0)
+                if value is None or not bound.variables <= {"n", "m", "d0"}:
                     raise InputError(f"limit {text}: an expression in n, m and d0 expected")
                 if value > LARGEST:
                     raise InputError(f"limit {text}: {value} for n = {n}, m = {m} is too large")

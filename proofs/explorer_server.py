@@ -1,4 +1,4 @@
-"""An explorer of the package behind JSON lines (docs/programs.md), to be judged from outside.
+"""An explorer of the package behind JSON lines, to be judged from outside.
 
     python proofs/explorer_server.py NAME [POLICY]
 

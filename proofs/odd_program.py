@@ -1,4 +1,4 @@
-"""Say right or wrong things in odd lines (docs/programs.md), to be judged from outside.
+"""Say right or wrong things in odd lines (docs/how-to/languages.md), to be judged from outside.
 
     python proofs/odd_program.py NAME
 

@@ -8,6 +8,8 @@
      algorithm1_machine   a whole run.
      check, refutations   Checker.v; directional_check is check with directional_senses and
                           in_universe_in u, and so on (TwoVerticesChecker.v).
+     algorithm1_explorer  the explorer as a function of all that it has sensed;
+     shield_of X pol      Shield.v: the shield of X with Algorithm 1.
      folded_log           of the first percept and the steps of a log: whether it leaves no dart open, and
                           the folded map.
 
@@ -19,7 +21,7 @@
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Percepts RootedMaps Codes Explorers Algorithm Policies.
 From Allworlds Require Import NumberedWorlds Judge Cluster NaturalLighthouse Log FoldingProgram SameWorld.
-From Allworlds Require Import Checker TwoVerticesChecker SimpleMaps Minimality PlanarMinimality.
+From Allworlds Require Import Checker TwoVerticesChecker Shield SimpleMaps Minimality PlanarMinimality.
 Require Extraction.
 Require Import ExtrOcamlBasic ExtrOcamlNatInt.
 
@@ -44,6 +46,9 @@ Definition cluster_next := next cluster.
 Definition natural_starts (a b : nat) := set_out (natural a b).
 Definition natural_next (a b : nat) := next (natural a b).
 
+Definition algorithm1_explorer pol := algorithm1 pol.
+Definition shield_of E (X : explorer percept E) pol := shield X (algorithm1 pol).
+
 Definition folded_log first (taken : seq (nat * percept)) :=
   let L := Log first taken in (folds L, folded_map L).
 
@@ -55,4 +60,5 @@ Extraction "ocaml/certified.ml"
   check refutations worlds examine run_in paper_limit two_vertices_limit vertices_in edges_in
   directional_senses in_universe_in cluster_senses one_edge_in natural_senses natural_in
   algorithm1_resumption cluster_resumption natural_resumption folded_log
+  algorithm1_explorer shield_of
   simple_maps planar_in told_apart the_same the_same_at_v0 simple_walk planar_walk.

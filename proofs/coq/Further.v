@@ -7,11 +7,14 @@ From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Ind
 From Allworlds Require Import PartialMaps Paths Pass Cost Correctness PassCounts Lighthouses Routes.
 From Allworlds Require Import Algorithm Execution OnePass Refinement Policies ShortestPaths.
 From Allworlds Require Import NumberedWorlds Judge Impossibility DoubleCover Trees PositionTwins.
-From Allworlds Require Import Ambiguity Regluing RegluingCount Twins Congruence Log Folding OpenDarts.
+From Allworlds Require Import Ambiguity Regluing RegluingCount MassFormula Twins Congruence Log
+  Folding OpenDarts.
 From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
-From Allworlds Require Import DecisionTrees.
+From Allworlds Require Import Shield DecisionTrees.
 From Allworlds Require Import Minimality PlanarMinimality.
+From Allworlds Require Import MassFormula Matchings Gluings Bouquets.
+From Allworlds Require Import Corridors CorridorWorlds CorridorLogs.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -300,6 +303,21 @@ Theorem criterion_counted (G : combinatorial_map) (d : G) :
   #|regluings d| = #|places d| * #|[set f | turning d f]|.
 Proof. exact: map_known_iff. Qed.
 
+(* The mass formula: both are numbers that the quotient tells.  For each of its ordinary edges there are k!
+   ways to reglue what lies over it, for each semi-edge (k-1)(k-3)... ways; and for each of its vertices but
+   v0, of cone index b, there are b^(k/b) (k/b)! ways to turn what lies over it. *)
+Theorem mass_formula (G : combinatorial_map) (d : G) :
+  [/\ #|regluings d| =
+        (lookalikes d)`! ^ ordinary_edges d * pairings (lookalikes d) ^ semi_edges d,
+      #|[set f | turning d f]| =
+        \prod_(B in vertex_classes d | d \notin B) (cone_of d B ^ sheets_of B * (sheets_of B)`!) &
+      forall x, cone_of d (vertex_class d x) = cone (position_of d) x /\
+        sheets_of (vertex_class d x) * cone (position_of d) x = lookalikes d].
+Proof.
+split=> [||x]; [exact: regluings_counted | exact: turnings_counted |].
+by split; [exact: cone_ofE | exact: sheets_by_cone].
+Qed.
+
 Theorem kinds_of_these_worlds :
   [/\ all planar [:: two_loops_plane; k4_plane; hexagon; triangles; figure_1_left; figure_1_right],
       all (predC planar) [:: two_loops_torus; k4_torus]
@@ -369,6 +387,22 @@ Theorem open_log_refutes u E (meaning : E -> rooted_map) (X : explorer percept E
   ~~ folds (log_of W t) -> ~ finds_all_maps u meaning X.
 Proof. exact: unfolded_refutes. Qed.
 
+(* ==== The shield ==== *)
+
+(* Any explorer X, whatever it does, and Algorithm 1 take turns; the answer is the folded map.  It is
+   right in every world, within nine times (1) + (2); and within nine times the motions of X, as soon as
+   the log of these leaves no dart open. *)
+Theorem shield_is_right E (X : explorer percept E) (pol : policy) (W : lighthouse_world) :
+  right_within (as_explorer (shield X (algorithm1 pol))) (M := rooted (@start W)) (@percept_of W)
+    (9 * paper_bound (vertices W) (edges W)) /\
+  forall budget t e z, episode X (rooted (@start W)) (@percept_of W) budget = (t, e, z) ->
+  folds (log_of W t) ->
+  right_within (as_explorer (shield X (algorithm1 pol))) (M := rooted (@start W)) (@percept_of W)
+    (9 * size t).
+Proof.
+split=> [|b t e z R /folds_no_open_dart]; [exact: shield_correct | exact: shield_of_folder R].
+Qed.
+
 (* ==== Lower bounds (Section VI) ==== *)
 
 (* Explorers that find the map of all worlds, or of all simple worlds.  They exist: *)
@@ -395,6 +429,92 @@ Theorem path_lower_bound u E (meaning : E -> rooted_map) (X : explorer percept E
   episode X (rooted (@start W')) (@percept_of W') budget = (t, Some e, z) ->
   2 * L * (edges W + 1 - vertices W) <= size t.
 Proof. exact: path_costs_every_cycle. Qed.
+
+(* Hetyei: a graph on 2M vertices in which one perfect matching only is left has at most M^2 edges; the
+   half graph has as many. *)
+Theorem unique_matching_has_few_edges (V : finType) (E : rel V) f :
+  symmetric E -> irreflexive E -> only_matching E f -> #|graph_edges E| <= (#|V|./2) ^ 2.
+Proof. by move=> s i o; exact: hetyei s i o. Qed.
+
+(* And so many there can be. *)
+Theorem half_graph_has_as_many M :
+  [/\ symmetric (@half_graph M), irreflexive (@half_graph M), only_matching (@half_graph M) (@across M)
+    & #|graph_edges (@half_graph M)| = M ^ 2].
+Proof. split; [exact: half_symmetric|exact: half_irreflexive|exact: half_matching|exact: half_graph_reaches_it]. Qed.
+
+(* Bouquets hung up at a distance: v0 of degree 1, joined to a vertex with c = k+1 loops.  There are
+   (2c-1)!! of them, all different maps. *)
+Theorem worlds_with_hanging_bouquets k :
+  #|{: loop_matching k}| = pairings k.*2.+2 /\
+  forall a : loop_matching k,
+  [/\ edges (hanging a) = k.+2, vertices (hanging a) = 2, degree (@start (hanging a)) = 1 &
+  forall a', same_map (rooted (@start (hanging a))) (rooted (@start (hanging a'))) -> a = a'].
+Proof. split=> [|a]; first exact: matchings_counted.
+by have [m n d] := hanging_sizes a; split=> // a'; exact: same_hanging. Qed.
+
+(* Any explorer, told that it is in one of them: with b motions its logs tell apart tells (b-2) of them at
+   most.  tells: 1, 2, 3, 4, 6, 9, 13, ..., each the sum of the one before and the one three before. *)
+Theorem told_apart_in_bouquets k E (X : explorer percept E) b (A : {set loop_matching k}) :
+  {in A &, injective (fun a : loop_matching k =>
+     (episode X (rooted (@start (hanging a))) (@percept_of (hanging a)) b).1)} -> #|A| <= tells (b - 2).
+Proof. exact: told_in_bouquets. Qed.
+
+(* So an explorer that finds the maps of all of them makes, in one of them, at least so many motions that
+   (2c-1)!! worlds can be told apart: 4, 9, 14, 20, 26 for c = 2, ..., 6. *)
+Theorem bouquet_lower_bound k E (meaning : E -> rooted_map) (X : explorer percept E) :
+  (forall a : loop_matching k, finds_map meaning X (rooted (@start (hanging a))) (@percept_of (hanging a))) ->
+  exists a : loop_matching k, forall budget t e z,
+  episode X (rooted (@start (hanging a))) (@percept_of (hanging a)) budget = (t, Some e, z) ->
+  least_motions (pairings k.*2.+2) <= size t.
+Proof. exact: bouquet_needs. Qed.
+
+(* What this number is. *)
+Theorem least_motions_are_least w b :
+  (least_motions w <= b) = (w <= tells (b - 2)).
+Proof. exact: least_motionsP. Qed.
+
+(* For two to six loops. *)
+Theorem bouquet_bounds_computed :
+  [seq least_motions (pairings c.*2) | c <- iota 2 5] = [:: 4; 9; 14; 20; 26].
+Proof. exact: least_motions_of_bouquets. Qed.
+
+(* Corridors: v0 of degree 2, 2F near hubs, F = f+1 far ones, all of degree 12F+6; two edges join each to the
+   next, the other darts of near hubs are loops, and those of far ones are matched in any way. *)
+Theorem corridors_exist f :
+  [/\ inhabited (near_loops f), inhabited (far_edges_of f) &
+  forall (g : near_loops f) (a : far_edges_of f), let W := camouflaged g a in
+  [/\ edges W = 18 * f.+1 ^ 2 + 9 * f.+1 + 1, vertices W = 3 * f.+1 + 1 &
+  exists (y : W) w, 2 * f.+1 < hub y /\ home_word w y]].
+Proof. split; [exact: near_loops_exist|exact: far_edges_exist|exact: camouflaged_sizes]. Qed.
+
+(* A home word of a far dart leads from it to v0, past no vertex twice: what Algorithm 1 walks in a test.  No
+   other far dart is led to v0 by it, nor by a beginning of it: a failed test shows no more than that it failed. *)
+Theorem wrong_walkers_stay_away f (g : near_loops f) (a : far_edges_of f) (y y' : camouflaged g a) w t :
+  2 * f.+1 < hub y -> 2 * f.+1 < hub y' -> home_word w y -> y' <> y ->
+  ~~ at_same_vertex start (walk (take t w) y').
+Proof. by move=> hy hy' H; exact: (wrong_walkers (corridor_world_is (valP g) a) t hy H hy'). Qed.
+
+(* And home words of different far darts differ in one of their first F+1 motions, turns taken modulo the degree. *)
+Theorem home_words_differ_early f (g : near_loops f) (a : far_edges_of f) (y y' : camouflaged g a) w w' :
+  2 * f.+1 < hub y -> 2 * f.+1 < hub y' -> home_word w y -> home_word w' y' -> y' <> y ->
+  map (modn^~ (12 * f.+1 + 6)) (take f.+2 w) <> map (modn^~ (12 * f.+1 + 6)) (take f.+2 w').
+Proof. by move=> hy hy' H H' ne; exact: (home_words_part (corridor_world_is (valP g) a) hy hy' H H' ne). Qed.
+
+(* Corridors with N near hubs, h+1-N far ones, all of even degree r+1, and 2M darts to be matched: an explorer
+   that finds the maps of all of them makes, in one of them, T motions, and the sum of 'C(T, y) 2^y over the
+   possible numbers y <= T / (2(N+1)) of returns from far hubs is at least (2M-1)!!. *)
+Theorem corridor_lower_bound N h r (out : 'I_h.+1 -> bool -> 'I_r.+1) (L : layout out) g (near : near_gluing N out g) :
+  N <= h -> ~~ odd r.+1 -> forall E (meaning : E -> rooted_map) (X : explorer percept E),
+  (forall a : far_matching N out, let W := corridor_world L near a in
+     finds_map meaning X (rooted (@start W)) (@percept_of W)) ->
+  exists a : far_matching N out, let W := corridor_world L near a in
+  [/\ edges W = (h.+1 * r.+1)./2.+1, vertices W = h.+2 & forall budget t e z,
+  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
+  pairings ((h - N) * (r.+1 - 4) + (r.+1 - 2)) <=
+    \sum_(y < (size t %/ (2 * N.+1)).+1) 'C(size t, y) * 2 ^ y].
+Proof. move=> Nh ev E meaning X H; have [a A] := corridor_costs Nh ev H; exists a; split=> //.
+  by rewrite -(doubleK (edges _)) corridor_edges.
+exact: corridor_vertices. Qed.
 
 (* ==== Enumeration ==== *)
 

@@ -115,11 +115,14 @@ From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Ind
 From Allworlds Require Import PartialMaps Paths Pass Cost Correctness PassCounts Lighthouses Routes.
 From Allworlds Require Import Algorithm Execution OnePass Refinement Policies ShortestPaths.
 From Allworlds Require Import NumberedWorlds Judge Impossibility DoubleCover Trees PositionTwins.
-From Allworlds Require Import Ambiguity Regluing RegluingCount Twins Congruence Log Folding OpenDarts.
+From Allworlds Require Import Ambiguity Regluing RegluingCount MassFormula Twins Congruence Log
+  Folding OpenDarts.
 From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
-From Allworlds Require Import DecisionTrees.
+From Allworlds Require Import Shield DecisionTrees.
 From Allworlds Require Import Minimality PlanarMinimality.
+From Allworlds Require Import MassFormula Matchings Gluings Bouquets.
+From Allworlds Require Import Corridors CorridorWorlds CorridorLogs.
 From Allworlds Require Import Further.
 
 Check (@motion_is_reversible :
@@ -320,6 +323,15 @@ Check (@criterion_counted :
      exists2 y : G, at_same_vertex d y & isomorphic (rooted y) (rooted e)) <->
   #|regluings d| = #|places d| * #|[set f | turning d f]|).
 
+Check (@mass_formula :
+  forall (G : combinatorial_map) (d : G),
+  [/\ #|regluings d| =
+        (lookalikes d)`! ^ ordinary_edges d * pairings (lookalikes d) ^ semi_edges d,
+      #|[set f | turning d f]| =
+        \prod_(B in vertex_classes d | d \notin B) (cone_of d B ^ sheets_of B * (sheets_of B)`!) &
+      forall x, cone_of d (vertex_class d x) = cone (position_of d) x /\
+        sheets_of (vertex_class d x) * cone (position_of d) x = lookalikes d]).
+
 Check (@kinds_of_these_worlds :
   [/\ all planar [:: two_loops_plane; k4_plane; hexagon; triangles; figure_1_left; figure_1_right],
       all (predC planar) [:: two_loops_torus; k4_torus]
@@ -369,6 +381,15 @@ Check (@open_log_refutes :
   episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
   ~~ folds (log_of W t) -> ~ finds_all_maps u meaning X).
 
+Check (@shield_is_right :
+  forall E (X : explorer percept E) (pol : policy) (W : lighthouse_world),
+  right_within (as_explorer (shield X (algorithm1 pol))) (M := rooted (@start W)) (@percept_of W)
+    (9 * paper_bound (vertices W) (edges W)) /\
+  forall budget t e z, episode X (rooted (@start W)) (@percept_of W) budget = (t, e, z) ->
+  folds (log_of W t) ->
+  right_within (as_explorer (shield X (algorithm1 pol))) (M := rooted (@start W)) (@percept_of W)
+    (9 * size t)).
+
 Check (@algorithm1_finds_every_map :
   forall pol u, finds_all_maps u denote (algorithm1 pol)).
 
@@ -389,6 +410,69 @@ Check (@path_lower_bound :
   let W' := at_end_of_path L W in
   episode X (rooted (@start W')) (@percept_of W') budget = (t, Some e, z) ->
   2 * L * (edges W + 1 - vertices W) <= size t).
+
+Check (@unique_matching_has_few_edges :
+  forall (V : finType) (E : rel V) f,
+  symmetric E -> irreflexive E -> only_matching E f -> #|graph_edges E| <= (#|V|./2) ^ 2).
+
+Check (@half_graph_has_as_many :
+  forall M,
+  [/\ symmetric (@half_graph M), irreflexive (@half_graph M), only_matching (@half_graph M) (@across M)
+    & #|graph_edges (@half_graph M)| = M ^ 2]).
+
+Check (@worlds_with_hanging_bouquets :
+  forall k,
+  #|{: loop_matching k}| = pairings k.*2.+2 /\
+  forall a : loop_matching k,
+  [/\ edges (hanging a) = k.+2, vertices (hanging a) = 2, degree (@start (hanging a)) = 1 &
+  forall a', same_map (rooted (@start (hanging a))) (rooted (@start (hanging a'))) -> a = a']).
+
+Check (@told_apart_in_bouquets :
+  forall k E (X : explorer percept E) b (A : {set loop_matching k}),
+  {in A &, injective (fun a : loop_matching k =>
+     (episode X (rooted (@start (hanging a))) (@percept_of (hanging a)) b).1)} -> #|A| <= tells (b - 2)).
+
+Check (@bouquet_lower_bound :
+  forall k E (meaning : E -> rooted_map) (X : explorer percept E),
+  (forall a : loop_matching k, finds_map meaning X (rooted (@start (hanging a))) (@percept_of (hanging a))) ->
+  exists a : loop_matching k, forall budget t e z,
+  episode X (rooted (@start (hanging a))) (@percept_of (hanging a)) budget = (t, Some e, z) ->
+  least_motions (pairings k.*2.+2) <= size t).
+
+Check (@least_motions_are_least :
+  forall w b,
+  (least_motions w <= b) = (w <= tells (b - 2))).
+
+Check (@bouquet_bounds_computed :
+  [seq least_motions (pairings c.*2) | c <- iota 2 5] = [:: 4; 9; 14; 20; 26]).
+
+Check (@corridors_exist :
+  forall f,
+  [/\ inhabited (near_loops f), inhabited (far_edges_of f) &
+  forall (g : near_loops f) (a : far_edges_of f), let W := camouflaged g a in
+  [/\ edges W = 18 * f.+1 ^ 2 + 9 * f.+1 + 1, vertices W = 3 * f.+1 + 1 &
+  exists (y : W) w, 2 * f.+1 < hub y /\ home_word w y]]).
+
+Check (@wrong_walkers_stay_away :
+  forall f (g : near_loops f) (a : far_edges_of f) (y y' : camouflaged g a) w t,
+  2 * f.+1 < hub y -> 2 * f.+1 < hub y' -> home_word w y -> y' <> y ->
+  ~~ at_same_vertex start (walk (take t w) y')).
+
+Check (@home_words_differ_early :
+  forall f (g : near_loops f) (a : far_edges_of f) (y y' : camouflaged g a) w w',
+  2 * f.+1 < hub y -> 2 * f.+1 < hub y' -> home_word w y -> home_word w' y' -> y' <> y ->
+  map (modn^~ (12 * f.+1 + 6)) (take f.+2 w) <> map (modn^~ (12 * f.+1 + 6)) (take f.+2 w')).
+
+Check (@corridor_lower_bound :
+  forall N h r (out : 'I_h.+1 -> bool -> 'I_r.+1) (L : layout out) g (near : near_gluing N out g),
+  N <= h -> ~~ odd r.+1 -> forall E (meaning : E -> rooted_map) (X : explorer percept E),
+  (forall a : far_matching N out, let W := corridor_world L near a in
+     finds_map meaning X (rooted (@start W)) (@percept_of W)) ->
+  exists a : far_matching N out, let W := corridor_world L near a in
+  [/\ edges W = (h.+1 * r.+1)./2.+1, vertices W = h.+2 & forall budget t e z,
+  episode X (rooted (@start W)) (@percept_of W) budget = (t, Some e, z) ->
+  pairings ((h - N) * (r.+1 - 4) + (r.+1 - 2)) <=
+    \sum_(y < (size t %/ (2 * N.+1)).+1) 'C(size t, y) * 2 ^ y]).
 
 Check (@enumeration_is_sound :
   forall m M, M \in rooted_maps m ->

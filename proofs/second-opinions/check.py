@@ -172,7 +172,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     solvers = options.solver or list(SOLVERS)
     missing = [s for s in [*solvers, "sympy"] if importlib.util.find_spec(s) is None]
     if missing:
-        print(f"not installed: {', '.join(missing)} (pip install 'allworlds[proofs]')")
+        print(f"not installed: {', '.join(missing)} (pip install '.[proofs]')")
         return 2
     import bound
 

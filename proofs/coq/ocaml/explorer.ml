@@ -1,10 +1,12 @@
 (* The extracted explorers behind JSON lines: read percepts, write motions and the estimate.
    Usage: explorer [POLICY] [LIGHTHOUSE]
-   POLICY: fifo (default), lifo, nearest.  LIGHTHOUSE: directional (default), cluster, natural. *)
+   POLICY: fifo (default), lifo, nearest.  LIGHTHOUSE: directional (default), cluster, natural; or
+   shield:X, the shield of an explorer X with Algorithm 1, under the directional lighthouse.
+   X: stop (at once), spin (move 1 for ever), zigzag (1, 4, 9, ... modulo 7), algorithm1 (lifo). *)
 open Certified
 
 let usage () =
-  prerr_endline "usage: explorer [fifo|lifo|nearest] [directional|cluster|natural]"; exit 2
+  prerr_endline "usage: explorer [fifo|lifo|nearest] [directional|cluster|natural|shield:X]"; exit 2
 
 let argument i default = if Array.length Sys.argv > i then Sys.argv.(i) else default
 
@@ -38,6 +40,14 @@ let serve percept starts =
 let degree p = Json.int (Json.field "degree" p)
 let bearing p = match Json.field "bearing" p with Json.Null -> None | b -> Some (Json.int b)
 
+(* a shield keeps a state: what it does in it, and what it is after the next percept *)
+let shielded x =
+  let r = shield_of x policy in
+  let next s = match r.decides s with
+    | Stop answer -> Inl answer
+    | Move k -> Inr (k, fun o -> r.goes_on s o) in
+  serve (fun p -> (degree p, bearing p)) (fun _ o -> (next, r.begins o))
+
 let () = match argument 2 "directional" with
   | "directional" ->
       serve (fun p -> (degree p, bearing p))
@@ -50,4 +60,8 @@ let () = match argument 2 "directional" with
         (fun told o ->
           let v1 = Json.int told in
           (natural_next o v1 policy, natural_starts o v1 o))
+  | "shield:stop" -> shielded (fun _ -> Stop ())
+  | "shield:spin" -> shielded (fun _ -> Move 1)
+  | "shield:zigzag" -> shielded (fun seen -> let k = List.length seen in Move (k * k mod 7))
+  | "shield:algorithm1" -> shielded (algorithm1_explorer lifo)
   | _ -> usage ()
