@@ -22,7 +22,7 @@ from typing import Any
 import psutil
 
 from allworlds import check
-from allworlds.engines.transports.dask_cluster import local_cluster
+from allworlds.engines.transports.dask_local import local_cluster
 
 WORKERS = 2
 
@@ -95,10 +95,10 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--engine", choices=JOBS, action="append")
     options = parser.parse_args()
-    with local_cluster(WORKERS) as cluster:
+    with local_cluster(WORKERS) as address:
         for engine in options.engine or JOBS:
             for asked in JOBS[engine]:
-                measure(engine, asked, options.rounds, cluster.scheduler_address)
+                measure(engine, asked, options.rounds, address)
 
 
 if __name__ == "__main__":

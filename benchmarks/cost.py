@@ -1,4 +1,4 @@
-"""Print the table of docs/cost.md: what every bound costs, from one measured rate.
+"""Print the table of docs/how-to/bound.md: what every bound costs, from one measured rate.
 
 python benchmarks/cost.py benchmarks/results/kernel.json
 """

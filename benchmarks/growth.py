@@ -1,6 +1,6 @@
 """Plot how the work grows with the number of edges: worlds, and seconds of the compiled engine.
 
-pip install 'allworlds[figures]'
+pip install '.[figures]'
 python benchmarks/growth.py growth.svg --edges 8
 """
 

@@ -28,8 +28,8 @@ from allworlds.engines import PythonEngine, Scope
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.isolation.jobs import PlayStretch
 from allworlds.engines.isolation.shared_logs import LibraryPlayer, StretchMemory
-from allworlds.engines.kernel.batches import LONGEST_STRETCH, Stretch, UnitJudge, load_native
-from allworlds.engines.kernel.native import RUN_TOLD
+from allworlds.engines.kernel.batches import UnitJudge, load_native
+from allworlds.engines.kernel.stretch import LONGEST_STRETCH, RUN_TOLD, Stretch
 from allworlds.explorers import NativeExplorer, load
 from allworlds.explorers.shared_library.library import ROOM, Library
 from allworlds.judging import Rules

@@ -1,8 +1,8 @@
 """The pytest plugin of allworlds: a mark, and the fixture that goes with it.
 
-It stands beside the package and not in it, and imports nothing of it before a test needs it: so
-it costs nothing where it is not used, and whoever measures the coverage of the package itself
-does not find it loaded before the measurement begins.
+The plugin stands beside the package and not in it, and imports the package only when a test needs
+it.  So the plugin costs nothing if it is not used, and the coverage of the package itself can be
+measured from its first line on.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ _current: list[pytest.Item] = []
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Let pytest know the mark."""
+    """Register the mark with pytest."""
     config.addinivalue_line("markers", TOLD)
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """One test for each number of edges."""
+    """Make one test for each number of edges."""
     definition = metafunc.definition
     if FIXTURE not in metafunc.fixturenames:
         if any(mark.name == MARK for mark in definition.own_markers):
@@ -48,14 +48,16 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
             f"{', '.join(map(repr, mark.args))}",
             pytrace=False,
         )
-    from allworlds.testing import levels_of
+    from allworlds.testing import levels_of, unknown_option
 
+    if mark and (told := unknown_option(mark.kwargs)):
+        pytest.fail(f"the mark of {definition.name} has {told}", pytrace=False)
     levels = levels_of(mark.kwargs if mark else {})
     metafunc.parametrize(FIXTURE, levels, ids=[f"edges-{edges}" for edges in levels], indirect=True)
 
 
 class _Explores:
-    """What the fixture is: a level, and whether anything has been asked of it."""
+    """The value of the fixture: a level, and whether it was called."""
 
     def __init__(self, level: Callable[..., Any]) -> None:
         self._level = level
@@ -69,9 +71,9 @@ class _Explores:
 
 @pytest.fixture
 def explores(request: pytest.FixtureRequest) -> Callable[..., Any]:
-    """``explores(my_explorer)``: it is right in every world with so many edges.
+    """The fixture: ``explores(my_explorer)`` asserts that it is right in every world of the level.
 
-    The mark ``allworlds`` says with how many, and how it is judged.
+    The mark ``allworlds`` says how many edges the worlds have, and how runs are judged.
     """
     from allworlds.testing import AtLevel
 
@@ -81,7 +83,7 @@ def explores(request: pytest.FixtureRequest) -> Callable[..., Any]:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[object]:
-    """Let no test pass that has the fixture and checks nothing with it."""
+    """Fail a test that has the fixture and never calls it."""
     result = yield
     level = pyfuncitem.funcargs.get(FIXTURE)
     if isinstance(level, _Explores) and not level.asked:
@@ -95,7 +97,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[object]:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
-    """Know which test is running, for the sake of its past findings."""
+    """Note which test is running, so that its past findings are found."""
     _current.append(item)
     try:
         return (yield)
@@ -104,7 +106,7 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
 
 
 def corpus_of_test() -> Path | None:
-    """Where past findings of the running test are kept: in pytest's cache; None without one.
+    """The directory of the running test's past findings in pytest's cache; None without a cache.
 
     Each test has a directory of its own, so that tests can run side by side.
     """

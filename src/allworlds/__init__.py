@@ -2,8 +2,10 @@
 
 Explorers are written against these names::
 
-    from allworlds import CombinatorialMap, Percept, Move, Drop, Pick
+    from allworlds import CombinatorialMap, Percept, Move, Drop, Pick, Write
     from allworlds import Estimate, Ambiguous, Choices, Checkpoint
+
+a lighthouse of one's own against ``Lighthouse``,
 
 and everything that the command line does is a function of the same name, for example
 ``allworlds.check(explore, edges=4)``.  The functions are loaded when they are first used, so
@@ -15,11 +17,12 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds import maps as maps, strategies as strategies, testing as testing
     from allworlds.evidence.bench import bench as bench
     from allworlds.evidence.claims import claims as claims
     from allworlds.evidence.figures import figure as figure
     from allworlds.evidence.mutants import mutants as mutants
-    from allworlds.judging import Finding as Finding, explain as explain
+    from allworlds.judging import Finding as Finding
     from allworlds.maps import CombinatorialMap as CombinatorialMap, InvalidMap as InvalidMap
     from allworlds.protocol import (
         Ambiguous as Ambiguous,
@@ -30,12 +33,15 @@ if TYPE_CHECKING:
         Move as Move,
         Percept as Percept,
         Pick as Pick,
+        Write as Write,
     )
+    from allworlds.reports import Drawing as Drawing, draw as draw
     from allworlds.studies import ambiguity as ambiguity
     from allworlds.studies.ambiguity import search as search, twins as twins
-    from allworlds.studies.check import check as check
+    from allworlds.studies.check import check as check, shield as shield
     from allworlds.studies.compare import compare as compare
     from allworlds.studies.count import count as count
+    from allworlds.studies.explain import explain as explain
     from allworlds.studies.fuzz import fuzz as fuzz
     from allworlds.studies.init import init as init
     from allworlds.studies.merge import merge as merge
@@ -46,8 +52,8 @@ if TYPE_CHECKING:
     from allworlds.studies.status import status as status
     from allworlds.studies.worst import worst as worst
     from allworlds.version import __version__ as __version__
-    from allworlds.world import worlds as worlds
+    from allworlds.world import Lighthouse as Lighthouse, World as World, worlds as worlds
 else:
-    from allworlds.verbs import REPLACED
+    from allworlds.verbs import GONE
 
-    open_door(__name__, REPLACED)
+    open_door(__name__, GONE)

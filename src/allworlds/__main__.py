@@ -1,4 +1,4 @@
-"""``python -m allworlds``."""
+"""The command line, started as ``python -m allworlds``."""
 
 from allworlds.cli import main
 

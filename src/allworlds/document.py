@@ -1,4 +1,4 @@
-"""A document, described once: the class of a result says its keys, their types and meanings.
+"""A document, described once: the class of a result names its keys, their types and meanings.
 
 A result is a frozen :class:`Document`: its fields are the keys of its JSON object, in their order,
 each annotated with its type and, by :func:`about`, with one line of meaning.  From the same class
@@ -52,6 +52,8 @@ from msgspec import (
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
 from allworlds.inputs import InputError, show
+from allworlds.lazy import loaded
+from allworlds.outcome import Exit, Facts
 
 __all__ = ["UNSET", "Meta", "UnsetType", "key", "replace"]
 
@@ -73,12 +75,12 @@ NOTHING = (None, "", ())
 
 
 def read_by(kind: Any) -> Meta:
-    """The value is of that kind; where it is read, its class reads it, and not :func:`taken`."""
+    """Let the class itself read values of that kind, instead of :func:`taken`."""
     return Meta(extra={"kind": kind})
 
 
 def about(meaning: str) -> Meta:
-    """One line of meaning."""
+    """A one-line meaning of a field."""
     return Meta(description=meaning)
 
 
@@ -105,19 +107,26 @@ Some: TypeAlias = Annotated[tuple[T, ...], Meta(min_length=1)]
 Different: TypeAlias = Annotated[tuple[T, ...], narrowed(uniqueItems=True)]
 
 
-AllRows = Annotated[bool, about("every row is there; false: the user has interrupted")]
+AllRows = Annotated[
+    bool, about("whether every row is there; false: stopped, or interrupted by the user")
+]
+Why = Annotated[
+    IfAny[str | None],
+    about("why rows are missing; left out: none is missing, or the user interrupted"),
+]
 Bounded = Annotated[Positive | None, about("at most so many; null: not bounded")]
 WhichShard = Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
+AnyShard = Annotated[ShardText | UnsetType, about("`K/N`; missing: the whole")]
 
 
 class _Computed:
-    """Makes the value of a key that follows from the other fields, when these are known."""
+    """The maker of a key's value, called when the fields that the value follows from are known."""
 
     def __init__(self, function: Callable[[Any], Any]) -> None:
         self.function = function
 
     def __call__(self) -> None:
-        """Stand for the value until then."""
+        """Return itself, as a stand-in until the value is made."""
 
 
 def computed(
@@ -130,8 +139,12 @@ def computed(
     return key(default_factory=_Computed(function), name=name)
 
 
+EXIT_CODE: Any = computed(lambda report: report.facts.exit)
+"""The key of a report that holds its exit code."""
+
+
 class _Keywords(StructMeta):
-    """Every field is given by its name, in subclasses too."""
+    """A base whose fields are all given by their names, in subclasses too."""
 
     def __new__(mcs, name: str, bases: Any, namespace: Any, **options: Any) -> Any:
         return super().__new__(mcs, name, bases, namespace, kw_only=True, **options)
@@ -146,7 +159,7 @@ class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=T
             force_setattr(self, name, function(self))
 
     def to_json(self) -> dict[str, Any]:
-        """The JSON object."""
+        """The JSON object of this document, in plain dictionaries and lists."""
         told = ((key, getattr(self, key.attribute)) for key in keys_of(type(self)))
         return {
             key.name: plain(value)
@@ -155,13 +168,35 @@ class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=T
         }
 
 
+class Pictured:
+    """A value that notebooks show as a picture."""
+
+    __slots__ = ()
+
+    def _repr_svg_(self) -> str:
+        """The picture that notebooks show."""
+        svg: str = loaded("reports.drawing.standalone:draw")(self).svg
+        return svg
+
+
+class Paged:
+    """A value that notebooks show as a page, or as a part of one."""
+
+    __slots__ = ()
+
+    def _repr_html_(self) -> str:
+        """The element that notebooks show."""
+        shown: str = loaded("reports.notebook:shown")(self)
+        return shown
+
+
 class WrittenByFields:
     """A dataclass whose fields are the keys of its JSON object."""
 
     __slots__ = ()
 
     def to_json(self) -> dict[str, Any]:
-        """The JSON object."""
+        """The JSON object, with the fields as keys."""
         kind: Any = type(self)
         return {name: plain(getattr(self, name)) for name in _names_of(kind)}
 
@@ -201,7 +236,7 @@ _AS_IT_IS = frozenset({int, str, bool, float, type(None)})
 
 
 def plain(value: Any) -> Any:
-    """A value as JSON holds it; what is no JSON by itself says what it is by ``to_json()``."""
+    """A value as JSON holds it. Anything that is no JSON by itself is asked for ``to_json()``."""
     if type(value) in _AS_IT_IS:  # nearly always
         return value
     match value:
@@ -219,13 +254,12 @@ def plain(value: Any) -> Any:
             return value.to_json()
 
 
-def plain_at_once(document: Document) -> dict[str, Any]:
-    """The JSON object of a document that holds nothing but JSON, dataclasses and tuples.
+def plain_at_once(value: object) -> Any:
+    """The JSON value of what holds nothing but JSON, dataclasses and tuples.
 
-    Cost: a fifth of that of :meth:`Document.to_json`; tuples stay tuples.
+    Cost: a fifth of that of :func:`plain`; tuples stay tuples.
     """
-    told: dict[str, Any] = to_builtins(document)
-    return told
+    return to_builtins(value)
 
 
 def replace(value: T, **changes: Any) -> T:
@@ -314,6 +348,8 @@ def _alternatives(kind: inspect.Type) -> list[inspect.Type]:
 class Host(Document):
     """Host.
 
+    A machine and its software.
+
     A machine, and what runs on it.
     """
 
@@ -322,7 +358,7 @@ class Host(Document):
     machine: Annotated[str, about("its architecture")]
     processor: Annotated[str, about("the model")]
     cores: Annotated[Positive | None, about("of all processors")]
-    load: Annotated[Figure, about("how many processes wanted a core, over the last minute")]
+    load: Annotated[Figure, about("processes that wanted a core, averaged over the last minute")]
     python: Annotated[Text, about("the version of Python")]
     numba: Annotated[Text, about("the version of the compiler")]
 
@@ -336,7 +372,7 @@ class MadeBy(Document):
     version: Annotated[Text, about("of this program")]
     command: Annotated[tuple[str, ...], about("the words of the command line, as they were given")]
     workers: Annotated[Positive | None, about("processes or threads; null: the verb takes none")]
-    host: Annotated[Host, about("where it ran")]
+    host: Annotated[Host, about("the machine and its software")]
     started: Annotated[
         str,
         Meta(
@@ -344,7 +380,7 @@ class MadeBy(Document):
             pattern="^[0-9-]{10}T[0-9:]{8}Z$",
         ),
     ]
-    seconds: Annotated[Seconds, about("from then until this document was written")]
+    seconds: Annotated[Seconds, about("from the beginning until this document was written")]
     level_seconds: Annotated[
         tuple[Seconds, ...] | UnsetType, about("of `search`: for each of its `levels`")
     ] = UNSET
@@ -361,9 +397,37 @@ class Report(Document):
         UNSET
     )
 
+    @property
+    def facts(self) -> Facts:
+        """Facts that the exit code depends on.
+
+        The default stands for a question that was answered.
+        """
+        return Facts()
+
+    @property
+    def exit_code(self) -> Exit:
+        """One of the exit codes of the command."""
+        return self.facts.exit
+
+    def __str__(self) -> str:
+        """The text of the command line, 100 columns wide."""
+        told: str = loaded("reports.notebook:text_of")(self)
+        return told
+
+    def _repr_html_(self) -> str:
+        """The page of the report, as notebooks show it."""
+        shown: str = loaded("reports.notebook:shown")(self)
+        return shown
+
+    def records(self) -> list[dict[str, Any]]:
+        """The rows of ``--csv``, by the names of their columns: ``pandas.DataFrame`` takes them."""
+        rows: list[dict[str, Any]] = loaded("reports.notebook:records")(self)
+        return rows
+
 
 class Gate(Document):
     """A count gate: the comparison of every count with an independent source."""
 
     source: Annotated[Text, about("the independent source of the counts")]
-    agrees: Annotated[bool, about("each count is the source's")]
+    agrees: Annotated[bool, about("whether each count equals the source's")]

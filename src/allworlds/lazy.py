@@ -1,18 +1,16 @@
-"""Doors: packages whose names are loaded when they are first used."""
+"""Packages whose names are loaded on first use."""
 
 from __future__ import annotations
 
 import ast
 import inspect
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from importlib import import_module
 from typing import Any
 
-from allworlds.inputs import InputError
 
-
-def open_door(package: str, replaced: Mapping[str, str] = {}) -> None:
+def open_door(package: str, gone: Mapping[str, Any] = {}) -> None:
     """Give a package its names: ``__getattr__``, ``__dir__`` and ``__all__``.
 
     The names are those that the ``__init__`` of the package imports under ``if TYPE_CHECKING``,
@@ -20,7 +18,7 @@ def open_door(package: str, replaced: Mapping[str, str] = {}) -> None:
 
     Args:
         package: its name; it is being imported.
-        replaced: functions that are gone, and what does the same; they refuse to be called.
+        gone: what stands for names that are no longer there.
 
     Cost: the ``__init__`` is parsed, in less than a millisecond; each module is loaded with the
     first of its names.
@@ -29,11 +27,14 @@ def open_door(package: str, replaced: Mapping[str, str] = {}) -> None:
     names = vars(sys.modules[package])
 
     def load(name: str) -> Any:
-        if name in replaced:
-            return _gone(f"{package}.{name}", f"{package}.{replaced[name]}")
+        if name in gone:
+            return gone[name]
         if name not in homes:
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         module, original = homes[name]
+        if module == package:  # one of its own modules
+            names[name] = import_module(f"{package}.{original}")
+            return names[name]
         home = import_module(module)
         try:
             names[name] = getattr(home, original)
@@ -57,10 +58,7 @@ def _homes(package: str) -> dict[str, tuple[str, str]]:
     }
 
 
-def _gone(name: str, instead: str) -> Callable[..., Any]:
-    """Return a function that refuses to be called, and names what does the same."""
-
-    def refuse(*_: Any, **__: Any) -> Any:
-        raise InputError(f"{name} is gone: call {instead}")
-
-    return refuse
+def loaded(home: str) -> Any:
+    """Return what ``module:name`` below ``allworlds`` names; its module is loaded."""
+    module, _, name = home.partition(":")
+    return getattr(import_module(f"allworlds.{module}"), name)

@@ -1,10 +1,11 @@
-"""What every verb hands back: a result with an exit code and a document."""
+"""Endings of a job, their exit codes and verdicts, and the results of verbs."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from enum import IntEnum, StrEnum
-from typing import Any, Protocol, TypeVar
+from typing import Any, NamedTuple, Protocol, TypeAlias, TypeVar
 
 T = TypeVar("T")
 
@@ -27,7 +28,7 @@ class Exit(IntEnum):
 
 
 class Verdict(StrEnum):
-    """What was found out about an explorer."""
+    """The verdict on an explorer."""
 
     HOLDS = "holds"
     REFUTED = "refuted"
@@ -36,20 +37,120 @@ class Verdict(StrEnum):
     ERROR = "error"
     NOT_REFUTED = "not-refuted"
 
+
+@dataclass(frozen=True, slots=True)
+class Completed:
+    """A job that was done to its end.
+
+    Attributes:
+        missing: witnesses that a complete check must have seen and has not.
+        final: the same job again would do no more.
+    """
+
+    missing: tuple[str, ...] = ()
+    reason = ""
+    stopped = None
+    final = True
+
+
+@dataclass(frozen=True, slots=True)
+class Stopped:
+    """A job that was stopped before its end.
+
+    Attributes:
+        reason: why.
+        final: nothing more is to be done all the same.
+    """
+
+    reason: str
+    final: bool = False
+
+    @property
+    def stopped(self) -> str:
+        """The reason, in the words of a report with rows."""
+        return self.reason
+
+
+@dataclass(frozen=True, slots=True)
+class Interrupted:
+    """A job that the user interrupted."""
+
+    reason = "interrupted"
+    stopped = None
+    final = False
+
+
+@dataclass(frozen=True, slots=True)
+class Disagreed:
+    """A job whose two ways to one number gave two numbers. No result counts then."""
+
+    reason: str
+    stopped = None
+    final = True
+
+
+Ending: TypeAlias = Completed | Stopped | Interrupted | Disagreed
+"""How a job came to its end, each with the reason why it is not complete, if it is not."""
+
+
+class Facts(NamedTuple):
+    """Facts of a report, as far as its exit code and its verdict depend on them.
+
+    Attributes:
+        disagrees: two roads to one number lead to different ones.
+        interrupted: by the user.
+        refuted: a law is broken, or something is not as it should be.
+        undecided: something was left undone by which the answer could be another one.
+        vacuous: there was nothing to be answered.
+        fixed: what was recorded does not happen any more.
+    """
+
+    disagrees: bool = False
+    interrupted: bool = False
+    refuted: bool = False
+    undecided: bool = False
+    vacuous: bool = False
+    fixed: bool = False
+
+    @classmethod
+    def of_rows(
+        cls, complete: bool, stopped: str | None, **others: bool
+    ) -> Facts:  # both are keys of a document
+        """Return the facts of a report with rows.
+
+        It is complete unless it was interrupted or stopped.
+        """
+        cut = not complete
+        return cls(interrupted=cut and not stopped, undecided=cut and bool(stopped), **others)
+
     @property
     def exit(self) -> Exit:
-        """Its exit code."""
-        return _EXITS[self]
+        """The exit code. No other place computes one."""
+        return next((code for fact, code in zip(self, _CODES, strict=True) if fact), Exit.HOLDS)
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict: after an interrupt everything that is not refuted is undecided."""
+        if self.disagrees:
+            return Verdict.ERROR
+        if self.refuted:
+            return Verdict.REFUTED
+        if self.interrupted or self.undecided:
+            return Verdict.INCONCLUSIVE
+        return Verdict.VACUOUS if self.vacuous else Verdict.HOLDS
+
+    @property
+    def sample_verdict(self) -> Verdict:
+        """The verdict of a sample, which never shows that the laws hold."""
+        verdict = self.verdict
+        return Verdict.NOT_REFUTED if verdict is Verdict.HOLDS else verdict
 
 
-_EXITS = {
-    Verdict.HOLDS: Exit.HOLDS,
-    Verdict.NOT_REFUTED: Exit.HOLDS,
-    Verdict.REFUTED: Exit.REFUTED,
-    Verdict.INCONCLUSIVE: Exit.INCONCLUSIVE,
-    Verdict.VACUOUS: Exit.VACUOUS,
-    Verdict.ERROR: Exit.INTERNAL,
-}
+_CODES = (
+    *(Exit.INTERNAL, Exit.INTERRUPTED, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS),
+    Exit.FIXED,
+)
+"""Of the facts, in their order."""
 
 
 def until_interrupted(rows: Iterable[T]) -> tuple[tuple[T, ...], bool]:
@@ -64,11 +165,11 @@ def until_interrupted(rows: Iterable[T]) -> tuple[tuple[T, ...], bool]:
 
 
 class Result(Protocol):
-    """What a verb hands back."""
+    """The result of a verb, which has an exit code and a document."""
 
     @property
     def exit_code(self) -> int:
-        """One of :class:`Exit`."""
+        """The exit code, one of :class:`Exit`."""
 
     def to_json(self) -> Mapping[str, Any]:
-        """The JSON document."""
+        """The JSON document of the result."""

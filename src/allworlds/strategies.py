@@ -10,8 +10,8 @@ vertices, then dart 0.  For example, a property of every explorer that you write
     def test_my_explorer_is_right(world):
         assert run(my_explorer, world).finding is None
 
-Maps grow edge by edge from their root edge, and no step is one that cannot be gone on from,
-so nothing is drawn in vain.
+Maps grow edge by edge from their root edge, and every step can be continued, so that no draw is
+lost.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, int
 from allworlds.inputs import InputError, an_integer
 from allworlds.maps import CombinatorialMap, Dart, MapClass, cycles, rooted_code
 from allworlds.protocol import Choices, Kind
-from allworlds.world import Lighthouse, World, lighthouse_named
+from allworlds.world import GivenLighthouse, Lighthouse, World, lighthouse_kind
 
 __all__ = [
     "choices",
@@ -43,7 +43,7 @@ __all__ = [
 def maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[CombinatorialMap]:
     """Maps with loops and parallel edges, of any genus; the root is dart 0.
 
-    Every rooted map with so many edges is drawn now and then, in its canonical numbering.  A
+    Every rooted map with these numbers of edges can be drawn, in its canonical numbering.  A
     failing one shrinks towards fewer edges, then towards fewer vertices: at last to one loop.
 
     Example:
@@ -90,7 +90,7 @@ def sampled_maps(map_class: str, max_edges: int, count: int) -> list[Combinatori
     Args:
         map_class: the name of the class.
         max_edges: as of :func:`maps`.
-        count: how many.
+        count: the number of maps.
     """
     drawn: list[CombinatorialMap] = []
 
@@ -112,7 +112,7 @@ def sampled_maps(map_class: str, max_edges: int, count: int) -> list[Combinatori
 
 def worlds(
     map_strategy: SearchStrategy[CombinatorialMap] | None = None,
-    lighthouse: str = "directional",
+    lighthouse: GivenLighthouse = "directional",
 ) -> SearchStrategy[World]:
     """Worlds: a map, the dart that the robot faces at the start, a place of the lighthouse.
 
@@ -127,16 +127,18 @@ def worlds(
         ``@given(worlds(simple_maps(), lighthouse="directional"))``
 
     Raises:
-        InputError: for a lighthouse that is none.
+        InputError: for an unknown lighthouse.
     """
-    return _lit(maps() if map_strategy is None else map_strategy, lighthouse_named(lighthouse))
+    return _lit(
+        maps() if map_strategy is None else map_strategy, lighthouse_kind(lighthouse).as_class
+    )
 
 
 def motions(max_size: int = 20) -> SearchStrategy[list[int]]:
     """Lists of at most ``max_size`` motions ``k``, as :class:`allworlds.Move` takes them.
 
     Turns either way by less than 13 darts.  A failing list shrinks towards few motions back
-    where one came from (0).
+    by the edge of arrival (0).
 
     Example:
         ``@given(worlds(), motions(max_size=8))``
@@ -167,7 +169,7 @@ class Answers:
         return f"Answers({list(self.answers)})"
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:  # noqa: ARG002
-        """The next answer."""
+        """Return the next number modulo the number of options; 0 when all are used."""
         return next(self._left, 0) % len(options)
 
 
@@ -192,7 +194,7 @@ def _lit(
 
 @composite
 def _grown(draw: DrawFn, map_class: MapClass, least: int, most: int) -> CombinatorialMap:
-    """A map of the class: its size first, then where each edge is added."""
+    """A map of the class: its size is drawn first, then the place of each edge."""
     edges = draw(integers(least, most))
     vertices = draw(integers(_fewest_vertices(map_class, edges), edges + 1))
     return grow(map_class, edges, vertices, lambda options: draw(integers(0, len(options) - 1)))
@@ -206,7 +208,7 @@ def grow(
     Args:
         map_class: the class.
         edges: m.
-        vertices: n; the class has maps with so many edges and vertices.
+        vertices: n; the class has maps with m edges and n vertices.
         pick: the index of one of these options; called ``m`` times.
 
     Cost: O(m^3).
@@ -227,7 +229,7 @@ def grow(
 
 
 def _fewest_vertices(map_class: MapClass, edges: int) -> int:
-    """The smallest number of vertices that a map of the class with so many edges can have."""
+    """The smallest number of vertices of a map of the class with ``edges`` edges."""
     if not map_class.simple:
         return 1
     # The largest maps are complete graphs, in the plane triangulations.
@@ -239,7 +241,7 @@ LOOP = CombinatorialMap((1, 0), (1, 0))
 LINK = CombinatorialMap((0, 1), (1, 0))
 
 Way: TypeAlias = tuple[Dart, Dart]
-"""Where an edge is added: from the corner behind dart a to the corner behind dart b, or
+"""The place of a new edge: from the corner behind dart a to the corner behind dart b, or
 to a new vertex where b is OUTWARD."""
 
 OUTWARD: Dart = -1
@@ -249,7 +251,7 @@ class _Growth:
     """A map to which edges are added; it stays in its class.
 
     Every rooted map grows like this: its root edge first, then the rest of a spanning tree,
-    then the others.  In a simple class with fewer edges than any map with so many vertices can
+    then the others.  In a simple class with fewer edges than any map with that many vertices can
     have there is always a way between two corners: a plane one that has none is a triangulation.
     """
 
@@ -278,7 +280,7 @@ class _Growth:
         return [(d, OUTWARD) for d in range(len(self.sigma))]
 
     def add(self, way: Way) -> None:
-        """Add an edge."""
+        """Add the edge to the map."""
         a, b = way
         first = len(self.sigma)
         self.sigma += [first, first + 1]
@@ -295,7 +297,7 @@ class _Growth:
 
     @staticmethod
     def _owner(permutation: Sequence[Dart]) -> list[int]:
-        """For each dart the number of its cycle."""
+        """For each dart the number of its cycle in a permutation."""
         owner = [0] * len(permutation)
         for i, cycle in enumerate(cycles(permutation)):
             for dart in cycle:

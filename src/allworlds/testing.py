@@ -3,7 +3,9 @@
 ``assert_explores``
     an explorer is right in every small world, or an assertion fails with the finding as text;
 ``conformance``, ``assert_conforms``
-    all that an explorer is to be put through, as parts with names, or in one call;
+    all tests that an explorer should pass, as parts with names, or in one call;
+``assert_lighthouse``
+    a lighthouse of one's own is a function of the world;
 ``known_hard_maps``
     maps that have refuted explorers before.
 
@@ -13,40 +15,54 @@ With pytest the mark ``allworlds`` makes one test for each number of edges::
     def test_my_explorer_is_right(explores):
         explores(my_explorer)
 
-Nothing here needs pytest.  Where it runs, past findings are kept in its cache and tried first.
+This module does not need pytest.  If pytest runs, past findings are kept in its cache and tried
+first.
 """
 
 from __future__ import annotations
 
 import inspect
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
+from random import Random
 from typing import Any, TypeAlias
 
 from allworlds.judging import Finding
-from allworlds.maps import CombinatorialMap, Extent, MapClass
+from allworlds.maps import CombinatorialMap, Extent, MapClass, rooted_maps
 from allworlds.outcome import Verdict
 from allworlds.reports import brief, finding_in_words
-from allworlds.studies.check import CheckReport, ManyRuns, check
-from allworlds.studies.fuzz import refuted_in
+from allworlds.studies.check import CheckReport, check
+from allworlds.studies.fuzz import MapsRequest, fuzz, refuted_in
 from allworlds.words import plural
-from allworlds.world import own_corpus
+from allworlds.world import (
+    GivenLighthouse,
+    World,
+    a_condition,
+    lighthouse_kind,
+    own_corpus,
+    worlds,
+)
 
 __all__ = [
     "AtLevel",
     "Part",
     "assert_conforms",
     "assert_explores",
+    "assert_lighthouse",
     "conformance",
     "known_hard_maps",
     "levels_of",
 ]
 
 EDGES = 4
-"""The bound where none is named: every world with so many edges takes about a second."""
+"""The default bound: every world with at most this many edges takes about a second."""
+
+LIGHTHOUSE_EDGES = 3
+"""The default bound on edges for lighthouses."""
 
 WIDTH = 100
 PLUGIN = "_allworlds_pytest"
@@ -56,18 +72,19 @@ Explorer: TypeAlias = str | Callable[..., Any]
 
 
 def assert_explores(explore: Explorer, *, edges: int | None = None, **options: Any) -> CheckReport:
-    """Nothing but the report, if the explorer keeps every law in every small world.
+    """Assert that the explorer keeps every law in every small world, and return the report.
 
     Past findings of the same test are tried first, and new ones kept, where pytest has a cache.
 
     Args:
         explore: a generator function, or a name as on the command line.
-        edges: the largest number of edges (default: 4, where no other bound is named).
+        edges: the largest number of edges (default: 4, where neither another bound nor worlds are
+            given).
         options: those of :func:`allworlds.check`; ``corpus=None`` keeps no findings.
 
     Raises:
-        AssertionError: with the smallest finding and its picture; or, if nothing can be said
-            because the check was not complete or vacuous, with the reason.
+        AssertionError: with the smallest finding and its picture; or with the reason, if
+            the check was not complete, or vacuous.
         InputError: naming the offending option and what would be legal.
     """
     __tracebackhide__ = True
@@ -77,23 +94,42 @@ def assert_explores(explore: Explorer, *, edges: int | None = None, **options: A
 
 
 def levels_of(options: Mapping[str, Any]) -> range:
-    """The numbers of edges in the extent that these options name.
+    """The numbers of edges in the extent that these options name, from the least map on.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
     bounds = _bounds(options)
     map_class = MapClass.named(options.get("map_class", MapClass.MAPS.value))
-    levels = Extent(map_class, bounds["edges"], bounds.get("vertices")).levels
-    return range(levels[0], levels[-1] + 1)
+    where = a_condition(options.get("where"))
+    extent = Extent(map_class, bounds["edges"], bounds.get("vertices"), where)
+    first, last = extent.levels[0], extent.levels[-1]
+    while where is not None and first < last and not _any_map(extent, first):
+        first += 1
+    return range(first, last + 1)
+
+
+def _any_map(extent: Extent, edges: int) -> bool:
+    found = rooted_maps(edges, extent.map_class, extent.vertices, where=extent.where)
+    return next(found, None) is not None
+
+
+def unknown_option(options: Mapping[str, Any]) -> str:
+    """The first option that :func:`allworlds.check` does not take; empty where it takes all."""
+    known = inspect.signature(check).parameters.keys() - {"explore"}
+    for name in options:
+        if name not in known:
+            near = get_close_matches(name, known, 1)
+            return f"an unknown option {name!r}" + (f"; did you mean {near[0]!r}?" if near else "")
+    return ""
 
 
 @dataclass(frozen=True, slots=True)
 class AtLevel:
-    """What the fixture ``explores`` is: :func:`assert_explores` at one number of edges.
+    """The value of the fixture ``explores``: :func:`assert_explores` at one number of edges.
 
     Worlds with fewer edges are tried on the way.  If one of them refutes the explorer already,
-    that is told in a line, and in whole by the test of that number of edges.
+    the failure says so in a line; the test of that number of edges shows the finding.
 
     Attributes:
         edges: their number.
@@ -104,7 +140,7 @@ class AtLevel:
     options: Mapping[str, Any]
 
     def __call__(self, explore: Explorer, **options: Any) -> CheckReport:
-        """As :func:`assert_explores`, with the options of the mark and these."""
+        """Call :func:`assert_explores` with the options of the mark and these."""
         __tracebackhide__ = True
         report = _checked(explore, {**self.options, **options, "edges": self.edges})
         smaller = [found for found in report.findings if found.key[0] < self.edges]
@@ -124,7 +160,7 @@ class Part:
 
     Attributes:
         name: stable, and fit for the id of a test.
-        play: does it.
+        play: carries it out.
     """
 
     name: str
@@ -151,13 +187,14 @@ def conformance(
     drawn_edges: int = 10,
     **options: Any,
 ) -> list[Part]:
-    """All that an explorer is to be put through, in the order from cheap to dear.
+    """The parts of the conformance kit, from the cheapest to the most expensive.
 
     ``known-hard-maps``: every start and marker in the maps that have refuted explorers before.
-    ``edges-1``, ``edges-2``, ...: every world with so many edges, under every law that applies.
+    ``edges-1``, ``edges-2``, ...: every world with that many edges, under every law that applies.
     ``every-schedule``: all sequences of choices with at most 2 edges, for a function that takes
-    ``choices``.  ``drawn-maps``: every start and marker in maps that Hypothesis draws; what
-    refutes is shrunk.  As tests::
+    ``choices``.  ``drawn-maps``: every start and marker in maps that Hypothesis draws, or under
+    a condition a start and a marker in random maps of which it is true; a refuting map is shrunk.
+    As tests::
 
         @pytest.mark.parametrize("part", conformance(my_explorer, edges=4), ids=str)
         def test_my_explorer_conforms(part):
@@ -166,7 +203,7 @@ def conformance(
     Args:
         explore: a generator function, or a name as on the command line.
         edges: the largest number of edges of the worlds that are all tried.
-        drawn: how many maps are drawn, the same every time.
+        drawn: the number of maps that are drawn, equal in each run.
         drawn_edges: the largest number of edges of these.
         options: class, lighthouse, rules and effort, as :func:`allworlds.check` takes them.
     """
@@ -181,7 +218,7 @@ def conformance(
 
 
 def assert_conforms(explore: Explorer, *, edges: int = EDGES, **options: Any) -> None:
-    """Nothing, if the explorer passes every part of :func:`conformance`, which takes the same.
+    """Assert that the explorer passes every part of :func:`conformance`; the arguments are equal.
 
     Raises:
         AssertionError: naming the first part that it does not pass, with the finding.
@@ -192,6 +229,62 @@ def assert_conforms(explore: Explorer, *, edges: int = EDGES, **options: Any) ->
             part()
         except AssertionError as error:
             raise AssertionError(f"{part}: {error}") from None
+
+
+def assert_lighthouse(lighthouse: GivenLighthouse, *, edges: int = LIGHTHOUSE_EDGES) -> None:
+    """Assert that a lighthouse is a function of the world in every small map.
+
+    Each place is there once. Asked twice it senses the same. Under other names of the darts there
+    are the same places in the same order, and the same is sensed there. It gives marks, and
+    bearings, only if it says so, and is read again as it was written.
+
+    Args:
+        lighthouse: a class, or a name as on the command line.
+        edges: the largest number of edges.
+
+    Raises:
+        AssertionError: naming the map, the place, and what differs.
+        InputError: if it is no lighthouse.
+    """
+    __tracebackhide__ = True
+    kind, names = lighthouse_kind(lighthouse).as_class, Random(edges)  # noqa: S311  # any names
+    for world in worlds(edges=edges, lighthouse="none"):
+        map_ = world.map
+        places = [*kind.places(map_, 0)]
+        told = f"lighthouse {lighthouse_kind(lighthouse)} in {map_}"
+        for number, place in enumerate(places):
+            if place in places[:number]:
+                raise AssertionError(f"{told}: the place {place} is there twice")
+        if places != [*kind.places(map_, 0)]:
+            raise AssertionError(f"{told}: asked twice, it has other places")
+        other = [*map_.darts]
+        names.shuffle(other)
+        renamed = [*kind.places(map_.relabelled(other), other[0])]
+        if renamed != [place.relabelled(other) for place in places]:
+            raise AssertionError(
+                f"{told}: with the darts renamed to {other}, it has the places {renamed}"
+            )
+        for place in places:
+            _assert_sensed_as_it_says(told, World(map_, place), other)
+
+
+def _assert_sensed_as_it_says(told: str, world: World, other: Sequence[int]) -> None:
+    place, sensed = world.lighthouse, world.percepts
+    if sensed != place.percepts(world.map):
+        raise AssertionError(f"{told}: asked twice, {place} senses something else")
+    renamed = world.relabelled(other).percepts
+    for dart in world.map.darts:
+        if renamed[other[dart]] != sensed[dart]:
+            raise AssertionError(
+                f"{told}: {place} senses '{sensed[dart]}' at dart {dart}, and "
+                f"'{renamed[other[dart]]}' with the darts renamed to {list(other)}"
+            )
+    if not place.gives_marks and any(percept.marks for percept in sensed):
+        raise AssertionError(f"{told}: {place} gives marks, but gives_marks is False")
+    if not place.gives_bearings and any(percept.bearing is not None for percept in sensed):
+        raise AssertionError(f"{told}: {place} gives bearings, but gives_bearings is False")
+    if World.from_json(world.to_json()) != world:
+        raise AssertionError(f"{told}: {place} is read otherwise than it is written")
 
 
 def known_hard_maps() -> list[CombinatorialMap]:
@@ -210,21 +303,28 @@ def known_hard_maps() -> list[CombinatorialMap]:
 
 def _known(explore: Explorer, options: Mapping[str, Any]) -> None:
     __tracebackhide__ = True
-    _assert_no(refuted_in(known_hard_maps(), _many_runs(explore, options)))
+    _assert_no(refuted_in(known_hard_maps(), MapsRequest(explore, **_of_maps(options))))
 
 
 def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]) -> None:
     __tracebackhide__ = True
     from allworlds.strategies import sampled_maps
 
+    named = _of_maps(options)
+    if named.get("where") is not None:
+        report = fuzz(explore, edges=edges, runs=count, **named).uninterrupted()
+        if report.verdict is not Verdict.NOT_REFUTED:
+            raise AssertionError(_said(report))
+        return
     map_class = options.get("map_class", MapClass.MAPS.value)
-    _assert_no(refuted_in(sampled_maps(map_class, edges, count), _many_runs(explore, options)))
+    maps = sampled_maps(map_class, edges, count)
+    _assert_no(refuted_in(maps, MapsRequest(explore, **named)))
 
 
-def _many_runs(explore: Explorer, options: Mapping[str, Any]) -> ManyRuns:
-    """Those of the options that are not of an exhaustive check alone."""
-    named = {field.name for field in fields(ManyRuns)}
-    return ManyRuns(explore, **{key: options[key] for key in options if key in named})
+def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
+    """The options that are not of an exhaustive check alone."""
+    named = {field.name for field in fields(MapsRequest)}
+    return {key: options[key] for key in options if key in named}
 
 
 # Raised, not asserted: pytest rewrites the assertions of a package that has a plugin, and would
@@ -245,8 +345,9 @@ def _assert_holds(report: CheckReport) -> None:
 
 def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
     """The report of a check, after past findings; those that are fixed are forgotten."""
-    given = {**options, **_bounds(options)}
-    if "corpus" not in given and "run" not in given:
+    chosen = options.get("worlds") is not None
+    given = {**options} if chosen else {**options, **_bounds(options)}
+    if not chosen and "corpus" not in given and "run" not in given:
         given["corpus"] = _corpus_of_test()
     report = check(explore, **given).uninterrupted()
     if report.past and "corpus" not in options:
@@ -256,19 +357,19 @@ def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
 
 
 def _bounds(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The edges and vertices of a check; a bound of our own where it has none."""
+    """The edges and vertices of a check; the default bound if it has none."""
     edges, vertices = options.get("edges"), options.get("vertices")
     return {"edges": EDGES if edges is None and vertices is None else edges, "vertices": vertices}
 
 
 def _corpus_of_test() -> Path | None:
-    """Where pytest's cache keeps past findings of the running test, if pytest runs one."""
+    """The directory of the running test's past findings, if pytest runs one."""
     plugin = sys.modules.get(PLUGIN)
     return None if plugin is None else plugin.corpus_of_test()
 
 
 def _said(report: CheckReport) -> str:
-    """What is told of a report that is no good news."""
+    """The text about a report whose verdict is not that the laws hold."""
     verdict = brief("check", report, WIDTH)
     return "\n" + "\n\n".join(
         [*(finding_in_words(finding, WIDTH) for finding in report.findings), verdict]

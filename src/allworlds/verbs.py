@@ -1,14 +1,20 @@
-"""**The** table of the verbs: what each is called, what does it, and what it is for.
+"""**The** table of the verbs: the name, the function and the summary of each.
 
-The command line and the tests are derived from it.  A new verb is an entry here, the function, the
-text and the document that it names, and a function of its name in a module of ``cli``.
+The command line and the tests are derived from it.  A new verb is an entry here, and a module with
+its request, its function and its document.  One whose result is told in words of its own has a
+function in ``reports.tellings``; one that does more than answer a request has one in ``cli``.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from importlib import import_module
 from typing import Any
+
+from allworlds.inputs import InputError
+
+ROWS, CASES, FINDINGS, GROWTH = "rows or a walk", "cases", "findings", "costs that grow"
+"""Parts that the telling of a result can have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,24 +24,27 @@ class Verb:
     Attributes:
         name: the words on the command line.
         function: the function that does it, as ``module:name``.
-        text: the function that tells its result, as ``module:name``.
-        document: the schema of its document, one of :data:`allworlds.documents.PAGES`.
+        document: the name of its document's schema.
         summary: one line of the help.
-        brief: the function that tells the result in one line, likewise, for ``--quiet``; empty
-            where there is none.  Of a merge it is that of the verb whose shards were joined.
-        merged: the function that makes its report of run directories, likewise; empty where it
-            keeps none.
+        telling: the function that makes the telling of its result, as ``module:name``; by default
+            the keys and rows of its document.
+        has: what its tellings have; it can be written to each file that shows such.
+        sweep: the class of what goes through its units, likewise; empty where it keeps none.
         panel: the heading of the help under which it stands; that of its group, if it has one.
+        example: arguments and options, with which its help begins.
+        help: the rest of that.  A verb with a function of its name in ``cli`` has both there.
     """
 
     name: str
     function: str
-    text: str
     document: str
     summary: str
-    brief: str = ""
-    merged: str = ""
+    telling: str = "reports.tellings.plain:plain_telling"
+    has: tuple[str, ...] = (ROWS,)
+    sweep: str = ""
     panel: str = ""
+    example: str = ""
+    help: str = ""
 
     @property
     def group(self) -> str:
@@ -56,172 +65,207 @@ VERBS = (
     Verb(
         "check",
         "studies.check:check",
-        "reports.check_text:check_text",
         "check",
-        "Every world of a class, one explorer, a verdict: the main job.",
-        brief="reports.check_text:verdict_line",
-        merged="studies.check:merged_check",
+        "Run an explorer in every world of a class, for a verdict: the main job.",
+        telling="reports.tellings.check:check_telling",
+        sweep="studies.check:CheckSweep",
         panel=EVERYDAY,
+        has=(ROWS, CASES, FINDINGS),
     ),
     Verb(
         "run",
         "studies.run:run",
-        "reports.run_text:run_text",
         "run",
-        "One world, told step by step.",
-        brief="reports.run_text:run_line",
+        "Run an explorer in one world, step by step.",
+        telling="reports.tellings.single_run:run_telling",
         panel=EVERYDAY,
     ),
     Verb(
         "fuzz",
         "studies.fuzz:fuzz",
-        "reports.check_text:check_text",
         "check",
-        "Random worlds beyond the exhaustive bound.",
-        brief="reports.check_text:verdict_line",
+        "Run an explorer in random worlds beyond the exhaustive bound.",
+        telling="reports.tellings.check:check_telling",
         panel=EVERYDAY,
+        has=(ROWS, CASES, FINDINGS),
+        sweep="studies.fuzz:FuzzSweep",
+        example="my_explorer.py:explore --edges 20 --min-edges 6 --runs 1000",
+        help=(
+            "Run an explorer in random worlds beyond the exhaustive bound, and shrink what "
+            "refutes it. Exit code 0: not refuted by the sample, 1: refuted."
+        ),
     ),
     Verb(
         "replay",
         "studies.replay:replay",
-        "reports.run_text:replay_text",
         "replay",
-        "A finding once more: reproduced or fixed.",
-        brief="reports.run_text:replay_line",
+        "Run a finding again: is it reproduced or fixed?",
+        telling="reports.tellings.single_run:replay_telling",
         panel=EVERYDAY,
     ),
     Verb(
         "explain",
-        "judging:explain",
-        "reports.explain_text:explain_text",
+        "studies.explain:explain",
         "explain",
-        "A finding in plain words.",
+        "Explain a finding in plain words.",
+        telling="reports.tellings.explain:explain_telling",
         panel=EVERYDAY,
     ),
     Verb(
         "init",
         "studies.init:init",
-        "reports.init_text:init_text",
         "init",
-        "An explorer to begin with, in one of four languages.",
+        "Write a skeleton of an explorer, in one of four languages.",
+        telling="reports.tellings.init:init_telling",
         panel=EVERYDAY,
+        has=(),
     ),
     Verb(
         "play",
         "studies.play:play",
-        "reports.play_text:play_text",
         "play",
-        "Be the robot yourself, in a page or in the terminal.",
+        "Be the robot, in a web page or in the terminal.",
+        telling="reports.tellings.played:play_telling",
         panel=EVERYDAY,
+        has=(),
     ),
     Verb(
         "merge",
         "studies.merge:merge",
-        "reports.merge_text:merge_text",
         "merge",
-        "One report of all shards of a job.",
-        brief="reports.merge_text:merge_line",
+        "Join the shards of a job into one report.",
+        telling="reports.tellings.merge:merge_telling",
         panel=LONG_RUNS,
     ),
     Verb(
         "status",
         "studies.status:status",
-        "reports.merge_text:status_text",
         "status",
-        "How far a run directory is.",
+        "Show the progress of a run directory.",
+        telling="reports.tellings.merge:status_telling",
         panel=LONG_RUNS,
+        has=(),
     ),
     Verb(
         "compare",
         "studies.compare:compare",
-        "reports.compare_text:compare_text",
         "compare",
-        "Explorers side by side on the same worlds, or as the worlds grow.",
+        "Compare explorers in the same worlds, or in worlds that grow.",
+        telling="reports.tellings.compare:compare_telling",
         panel=COSTS,
+        has=(ROWS, GROWTH),
+        sweep="studies.compare:SameWorlds",
     ),
     Verb(
         "worst",
         "studies.worst:worst",
-        "reports.worst_text:worst_text",
         "worst",
-        "An explorer at its worst and best, over every schedule.",
-        merged="studies.worst:merged_worst",
+        "Find the worst and best cost of an explorer, over every schedule.",
+        telling="reports.tellings.worst:worst_telling",
+        sweep="studies.worst:SchedulesSweep",
         panel=COSTS,
+        example="--edges 5",
+        help=(
+            "The exact worst and best cost of an explorer over all worlds and over every "
+            "schedule; of Algorithm 1 every choice of edge, order of hypotheses and path. "
+            "Exit code 0: answered, 1: a schedule breaks a law, 70: counts, replays or "
+            "engines disagree."
+        ),
     ),
     Verb(
         "optimum",
         "studies.optimum:optimum",
-        "reports.optimum_text:optimum_text",
         "optimum",
-        "The best that any explorer can do in the worst world, by minimax.",
+        "Find the best worst case of any explorer, by minimax.",
+        telling="reports.tellings.optimum:optimum_telling",
         panel=COSTS,
+        sweep="studies.optimum:OptimumSweep",
+        example="--edges 4",
+        help=(
+            "The fewest traversals with which an explorer that knows the number of edges "
+            "can map the worst world, by minimax over all worlds with every bearing, with "
+            "its strategy; beside it the worst cost of every built-in explorer. Exit code "
+            "0: answered, 3: the time was up, 70: the strategy, followed in every world, "
+            "disagrees."
+        ),
     ),
     Verb(
         "count",
         "studies.count:count",
-        "reports.count_text:count_text",
         "count",
-        "How many maps there are, counted twice.",
+        "Count the maps of a class, in two independent ways.",
+        telling="reports.tellings.count:count_telling",
         panel=WORLDS,
+        sweep="studies.count:CountSweep",
+        example="--edges 6",
+        help=(
+            "Enumerate every rooted map of a class, count, and compare the counts with an "
+            "independent source."
+        ),
     ),
     Verb(
         "ambiguity twins",
         "studies.ambiguity:twins",
-        "reports.ambiguity_text:twins_text",
         "twins",
-        "Can any motion tell two worlds apart?",
+        "Decide whether any motion tells two worlds apart.",
+        telling="reports.tellings.lookalikes:twins_telling",
     ),
     Verb(
         "ambiguity class",
         "studies.ambiguity:class_of",
-        "reports.ambiguity_text:class_text",
         "ambiguity-class",
-        "Every world that no motion tells from a world.",
+        "List every world that no motion tells from a given one.",
+        telling="reports.tellings.lookalikes:class_telling",
     ),
     Verb(
         "ambiguity census",
         "studies.ambiguity:census",
-        "reports.ambiguity_text:census_text",
         "ambiguity-census",
-        "Which worlds of a class no motion tells apart.",
-        merged="studies.ambiguity:merged_census",
+        "Classify the worlds of a class that no motion tells apart.",
+        telling="reports.tellings.census:census_telling",
+        sweep="studies.ambiguity:CensusSweep",
+        example="--edges 5",
+        help=(
+            "Classify every map with one marked vertex: which of them does no motion tell "
+            "apart? Twins are looked for inside the class only."
+        ),
     ),
     Verb(
         "ambiguity search",
         "studies.ambiguity:search",
-        "reports.search_text:search_text",
         "search",
-        "Worlds that no motion tells apart, by SMT.",
+        "Search for worlds that no motion tells apart, by SMT.",
+        telling="reports.tellings.search:search_telling",
     ),
     Verb(
         "paper claims",
         "evidence.claims:claims",
-        "evidence.claims.claims_text:claims_text",
         "claims",
-        "The paper's sentences and ours, each with what was found.",
-        brief="evidence.claims.claims_text:claims_line",
+        "Check the sentences of the paper, and further ones of this project.",
+        telling="evidence.claims.claims_telling:claims_telling",
+        has=(ROWS, CASES),
     ),
     Verb(
         "paper figure",
         "evidence.figures:figure",
-        "evidence.figures.figure_text:figure_text",
         "figure",
-        "The paper's figures, drawn anew from runs.",
-        brief="evidence.figures.figure_text:figure_line",
+        "Draw the paper's figures, from runs of this program.",
+        telling="evidence.figures.figure_telling:figure_telling",
+        has=(),
     ),
     Verb(
         "self mutants",
         "evidence.mutants:mutants",
-        "evidence.mutants.mutants_text:mutants_text",
         "mutants",
-        "What the checks are known to catch.",
+        "Try known mistakes, and show which check catches each.",
+        telling="evidence.mutants.mutants_telling:mutants_telling",
     ),
     Verb(
         "self bench",
         "evidence.bench:bench",
-        "evidence.bench.bench_text:bench_text",
         "bench",
-        "This program and others side by side.",
+        "Measure this program and others side by side.",
+        telling="evidence.bench.bench_telling:bench_telling",
     ),
 )
 """Every verb, in the order of the help."""
@@ -232,7 +276,7 @@ BY_NAME = {verb.name: verb for verb in VERBS}
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Verbs of two words that begin with the same one."""
+    """Verbs of two words whose first word is the same."""
 
     example: str
     summary: str
@@ -277,7 +321,14 @@ REPLACED = {
 """Functions of the package that are gone, and what does the same."""
 
 
-def loaded(home: str) -> Any:
-    """Return what ``module:name`` below ``allworlds`` names; its module is loaded."""
-    module, _, name = home.partition(":")
-    return getattr(import_module(f"allworlds.{module}"), name)
+def _gone(name: str, instead: str) -> Callable[..., Any]:
+    """Return a function that refuses to be called, and names what does the same."""
+
+    def refuse(*_: Any, **__: Any) -> Any:
+        raise InputError(f"{name} is gone: call {instead}")
+
+    return refuse
+
+
+GONE = {name: _gone(f"allworlds.{name}", f"allworlds.{new}") for name, new in REPLACED.items()}
+"""Functions of Python that refuse to be called, and name what does the same."""

@@ -1,4 +1,4 @@
-"""What documents say of their origin: the version of this program, and the machine."""
+"""Origin of documents: the version of this program, and the machine."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __version__ = "0.2.0"
 
 
 def host() -> Host:
-    """What a measurement depends on besides the program.  Cost: some milliseconds."""
+    """The machine and the software that a measurement depends on. Cost: some milliseconds."""
     from allworlds.document import Host
 
     return Host(

@@ -1,17 +1,29 @@
-"""Numbers and lists in words: a thing in one place, for every sentence that a person reads."""
+"""Numbers and lists in words, for every sentence that a person reads."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+
+_MISLEADING = re.compile("[\x80-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
+"""Characters that control a terminal or the direction of text: C1 and bidirectional controls."""
+
+
+def escaped(text: str) -> str:
+    """The text with each control character written as its number.
+
+    Explorers and files have their words in texts; whoever reads them must see what is there.
+    """
+    return _MISLEADING.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
 def number(value: int) -> str:
-    """With thousands separated."""
+    """The number with its thousands separated."""
     return f"{value:,}"
 
 
 def plural(count: int, one: str, many: str = "") -> str:
-    """``1 world``, ``2 worlds``."""
+    """Count and noun in words: ``1 world``, ``2 worlds``."""
     return f"{number(count)} {one if count == 1 else many or one + 's'}"
 
 
@@ -31,8 +43,19 @@ def listed(names: Sequence[str]) -> str:
     return f"{', '.join(others)} and {last}" if others else last
 
 
+def about(value: int) -> str:
+    """The number; of a long one the first two digits, as in ``6.3 x 10^76``."""
+    digits = str(value)
+    if len(digits) <= 15:
+        return number(value)
+    return f"{digits[0]}.{digits[1]} x 10^{len(digits) - 1}"
+
+
 def duration(seconds: float) -> str:
-    """``12 s``, ``5 min``, ``3 h 20 min``, ``4 days 3 h``: two units at most, rounded down."""
+    """``12 s``, ``5 min``, ``3 h 20 min``, ``4 days 3 h``: two units at most, rounded down.
+
+    Of years it has two digits that count, and no more than a million million of them.
+    """
     whole = int(seconds)
     minutes, hours, days = whole // 60, whole // 3600, whole // 86400
     if minutes == 0:
@@ -41,4 +64,15 @@ def duration(seconds: float) -> str:
         return f"{minutes} min"
     if days == 0:
         return f"{hours} h {minutes % 60} min"
-    return f"{plural(days, 'day')} {hours % 24} h"
+    if days < 2 * 365:
+        return f"{plural(days, 'day')} {hours % 24} h"
+    years = days // 365
+    if years >= 10**12:
+        return "more than 1,000,000,000,000 years"
+    step = 10 ** max(0, len(str(years)) - 2)
+    return f"{number(years // step * step)} years"
+
+
+def counted(source: str) -> str:
+    """Say that an enumeration met as many as an independent source counts."""
+    return f"there are as many as are counted without making one ({source})"

@@ -9,7 +9,7 @@ __all__ = ["main"]
 def main() -> NoReturn:
     """Run a verb and end the process with its exit code.
 
-    All else is loaded here, so that who interrupts at once is told no more than that.
+    Everything else is loaded here, so that even an early interrupt is answered in one line.
     """
     try:
         from allworlds.cli import app

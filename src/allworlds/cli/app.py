@@ -1,4 +1,4 @@
-"""The verbs, and what is the same for all of them: exit codes and one line for bad input."""
+"""The verbs, their common exit codes, and the one line for bad input."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import traceback
 from collections.abc import Callable
 from functools import cache
 from importlib import import_module
+from importlib.util import find_spec
 from itertools import pairwise
 from keyword import iskeyword
 from pathlib import Path
@@ -17,11 +18,12 @@ from typing import Annotated, Any, NoReturn
 
 import typer
 
+from allworlds import engines
 from allworlds.cli.groups import grouped
 from allworlds.cli.helping import made_helpful
 from allworlds.cli.made_by import beginning
 from allworlds.cli.output import abandon_stdout, complain, prepare_streams, printable
-from allworlds.engines import ClusterLost, Gap
+from allworlds.cli.plain_command import plain_command
 from allworlds.inputs import InputError, show
 from allworlds.outcome import Exit
 from allworlds.verbs import GROUPS, RENAMED, VERBS, Verb
@@ -38,29 +40,32 @@ RENAMED_OPTIONS = {
 }
 """Options as they were called once; they are refused with the name that they have now."""
 
+COMPLETION = "_ALLWORLDS_COMPLETE"
+"""The variable by which a shell asks how a command line can go on."""
+
 HELP = {"help_option_names": ["-h", "--help"]}
-"""What every verb and group is made with."""
-
-app = typer.Typer(
-    name="allworlds",
-    help=(
-        "Example: allworlds check --edges 4\n\n"
-        "Try everything: run an exploration algorithm on every small embedded graph."
-    ),
-    context_settings=HELP,
-    rich_markup_mode="markdown",
-    pretty_exceptions_enable=False,
-)
+"""Settings of every verb and group."""
 
 
-def _command(verb: Verb) -> Callable[..., int]:
-    """What a verb is on the command line: in the module of its name, or of its group's."""
-    module = import_module(f"allworlds.cli.{verb.group or verb.name}")
-    name = verb.name.rpartition(" ")[2]
-    return grouped(getattr(module, f"{name}_" if iskeyword(name) else name))
+@cache
+def command_line(first: str | None = None) -> Any:
+    """All verbs, as click sees them.
 
-
-def _add_verbs() -> None:
+    Args:
+        first: the first word after ``allworlds``: only the verb, or the group, of that name gets
+            its options, since making them takes long; by default every verb gets them.
+    """
+    app = typer.Typer(
+        name="allworlds",
+        help=(
+            "Example: allworlds check --edges 4\n\n"
+            "Run an exploration algorithm on every small embedded graph."
+        ),
+        context_settings=HELP,
+        rich_markup_mode="markdown",
+        pretty_exceptions_enable=False,
+    )
+    app.callback(invoke_without_command=True)(_common)
     groups = {}
     for name, known in GROUPS.items():
         help_ = f"Example: {known.example}\n\n{known.summary}"
@@ -72,11 +77,26 @@ def _add_verbs() -> None:
         home = groups[verb.group] if verb.group else app
         name = verb.name.rpartition(" ")[2]
         panel = verb.panel or None
+        meant = first is None or first == verb.name.partition(" ")[0]
         home.command(name, short_help=verb.summary, context_settings=HELP, rich_help_panel=panel)(
-            _command(verb)
+            _command(verb) if meant else _unasked
         )
     for name, group in groups.items():
         app.add_typer(group, rich_help_panel=GROUPS[name].panel)
+    return made_helpful(typer.main.get_command(app))
+
+
+def _command(verb: Verb) -> Callable[..., int]:
+    """The function that runs a verb: one in the module of its name or group, else the plain one."""
+    home = f"allworlds.cli.{verb.group or verb.name}"
+    module = import_module(home) if find_spec(home) else None
+    name = verb.name.rpartition(" ")[2]
+    own = getattr(module, f"{name}_" if iskeyword(name) else name, None)
+    return grouped(own or plain_command(verb), verb.name)
+
+
+def _unasked() -> None:
+    """Stand for a verb that is listed, and not called."""
 
 
 def _help(context: typer.Context) -> None:
@@ -84,7 +104,6 @@ def _help(context: typer.Context) -> None:
         typer.echo(context.get_help())
 
 
-@app.callback(invoke_without_command=True)
 def _common(
     context: typer.Context,
     *,
@@ -98,14 +117,13 @@ def _common(
         typer.echo(context.get_help())
 
 
-_add_verbs()
-
-
 def main() -> NoReturn:
     """Run a verb and end the process with its exit code."""
     prepare_streams()
     if os.name != "posix":
-        sys.exit(_refuse(f"{sys.platform} is not supported, but Linux is, and macOS"))
+        sys.exit(_refuse(f"{sys.platform} is not supported, but Linux is (macOS was not tried)"))
+    if COMPLETION in os.environ:
+        command_line().main(prog_name="allworlds")  # which exits
     # To be terminated, or left by the terminal, is to be interrupted: a report is left, and no
     # process.  What is to be ignored (nohup) stays so.
     for number in (signal.SIGTERM, signal.SIGHUP):
@@ -120,16 +138,16 @@ def main() -> NoReturn:
 
 
 def call(arguments: list[str]) -> int:
-    """Run a verb in this process; its exit code, whatever happens."""
+    """Run a verb in this process and return its exit code; no exception leaves it."""
     try:
         with beginning(arguments):
             code = _invoked(arguments)
     except InputError as error:
         return _refuse(str(error))
-    except Gap as error:
+    except engines.Gap as error:  # loaded when there is an error
         complain(str(error))
         return Exit.INCOMPLETE
-    except ClusterLost as error:
+    except (engines.ClusterLost, engines.Unsettled) as error:
         complain(str(error))
         return Exit.INCONCLUSIVE
     except _ClickError as error:
@@ -166,21 +184,17 @@ def _invoked(arguments: list[str]) -> int:
     Click's own ``main`` is left out: it makes an exit code of 1 of every broken pipe, which is
     no verdict, and keeps interrupts to itself.
     """
+    first = next((word for word in arguments if not word.startswith("-")), "")
+    verbs = command_line(first)
     try:
-        with _verbs().make_context("allworlds", [*arguments]) as context:
-            return int(_verbs().invoke(context) or 0)
+        with verbs.make_context("allworlds", [*arguments]) as context:
+            return int(verbs.invoke(context) or 0)
     except typer.Exit as end:
         return end.exit_code
 
 
-@cache
-def _verbs() -> Any:
-    """All verbs as click sees them; Typer needs longer to make them than a small verb runs."""
-    return made_helpful(typer.main.get_command(app))
-
-
 def _complaint(error: Exception, arguments: list[str]) -> str:
-    """What click says, with the value that it may have left out."""
+    """Click's message, with the value where click leaves it out."""
     said: str = error.format_message() if hasattr(error, "format_message") else str(error)
     words = [word for word in arguments if not word.startswith("-")]
     if said.startswith("No such command") and words and words[0] in RENAMED:

@@ -1,4 +1,4 @@
-"""The verb ``check``."""
+"""The verb ``check`` on the command line."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ def check(
     *,
     watch: Annotated[
         bool,
-        Option(EFFORT, "", "Check again whenever the explorer is saved, what was found first."),
+        Option(EFFORT, "", "Check again whenever the explorer is saved, earlier findings first."),
     ] = False,
     estimate: Annotated[
         bool,
         Option(
             EFFORT,
             "",
-            "Only say how long it would take, from a sample of some seconds.",
+            "Only estimate the duration, from a sample of some seconds.",
             "estimate",
         ),
     ] = False,
@@ -45,12 +45,11 @@ def check(
         kept = {"corpus": request.corpus, "run": request.run, "watch": watch}
         _refuse_beside_estimate({**files.named(), **kept})
         return _estimate(request, output)
-    files.ensure_writable()
     ensure_directory(request.corpus)
 
     def once(request: CheckRequest) -> int:
         report = answered(allworlds.check, request, output)
-        files.write(report)
+        files.write("check", report)
         return emit(report, "check", output, workers=request.workers)
 
     if not watch:
@@ -73,7 +72,7 @@ def _estimate(request: CheckRequest, output: LongOutputGroup) -> int:
 
 
 def _refuse_beside_estimate(given: Mapping[str, object]) -> None:
-    """Nothing, if none of these options of a whole check is given.
+    """Raise InputError if an option is given that has no effect on an estimate.
 
     Raises:
         InputError: naming the first.

@@ -1,4 +1,4 @@
-"""A file of events: what happens in a long job, a line of JSON each, as it happens."""
+"""A file of events: the progress of a long job, one JSON document per line."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ EVERY = 1.0
 
 
 class Events(Listener):
-    """A listener that hands everything on, and writes what happens.
+    """A listener that writes each event into a file and passes it on.
 
-    A disk that is full costs the rest of the events and nothing else.
+    On a full disk the remaining events are lost, and nothing else.
     """
 
     def __init__(self, progress: Progress, file: TextIO | None) -> None:
@@ -50,13 +50,13 @@ class Events(Listener):
         self._write(LevelEvent(edges=edges, worlds=worlds))
 
     def stage(self, name: str, total: int, of: str) -> None:
-        """A part of another kind begins."""
+        """Begin a stage, and write its name and total."""
         self._progress.stage(name, total, of)
         self._done = 0
         self._write(StageEvent(name=name, all=total, of=of))
 
     def progress(self, count: int) -> None:
-        """So many more are done; written now and then."""
+        """Write now and then how many are done."""
         self._progress.progress(count)
         self._done += count
         if monotonic() >= self._told + EVERY:
@@ -72,12 +72,12 @@ class Events(Listener):
         self._write(FindingEvent(finding=document))
 
     def notice(self, text: str) -> None:
-        """Something that the user may want to know."""
+        """Write a message for the user."""
         self._progress.notice(text)
         self._write(NoticeEvent(text=text))
 
     def verdict(self, report: Result) -> None:
-        """The end, with the whole report."""
+        """Write the last event, which holds the whole report."""
         self._write(VerdictEvent(report=report))
 
     def _write(self, event: Event) -> None:
@@ -87,12 +87,12 @@ class Events(Listener):
             print(json.dumps(event.to_json()), file=self._file, flush=True)
         except OSError as error:
             self._file = None
-            complain(f"no more events are written: {error.strerror}")
+            complain(f"events are no longer written: {error.strerror}")
 
 
 @contextmanager
 def listening(output: LongOutputGroup) -> Iterator[Events]:
-    """The listener of a long job: progress on a terminal, and events in a file, where one is named.
+    """The listener of a long job: progress on a terminal, and a file of events if one is named.
 
     Raises:
         InputError: if it cannot be written.
@@ -107,7 +107,7 @@ def listening(output: LongOutputGroup) -> Iterator[Events]:
 def answered(
     function: Callable[..., Answer], request: AskedListener, output: LongOutputGroup
 ) -> Answer:
-    """Answer a request by a function of the package, and tell of it meanwhile and at the end."""
+    """Answer a request by a function of the package, reporting progress and the result."""
     with listening(output) as listener:
         report = answer(function, replace(request, listener=listener))
         listener.verdict(report)
@@ -122,6 +122,6 @@ def _opened(path: str) -> TextIO:
 
 
 def _let_go(file: TextIO) -> None:
-    """Close it; what could not be written has been told, and is tried once more by this."""
+    """Close the file. An error has been reported already, and is not reported twice."""
     with suppress(OSError):
         file.close()

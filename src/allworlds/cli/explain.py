@@ -1,20 +1,24 @@
-"""The verb ``explain``."""
+"""The verb ``explain`` on the command line."""
 
 from __future__ import annotations
 
 import allworlds
-from allworlds.cli.files import PageFile
+from allworlds.cli.files import Files
 from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import emit
-from allworlds.studies.replay import AskedFinding
+from allworlds.inputs import answer, values_of
+from allworlds.studies.explain import AskedExplanation, ExplainRequest, FindingWords
 
 
-def explain(request: AskedFinding, *, page: PageFile, output: OutputGroup) -> int:
+def explain(
+    words: FindingWords, *, asked: AskedExplanation, files: Files, output: OutputGroup
+) -> int:
     """Example: allworlds explain finding.json
 
-    Tell in words what the robot believed, what was true, and the first step where they part.
+    Tell in words what the robot believed, what was true, and where belief and truth diverge.
+    The recorded explorer is played once more where only another world can tell two slips apart.
     """
-    page.ensure_writable()
-    explained = allworlds.explain(request.finding)
-    page.write("explain", explained)
+    request = ExplainRequest(*words.chosen(), **values_of(AskedExplanation, asked))
+    explained = answer(allworlds.explain, request)
+    files.write("explain", explained)
     return emit(explained, "explain", output)

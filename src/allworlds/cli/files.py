@@ -1,113 +1,88 @@
-"""The options that write a report into a file, and what is written where."""
+"""The options that write a report into files."""
 
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass, make_dataclass
+from dataclasses import fields, make_dataclass
+from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from allworlds.cli.output import complain
 from allworlds.cli.service import tell_service
 from allworlds.inputs import OUTPUT, InputError, Option, a_path, show
 from allworlds.outcome import Result
-from allworlds.reports import FORMATS, PAGE, file_of, page_of, written
+from allworlds.reports import FORMATS, PARQUET, ensure_parquet, file_of, formats_of, parquet_of
 
 
-class _Files:
-    """One option for each of the reports' formats, each with the name of its file."""
+class Files:
+    """The files into which a verb's result is written.
 
-    def ensure_writable(self) -> None:
-        """Nothing, if each file can be written; it is left as it is, and not made.
+    A verb that has one as a parameter gets an option for each format, of :func:`files_of`.
 
-        Raises:
-            InputError: naming the file and the reason.
-        """
-        for path in self.named().values():
-            _ensure_writable(path)
+    Raises:
+        InputError: naming a file that cannot be written, and the reason.
+    """
 
-    def write(self, report: Result) -> None:
-        """The report in each file that was named, and where a CI service looks for it."""
+    def __post_init__(self) -> None:
         for form, path in self.named().items():
-            _write_text(path, written(form, report))
-        tell_service(report)
+            if _is_parquet(form, path):
+                ensure_parquet()
+            ensure_writable(path)
+
+    def write(self, verb: str, result: Result) -> None:
+        """Write the result into each file that was named, and where a CI service looks for it."""
+        for form, path in self.named().items():
+            if _is_parquet(form, path):
+                write_file(path, parquet_of(verb, result))
+            else:
+                write_text(path, file_of(verb, form, result))
+        tell_service(verb, result)
 
     def named(self) -> dict[str, str]:
         """The files that were named, by their formats."""
-        given = {form: getattr(self, form) for form in FORMATS}
+        given = {each.name: getattr(self, each.name) for each in fields(self)}  # type: ignore[arg-type]  # each kind is one
         return {form: path for form, path in given.items() if path is not None}
 
 
+@cache
+def files_of(verb: str) -> type[Files]:
+    """The kind of files that a verb can write, with an option for each format."""
+    told = [(name, _option(name), None) for name in formats_of(verb)]
+    return make_dataclass("Files", told, bases=(Files,), frozen=True)
+
+
 def _option(form: str) -> object:
-    help_ = FORMATS[form].help
-    return Annotated[str | None, Option(OUTPUT, "FILE", help_)]
+    return Annotated[str | None, Option(OUTPUT, "FILE", FORMATS[form].help)]
 
 
-if TYPE_CHECKING:
-    Files = _Files
-else:
-    Files = make_dataclass(
-        "Files", [(form, _option(form), None) for form in FORMATS], bases=(_Files,), frozen=True
-    )
+def _is_parquet(form: str, path: str) -> bool:
+    return form == "csv" and path.endswith(PARQUET)
 
 
-@dataclass(frozen=True, slots=True)
-class PageFile:
-    """The option that writes a verb's result as a web page."""
-
-    html: Annotated[str | None, Option(OUTPUT, "FILE", PAGE)] = None
-
-    def ensure_writable(self) -> None:
-        """Nothing, if the file can be written; it is left as it is, and not made.
-
-        Raises:
-            InputError: naming the file and the reason.
-        """
-        ensure_all_writable({"html": self.html})
-
-    def write(self, verb: str, result: Result) -> None:
-        """A verb's result in the file, if one was named."""
-        if self.html is not None:
-            _write_text(self.html, page_of(verb, result))
+def write_text(path: str, text: str) -> None:
+    """Write a text as :func:`write_file` does."""
+    write_file(path, text.encode())
 
 
-def ensure_all_writable(files: Mapping[str, str | None]) -> None:
-    """Nothing, if each file can be written; by the options that name them, where they do.
+def write_file(path: str, content: bytes) -> None:
+    """Write a file that was checked to be writable before the work began.
 
-    Raises:
-        InputError: naming the file and the reason.
-    """
-    for path in files.values():
-        if path is not None:
-            _ensure_writable(path)
-
-
-def write_files(verb: str, result: Result, files: Mapping[str, str | None]) -> None:
-    """A verb's result in each file that was named."""
-    for name, path in files.items():
-        if path is not None:
-            _write_text(path, file_of(verb, name, result))
-
-
-def _write_text(path: str, text: str) -> None:
-    """Write a file that could be written before the work began.
-
-    One that cannot be written any more, on a full disk, say, is lost with a word on stderr; the
-    report and its verdict are not.
+    If the file cannot be written any more, on a full disk for example, a line on stderr says so;
+    the report and its verdict are not lost.
     """
     try:
-        Path(path).write_text(text, encoding="utf-8")
+        Path(path).write_bytes(content)
     except OSError as error:
-        complain(f"{_refusal(path, error)}; the report stands on stdout alone")
+        complain(f"{_refusal(path, error)}; the report is on stdout only")
         with suppress(OSError):  # half a report is none
             if Path(path).is_file():
                 Path(path).unlink()
 
 
-def _ensure_writable(path: str) -> None:
-    """Nothing, if the file can be written; it is left as it is, and not made.
+def ensure_writable(path: str) -> None:
+    """Refuse a file that cannot be written. Its content stays, and no new file is made.
 
     Raises:
         InputError: naming the file and the reason.
@@ -128,7 +103,7 @@ def _refusal(path: str, error: Exception) -> InputError:
 
 
 def ensure_directory(name: str | Path | None) -> None:
-    """Make the directory if it is missing; bad input if no file can be written there."""
+    """Make the directory if it is missing. It is bad input if no file can be written there."""
     if name is None:
         return
     path = a_path("corpus", name)

@@ -1,7 +1,7 @@
-"""A verb's function as the command line calls it: each field of a request is an option.
+"""Command lines from requests: each field of a verb's request becomes an option.
 
-Typer makes the options, from a signature that is made here.  What it says of bad values, and the
-look of its help, is what other programs and people know, so no other library takes its place.
+Typer makes the options from a signature that is made here. Other programs and people know its
+messages and its help, so no other library takes its place.
 """
 
 from __future__ import annotations
@@ -14,18 +14,21 @@ from typing import Annotated, Any, get_args, get_type_hints
 
 import typer
 
+from allworlds.cli.files import Files, files_of
 from allworlds.inputs import AS_IN_PYTHON, PANELS, Argument, InputError, Named, Option, fields_of
 
 Words = Mapping[str, Any]
 """The values that the command line was given, by the names of the parameters."""
 
 
-def grouped(verb: Callable[..., int]) -> Callable[..., int]:
-    """The verb as typer is to see it, with an option for each field of its requests.
+def grouped(verb: Callable[..., int], name: str) -> Callable[..., int]:
+    """The verb with the signature that typer reads: an option for each field of its requests.
 
-    A parameter of the verb is a request, that is a dataclass, or one option by itself.
+    A parameter of the verb is a request, that is a dataclass, or one option by itself; in place
+    of :class:`Files` stand those that the verb of that name can write.
     """
     hints = get_type_hints(verb, include_extras=True)
+    hints = {key: files_of(name) if hint is Files else hint for key, hint in hints.items()}
     taken = signature(verb).parameters.values()
     seen = [shown for each in taken for shown in _shown(each.name, hints[each.name], each.default)]
     seen.sort(key=_panel)
@@ -54,7 +57,7 @@ def _shown(name: str, hint: Any, default: Any) -> Iterator[Parameter]:
 
 
 def _value(name: str, hint: Any, words: Words) -> Any:
-    """The value that these words give."""
+    """The value of the field that these options give."""
     if is_dataclass(hint):
         told = [field for field in fields_of(hint) if isinstance(field.asked, Option | Named)]  # type: ignore[arg-type]
         return hint(**{f.name: _value(f.name, Annotated[f.type, f.asked], words) for f in told})  # type: ignore[operator]
@@ -65,7 +68,7 @@ def _value(name: str, hint: Any, words: Words) -> Any:
 
 
 def _parameter(name: str, kind: Any, asked: Option, default: Any) -> Parameter:
-    """One of them, as typer reads it."""
+    """One option or argument, as a parameter that typer reads."""
     told: dict[str, Any] = {"metavar": asked.metavar, "help": asked.help}
     if asked.parse is not str:
         told["parser"] = _read_by(asked.parse)
@@ -102,7 +105,7 @@ class _Refused(typer.BadParameter):
 
 
 def _read_by(parse: Callable[[str], Any]) -> Callable[[Any], Any]:
-    """A reader of texts as typer calls it, with defaults too, which may be values."""
+    """A parser for typer. Typer also calls it with defaults, which may be values already."""
 
     def read(text: Any) -> Any:
         try:

@@ -1,4 +1,4 @@
-"""What ``--help`` looks like: complete at any width, and no type where there is no value."""
+"""Layout of ``--help``: complete at any width, without a type where an option takes no value."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ NARROW = 80
 
 
 def made_helpful(command: Any) -> Any:
-    """The command, and all commands below it, with a help as it is to be."""
+    """The command and all its subcommands with this layout of the help."""
     for below in getattr(command, "commands", {}).values():
         made_helpful(below)
     if shutil.get_terminal_size().columns < NARROW:
@@ -33,7 +33,7 @@ def made_helpful(command: Any) -> Any:
 
 
 def _show_as_written(argument: Any) -> None:
-    """A usage line that shows the argument by its metavar, without more brackets round it."""
+    """Show the argument in the usage line by its metavar, without further brackets."""
     metavar = argument.metavar
     argument.make_metavar = lambda *_: metavar
     argument.get_usage_pieces = lambda *_: [metavar]

@@ -1,4 +1,4 @@
-"""The verb ``init``."""
+"""The verb ``init`` on the command line."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def init(
         Option(
             OUTPUT,
             "",
-            "Print the C header of native explorers instead, which is its own manual.",
+            "Print instead the C header of native explorers, which includes their manual.",
             "header",
         ),
     ] = False,

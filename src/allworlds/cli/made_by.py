@@ -1,4 +1,4 @@
-"""Who made a document, where, when and how fast: all of it that differs from run to run."""
+"""Origin of a document: all that differs from run to run (version, host, time, speed)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class MeasuredEffort(TypedDict, total=False):
-    """What only the verb knows of its effort.
+    """Measurements that only the verb can report.
 
     Attributes:
         workers: processes or threads; left out by a verb that takes none.
@@ -32,7 +32,7 @@ class MeasuredEffort(TypedDict, total=False):
 
 @dataclass(frozen=True, slots=True)
 class _BegunCommand:
-    """A command at its beginning."""
+    """A command line and the time when it was started."""
 
     command: tuple[str, ...]
     started: datetime
@@ -44,7 +44,7 @@ _COMMAND: ContextVar[_BegunCommand] = ContextVar("command")
 
 @contextmanager
 def beginning(command: Sequence[str]) -> Iterator[None]:
-    """The context of a command, which begins now."""
+    """Context manager that notes the beginning of a command."""
     begun = _BegunCommand(tuple(command), datetime.now(UTC), perf_counter())
     token = _COMMAND.set(begun)
     try:
@@ -54,7 +54,7 @@ def beginning(command: Sequence[str]) -> Iterator[None]:
 
 
 def made_by(effort: MeasuredEffort) -> MadeBy:
-    """Who makes a document, if it is written now."""
+    """Origin and measurements of a document that is written now."""
     from allworlds.document import UNSET, MadeBy
     from allworlds.version import host
 

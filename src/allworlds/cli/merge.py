@@ -1,4 +1,4 @@
-"""The verb ``merge``."""
+"""The verb ``merge`` on the command line."""
 
 from __future__ import annotations
 
@@ -6,14 +6,18 @@ from typing import Annotated
 
 import allworlds
 from allworlds.cli.events import listening
+from allworlds.cli.files import Files
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import emit
 from allworlds.inputs import Argument
 
 
 def merge(
-    runs: Annotated[list[str], Argument("", "DIR...", "One a shard.", repeated=True)],
+    runs: Annotated[
+        list[str], Argument("", "DIR...", "The run directories, one for each shard.", repeated=True)
+    ],
     *,
+    files: Files,
     output: LongOutputGroup,
 ) -> int:
     """Example: allworlds merge shard-0 shard-1
@@ -25,4 +29,5 @@ def merge(
     with listening(output) as listener:
         report = allworlds.merge(*runs, listener=listener)
         listener.verdict(report)
+    files.write("merge", report)
     return emit(report, "merge", output)

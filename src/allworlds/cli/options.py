@@ -1,4 +1,4 @@
-"""Options that verbs share and that are of no request: the files and words of the command line."""
+"""Options that verbs share outside of their requests: files, and the form of the output."""
 
 from __future__ import annotations
 
@@ -8,32 +8,29 @@ from typing import Annotated
 from allworlds.inputs import OUTPUT, SCOPE, Argument, Option, one_of
 from allworlds.world import LIGHTHOUSES
 
-WORLD = "Inline JSON, @file, or a name such as k4, wheel-4, fig1-left."
+WORLD = "Inline JSON, @file, or a name such as k4, wheel:4, cycle:5."
 WorldText = Annotated[str, Argument("", "WORLD", WORLD)]
 LighthouseOfWorld = Annotated[
     str,
-    Option(SCOPE, "KIND", f"The lighthouse of a WORLD that names none: {one_of(LIGHTHOUSES)}."),
+    Option(SCOPE, "KIND", f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}."),
 ]
-
-
-CsvFile = Annotated[str | None, Option(OUTPUT, "FILE", "Write the rows as CSV too.")]
 
 
 @dataclass(frozen=True, slots=True)
 class OutputGroup:
-    """What is printed."""
+    """Options for the form of the output."""
 
     as_json: Annotated[bool, Option(OUTPUT, "", "One JSON document on stdout.", "json")] = False
     quiet: Annotated[
-        bool, Option(OUTPUT, "", "No progress, and of a verdict one line.", "quiet", "q")
+        bool, Option(OUTPUT, "", "No progress; for a verdict, a single line.", "quiet", "q")
     ] = False
 
 
 @dataclass(frozen=True, slots=True)
 class LongOutputGroup(OutputGroup):
-    """What is printed of a verb that may take long, and what is told of it meanwhile."""
+    """Options for the output of a verb that may take long, and for its events."""
 
     events: Annotated[
         str | None,
-        Option(OUTPUT, "FILE", "Write what happens, as it happens: a line of JSON each."),
+        Option(OUTPUT, "FILE", "Write each event as it happens, as a line of JSON."),
     ] = None

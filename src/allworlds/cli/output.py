@@ -1,4 +1,4 @@
-"""Where results and progress go: results to stdout, all else to stderr."""
+"""Output: results go to stdout, everything else goes to stderr."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from allworlds.cli.options import OutputGroup
 from allworlds.engines import patient_stderr
 from allworlds.outcome import Exit, Result
 from allworlds.reports import brief, text
+from allworlds.words import escaped
 
 NARROWEST = 40
 
@@ -25,16 +26,19 @@ LONGEST, KEPT_END, CUT = 300, 120, " [...] "
 
 
 def width() -> int:
-    """The width for texts: the terminal's, 100 where there is none."""
+    """Columns of the terminal; 100 without a terminal."""
     return max(NARROWEST, shutil.get_terminal_size((100, 24)).columns)
 
 
 def printable(text: str) -> str:
     """The text with control characters as their numbers, lines and tabs excepted.
 
-    Explorers have their words in texts; a terminal must not take orders from them.
+    Explorers have their words in texts; a terminal must not take orders from them, nor the runner
+    of a CI service, for which a line with ``::`` at its beginning is a command.
     """
-    return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", lambda found: f"\\x{ord(found[0]):02x}", text)
+    shown = escaped(text)
+    shown = re.sub(r"[\x00-\x08\x0b-\x1f\x7f]", lambda found: f"\\x{ord(found[0]):02x}", shown)
+    return re.sub(r"^(\s*):(?=:)", r"\1\\x3a", shown, flags=re.MULTILINE)
 
 
 COLOURS = {
@@ -43,6 +47,7 @@ COLOURS = {
     "REFUTED": 31,
     "REPRODUCED": 31,
     "ERROR": 31,
+    "NOT REPRODUCED": 33,
     "NOT-REFUTED": 33,
     "INCONCLUSIVE": 33,
     "VACUOUS": 33,
@@ -64,7 +69,7 @@ def coloured(text: str) -> str:
 
 
 def emit(result: Result, verb: str, output: OutputGroup, **effort: Unpack[MeasuredEffort]) -> int:
-    """Print a verb's result in the form that was asked for; its exit code.
+    """Print a verb's result in the form that was asked for, and return its exit code.
 
     In a document all that can differ from run to run stands under the key ``made_by``.
 
@@ -89,15 +94,15 @@ def emit(result: Result, verb: str, output: OutputGroup, **effort: Unpack[Measur
 
 
 def abandon_stdout() -> None:
-    """Nothing more goes there: what is left in its buffer must not be an error once more."""
+    """Give up stdout, so that the rest of its buffer does not cause a second error."""
     with suppress(io.UnsupportedOperation):  # it may be a stand-in without a file
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def complain(text: str) -> None:
-    """One line on stderr, of at most ``LONGEST`` characters, whatever is in the text.
+    """Print one line on stderr, of at most ``LONGEST`` characters, whatever the text contains.
 
-    Of one that is longer both ends are kept: the first says what is wrong, the last what is legal.
+    A longer one keeps both ends: the first says what is wrong, the last what is legal.
     """
     line = f"allworlds: {printable(' '.join(text.split()))}"
     # What stderr cannot show it shows by numbers, which are longer.
@@ -132,7 +137,7 @@ def prepare_streams() -> None:
 
 
 class Progress:
-    """A bar on stderr with the exact total and the time that is left; only on a terminal."""
+    """Progress bar on stderr with the exact total and the time left; only on a terminal."""
 
     def __init__(self, *, quiet: bool) -> None:
         self._quiet = quiet
@@ -150,27 +155,27 @@ class Progress:
             self._bar.stop()
 
     def level(self, edges: int, worlds: int) -> None:
-        """A level begins."""
+        """Begin the bar of a level."""
         self.stage(f"edges {edges}", worlds, "worlds")
 
     def stage(self, name: str, total: int, of: str) -> None:
-        """A line of its own, with its own bar."""
+        """Begin a line with a bar of its own."""
         if self._bar:
             self._task = self._bar.add_task(name, total=total, of=of)
 
     def progress(self, count: int) -> None:
-        """So many more are done."""
+        """Move the bar on by this many."""
         if self._bar:
             self._bar.advance(self._task, count)
 
     def unit(self, key: str, worlds: int) -> None:
-        """Nothing: its worlds have been told of."""
+        """Ignore the unit, whose worlds were reported by ``progress``."""
 
     def finding(self, document: Mapping[str, Any]) -> None:
-        """Nothing: the report tells it."""
+        """Ignore the finding, which the report will show."""
 
     def notice(self, text: str) -> None:
-        """One line on stderr."""
+        """Print the message as a line on stderr."""
         if not self._quiet:
             complain(text)
 
@@ -189,7 +194,7 @@ def _bar() -> Any:
     from rich.text import Text
 
     class Rate(ProgressColumn):
-        """How many a second."""
+        """Speed of the bar, per second."""
 
         def render(self, task: Task) -> Text:
             speed = task.finished_speed or task.speed

@@ -6,15 +6,14 @@ from typing import Annotated
 
 import allworlds
 from allworlds.cli.events import answered, listening
-from allworlds.cli.files import ensure_all_writable, write_files
+from allworlds.cli.files import Files, ensure_writable
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import emit
 from allworlds.engines import AskedWorkers
 from allworlds.evidence.figures import FigureRequest
-from allworlds.inputs import EFFORT, OUTPUT, SCOPE, Option
-from allworlds.reports import FORMATS
+from allworlds.inputs import EFFORT, SCOPE, Option
 
-IDS = "once or several times"
+IDS = "may be repeated"
 
 
 def claims(
@@ -38,36 +37,29 @@ def claims(
             SCOPE,
             "DIR",
             "The folder 'proofs' of the sources: certificates, and with --budget full and an "
-            "installed Coq the proofs; without it their claims are not checked.",
+            "installed Coq the proofs (default: that of the clone of the sources; without one "
+            "their claims are not checked).",
         ),
     ] = None,
     budget: Annotated[
-        str, Option(EFFORT, "quick|full", "Below a minute, or below half an hour.")
+        str,
+        Option(
+            EFFORT,
+            "quick|full",
+            "How much is checked: quick is less than a minute, full less than half an hour.",
+        ),
     ] = "quick",
     effort: AskedWorkers,
-    junit: Annotated[
-        str | None,
-        Option(OUTPUT, "FILE", FORMATS["junit"].help),
-    ] = None,
-    html: Annotated[
-        str | None,
-        Option(
-            OUTPUT,
-            "FILE",
-            "Write the ledger as a web page too, with pictures of the worlds that it names.",
-        ),
-    ] = None,
+    files: Files,
     output: LongOutputGroup,
 ) -> int:
     """Example: allworlds paper claims --only fig1 --html fig1.html
 
-    The ledger: each sentence of the paper that can be checked, and our own, with the verdict that
-    it must get and the one that was found.  Misprints are expected to be refuted.  Exit code 0:
-    all that was checked is as expected, 1: something is not, 3: a required claim was not checked,
-    4: nothing was met that a claim is about.
+    The ledger: each sentence of the paper that can be checked, and each sentence that this project
+    adds, with the expected verdict and the verdict found. Misprints are expected to be refuted.
+    Exit code 0: all that was checked is as expected, 1: something is not, 3: a required claim was
+    not checked, 4: no claim was checked, or a claim was checked on no case.
     """
-    files = {"html": html, "junit": junit}
-    ensure_all_writable(files)
     with listening(output) as listener:
         report = allworlds.claims(
             only=only or (),
@@ -78,7 +70,7 @@ def claims(
             listener=listener,
         )
         listener.verdict(report)
-    write_files("paper claims", report, files)
+    files.write("paper claims", report)
     seconds = [one.seconds for one in report.claims]
     return emit(report, "paper claims", output, workers=effort.workers, claim_seconds=seconds)
 
@@ -87,8 +79,10 @@ def figure(request: FigureRequest, *, output: LongOutputGroup) -> int:
     """Example: allworlds paper figure 2 --out pass.svg
 
     A figure of the paper, drawn from runs that were judged or from a proof that was checked, and
-    its data as CSV; needs the extra 'figures'.  Exit code 0: what is drawn is so, 1: it is not.
+    its data as CSV; needs the extra 'figures'. Exit code 0: the checks of the figure succeed, 1:
+    they do not.
     """
-    ensure_all_writable({path.suffix: str(path) for path in request.files})
+    for path in request.files:
+        ensure_writable(str(path))
     report = answered(allworlds.figure, request, output)
     return emit(report, "paper figure", output, workers=request.workers)

@@ -1,4 +1,4 @@
-"""The verb ``play``."""
+"""The verb ``play``, with its conversation in the terminal."""
 
 from __future__ import annotations
 
@@ -8,39 +8,49 @@ from typing import Annotated
 
 import allworlds
 from allworlds import Drop, Move, Percept, Pick
-from allworlds.cli.files import ensure_all_writable, write_files
+from allworlds.cli.files import ensure_writable, write_text
 from allworlds.cli.options import LighthouseOfWorld, OutputGroup, WorldText
 from allworlds.cli.output import emit, printable
 from allworlds.document import replace
-from allworlds.inputs import OUTPUT, Option
+from allworlds.inputs import OUTPUT, SCOPE, Option, integer_of
+from allworlds.reports import game
 
 
 def play(
     world: WorldText,
     *,
     lighthouse: LighthouseOfWorld = "directional",
+    seed: Annotated[
+        int | None,
+        Option(
+            SCOPE,
+            "S",
+            "The seed of a WORLD of a family: random:8 with --seed 3 is one for a class-room.",
+            parse=integer_of,
+        ),
+    ] = None,
     html: Annotated[
         str | None,
         Option(
             OUTPUT,
             "FILE",
-            "Write a web page in which it is played, and play nothing here.",
+            "Write a web page for playing, and do not play here.",
         ),
     ] = None,
     output: OutputGroup,
 ) -> int:
     """Example: allworlds play theta-torus --html play.html
 
-    Be the robot: in a web page, or here, where every line is what to do: a number to leave by
-    that dart, clockwise from the one you came by, drop or pick for a marker; an empty line
-    ends the walk and uncovers the world.
+    Be the robot, in a web page or here. Here each line is an action: a number leaves by that dart,
+    counted clockwise from the one you came by; drop or pick moves a marker; an empty line ends the
+    walk and uncovers the world. In the end your cost stands beside that of Algorithm 1.
     """
-    files = {"html": html}
-    ensure_all_writable(files)
     if html is None:
-        return emit(allworlds.play(world, lighthouse=lighthouse, player=_asked), "play", output)
-    made = replace(allworlds.play(world, lighthouse=lighthouse), path=html)
-    write_files("play", made, files)
+        made = allworlds.play(world, lighthouse=lighthouse, seed=seed, player=_asked)
+        return emit(made, "play", output)
+    ensure_writable(html)
+    made = replace(allworlds.play(world, lighthouse=lighthouse, seed=seed), path=html)
+    write_text(html, game(made))
     return emit(made, "play", output)
 
 
@@ -48,7 +58,7 @@ LEGAL = "a number, drop, pick, or an empty line to end"
 
 
 def _asked(percept: Percept, refused: str) -> Drop | Move | Pick | None:
-    """What the next line of stdin says; the conversation goes to stderr."""
+    """Read the next action from stdin; prompts go to stderr."""
     _say(f"that cannot be done: {refused}\n" if refused else f"you sense: {percept}\n")
     while True:
         _say("> ")

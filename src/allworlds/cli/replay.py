@@ -1,24 +1,24 @@
-"""The verb ``replay``."""
+"""The verb ``replay`` on the command line."""
 
 from __future__ import annotations
 
 import allworlds
-from allworlds.cli.files import PageFile
+from allworlds.cli.files import Files
 from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import complain, emit
 from allworlds.inputs import answer
 from allworlds.studies.replay import ReplayRequest
 
 
-def replay(request: ReplayRequest, *, page: PageFile, output: OutputGroup) -> int:
+def replay(request: ReplayRequest, *, files: Files, output: OutputGroup) -> int:
     """Example: allworlds replay finding.json --explorer mended.py:explore
 
-    Run a recorded finding again.  Exit code 0: reproduced, 5: fixed.  The recorded explorer
-    repeats the recorded choices as far as they fit.
+    Run a recorded finding again.  Exit code 0: reproduced, 5: fixed, 3: a nondeterministic
+    explorer did the same each time.  The recorded explorer repeats the recorded choices as far as
+    they fit.
     """
-    page.ensure_writable()
     replayed = answer(allworlds.replay, request)
     if replayed.notice:
         complain(replayed.notice)
-    page.write("replay", replayed)
+    files.write("replay", replayed)
     return emit(replayed, "replay", output)

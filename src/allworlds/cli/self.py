@@ -6,6 +6,7 @@ from typing import Annotated
 
 import allworlds
 from allworlds.cli.events import listening
+from allworlds.cli.files import Files
 from allworlds.cli.options import LongOutputGroup
 from allworlds.cli.output import emit
 from allworlds.inputs import EFFORT, SCOPE, Option, integer_of
@@ -16,6 +17,7 @@ def mutants(
     edges: Annotated[
         int, Option(SCOPE, "M", "Try worlds with at most M edges (1 to 4).", parse=integer_of)
     ] = 4,
+    files: Files,
     output: LongOutputGroup,
 ) -> int:
     """Example: allworlds self mutants
@@ -26,16 +28,29 @@ def mutants(
     with listening(output) as listener:
         matrix = allworlds.mutants(edges=edges, listener=listener)
         listener.verdict(matrix)
+    files.write("self mutants", matrix)
     return emit(matrix, "self mutants", output)
 
 
 def bench(
     *,
     edges: Annotated[
-        int, Option(SCOPE, "M", "The level that the compiled engines do.", parse=integer_of)
+        int,
+        Option(
+            SCOPE,
+            "M",
+            "The number of edges of the worlds for the compiled engines.",
+            parse=integer_of,
+        ),
     ] = 7,
     rounds: Annotated[
-        int, Option(EFFORT, "R", "How often each contender takes its turn.", parse=integer_of)
+        int,
+        Option(
+            EFFORT,
+            "R",
+            "The number of rounds; each contender runs once in a round.",
+            parse=integer_of,
+        ),
     ] = 3,
     peer: Annotated[
         list[str] | None,
@@ -47,6 +62,7 @@ def bench(
             repeated=True,
         ),
     ] = None,
+    files: Files,
     output: LongOutputGroup,
 ) -> int:
     """Example: allworlds self bench --edges 7 --peer 'lazy=./lazy 1 7'
@@ -57,4 +73,5 @@ def bench(
     with listening(output) as listener:
         report = allworlds.bench(edges=edges, rounds=rounds, peers=peer or (), listener=listener)
         listener.verdict(report)
+    files.write("self bench", report)
     return emit(report, "self bench", output)

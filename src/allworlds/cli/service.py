@@ -1,4 +1,4 @@
-"""What a CI service gets of a report without being asked for, where the program runs in one."""
+"""Reports for the CI service in which the program runs, written without being asked for."""
 
 from __future__ import annotations
 
@@ -6,22 +6,25 @@ import os
 import sys
 from pathlib import Path
 
-from allworlds.cli.output import complain, printable
+from allworlds.cli.output import complain
 from allworlds.outcome import Result
-from allworlds.reports import FORMATS, written
+from allworlds.reports import file_of, formats_of
+from allworlds.verbs import BY_NAME, FINDINGS
 
 
-def tell_service(report: Result) -> None:
-    """Add the report to the files that the service names, and tell stderr what it reads there.
+def tell_service(verb: str, report: Result) -> None:
+    """Add a report with findings to the CI service's files, and print to stderr the lines it reads.
 
     A file that cannot be written is lost with a word on stderr; the verdict is not.
     """
-    for form, format_ in FORMATS.items():
+    if FINDINGS not in BY_NAME[verb].has:
+        return
+    for form, format_ in formats_of(verb).items():
         if os.environ.get(format_.told_to) == "true":
-            print(printable(written(form, report)), end="", file=sys.stderr)
+            print(file_of(verb, form, report), end="", file=sys.stderr)
         if path := os.environ.get(format_.summary):
             try:
                 with Path(path).open("a", encoding="utf-8") as file:
-                    file.write(written(form, report))
+                    file.write(file_of(verb, form, report))
             except OSError as error:
                 complain(f"the file of {format_.summary} cannot be written: {error.strerror}")

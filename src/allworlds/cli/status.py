@@ -1,4 +1,4 @@
-"""The verb ``status``."""
+"""The verb ``status`` on the command line."""
 
 from __future__ import annotations
 
@@ -17,7 +17,6 @@ def status(
 ) -> int:
     """Example: allworlds status shard-0
 
-    How far a run directory is, also while somebody adds to it: units, worlds, rate, and what was
-    met.
+    Progress of a run directory, also while a job adds to it: units, worlds, rate, and findings.
     """
     return emit(allworlds.status(run), "status", output)

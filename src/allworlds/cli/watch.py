@@ -1,4 +1,4 @@
-"""Doing a check again whenever the explorer is saved."""
+"""Repeat a check whenever the explorer's file is saved."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ PAUSE = 0.2
 
 
 def watched(explorer: str, once: Callable[[], int]) -> int:
-    """The last exit code of ``once``, which is done now and after every change of the explorer.
+    """The exit code of the last call of ``once``, made now and after every change of the files.
 
     It ends with an interrupt.  An explorer that is no explorer any more is told in a line, and
     waited for.
@@ -35,7 +35,7 @@ def watched(explorer: str, once: Callable[[], int]) -> int:
     seen = _state(files)
     code = once()
     while code != Exit.INTERRUPTED:
-        complain(f"watching {', '.join(map(str, files))}: saved, it is checked again")
+        complain(f"watching {', '.join(map(str, files))}: it is checked again whenever it is saved")
         try:
             seen = _changed(files, seen)
         except KeyboardInterrupt:
@@ -50,7 +50,10 @@ def watched(explorer: str, once: Callable[[], int]) -> int:
 
 @contextmanager
 def kept_in(corpus: str | Path | None) -> Iterator[str | Path]:
-    """The directory of past findings; without a name one that is gone in the end."""
+    """The directory for past findings.
+
+    Without a name a temporary one is made, and removed at the end.
+    """
     if corpus is not None:
         yield corpus
         return
@@ -59,7 +62,7 @@ def kept_in(corpus: str | Path | None) -> Iterator[str | Path]:
 
 
 def _changed(files: list[Path], seen: object) -> object:
-    """The state of the files once it is another one, and rests."""
+    """Wait until the files have changed and then stayed as they are; return their new state."""
     before = seen
     while True:
         sleep(PAUSE)
@@ -70,7 +73,7 @@ def _changed(files: list[Path], seen: object) -> object:
 
 
 def _state(files: list[Path]) -> object:
-    """Equal as long as no file is written; None while one is missing, as between two saves."""
+    """Times, sizes and inodes of the files; None while one is missing, as between two saves."""
     try:
         found = [file.stat() for file in files]
     except OSError:

@@ -1,23 +1,25 @@
-"""Many runs: cut into units, carried somewhere, played and judged by an engine, and kept.
+"""Many runs: cut into units, transported, played and judged by an engine, and kept.
 
 ``units``
-    the units of a level, shards of them, what bounds the effort, and the one loop over them;
+    the units of a level, shards of them, limits of the effort, and the one loop over them;
 ``transports``
-    where units are done: in this thread, in several, in processes, on a Dask cluster;
+    the places of work: this thread, several threads, processes, a Dask cluster;
 ``python``
     the Python engine: every explorer, every option;
 ``compiled``
-    the compiled engine: what the kernel is asked, and what becomes of its rows;
+    the compiled engine: requests to the kernel, and tallies of its rows;
 ``kernel``
     compiled code, orders of magnitude faster; the only importer of numba;
 ``isolation``
-    worker processes: foreign code runs in processes that it may kill, and the check goes on;
+    worker processes: users' code runs in processes that it may kill, and the check goes on;
 ``run_directory``
-    what is finished of a job, kept on disk;
+    the finished units of a job, kept on disk;
 ``job``, ``engine_table``
-    what an engine is to do, and **the** table of the engines;
+    the task of an engine, and **the** table of the engines;
 ``progress``
-    who is told how far a long job is;
+    the listeners to the progress of a long job;
+``sweep``
+    **the** loop through the levels of a study, with its endings;
 ``single``
     one run, in this process or in one of its own.
 """
@@ -34,13 +36,14 @@ if TYPE_CHECKING:
         EngineName as EngineName,
         ReadyEngine as ReadyEngine,
         engine_for as engine_for,
+        players_for as players_for,
         why_not_compiled as why_not_compiled,
     )
     from allworlds.engines.isolation.confirm import (
         confirmed as confirmed,
         examine_apart as examine_apart,
     )
-    from allworlds.engines.isolation.player_pair import Unsettled as Unsettled
+    from allworlds.engines.isolation.jobs import Unsettled as Unsettled
     from allworlds.engines.isolation.stderr_stream import patient_stderr as patient_stderr
     from allworlds.engines.isolation.subject_probe import subject_of as subject_of
     from allworlds.engines.isolation.workers import workers_for as workers_for
@@ -80,6 +83,7 @@ if TYPE_CHECKING:
         UnitOfRuns as UnitOfRuns,
     )
     from allworlds.engines.python.scope import (
+        Given as Given,
         Sample as Sample,
         Scope as Scope,
     )
@@ -106,11 +110,14 @@ if TYPE_CHECKING:
         canonical as canonical,
     )
     from allworlds.engines.single import (
+        Decisions as Decisions,
         SingleRun as SingleRun,
+        adversarial_run as adversarial_run,
         single_run as single_run,
         unused_choice as unused_choice,
     )
-    from allworlds.engines.transports.dask_cluster import Dask as Dask
+    from allworlds.engines.sweep import Sweep as Sweep
+    from allworlds.engines.transports.dask_cluster import Dask as Dask, here_or as here_or
     from allworlds.engines.transports.dask_lanes import ClusterLost as ClusterLost
     from allworlds.engines.transports.inline import ThisThread as ThisThread
     from allworlds.engines.transports.threads import Threads as Threads
@@ -119,16 +126,20 @@ if TYPE_CHECKING:
         AskedDirectory as AskedDirectory,
         AskedListener as AskedListener,
         AskedPatience as AskedPatience,
+        AskedTime as AskedTime,
         AskedWorkers as AskedWorkers,
         Limits as Limits,
         TimeIsUp as TimeIsUp,
     )
     from allworlds.engines.units.gather import gather as gather
+    from allworlds.engines.units.kept_form import Form as Form, from_kept as from_kept
     from allworlds.engines.units.levels import (
         LevelUnit as LevelUnit,
+        SweptLevel as SweptLevel,
         cells_of_level as cells_of_level,
         drawn_units as drawn_units,
         level_size as level_size,
+        levels_of as levels_of,
         tell_of_size as tell_of_size,
         units_of_level as units_of_level,
     )
@@ -140,8 +151,13 @@ if TYPE_CHECKING:
         Shard as Shard,
         Whole as Whole,
         a_shard as a_shard,
+        dealt as dealt,
         shards_of as shards_of,
     )
-    from allworlds.engines.units.unit import KeptUnits as KeptUnits, Transport as Transport
+    from allworlds.engines.units.unit import (
+        KeptUnits as KeptUnits,
+        PartialResult as PartialResult,
+        Transport as Transport,
+    )
 else:
     open_door(__name__)

@@ -8,7 +8,6 @@ from typing import Annotated, Any, Protocol, TypeAlias
 
 from allworlds.document import one_of
 from allworlds.engines.compiled.sizes import COMPILED_FROM
-from allworlds.engines.isolation.player_pair import WorkerEngine
 from allworlds.engines.isolation.workers import in_any_order, workers_for
 from allworlds.engines.job import Job
 from allworlds.engines.python.python_engine import PythonEngine
@@ -16,7 +15,8 @@ from allworlds.engines.python.scope import Scope
 from allworlds.engines.transports.dask_cluster import Dask
 from allworlds.engines.transports.split import Split
 from allworlds.engines.transports.threads import Threads
-from allworlds.engines.units.unit import Transport, UnitEngine
+from allworlds.engines.units.effort import DaskCluster
+from allworlds.engines.units.unit import Transport
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError, show
 
@@ -26,63 +26,60 @@ class ReadyEngine:
     """An engine made ready, and the transport by which units get to it and tallies back."""
 
     transport: Transport[Any]
-    engine: UnitEngine[Any, Any] | WorkerEngine | None  # None where every unit is kept
+    engine: Any  # what the transport takes; None where every unit is kept
 
 
 class EngineKind(Protocol):
-    """A kind of engine."""
+    """A kind of engine, as the table of the engines needs it."""
 
     name: str
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
-        """Where one run is counted for several, why that is right; else empty."""
+        """The reason why one run may be counted for several; empty if each run is played."""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
-        """Why it cannot do a check; empty if it can."""
+        """Return the reason why it cannot do a check; empty if it can."""
 
     def ready(self, job: Job) -> ReadyEngine:
-        """The engine for this job.
+        """Return the engine for this job.
 
         Raises:
-            EnginesDisagree: if it is not to be trusted.
+            EnginesDisagree: if a comparison shows that it is wrong.
         """
 
 
 class General:
-    """Every explorer, every option: generators in worker processes."""
+    """The Python engine: every explorer, every option, generators in worker processes."""
 
     name = "python"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
-        """Each run is played."""
+        """The empty text: each run is played."""
         return ""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # it can do all
-        """Empty: it can do every check."""
+        """Return the empty text: it can do every check."""
         return ""
 
     def ready(self, job: Job) -> ReadyEngine:
         """Worker processes where the explorer can be found by its name, else this process."""
-        engine = PythonEngine(job.scope, job.keep)
-        if job.dask is not None:
-            return ReadyEngine(_cluster(job, job.dask), engine)
-        return ReadyEngine(workers_for(job.subject, job.limits, job.deadline), engine)
+        return ReadyEngine(players_for(job), PythonEngine(job.scope, job.keep))
 
 
 class Compiled:
-    """The judge in compiled code: built-in explorers in threads, foreign ones in processes."""
+    """The judge in compiled code: built-in explorers in threads, users' ones in processes."""
 
     name = "kernel"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
-        """Bearings, in large maps."""
+        """The reason why in large maps one walk is counted for all bearings."""
         from allworlds.engines.compiled.requests import walks
         from allworlds.engines.compiled.tallies import SYMMETRY
 
         return SYMMETRY if walks(scope, subject, scope.extent.levels[-1]) else ""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
-        """The first option that it does not know."""
+        """Return the first option that it does not know, in a sentence."""
         if subject.from_user and not subject.importable and subject.native is None:
             # Said before the kernel is loaded, which takes half a second.
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
@@ -93,28 +90,34 @@ class Compiled:
     def ready(self, job: Job) -> ReadyEngine:
         """Threads, after both engines have agreed on every small world.
 
-        For a foreign explorer processes: there both agree as they go.
+        For a user's explorer processes, where the engines are compared on the way.
         """
         if job.subject.from_user:
             from allworlds.engines.compiled.stretches import StretchEngine
 
             apart = StretchEngine(job.scope, job.keep)
-            if job.dask is not None:
-                return ReadyEngine(_cluster(job, job.dask), apart)
-            apart.compiled(job)
-            return ReadyEngine(workers_for(job.subject, job.limits, job.deadline), apart)
+            if job.cluster is None:
+                apart.compiled(job)
+            return ReadyEngine(players_for(job), apart)
         from allworlds.engines.compiled.tallies import BATCH, CompiledEngine
 
         engine, workers = CompiledEngine.ready(job), job.limits.workers
         near = Threads(workers, job.deadline, BATCH)
-        if job.dask is None:
+        if job.cluster is None:
             return ReadyEngine(near, engine)
-        far = Dask(job.dask, workers, job.deadline)
+        far = Dask(job.cluster, workers, job.deadline)
         return ReadyEngine(Split(engine.is_soon_done, near, far), engine)
 
 
-def _cluster(job: Job, scheduler: str) -> Dask:
-    """Workers of a cluster, on each of which an explorer is played as it would be here."""
+def players_for(job: Job) -> Transport[Any]:
+    """The transport to the place where the explorer is played: here, or a cluster's workers."""
+    if job.cluster is None:
+        return workers_for(job.subject, job.limits, job.deadline)
+    return _cluster(job, job.cluster)
+
+
+def _cluster(job: Job, cluster: DaskCluster) -> Dask:
+    """A cluster, on each worker of which an explorer is played as it would be here."""
     subject, limits = with_content(job.subject), replace(job.limits, workers=1, time_limit=None)
     if subject.from_user and not subject.importable:
         raise InputError(
@@ -122,7 +125,7 @@ def _cluster(job: Job, scheduler: str) -> Dask:
             "others; put it into a file of its own"
         )
     return Dask(
-        scheduler,
+        cluster,
         job.limits.workers,
         job.deadline,
         inside=partial(workers_for, subject, limits),
@@ -138,7 +141,7 @@ EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 
 
 def why_not_compiled(scope: Scope, subject: Subject) -> str:
-    """Why a native explorer is not judged in compiled code, in a large check; else empty."""
+    """The reason why a native explorer in a large check is not judged in compiled code."""
     if not subject.compiled or scope.extent.levels[-1] < COMPILED_FROM:
         return ""
     obstacle = ENGINES["kernel"].obstacle(scope, subject)
@@ -146,16 +149,16 @@ def why_not_compiled(scope: Scope, subject: Subject) -> str:
 
 
 def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> EngineKind:
-    """The engine that is to be used.
+    """The engine that is used.
 
     Args:
         name: ``auto``, or one of :data:`ENGINES`.
-        scope: what is to be checked.
+        scope: the scope of the check.
         subject: the explorer.
-        memory: MB that it may have, compiled code included.
+        memory: MB that the explorer may have, compiled code included.
 
     Raises:
-        InputError: for a name that is none, or for an engine that cannot do it.
+        InputError: for an unknown name, or for an engine that cannot do the check.
     """
     if name == "auto":
         compiled = ENGINES["kernel"]

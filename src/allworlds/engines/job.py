@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from allworlds.engines.python.scope import Scope
-from allworlds.engines.units.effort import Limits
+from allworlds.engines.units.effort import DaskCluster, Limits
 from allworlds.explorers import Subject
 
 
@@ -15,12 +15,12 @@ class Job:
     """A check as an engine gets it.
 
     Attributes:
-        scope, subject: what is checked.
-        limits: workers, and time.
-        keep: how many findings are kept.
+        scope, subject: of the check.
+        limits: of workers and of time.
+        keep: the number of findings that are kept.
         deadline: on the monotonic clock, or None.
-        notice: takes a text that the user may want to read at once.
-        dask: where units are done: the address of a scheduler, ``local``, or None for here.
+        notice: takes a text that the user reads at once.
+        cluster: that is to do the work; None for work on this machine without Dask.
     """
 
     scope: Scope
@@ -29,4 +29,4 @@ class Job:
     keep: int
     deadline: float | None
     notice: Callable[[str], None]
-    dask: str | None = None
+    cluster: DaskCluster | None = None

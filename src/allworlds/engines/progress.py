@@ -1,45 +1,107 @@
-"""Whoever wants to know how a long job gets on."""
+"""Listeners to the progress of a long job."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
-from typing import Any
+from html import escape
+from typing import Any, NamedTuple
 
 
 class Listener:
-    """Is told how a job gets on; one that overrides nothing lets it pass."""
+    """A listener to the progress of a job; by default each event is ignored."""
 
     def level(self, edges: int, worlds: int) -> None:
-        """A level begins; it holds so many worlds (a shard: about so many)."""
+        """Hear that a level begins, with its number of worlds (of a shard: about that many)."""
 
     def stage(self, name: str, total: int, of: str) -> None:
-        """A part of another kind begins: so many of what ``of`` says."""
+        """Hear that a part of another kind begins, with the number of its items, named ``of``."""
 
     def progress(self, count: int) -> None:
-        """So many more worlds, or others of what the stage is about, are done."""
+        """Hear how many more worlds, or other units of the stage, are done."""
 
     def unit(self, key: str, worlds: int) -> None:
-        """The unit of that name is finished; it holds so many worlds."""
+        """Hear that the unit of that name is finished, with its number of worlds."""
 
     def finding(self, document: Mapping[str, Any]) -> None:
-        """A run that refutes was met in a unit that is finished; it is not confirmed yet."""
+        """Hear of a refuting run in a finished unit, which is not confirmed yet."""
 
     def notice(self, text: str) -> None:
-        """Something that the user may want to know now."""
+        """Hear a message to the user."""
 
 
 class Silent(Listener):
-    """The listener of those who do not want to know."""
+    """The listener that ignores all events."""
 
 
 class Once(Silent):
-    """A listener who hands on notices alone, and each of them once."""
+    """A listener that hands on notices alone, and each of them once."""
 
     def __init__(self, listener: Listener) -> None:
         self._listener, self._said = listener, set[str]()
 
     def notice(self, text: str) -> None:
-        """Something that the user may want to know now."""
+        """Hear a message to the user."""
         if text not in self._said:
             self._said.add(text)
             self._listener.notice(text)
+
+
+class InNotebook(Listener):
+    """A listener that shows a bar below the cell of a notebook, and notices as lines."""
+
+    def __init__(self) -> None:
+        self._bar: Any = None
+        self._name, self._of, self._total, self._done = "", "", 0, 0
+        self._shown = 0
+
+    def level(self, edges: int, worlds: int) -> None:
+        """Begin the bar of a level."""
+        self.stage(f"edges {edges}", worlds, "worlds")
+
+    def stage(self, name: str, total: int, of: str) -> None:
+        """Begin a bar."""
+        self._name, self._of, self._total, self._done = name, of, total, 0
+        self._show()
+
+    def progress(self, count: int) -> None:
+        """Move the bar on, by a hundredth at least."""
+        self._done += count
+        if 100 * (self._done - self._shown) >= self._total:
+            self._show()
+
+    def notice(self, text: str) -> None:
+        """Show the message."""
+        print(text)  # noqa: T201  # below the cell
+
+    def _show(self) -> None:
+        self._shown = self._done
+        bar = _Bar(self._name, self._done, self._total, self._of)
+        if self._bar is None:
+            show: Any = sys.modules["IPython"].display.display
+            self._bar = show(bar, display_id=True)
+        elif self._bar:
+            self._bar.update(bar)
+
+
+class _Bar(NamedTuple):
+    """A bar with its numbers."""
+
+    name: str
+    done: int
+    total: int
+    of: str
+
+    def _repr_html_(self) -> str:
+        """The bar that notebooks show."""
+        bar = f'<progress value="{self.done}" max="{self.total}"></progress>'
+        return f"{bar} {escape(repr(self))}"
+
+    def __repr__(self) -> str:
+        return f"{self.name}: {self.done:,} of {self.total:,} {self.of}"
+
+
+def usual_listener() -> Listener:
+    """The listener where none is named: a bar in a notebook, else silence."""
+    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+    return InNotebook() if hasattr(shell, "kernel") else Silent()

@@ -1,4 +1,4 @@
-"""One run, judged: in this process, or in one of its own where the explorer is foreign."""
+"""One run, judged: in this process, or in one of its own if the explorer is a user's."""
 
 from __future__ import annotations
 
@@ -6,8 +6,11 @@ from collections.abc import Sequence
 from typing import Annotated
 
 from allworlds.document import (
+    EXIT_CODE,
     UNSET,
     Aside,
+    Document,
+    IfAny,
     Natural,
     Report,
     Text,
@@ -15,16 +18,47 @@ from allworlds.document import (
     about,
     computed,
     one_of,
+    replace,
 )
-from allworlds.engines.isolation.confirm import examine_apart
+from allworlds.engines.isolation.confirm import examine_apart, walk_apart
 from allworlds.engines.python.examiner import Examiner, Outcome, Referee, name_run
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
-from allworlds.inputs import show
-from allworlds.judging import Answered, Ending, Finding, RecordedRules, Rules, Undecided, place_of
-from allworlds.outcome import Exit, Verdict
+from allworlds.inputs import InputError, show
+from allworlds.judging import (
+    Answered,
+    Ending,
+    Finding,
+    RecordedRules,
+    Rules,
+    Undecided,
+    place_of,
+    play,
+)
+from allworlds.maps import bound_of_testers
+from allworlds.outcome import Exit, Facts, Verdict
 from allworlds.protocol import Ambiguous, Estimate, Transcript
-from allworlds.world import World
+from allworlds.world import Adversary, Deciding, World
+
+
+class Decisions(Document):
+    """Decisions of an adversary.
+
+    The play against it in which the world came about.
+    """
+
+    name: Annotated[Text, about("`adversary:corridor:F`")]
+    seed: Annotated[int, about("of the loops, and of the matching at first")]
+    cost: Annotated[Natural, about("traversals against the adversary")]
+    excluded: Annotated[Natural, about("pairs of far darts that an answer has excluded")]
+    forced: Annotated[Natural, about("edges that were left as the only ones")]
+    settled: Annotated[
+        Natural, about("edges that were fixed before an answer that depended on them")
+    ]
+    testers: Annotated[
+        Natural, about("traversals that every tester of home words needs against it")
+    ]
+    same: Annotated[bool, about("whether the explorer walks in the world as against the adversary")]
 
 
 class SingleRun(Report):
@@ -35,10 +69,8 @@ class SingleRun(Report):
 
     verdict: Annotated[
         Verdict, about("about this run alone"), one_of(Verdict.HOLDS, Verdict.REFUTED)
-    ] = computed(lambda run: Verdict.REFUTED if run.finding else Verdict.HOLDS)
-    exit_code: Annotated[Exit, one_of(Exit.HOLDS, Exit.REFUTED)] = computed(
-        lambda run: run.verdict.exit
-    )
+    ] = computed(lambda run: run.facts.verdict)
+    exit_code: Annotated[Exit, one_of(Exit.HOLDS, Exit.REFUTED)] = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     world: Annotated[World, about("as it was given")]
     options: Annotated[RecordedRules, about("how it was played and judged")] = computed(
@@ -61,21 +93,41 @@ class SingleRun(Report):
     ambiguous: Annotated[
         Ambiguous | UnsetType, about("the answer that names no map, where there is one")
     ] = computed(lambda run: run.ending.quotient if isinstance(run.ending, Undecided) else UNSET)
+    adversary: Annotated[
+        IfAny[Decisions | None], about("the adversary that has made the world, if one has")
+    ] = None
+    output: Annotated[Text | UnsetType, about("what the explorer printed, if anything")] = computed(
+        lambda run: run.outcome.output or UNSET
+    )
     rules: Aside[Rules]
     outcome: Aside[Outcome]
 
     @property
+    def facts(self) -> Facts:
+        """Whether a law is broken, or the walk is not the one that the adversary saw."""
+        other = self.adversary is not None and not self.adversary.same
+        return Facts(refuted=self.finding is not None or other)
+
+    @property
     def ending(self) -> Ending:
-        """How the episode ended."""
+        """The ending of the episode: an answer, or a fault."""
         return self.outcome.episode.ending
 
 
 def single_run(
-    subject: Subject, world: World, rules: Rules, script: tuple[int, ...], limits: Limits
+    subject: Subject,
+    world: World,
+    rules: Rules,
+    script: tuple[int, ...],
+    limits: Limits,
+    hash_seed: int | None = None,
 ) -> SingleRun:
-    """One episode in which the script answers the first choices, as far as it fits."""
+    """One episode in which the script answers the first choices, as far as it fits.
+
+    Both players of a user's explorer have the hash seed, if one is given.
+    """
     if subject.from_user:
-        outcome = examine_apart(subject, rules, world, script, limits)
+        outcome = examine_apart(subject, rules, world, script, limits, hash_seed)
     else:
         choices = rules.choices(name_run(rules, world), script)
         outcome = Examiner(subject, rules).examine(world, choices)
@@ -85,6 +137,55 @@ def single_run(
     return SingleRun(
         explorer=subject.name, world=world, finding=finding, rules=rules, outcome=outcome
     )
+
+
+def adversarial_run(
+    subject: Subject,
+    adversary: Adversary,
+    rules: Rules,
+    script: tuple[int, ...],
+    limits: Limits,
+    hash_seed: int | None = None,
+) -> SingleRun:
+    """One episode in the world that an adversary makes while the explorer plays against it.
+
+    Args:
+        subject: plays against the adversary, and then in the world that is left.
+        adversary: gets no more than the actions.
+        rules: by which the run is played and judged.
+        script: answers to the first choices.
+        limits: of processes, for a user's explorer.
+        hash_seed: of all players of a user's explorer, if one is given.
+
+    Raises:
+        InputError: for another task than ``map``.
+
+    Cost: that of two runs, or of four of a user's explorer.
+    """
+    if not rules.task.is_map:
+        raise InputError(f"task {show(rules.task.name)} is not for {adversary}; 'map' is")
+    if subject.from_user and subject.importable:
+        walk, choices = walk_apart(subject, rules, adversary, script, limits, hash_seed)
+    else:
+        at_first, heard = adversary.at_first, rules.choices("", script)
+        budget = rules.budget(at_first.map)
+        episode = play(Deciding(adversary), subject.player(), heard, budget)
+        walk, choices = episode.transcript.actions, tuple(heard.record)
+    deciding = Deciding(adversary)
+    for action in walk:
+        deciding.step(deciding.initial, action)
+    run = single_run(subject, deciding.world(), rules, choices, limits, hash_seed)
+    decisions = Decisions(
+        name=str(adversary),
+        seed=adversary.seed,
+        cost=len(walk),
+        excluded=deciding.excluded,
+        forced=deciding.forced,
+        settled=deciding.settled,
+        testers=bound_of_testers(adversary.far),
+        same=run.outcome.episode.transcript.actions == walk,
+    )
+    return replace(run, adversary=decisions)
 
 
 def unused_choice(choices: Sequence[int], told: SingleRun) -> str:

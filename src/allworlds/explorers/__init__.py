@@ -1,21 +1,21 @@
-"""Explorers: the built-in ones, and how the user's are found and called.
+"""Explorers: the built-in ones, and the loading of the user's.
 
 ``builtin``
     the explorers that come with the package, one a module;
 ``subject``
     an explorer as a check speaks of it;
 ``loading``
-    its code, found by its name, in a process that may run foreign code;
+    its code, found by its name, in a process that may run users' code;
 ``asked``
-    how requests ask for one;
+    the part of a request that names one;
 ``moved``
-    modules of explorers that have moved since 0.1.0;
+    the modules of explorers that have moved since 0.1.0;
 ``spelling``
     names that are nearly those of an explorer;
 ``digest``
-    the bytes that an explorer is, whatever it is called;
+    a digest of an explorer's code, independent of its name;
 ``source_line``
-    the file and the line where one stands;
+    the file and the line of one;
 ``program``
     a program in any language behind a pipe;
 ``shared_library``
@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from allworlds.explorers.builtin.prudent import prudent as prudent
     from allworlds.explorers.builtin.quotient import quotient as quotient
     from allworlds.explorers.builtin.remembering import remembering as remembering
+    from allworlds.explorers.builtin.shield import Shield as Shield
     from allworlds.explorers.builtin.undirected import (
         algorithm1_cluster as algorithm1_cluster,
         algorithm1_natural as algorithm1_natural,
@@ -83,21 +84,27 @@ if TYPE_CHECKING:
         files_of_explorer as files_of_explorer,
         place_of_explorer as place_of_explorer,
     )
-    from allworlds.explorers.spelling import whole_name as whole_name
+    from allworlds.explorers.spelling import (
+        short_names as short_names,
+        whole_name as whole_name,
+    )
     from allworlds.explorers.subject import (
         EXEC as EXEC,
+        HASH_SEED as HASH_SEED,
         NATIVE as NATIVE,
-        ExplorerSource as ExplorerSource,
+        SHIELD as SHIELD,
         Subject as Subject,
         built_in as built_in,
         command_of as command_of,
         in_process_subject as in_process_subject,
+        is_library as is_library,
         is_program as is_program,
         named_on_command_line as named_on_command_line,
         names_explorer as names_explorer,
         own_bound as own_bound,
         own_lighthouse as own_lighthouse,
         subject_known as subject_known,
+        with_shield as with_shield,
     )
 else:
     open_door(__name__)

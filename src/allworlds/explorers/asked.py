@@ -1,4 +1,4 @@
-"""How requests ask for explorers: by a name or a function in Python, by words elsewhere."""
+"""Explorers in requests: a name or a function in Python, options on the command line."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ DEFAULT_EXPLORER = "algorithm1"
 
 
 class ProgramWords(Request):
-    """An explorer that is no Python, as the command line names it."""
+    """The options of the command line that name an explorer outside Python."""
 
     command: Annotated[
         str | None,
@@ -28,7 +28,7 @@ class ProgramWords(Request):
     ] = None
 
     def named(self, explorer: str | None) -> str | None:
-        """The name of the one explorer that is given, if one is, by an argument or in these words.
+        """The name of the explorer that the argument or these options give; None if there is none.
 
         Raises:
             InputError: if several are.
@@ -45,7 +45,7 @@ class ProgramWords(Request):
 
 
 class ExplorerWords(ProgramWords):
-    """An explorer as the command line names it."""
+    """The argument and options of the command line that name an explorer."""
 
     explorer: Annotated[
         str | None,
@@ -58,12 +58,12 @@ class ExplorerWords(ProgramWords):
     ] = None
 
     def value(self) -> str:
-        """Its name; the default where none is given."""
+        """The explorer's name; the default if none is given."""
         return self.named(self.explorer) or DEFAULT_EXPLORER
 
 
 class ExplorersWords(Request):
-    """Several explorers as the command line names them."""
+    """The arguments and options of the command line that name several explorers."""
 
     explorers: Annotated[
         list[str] | None,
@@ -105,7 +105,7 @@ class ExplorersWords(Request):
 
 
 class AskedExplorer(Request, kw_only=False):
-    """Which explorer is run."""
+    """The part of a request that names the explorer."""
 
     explore: Annotated[
         str | Callable[..., Any],

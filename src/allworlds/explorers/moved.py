@@ -1,4 +1,4 @@
-"""Modules of explorers that have moved: findings and users name them as they were called once."""
+"""Modules of explorers that have moved: findings and users may still give the old names."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ MOVED = {
     "allworlds.mutation.learners": "allworlds.evidence.mutants.learners",
     "allworlds.mutation.unfair": "allworlds.evidence.mutants.unfair",
 }
-"""The modules of 0.1.0 that hold explorers, by the names that they had there."""
+"""The present modules of explorers by their names in version 0.1.0."""
 
 
 def present_name(module: str) -> str:
-    """Return the name that a module has now."""
+    """Return the present name of a module."""
     return MOVED.get(module, module)

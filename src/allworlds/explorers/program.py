@@ -1,10 +1,12 @@
 """A program in any language as an explorer: JSON lines over a pipe.
 
 One process plays many episodes.  To it: ``{"episode": 1, "percept": P}`` (with ``"told"``
-where there is something to tell), then ``{"percept": P}`` after each action.  From it:
-``{"move": k}``, ``{"drop": true}``, ``{"pick": true}``, ``{"checkpoint": {...}}`` (unanswered)
-or ``{"estimate": {"sigma", "alpha", "here"}}`` or ``{"ambiguous": {"sigma", "alpha", "degree",
-"marks", "here"}}``.  Unknown keys are ignored by both sides.
+if there is something to tell), then ``{"percept": P}`` after each action.  From it:
+``{"move": k}``, ``{"drop": true}``, ``{"pick": true}``, ``{"write": k}``,
+``{"checkpoint": {...}}`` (unanswered) or ``{"estimate": {"sigma", "alpha", "here"}}`` or
+``{"ambiguous": {"sigma", "alpha", "degree", "marks", "here"}}``, or ``{"answer": VALUE}`` where
+the task is not ``map``.  Unknown keys are ignored by both
+sides.
 """
 
 from __future__ import annotations
@@ -13,11 +15,13 @@ import contextlib
 import errno
 import json
 import os
+import re
 import secrets
 import select
 import shlex
 import shutil
 import subprocess
+import sys
 import time
 from collections.abc import Generator, Sequence
 from functools import lru_cache
@@ -30,18 +34,21 @@ from allworlds.maps import CombinatorialMap, InvalidMap
 from allworlds.protocol import (
     Action,
     Ambiguous,
-    Answer,
     Checkpoint,
     Estimate,
     ExplorerFault,
     Percept,
+    Told,
     action_from_json,
 )
 
 STDERR_KEPT = 4096
 LONGEST_LINE = 1 << 24
-SAYINGS = {"move", "drop", "pick", "checkpoint", "estimate", "ambiguous"}
+SAYINGS = {"move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer"}
 """A line of the program has exactly one of these keys."""
+
+ANSWERS = {"estimate", "ambiguous", "answer"}
+"""The keys of a line that ends an episode."""
 
 SHORT = 64
 """Lines of fewer bytes, as most are, are parsed once."""
@@ -70,6 +77,8 @@ class Program:
         found = shutil.which(self._arguments[0])
         if found is None:
             raise InputError(f"--exec {show(command)}: {_obstacle(self._arguments[0])}")
+        if missing := _missing_script(*self._arguments[:2]):
+            raise InputError(f"--exec {show(command)}: {missing}")
         self.path = found
         self._timeout = answer_timeout
         self._process: subprocess.Popen[bytes] | None = None
@@ -81,12 +90,12 @@ class Program:
         self._in_to = self._out_of = -1
 
     def explore(
-        self, first: Percept, *, told: int | None = None
-    ) -> Generator[Action | Checkpoint, Percept, Answer]:
-        """One episode: what the program says, as an explorer would say it.
+        self, first: Percept, *, told: Told = None
+    ) -> Generator[Action | Checkpoint, Percept, object]:
+        """Play one episode: turn the program's lines into actions and an answer.
 
         Raises:
-            ExplorerFault: when the program is silent, ends, or says something else.
+            ExplorerFault: when the program is silent, ends, or writes something else.
         """
         finished = False
         try:
@@ -107,7 +116,7 @@ class Program:
                     self._send(_answering(percept))
                 elif "checkpoint" in message:
                     yield _checkpoint(message["checkpoint"])
-                elif "estimate" in message or "ambiguous" in message:
+                elif message.keys() & ANSWERS:
                     if self._out:
                         raise self._fault(
                             "illegal-action", f"a line after its answer: {_text(self._out)}"
@@ -118,6 +127,7 @@ class Program:
                 else:
                     raise self._fault("illegal-action", f"the line {_short(message)}")
         finally:
+            self._pass_stderr_on()
             if not finished:
                 # Whatever it would say next belongs to an episode that is over.
                 self._kill()
@@ -134,7 +144,7 @@ class Program:
             process.wait(1)
         self._kill()
 
-    def _begin(self, first: Percept, told: int | None) -> None:
+    def _begin(self, first: Percept, told: Told) -> None:
         if self._process is None:
             self._start()
         self._read(0)
@@ -143,7 +153,7 @@ class Program:
             raise self._fault("illegal-action", f"a line before it was asked: {_text(self._out)}")
         self._heard = False
         number = self._numbers.getrandbits(53)
-        heard = b"" if told is None else b'"told": %d, ' % told
+        heard = b"" if told is None else b'"told": %b, ' % json.dumps(told).encode()
         self._send(b'{"episode": %d, ' % number + heard + _answering(first)[1:])
 
     def _start(self) -> None:
@@ -162,6 +172,7 @@ class Program:
         assert self._process.stdout is not None
         assert self._process.stderr is not None
         self._in_to, self._out_of = self._process.stdin.fileno(), self._process.stdout.fileno()
+        os.set_blocking(self._in_to, False)
         self._said = select.poll()
         self._said.register(self._process.stdout, select.POLLIN)
         self._said.register(self._process.stderr, select.POLLIN)
@@ -183,9 +194,21 @@ class Program:
 
     def _send(self, line: bytes) -> None:
         try:
+            # A line is shorter than what a pipe takes whole or not at all.
             os.write(self._in_to, line)
+        except BlockingIOError:
+            self._send_when_read(line)
         except OSError:
             raise self._ended() from None
+
+    def _send_when_read(self, line: bytes) -> None:
+        """Send a line to a program that has not read those before."""
+        reads = select.poll()
+        reads.register(self._in_to, select.POLLOUT)
+        if not reads.poll(self._timeout * 1000):
+            unread = f"it writes on, and for {self._timeout:g} s it has read nothing of the answers"
+            raise self._fault("illegal-action", unread, machine=True)
+        self._send(line)
 
     def _message(self, line: bytes) -> dict[str, Any]:
         try:
@@ -214,9 +237,9 @@ class Program:
         return line
 
     def _read(self, wait: float) -> bool:
-        """Take in what the program says within ``wait`` seconds; False at its end of output.
+        """Read the program's output for up to ``wait`` seconds; return False at its end of output.
 
-        Of what it writes to stderr only the end is kept, however much it is.
+        Only the end of its stderr is kept.
         """
         goes_on = True
         for descriptor, _ in self._said.poll(wait * 1000):
@@ -249,8 +272,15 @@ class Program:
         code = self._process.returncode
         return self._fault("crash", seen, machine=code is not None and code < 0)
 
+    def _pass_stderr_on(self) -> None:
+        """Print the program's stderr of this episode."""
+        self._drain()
+        if self._err:
+            sys.stderr.write(self._err.decode(errors="backslashreplace"))
+            sys.stderr.flush()
+
     def _drain(self) -> None:
-        """Take in what it has written to stderr by now."""
+        """Read the program's stderr as far as it is written."""
         process = self._process
         while process and process.stderr and not process.stderr.closed:
             poll = select.poll()
@@ -277,7 +307,7 @@ class Program:
 
 @lru_cache(maxsize=1 << 12)
 def _short_action(line: bytes) -> Action | None:
-    """The action that a short line is; None where it must be looked at more closely."""
+    """The action of a short line; None if the line must be parsed more carefully."""
     try:
         message = json.loads(line)
     except (ValueError, RecursionError):
@@ -292,8 +322,21 @@ def _answering(percept: Percept) -> bytes:
     return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
 
 
+INTERPRETERS = re.compile(r"(node|nodejs|ruby|perl|lua|php|pypy3?|python[0-9.]*)")
+"""Programs whose first word, if it is no option, is a file with a script."""
+
+
+def _missing_script(interpreter: str, script: str = "-") -> str:
+    """The reason why an interpreter cannot open its script; empty if it can, or if unknown."""
+    plain = INTERPRETERS.fullmatch(Path(interpreter).name) and not script.startswith("-")
+    # node takes a name without its ending, too.
+    if not plain or any(Path(script + ending).exists() for ending in ("", ".js", ".json")):
+        return ""
+    return f"{Path(interpreter).name} cannot open {show(script)}: there is no such file"
+
+
 def _obstacle(name: str) -> str:
-    """Why what is named cannot be run."""
+    """The reason why a command cannot be run."""
     path = Path(name)
     try:
         path.stat()
@@ -321,9 +364,11 @@ def _checkpoint(value: object) -> Checkpoint:
     return Checkpoint(value["sigma"], value["alpha"], value["here"])
 
 
-def _answer(message: dict[str, Any]) -> Answer:
+def _answer(message: dict[str, Any]) -> object:
     if "estimate" in message:
         return _estimate(message["estimate"])
+    if "answer" in message:
+        return message["answer"]
     return _ambiguous(message["ambiguous"])
 
 
@@ -335,7 +380,7 @@ def _estimate(value: object) -> Estimate:
     try:
         return Estimate(CombinatorialMap.from_json(value), value["here"])
     except InvalidMap as error:
-        raise ExplorerFault("no-estimate", f"no map: {error}") from None
+        raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
 
 def _ambiguous(value: object) -> Ambiguous:
@@ -347,7 +392,7 @@ def _ambiguous(value: object) -> Ambiguous:
 
 
 def _missing(value: dict[str, Any], keys: Sequence[str] = ("sigma", "alpha", "here")) -> str:
-    """The keys that a checkpoint or an answer lacks."""
+    """The missing keys of a checkpoint or an answer, in words."""
     return " and ".join(key for key in keys if key not in value)
 
 

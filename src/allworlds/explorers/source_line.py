@@ -1,4 +1,4 @@
-"""Where an explorer stands, for reports that lead there: a file and a line, found by reading."""
+"""The place of an explorer's code, for reports: a file and a line, found by reading."""
 
 from __future__ import annotations
 
@@ -9,18 +9,20 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
-from allworlds.explorers.digest import module_file
+from allworlds.explorers.moved import present_name
 from allworlds.explorers.subject import (
     command_of,
     entry_points,
     is_library,
     is_program,
     path_of,
+    unshielded,
 )
 from allworlds.inputs import InputError
+from allworlds.protocol import module_file
 
 SOURCES = (".c", ".cc", ".cpp", ".cxx", ".rs", ".zig", ".go")
-"""What a shared library is made from, if a file of its name lies beside it."""
+"""The endings of the source of a shared library, looked for beside it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,17 +38,18 @@ class SourceLine:
     line: int = 1
 
     def named_from(self, folder: Path) -> str:
-        """The file relative to a folder, with ``/``; absolute if it lies elsewhere."""
+        """The file relative to a folder, with ``/``; absolute if it is outside the folder."""
         if self.file.is_relative_to(folder):
             return self.file.relative_to(folder).as_posix()
         return self.file.as_posix()
 
 
 def files_of_explorer(name: str) -> list[Path]:
-    """The files with which an explorer changes; none for one of ours, and where nobody can say.
+    """The files of an explorer's code; none for a built-in explorer, or if they are unknown.
 
-    Of a program they are those that its command names.
+    For a program they are the files that its command names.
     """
+    name = unshielded(name)
     if is_program(name):
         try:
             words = shlex.split(command_of(name))
@@ -66,12 +69,13 @@ def files_of_explorer(name: str) -> list[Path]:
 
 
 def place_of_explorer(name: str) -> SourceLine | None:
-    """Where the explorer of that name stands; None for one of ours, and where nobody can say.
+    """The place of an explorer's code; None for a built-in explorer, or if it is unknown.
 
-    No code of the explorer is run.  Of a Python explorer it is the line of its function, of a
-    program the first line of the last file that its command names, of a shared library the
-    source of the same name beside it, or else the library.
+    The explorer's code is not run.  For a Python explorer the place is the line of its function,
+    for a program the first line of the last file that its command names, for a shared library
+    the source of the same name beside it, or else the library.
     """
+    name = unshielded(name)
     if name in BUILT_IN:
         return None
     try:
@@ -104,18 +108,18 @@ def _of_python(name: str) -> SourceLine | None:
 
 
 def _file_and_attributes(name: str) -> tuple[Path, list[str]]:
-    """The file of a Python explorer, which may be missing, and what leads to it there."""
-    points = entry_points()
-    whole = points[name].value if name in points else name
+    """The file of a Python explorer, which may be missing, and the dotted name in it."""
+    points, plain = entry_points(), name.partition("?")[0]
+    whole = points[plain].value if plain in points else plain
     place, colon, attribute = whole.rpartition(":")
     if not colon:  # of a file with one explorer its name will do
         place, attribute = whole, ""
-    file = Path(place) if place.endswith(".py") else module_file(place)
+    file = Path(place) if place.endswith(".py") else module_file(present_name(place))
     return Path(os.path.realpath(file)), attribute.split(".") if attribute else []
 
 
 def _line(tree: ast.Module, names: list[str]) -> int:
-    """The line where a name with dots is defined; 1 where that is not to be seen."""
+    """The line where a dotted name is defined; 1 if it is not found."""
     body, line = tree.body, 1
     for name in names:
         for node in body:

@@ -1,26 +1,43 @@
-"""Names that are nearly those of an explorer: what is left out, and what was meant."""
+"""Names that are nearly those of an explorer: completion, short names, suggestions."""
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from difflib import get_close_matches
 from pathlib import Path
 
+from allworlds.explorers.subject import SHIELD, has_shield, is_program, unshielded
 from allworlds.inputs import InputError, read_text, show
+
+MOST_OF_A_COMMAND = 20
+"""The number of characters that stand for a command, if they tell it from others."""
 
 
 def whole_name(name: str) -> str:
-    """The name; of a file that has one generator function alone, with that function.
+    """The name; the function is added to the name of a file that has only one.
 
     The file is read, and not run.
 
     Raises:
-        InputError: if the file has several, or none.
+        InputError: if the file has several, or none, is not there, or is no Python.
     """
-    if not name.endswith(".py") or ":" in name or not Path(name).is_file():
+    if has_shield(name):
+        return SHIELD + whole_name(unshielded(name))
+    if not name.endswith(".py") or ":" in name:
         return name
-    functions = [*generator_functions(read_text(name))]
+    if not Path(name).exists():
+        raise InputError(f"there is no file {show(name)}")
+    text = read_text(name)
+    try:
+        compile(text, name, "exec", dont_inherit=True)
+    except (SyntaxError, ValueError, RecursionError) as error:
+        line = getattr(error, "lineno", None)
+        where = f", line {line}" if line else ""
+        said = getattr(error, "msg", None) or error
+        kind = type(error).__name__
+        raise InputError(f"{show(name)}{where} is no Python: {kind}: {said}") from None
+    functions = [*generator_functions(text)]
     if len(functions) == 1:
         return f"{name}:{functions[0]}"
     if not functions:
@@ -30,7 +47,7 @@ def whole_name(name: str) -> str:
 
 
 def generator_functions(text: str) -> Iterator[str]:
-    """The names of the generator functions of a module, in their order; none if it is no Python."""
+    """The names of a module's generator functions, in their order; none if it is no Python."""
     try:
         module = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError):
@@ -41,7 +58,7 @@ def generator_functions(text: str) -> Iterator[str]:
 
 
 def _yields(body: Iterable[ast.AST]) -> bool:
-    """Whether there is a yield that is not one of another function within."""
+    """Whether the function has a yield of its own, not only of a nested function."""
     for node in body:
         if isinstance(node, ast.Yield | ast.YieldFrom):
             return True
@@ -51,7 +68,36 @@ def _yields(body: Iterable[ast.AST]) -> bool:
     return False
 
 
+def short_names(names: Sequence[str]) -> list[str]:
+    """The shortest ends of these names that tell them apart, as the heads of columns."""
+    ends = [[*_ends(name)] for name in names]
+    taken = [0] * len(names)
+    while True:
+        short = [end[i] for end, i in zip(ends, taken, strict=True)]
+        alike = [
+            i
+            for i, name in enumerate(short)
+            if short.count(name) > 1 and taken[i] + 1 < len(ends[i])
+        ]
+        if not alike:
+            return short
+        for i in alike:
+            taken[i] += 1
+
+
+def _ends(name: str) -> Iterator[str]:
+    """The ends of a name, from the shortest one to the name itself."""
+    if is_program(name):
+        yield name[:MOST_OF_A_COMMAND]
+    elif ":" in name:
+        place, _, attribute = name.rpartition(":")
+        yield attribute
+        folders = place.split("/")
+        yield from (f"{'/'.join(folders[-i:])}:{attribute}" for i in range(1, len(folders)))
+    yield name
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """``; did you mean 'algorithm1'?``; empty where nothing is like it."""
+    """A hint such as ``; did you mean 'algorithm1'?``; empty if no name is similar."""
     close = get_close_matches(name, [*known], n=1)
     return f"; did you mean {show(close[0])}?" if close else ""

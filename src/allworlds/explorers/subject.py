@@ -1,8 +1,7 @@
-"""Explorers as a check speaks of them: a name, what it takes, and where it is played."""
+"""Explorers under test: their names, their keywords, and the ways in which they are played."""
 
 from __future__ import annotations
 
-import hashlib
 import importlib.metadata
 import importlib.util
 import inspect
@@ -10,41 +9,31 @@ import re
 import sys
 from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import AbstractContextManager, closing, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from allworlds.explorers.builtin.algorithm1 import nobody
 from allworlds.explorers.builtin.explorer_table import BUILT_IN, BuiltIn, Size
+from allworlds.explorers.builtin.shield import Shield
 from allworlds.explorers.program import Program
 from allworlds.explorers.shared_library.native import NativeExplorer
-from allworlds.inputs import InputError
-from allworlds.protocol import Choices, Percept, Player
+from allworlds.inputs import InputError, show
+from allworlds.protocol import Choices, Percept, Player, SourceText, Told, points_of
 
 ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
 NATIVE = "native:"
-"""The beginnings of the names of programs and of shared libraries."""
+SHIELD = "shield:"
+"""The beginnings of the names of programs, of shared libraries, and of explorers with a shield."""
+
+SHIELD_BOUND = "9*paper"
+"""The bound that every explorer with a shield keeps."""
+
+HASH_SEED = "PYTHONHASHSEED"
+"""The variable of the environment from which an interpreter takes its hash seed."""
 
 LIGHTHOUSE = "directional"
-"""What foreign explorers are run under unless another lighthouse is named."""
-
-
-@dataclass(frozen=True, slots=True)
-class ExplorerSource:
-    """The text of an explorer's file, read once: what happens to the file then does no harm.
-
-    Attributes:
-        path: as it was named, made absolute.
-        text: of the file.
-    """
-
-    path: str
-    text: str
-
-    @property
-    def digest(self) -> str:
-        """SHA-256 of the text, in hexadecimal."""
-        return hashlib.sha256(self.text.encode(errors="surrogateescape")).hexdigest()
+"""The lighthouse of users' explorers unless another is named."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,43 +41,53 @@ class Subject:
     """An explorer under test.
 
     Attributes:
-        name: what finds it again: a built-in name, ``module:attribute``,
-            ``path/to/file.py:attribute``, an entry point, ``exec:COMMAND`` or ``native:PATH``.
-        keywords: those of ``choices``, ``told`` and ``notice`` that it takes.
+        name: by which it is found again: a built-in name, ``module:attribute``,
+            ``path/to/file.py:attribute``, an entry point, each of which may end in ``?key=value``,
+            ``exec:COMMAND`` or ``native:PATH``;
+            any of them with a shield as ``shield:NAME``.
+        keywords: the ones of ``choices``, ``told`` and ``notice`` that it takes.
         explore: the generator function; None where another process finds it by its name, so
             that its code never gets into this one.
-        own: its entry among the built-in explorers, if it is one.
+        own: its entry among the built-in explorers, if it is built in.
         source: the text of its file, if it stands in a file.
-        program: the foreign program behind it, if it is one, and is to be run here.
-        native: the same for a shared library.
+        program: the user's program behind it, if there is one that is run here.
+        native: the shared library behind it, if there is one that is run here.
+        inside: the explorer inside, if this one has a shield and is run here.
     """
 
     name: str
     keywords: frozenset[str]
     explore: Callable[..., Generator[Any, Any, Any]] | None = None
     own: BuiltIn | None = None
-    source: ExplorerSource | None = None
+    source: SourceText | None = None
     program: Program | None = None
     native: NativeExplorer | None = None
+    inside: Subject | None = None
 
     @property
     def from_user(self) -> bool:
-        """It is not one of ours: its runs are executed twice."""
+        """Whether it is a user's explorer, whose runs are executed twice."""
         return self.own is None
 
     @property
     def is_program(self) -> bool:
-        """It is a program behind a pipe; its name tells, here and where it is started."""
+        """Whether it is a program behind a pipe, by its name, here and in other processes.
+
+        A program with a shield is still a program.
+        """
         return is_program(self.name)
 
     @property
     def compiled(self) -> bool:
-        """It is a shared library; its name tells, here and where it is loaded."""
-        return is_library(self.name)
+        """Whether it is a shared library, by its name, here and in other processes.
+
+        False with a shield: then Python calls it, as any other explorer.
+        """
+        return self.name.startswith(NATIVE)
 
     @property
     def importable(self) -> bool:
-        """It is played in other processes."""
+        """Whether it can be played in other processes."""
         return self.explore is None
 
     @property
@@ -103,57 +102,84 @@ class Subject:
 
     @property
     def step_budget(self) -> int | None:
-        """The step budget that it brings, if it needs one of its own."""
+        """The explorer's own step budget; None if the usual one is large enough."""
         return self.own.step_budget if self.own else None
 
     def bound_under(self, lighthouse: str) -> str | None:
-        """The bound that it brings under this lighthouse, if it does."""
+        """The explorer's own bound under this lighthouse; None if it has none."""
         return own_bound(self.name, lighthouse)
 
     @property
     def takes_choices(self) -> bool:
-        """The explorer asks where it is free, so its schedules can be enumerated."""
+        """Whether the explorer takes choices, so that its schedules can be enumerated."""
         return "choices" in self.keywords
 
     def player(self, notice: Callable[[str], None] = nobody) -> Player:
-        """The explorer with its keywords bound; it must be here."""
+        """The explorer with its keywords bound; its code must be in this process."""
         explore, keywords = self.explore, self.keywords
         assert explore is not None
 
-        def play(first: Percept, choices: Choices, told: int | None) -> Generator[Any, Any, Any]:
+        def play(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
             offered = {"choices": choices, "told": told, "notice": notice}
             return explore(first, **{key: offered[key] for key in keywords})
 
         return play
 
     def running(self) -> AbstractContextManager[object]:
-        """A context at whose end what is behind the explorer, if anything, is stopped."""
+        """A context at whose end the program or library behind the explorer is stopped."""
+        if self.inside:
+            return self.inside.running()
         behind = self.program or self.native
         return closing(behind) if behind else nullcontext()
 
 
 def is_program(name: str) -> bool:
     """Whether that is the name of a program behind a pipe, as ``exec:COMMAND``."""
-    return name.startswith(EXEC)
+    return unshielded(name).startswith(EXEC)
 
 
 def is_library(name: str) -> bool:
     """Whether that is the name of a shared library, as ``native:PATH``."""
-    return name.startswith(NATIVE)
+    return unshielded(name).startswith(NATIVE)
+
+
+def has_shield(name: str) -> bool:
+    """Whether that is the name of an explorer with a shield, as ``shield:NAME``."""
+    return name.startswith(SHIELD)
+
+
+def unshielded(name: str) -> str:
+    """The name without the shield, if there is one."""
+    while has_shield(name):
+        name = name.removeprefix(SHIELD)
+    return name
+
+
+def with_shield(inside: Subject) -> Subject:
+    """The explorer with a shield; one shield is enough."""
+    if has_shield(inside.name):
+        return inside
+    name, keywords = SHIELD + inside.name, inside.keywords - {"notice"}
+    if inside.explore is None:
+        return Subject(name, keywords, source=inside.source)
+    explore = inside.explore if isinstance(inside.explore, Shield) else Shield(inside.explore)
+    return Subject(name, keywords, explore, source=inside.source, inside=inside)
 
 
 def command_of(name: str) -> str:
     """The command of a program of that name."""
-    return name.removeprefix(EXEC)
+    return unshielded(name).removeprefix(EXEC)
 
 
 def path_of(name: str) -> str:
     """The path of a shared library of that name."""
-    return name.removeprefix(NATIVE)
+    return unshielded(name).removeprefix(NATIVE)
 
 
 def named_on_command_line(name: str) -> list[str]:
-    """The words by which the command line names that explorer."""
+    """The arguments of the command line that name an explorer."""
+    if has_shield(name):
+        return [name]
     if is_program(name):
         return ["--exec", command_of(name)]
     if is_library(name):
@@ -162,29 +188,38 @@ def named_on_command_line(name: str) -> list[str]:
 
 
 def own_bound(name: str, lighthouse: str) -> str | None:
-    """The bound that the explorer of that name brings under this lighthouse, if it does.
+    """The own bound of the explorer of that name under this lighthouse; None if it has none.
 
-    Lighthouses are written ``KIND[:key=value,...]``; it does under all of the kind it is
-    written for.
+    Lighthouses are written ``KIND[:key=value,...]``; the bound holds under all options of the kind
+    that the explorer is written for.
+
+    Raises:
+        InputError: if it has a shield, which helps under the directional lighthouse alone.
     """
     kinds = {str(text).partition(":")[0] for text in (lighthouse, own_lighthouse(name))}
+    if has_shield(name):
+        if len(kinds) > 1:
+            raise InputError(
+                f"a shield needs the directional lighthouse, not {show(str(lighthouse))}"
+            )
+        return SHIELD_BOUND
     return BUILT_IN[name].bound if name in BUILT_IN and len(kinds) == 1 else None
 
 
 def own_lighthouse(name: str) -> str:
-    """The lighthouse that the explorer of that name is run under unless another is named."""
+    """The lighthouse of the explorer of that name unless another is named."""
     return BUILT_IN[name].lighthouse if name in BUILT_IN else LIGHTHOUSE
 
 
 def built_in(name: str) -> Subject:
-    """The built-in explorer of that name."""
+    """The subject of the built-in explorer of that name."""
     own = BUILT_IN[name]
     keywords = frozenset(inspect.signature(own.explore).parameters) - {"first"}
     return Subject(name, keywords, own.explore, own)
 
 
 def subject_known(name: str, keywords: Iterable[str]) -> Subject:
-    """The subject of that name where all is known of what it does: its code is not looked for."""
+    """The subject of that name with known keywords; its code is not looked for."""
     return built_in(name) if name in BUILT_IN else Subject(name, frozenset(keywords))
 
 
@@ -197,6 +232,9 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
     Raises:
         InputError: if it is no generator function.
     """
+    if isinstance(explore, Shield):
+        inside = in_process_subject(explore.explorer)
+        return with_shield(inside if inside.own is None else replace(inside, explore=None))
     for name, own in BUILT_IN.items():
         if explore is own.explore:
             return built_in(name)
@@ -207,10 +245,10 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
 
 
 def keywords_of(name: str, explore: Any) -> frozenset[str]:
-    """Those of ``choices`` and ``told`` that a generator function takes.
+    """The keywords ``choices`` and ``told`` that a generator function takes.
 
     Raises:
-        InputError: if it is none, or must be called in another way.
+        InputError: if it is no generator function, or must be called in another way.
     """
     function = explore if inspect.isroutine(explore) else getattr(explore, "__call__", None)  # noqa: B004
     generates = inspect.isgeneratorfunction(explore) or inspect.isgeneratorfunction(function)
@@ -237,14 +275,15 @@ def keywords_of(name: str, explore: Any) -> frozenset[str]:
 
 def entry_points() -> dict[str, importlib.metadata.EntryPoint]:
     """The explorers that other packages offer, by their names."""
-    return {point.name: point for point in importlib.metadata.entry_points(group=ENTRY_POINTS)}
+    return points_of(ENTRY_POINTS)
 
 
 def names_explorer(text: str) -> bool:
-    """Whether a text has the form of an explorer's name, be there one or not."""
-    if text in BUILT_IN or text in entry_points():
+    """Whether a text has the form of an explorer's name; whether there is one is not checked."""
+    plain = text.partition("?")[0]
+    if has_shield(text) or plain in BUILT_IN or plain in entry_points():
         return True
-    return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", text))
+    return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", plain))
 
 
 def _is_found_by_name(explore: Any) -> bool:

@@ -1,7 +1,9 @@
 """One run: played, judged, kept as a finding, explained.
 
 ``episode``, ``endings``
-    the one place where a world and an explorer meet, and how a run can end;
+    the one place where a world and an explorer meet, and the ways in which a run can end;
+``tasks``
+    what counts as done;
 ``laws``
     the judge: an answer and a log against the truth, law by law;
 ``findings``
@@ -16,18 +18,24 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.judging.endings import (
+        BUILT as BUILT,
         Answered as Answered,
         Ending as Ending,
         Fault as Fault,
         LostRun as LostRun,
+        Over as Over,
+        Said as Said,
         UncheckedAmbiguous as UncheckedAmbiguous,
         UncheckedAnswer as UncheckedAnswer,
+        UncheckedValue as UncheckedValue,
         Undecided as Undecided,
+        any_ending_of as any_ending_of,
         ending_of as ending_of,
         integers as integers,
     )
     from allworlds.judging.episode import (
         ADAPTERS_LAWS as ADAPTERS_LAWS,
+        EndingOf as EndingOf,
         Environment as Environment,
         Episode as Episode,
         Log as Log,
@@ -38,13 +46,27 @@ if TYPE_CHECKING:
         retold as retold,
         the_same as the_same,
     )
+    from allworlds.judging.explanations.chirality import (
+        chiral_worlds as chiral_worlds,
+        chirality_in as chirality_in,
+        needs_a_chiral_world as needs_a_chiral_world,
+    )
     from allworlds.judging.explanations.explanation import (
         Explanation as Explanation,
         explain as explain,
     )
     from allworlds.judging.explanations.named_walk import Walked as Walked
     from allworlds.judging.explanations.spending import Spending as Spending
-    from allworlds.judging.explanations.story import Belief as Belief, Story as Story
+    from allworlds.judging.explanations.story import (
+        Belief as Belief,
+        Chirality as Chirality,
+        Story as Story,
+    )
+    from allworlds.judging.explanations.whose_bound import tell_whose_bound as tell_whose_bound
+    from allworlds.judging.findings.asked_finding import (
+        AskedFinding as AskedFinding,
+        FindingWords as FindingWords,
+    )
     from allworlds.judging.findings.belief import believed_walk as believed_walk
     from allworlds.judging.findings.directory import (
         file_name as file_name,
@@ -76,6 +98,7 @@ if TYPE_CHECKING:
     from allworlds.judging.laws.case import Case as Case, Violation as Violation
     from allworlds.judging.laws.folding import fold as fold
     from allworlds.judging.laws.law_table import (
+        ASKED as ASKED,
         LAWS as LAWS,
         PRECEDENCE as PRECEDENCE,
         Check as Check,
@@ -84,10 +107,17 @@ if TYPE_CHECKING:
         LawName as LawName,
         Setting as Setting,
         bound_law as bound_law,
+        checked_laws as checked_laws,
         judge as judge,
         map_law as map_law,
     )
     from allworlds.judging.laws.quotient_answers import ambiguity_law as ambiguity_law
     from allworlds.judging.laws.second_opinion import same_map as same_map
+    from allworlds.judging.tasks import (
+        TASKS as TASKS,
+        Judge as Judge,
+        Task as Task,
+        task_named as task_named,
+    )
 else:
     open_door(__name__)

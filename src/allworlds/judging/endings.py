@@ -1,11 +1,12 @@
-"""How a run ends: what an explorer returns, as plain integers, and what these are worth."""
+"""The ending of a run: the explorer's answer as plain integers, checked, or a fault."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import islice
-from typing import Annotated, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 from msgspec import Meta, Struct
 
@@ -26,9 +27,9 @@ class Fault(Struct, frozen=True, array_like=True, forbid_unknown_fields=True, ta
 
     Attributes:
         law: ``crash``, ``timeout``, ``illegal-action``, ``no-estimate`` or ``budget``.
-        expected, seen: a sentence each.
+        expected, seen: sentences.
         detail: a traceback, or the tail of a program's stderr; may be empty.
-        machine: it may be the machine's doing and not the explorer's: a signal, a time-out, no
+        machine: whether the machine, not the explorer, may be the cause: a signal, a time-out, no
             memory.
     """
 
@@ -40,7 +41,7 @@ class Fault(Struct, frozen=True, array_like=True, forbid_unknown_fields=True, ta
 
 
 class LostRun(Fault, frozen=True, tag="lost"):
-    """The run cost its process its life, so its walk is not known."""
+    """The process of the run was lost, so its walk is not known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,19 +49,44 @@ class Undecided:
     """The explorer has returned a well-formed rooted quotient, and no map.
 
     Attributes:
-        quotient: its permutations are, and ``here`` is one of its darts.
+        quotient: its permutations are valid, and ``here`` is one of its darts.
     """
 
     quotient: Ambiguous
 
 
-Ending: TypeAlias = Answered | Undecided | Fault
+@dataclass(frozen=True, slots=True)
+class Said:
+    """The explorer has returned an answer that is no map, where any answer may be given.
+
+    Attributes:
+        value: as JSON has it.
+    """
+
+    value: Any
+
+
+class Over(Struct, frozen=True, array_like=True, forbid_unknown_fields=True, tag="over"):
+    """The run was ended, since all was done that the task asks for."""
+
+
+class UncheckedValue(Struct, frozen=True, array_like=True, forbid_unknown_fields=True, tag="said"):
+    """An answer that is no map, as it was given.
+
+    Attributes:
+        text: JSON.
+    """
+
+    text: str
+
+
+Ending: TypeAlias = Answered | Undecided | Said | Over | Fault
 
 
 class UncheckedAnswer(
     Struct, frozen=True, array_like=True, forbid_unknown_fields=True, tag="answer"
 ):
-    """An answer as it was given: integers that are not checked yet.
+    """An answer whose integers are not checked yet.
 
     Attributes:
         sigma, alpha: of the map that is claimed.
@@ -83,20 +109,28 @@ class UncheckedAmbiguous(UncheckedAnswer, frozen=True, tag="ambiguous"):
     marks: tuple[int, ...]
 
 
+UncheckedEnding: TypeAlias = UncheckedAnswer | UncheckedAmbiguous | UncheckedValue | Over | Fault
+"""How a run has ended, as a player tells it."""
+
 MOST_DARTS = 2 * LARGEST_SIZE
-"""So many darts can be published or answered, or twice the step budget, whichever is more."""
+"""The largest number of darts in an answer, unless twice the step budget is more."""
 
 
 class TooManyDarts(ValueError):
-    """A map of more darts than anyone could have walked along."""
+    """Raised for a map of more darts than the robot can have walked along."""
 
 
-_ESTIMATE = "Estimate(map, here) with a dart of the map"
+AN_ESTIMATE = "Estimate(map, here) with a dart of the map"
+"""The expectation of every answer but a quotient, as a finding states it."""
+
+NO_MAP, BUILT = "no map: ", "built in "
+"""The first words of the text about an answer that is no map, and of its line of code."""
+
 _AMBIGUOUS = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
 
 
 def ending_of(answer: object, most: int = MOST_DARTS) -> UncheckedAnswer | Fault:
-    """The integers of an answer: what is handed over may be a subclass, or tampered with.
+    """The integers of an answer, which may be a subclass, or tampered with.
 
     Args:
         answer: anything.
@@ -105,18 +139,30 @@ def ending_of(answer: object, most: int = MOST_DARTS) -> UncheckedAnswer | Fault
     if type(answer) is Ambiguous:
         return _said_ambiguous(answer, most)
     if type(answer) is not Estimate:
-        return Fault("no-estimate", _ESTIMATE, show(answer))
+        return Fault("no-estimate", AN_ESTIMATE, show(answer))
     try:
         claimed: object = answer.map
         if not isinstance(claimed, CombinatorialMap):
-            return Fault("no-estimate", _ESTIMATE, f"a map that is {show(claimed)}")
+            return Fault("no-estimate", AN_ESTIMATE, f"a map that is {show(claimed)}")
         sigma, alpha = integers(claimed.sigma, most), integers(claimed.alpha, most)
         return UncheckedAnswer(sigma, alpha, integer(answer.here))
     except TooManyDarts as error:
-        return Fault("no-estimate", _ESTIMATE, str(error))
+        return Fault("no-estimate", AN_ESTIMATE, str(error))
     except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
         let_users_interrupt(error)
-        return Fault("no-estimate", _ESTIMATE, show(answer))
+        return Fault("no-estimate", AN_ESTIMATE, show(answer))
+
+
+def any_ending_of(answer: object, most: int = MOST_DARTS) -> UncheckedEnding:
+    """The ending for a task with any answer: an estimate, or a value that JSON has."""
+    if type(answer) in (Estimate, Ambiguous):
+        return ending_of(answer, most)
+    try:
+        text = json.dumps(answer, allow_nan=False)
+    except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
+        let_users_interrupt(error)
+        return Fault("no-estimate", "an Estimate, or an answer that JSON has", show(answer))
+    return UncheckedValue(text)
 
 
 def _said_ambiguous(answer: Ambiguous, most: int) -> UncheckedAnswer | Fault:
@@ -136,7 +182,7 @@ def _said_ambiguous(answer: Ambiguous, most: int) -> UncheckedAnswer | Fault:
 
 
 def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...]:
-    """The values as integers, of which there may be no end.
+    """The values, perhaps an endless sequence, as integers.
 
     Raises:
         TypeError: if one is none.
@@ -150,21 +196,32 @@ def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...
     return tuple([integer(value) for value in kept])
 
 
-def answered(ending: UncheckedAnswer | Fault) -> Ending:
-    """The answer, if it is a map with a dart of it, or a quotient with one."""
-    if isinstance(ending, Fault):
+def answered(ending: UncheckedEnding) -> Ending:
+    """The ending for an answer: a fault unless it is a map or a quotient with one of its darts."""
+    if isinstance(ending, Fault | Over):
         return ending
+    if isinstance(ending, UncheckedValue):
+        return _said_value(ending)
     if isinstance(ending, UncheckedAmbiguous):
         return _undecided(ending)
     try:
         map_ = CombinatorialMap(ending.sigma, ending.alpha)
     except InvalidMap as error:
-        return Fault("no-estimate", _ESTIMATE, f"no map: {error}")
+        return Fault("no-estimate", AN_ESTIMATE, f"{NO_MAP}{error}", error.tried)
     here = ending.here
     if here not in map_.darts:
         last = len(map_.sigma) - 1
-        return Fault("no-estimate", _ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}")
+        return Fault(
+            "no-estimate", AN_ESTIMATE, f"here = {show(here)}, but the darts are 0..{last}"
+        )
     return Answered(Estimate(map_, here))
+
+
+def _said_value(ending: UncheckedValue) -> Said | Fault:
+    try:
+        return Said(json.loads(ending.text))
+    except (ValueError, RecursionError):
+        return Fault("no-estimate", "an Estimate, or an answer that JSON has", show(ending.text))
 
 
 def _undecided(ending: UncheckedAmbiguous) -> Undecided | Fault:
@@ -176,7 +233,7 @@ def _undecided(ending: UncheckedAmbiguous) -> Undecided | Fault:
 
 
 def _flaw(said: UncheckedAmbiguous) -> str:
-    """What makes it no rooted quotient; empty if it is one."""
+    """The reason why the answer is no rooted quotient; empty if it is one."""
     size = len(said.sigma)
     for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):
         if len(values) != size:

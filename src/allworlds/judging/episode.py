@@ -1,24 +1,29 @@
-"""One episode: metered, budgeted and recorded; whatever the explorer does wrong becomes a value."""
+"""One episode: metered, budgeted and recorded; every fault of the explorer becomes a value."""
 
 from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Generator, Iterable, MutableSequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from allworlds.inputs import SHOWN, integer, let_users_interrupt, show
 from allworlds.judging.endings import (
+    AN_ESTIMATE,
+    BUILT,
     MOST_DARTS,
+    NO_MAP,
     Ending,
     Fault,
+    Over,
     TooManyDarts,
-    UncheckedAmbiguous,
-    UncheckedAnswer,
+    UncheckedEnding,
     answered,
     ending_of,
     integers,
 )
+from allworlds.maps import InvalidMap
 from allworlds.protocol import (
     Action,
     Checkpoint,
@@ -29,7 +34,9 @@ from allworlds.protocol import (
     Percept,
     Pick,
     Player,
+    Told,
     Transcript,
+    Write,
     action_numbered,
     number_of,
 )
@@ -41,50 +48,57 @@ class Environment(Protocol):
 
     @property
     def initial(self) -> Any:
-        """The state at the start, of a type that the environment alone knows."""
+        """The state at the start, of a type of the environment's own."""
 
     @property
     def first(self) -> Percept:
         """The percept before any motion."""
 
     @property
-    def told(self) -> int | None:
-        """The number that the lighthouse tells before the start, if it does."""
+    def told(self) -> Told:
+        """The value that the lighthouse tells before the start; None if there is none."""
+
+    @property
+    def over(self) -> bool:
+        """Whether the task of the run is done, so that the run ends here."""
 
     def step(self, state: Any, action: Action) -> tuple[Any, Percept]:
-        """The state after the action, and the percept there; may raise IllegalAction."""
+        """Return the state after the action, and the percept there; may raise IllegalAction."""
 
+
+EndingOf: TypeAlias = Callable[[object, int], UncheckedEnding]
+"""Makes an ending of what an explorer returns, with so many darts at most."""
 
 Shown: TypeAlias = tuple[int, tuple[int, ...], tuple[int, ...], int]
 """A checkpoint: the number of actions before it, sigma, alpha, and here."""
 
 
 class Log(NamedTuple):
-    """What an explorer did in one run, without a word about the world.
+    """The explorer's side of one run, without the world.
 
     Attributes:
         actions: as numbers (see :func:`allworlds.protocol.actions.number_of`).
-        checkpoints: what was published.
-        ending: the answer, or what went wrong.
+        checkpoints: the published S and U.
+        ending: the answer, or the fault.
         choices: the index taken at each choice.
-        widths: how many options there were, where every schedule is tried; else empty.
+        widths: the number of options at each choice, if every schedule is tried; else empty.
     """
 
     actions: tuple[int, ...]
     checkpoints: tuple[Shown, ...]
-    ending: UncheckedAnswer | UncheckedAmbiguous | Fault
+    ending: UncheckedEnding
     choices: tuple[int, ...] = ()
     widths: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class Episode:
-    """What happened in one run.
+    """The log of one run in its world.
 
     Attributes:
         transcript: the log.
         checkpoints: each with the number of steps of the transcript before it.
-        ending: the answer, or what went wrong.
+        ending: the answer, or the fault.
     """
 
     transcript: Transcript
@@ -94,11 +108,14 @@ class Episode:
 
 ADAPTERS_LAWS = ("crash", "timeout", "illegal-action", "no-estimate")
 FREE = 10
-"""So many markers may be dropped and picked up for each traversal of the budget, and as many more:
-they are free, and without a limit an explorer could go on so for ever."""
+"""The drops and picks that are legal for each traversal of the budget, and as many more: they are
+free, and without a limit an explorer could go on so for ever."""
 
 LONGEST = 20_000
 """The number of characters that are kept of a traceback."""
+
+_OF_MAPS = str(Path(__file__).parents[1] / "maps")
+"""The folder of the code that raises InvalidMap; the explorer's own line is outside."""
 
 _ANSWER = "an action, or an estimate at the end"
 
@@ -109,12 +126,17 @@ def default_step_budget(bound: int) -> int:
 
 
 def own_copy(percept: Percept) -> Percept:
-    """A percept for the explorer alone: the world and the log keep theirs, which others share."""
+    """A copy of a percept for the explorer alone: those of world and log are shared."""
     return Percept(percept.degree, percept.marks, percept.bearing)
 
 
+def told_copy(told: Told) -> Told:
+    """A copy of the value that is told, for the explorer alone."""
+    return told if told is None or isinstance(told, int) else dict(told)
+
+
 def the_same(percept: Percept) -> Percept:
-    """The percept itself, for an explorer that is known to leave it as it is."""
+    """The percept itself, for an explorer that is known not to change it."""
     return percept
 
 
@@ -125,6 +147,7 @@ def play(
     budget: int,
     beat: MutableSequence[int] | None = None,
     hand: Callable[[Percept], Percept] = own_copy,
+    ended: EndingOf = ending_of,
 ) -> Episode:
     """Run one explorer in one world to its end.
 
@@ -135,11 +158,12 @@ def play(
         budget: the largest legal number of traversals; one checkpoint more is legal.
         beat: ``beat[1]`` grows at each turn of the explorer and is 0 when it has ended, so
             that someone else can see a silent explorer.
-        hand: what the explorer gets of each percept; a copy costs some 3 % of a run.
+        hand: makes the percept that the explorer gets; a copy costs some 3 % of a run.
+        ended: what is made of what the explorer returns.
 
     Cost: linear in the steps, besides the explorer's own.
     """
-    run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
+    run = _Run(world, budget, beat if beat is not None else [0, 0], hand, ended)
     ending = answered(run.play(player, choices))
     return Episode(Transcript(world.first, tuple(run.steps)), _published(run.checkpoints), ending)
 
@@ -151,9 +175,10 @@ def perform(
     budget: int,
     beat: MutableSequence[int] | None = None,
     hand: Callable[[Percept], Percept] = own_copy,
+    ended: EndingOf = ending_of,
 ) -> Log:
-    """The same run as a log that says nothing of the world; see :func:`play`."""
-    run = _Run(world, budget, beat if beat is not None else [0, 0], hand)
+    """Run as :func:`play` does, and return a log that says nothing of the world."""
+    run = _Run(world, budget, beat if beat is not None else [0, 0], hand, ended)
     ending = run.play(player, choices)
     actions = tuple(
         [action.k if type(action) is Move else number_of(action) for action, _ in run.steps]
@@ -163,7 +188,7 @@ def perform(
 
 
 def retold(log: Log, world: Environment) -> Episode:
-    """The log of a run in this world as an episode: walked anew, and its answer looked at.
+    """The log of a run in this world as an episode: walked anew, and its answer checked.
 
     Raises:
         IllegalAction: if it is no log of this world.
@@ -187,22 +212,23 @@ class _Run:
     budget: int
     beat: MutableSequence[int]
     hand: Callable[[Percept], Percept]
+    ended: EndingOf
     steps: list[tuple[Action, Percept]] = field(default_factory=list)
     checkpoints: list[Shown] = field(default_factory=list)
     cost: int = 0
     degree: int = 0
 
-    def play(self, player: Player, choices: Choices) -> UncheckedAnswer | Fault:
+    def play(self, player: Player, choices: Choices) -> UncheckedEnding:
         world, beat = self.world, self.beat
-        state = world.initial
+        state, told = world.initial, told_copy(world.told)
         self.degree = world.first.degree
         reply: Percept | None = None
         ticks = 1
         beat[1] = ticks
         generator = None
         try:
-            generator = player(self.hand(world.first), choices, world.told)
-            while True:
+            generator = player(self.hand(world.first), choices, told)
+            while not world.over:
                 message = generator.send(reply)
                 ticks += 1
                 beat[1] = ticks
@@ -212,8 +238,9 @@ class _Run:
                     fault, state, reply = self._act(state, message)
                 if fault:
                     return fault
+            return Over()
         except StopIteration as stop:
-            return ending_of(stop.value, self._most_darts())
+            return self.ended(stop.value, self._most_darts())
         except BaseException as error:  # noqa: BLE001  # an explorer may raise anything
             return _raised(error)
         finally:
@@ -221,7 +248,7 @@ class _Run:
             beat[1] = 0
 
     def _most_darts(self) -> int:
-        """A map with more cannot be known within the budget, nor be one that is ever checked."""
+        """The largest number of darts of a map that can be known within the budget, or checked."""
         return max(MOST_DARTS, 2 * self.budget)
 
     def _publish(self, message: Checkpoint) -> Fault | None:
@@ -261,9 +288,10 @@ class _Run:
                 return fault, state, None
             self.cost += 1
         elif len(self.steps) - self.cost == FREE * (self.budget + 1):
+            free = "numbers written" if type(action) is Write else "markers dropped and picked up"
             fault = Fault(
                 "budget",
-                f"at most {FREE * (self.budget + 1)} markers dropped and picked up",
+                f"at most {FREE * (self.budget + 1)} {free}",
                 f"{show(message)} as number {FREE * (self.budget + 1) + 1}",
             )
             return fault, state, None
@@ -288,7 +316,15 @@ def _action(message: object, degree: int) -> Action | Fault:
         return action_numbered(k % degree)
     if type(message) is Drop or type(message) is Pick:
         return message
-    return Fault("illegal-action", "a Move, Drop, Pick or Checkpoint", show(message))
+    if type(message) is Write:
+        try:
+            number = integer(message.k)
+        except BaseException as error:  # noqa: BLE001  # as above
+            let_users_interrupt(error)
+            return Fault("illegal-action", "Write(k) with an integer k", show(message))
+        if number >= 0:
+            return Write(number)
+    return Fault("illegal-action", "a Move, Drop, Pick, Write or Checkpoint", show(message))
 
 
 def _raised(error: BaseException) -> Fault:
@@ -297,6 +333,8 @@ def _raised(error: BaseException) -> Fault:
         return Fault(error.law, _ANSWER, error.seen, error.detail, error.machine)
     name = type(error).__name__
     try:
+        if isinstance(error, InvalidMap):
+            return _no_map(error)
         frames = error.__traceback__.tb_next if error.__traceback__ else None
         message = str.__str__(str(error))[:SHOWN]
         detail = "".join(traceback.format_exception(type(error), error, frames))
@@ -307,8 +345,21 @@ def _raised(error: BaseException) -> Fault:
     return Fault("crash", _ANSWER, seen, detail[-LONGEST:], isinstance(error, MemoryError))
 
 
+def _no_map(error: InvalidMap) -> Fault:
+    """The fault of an explorer that raised InvalidMap while it built its answer."""
+    built = [
+        f"{BUILT}{frame.filename}, line {frame.lineno}, in {frame.name}: {frame.line}"
+        for frame in traceback.extract_tb(error.__traceback__)[1:]
+        if not frame.filename.startswith(_OF_MAPS)
+    ]
+    detail = "\n\n".join(filter(None, (error.tried, *built[-1:])))
+    return Fault(
+        "no-estimate", AN_ESTIMATE, f"{NO_MAP}{str.__str__(str(error))[:SHOWN]}", detail[:LONGEST]
+    )
+
+
 def closed(generator: Generator[Any, Any, Any] | None) -> None:
-    """Close the generator, whatever its code makes of that."""
+    """Close the generator, and ignore every exception that it raises then."""
     try:
         if generator is not None:
             generator.close()

@@ -1,4 +1,4 @@
-"""Maps: the mathematics everything else stands on.
+"""Maps: the mathematics on which everything else is built.
 
 Glossary
 --------
@@ -38,21 +38,27 @@ Modules
     the map itself; codes, automorphisms and isomorphisms;
 ``classes``
     **the** table of the classes of maps;
+``conditions``, ``beginnings``
+    conditions that narrow a class, and how the maps of which they are true can begin;
 ``enumeration``, ``bruteforce``, ``counting``
     every map of a class: glued together, by all permutations, and counted without making one;
+``count_source``
+    the source with which the enumeration of an extent is compared;
 ``completion_counts``
     how many maps a partial gluing can become;
-``build``, ``families``, ``drawn_families``
+``build``, ``families``, ``drawn_families``, ``corridor``
     maps by hand and by name, and large ones by a text and a seed;
 ``surgery``, ``networks``
     small changes to a map; to networkx and back;
+``matching``
+    matchings of graphs, enlarged by one edge;
 ``refinement``, ``quotient``, ``criterion``
-    which darts nothing tells apart, these taken together, and how many worlds share that.
+    indistinguishable darts, the quotient by them, and the number of worlds that share a quotient.
 
 Inside this package a map in a hot place is a bare pair of tuples or lists; everywhere
 else it is a :class:`CombinatorialMap`.
 
-The names of this package are for programs of one's own, too: some of them, such as ``dual`` of
+The names of this package are for users' programs, too: some of them, such as ``dual`` of
 a map, :func:`from_planar_embedding` and :func:`rooted_isomorphism`, are used by tests alone.
 """
 
@@ -100,6 +106,19 @@ if TYPE_CHECKING:
         cycles as cycles,
     )
     from allworlds.maps.completion_counts import completions as completions
+    from allworlds.maps.conditions import (
+        CONDITIONS as CONDITIONS,
+        LEGAL as LEGAL,
+        Condition as Condition,
+        NamedCondition as NamedCondition,
+        condition_named as condition_named,
+        girth as girth,
+    )
+    from allworlds.maps.corridor import (
+        bound_of_testers as bound_of_testers,
+        drawn_corridor as drawn_corridor,
+    )
+    from allworlds.maps.count_source import source_name as source_name, source_of as source_of
     from allworlds.maps.counting.sources import source_for as source_for
     from allworlds.maps.criterion import (
         Disagreement as Disagreement,
@@ -118,7 +137,10 @@ if TYPE_CHECKING:
         family as family,
         random_map as random_map,
     )
+    from allworlds.maps.matching import augmented as augmented
     from allworlds.maps.networks import (
+        from_faces as from_faces,
+        from_networkx as from_networkx,
         from_planar_embedding as from_planar_embedding,
         to_networkx as to_networkx,
     )

@@ -1,6 +1,6 @@
 """All small maps by trying every permutation: slow, short, and the yardstick of the fast ones.
 
-It is public: whoever makes maps in another way can hold them against these.
+The module is public: maps that are made in another way can be compared with these.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _MOST_EDGES = 5
 def rooted_maps_by_permutations(
     edges: int, map_class: str = "maps"
 ) -> tuple[CombinatorialMap, ...]:
-    """Every rooted map with so many edges once, canonically numbered with root 0, by code.
+    """Every rooted map with ``edges`` edges once, canonically numbered with root 0, by code.
 
     Canonically numbered: the root is 0, and taking the darts in the order of their numbers,
     first sigma of the dart and then alpha of it gets the next number if it has none.  The
@@ -42,7 +42,7 @@ def rooted_maps_by_permutations(
 
 
 def unrooted_maps(edges: int, map_class: str = "maps") -> tuple[CombinatorialMap, ...]:
-    """Every map with so many edges once: the least code among its rootings, by code.
+    """Every map with ``edges`` edges once: the least code among its rootings, by code.
 
     Two maps are the same if a bijection of darts commutes with sigma and alpha; mirror
     images are two maps unless they are the same in this sense.
@@ -121,14 +121,14 @@ def _orbit(permutation: Sequence[int], dart: int) -> frozenset[int]:
 
 
 def _is_simple(sigma: Sequence[int], alpha: Sequence[int]) -> bool:
-    """No loop, and as many joined pairs of vertices as edges."""
+    """Whether no edge is a loop, and there are as many joined pairs of vertices as edges."""
     vertex = [_orbit(sigma, dart) for dart in range(len(sigma))]
     joined = {frozenset((vertex[dart], vertex[alpha[dart]])) for dart in range(len(sigma))}
     return len(joined) == len(sigma) // 2 and all(len(ends) == 2 for ends in joined)
 
 
 def _is_planar(sigma: Sequence[int], alpha: Sequence[int]) -> bool:
-    """Euler's formula of the sphere: vertices - edges + faces = 2."""
+    """Whether Euler's formula of the sphere holds: vertices - edges + faces = 2."""
     darts = range(len(sigma))
     vertices = {_orbit(sigma, dart) for dart in darts}
     walk = [sigma[alpha[dart]] for dart in darts]

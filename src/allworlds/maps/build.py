@@ -20,7 +20,7 @@ LARGEST = 10_000
 
 
 class NoSuchMap(InputError):
-    """A name of no map."""
+    """Raised for a name that no map has."""
 
 
 def from_rotation(
@@ -131,7 +131,7 @@ def _part(part: dict[Any, Any], v: Any) -> Any:
 
 
 def _join(part: dict[Any, Any], v: Any, w: Any) -> bool:
-    """Join the parts of ``v`` and ``w``; whether they were two."""
+    """Join the parts of ``v`` and ``w``; return whether they were two."""
     v, w = _part(part, v), _part(part, w)
     part[v] = w
     return bool(v != w)
@@ -155,7 +155,7 @@ def lattice(rows: int, columns: int, holes: float = 0.0, seed: int = 0) -> Combi
     connected; the same ``seed`` removes the same edges.
 
     Raises:
-        ValueError: if there is no edge, ``holes`` is not in 0..1, or so many edges cannot go.
+        ValueError: if there is no edge, ``holes`` is not in 0..1, or the removal would disconnect.
 
     Cost: O(m log m).  Source: Section VII of the paper (Fig. 3: holes = 0.1).
     """
@@ -174,10 +174,10 @@ def lattice(rows: int, columns: int, holes: float = 0.0, seed: int = 0) -> Combi
 def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
     """The complete graph with every rotation in ascending order of neighbours, with holes.
 
-    ``holes`` and ``seed`` are those of :func:`lattice`.  The genus is whatever comes out.
+    ``holes`` and ``seed`` are those of :func:`lattice`.  The genus follows from that.
 
     Raises:
-        ValueError: if ``vertices < 2``, ``holes`` is not in 0..1, or so many edges cannot go.
+        ValueError: if ``vertices < 2``, ``holes`` is not in 0..1, or the removal would disconnect.
 
     Cost: O(m log m).  Source: Section VII of the paper (Fig. 3: holes = 0.1).
     """
@@ -271,7 +271,7 @@ def _wheel(n: int) -> CombinatorialMap:
 
 
 def _cube() -> CombinatorialMap:
-    """Seen from above: vertices 0..3 clockwise round the outer square, 4..7 round the inner."""
+    """The cube from above: vertices 0..3 clockwise round the outer square, 4..7 round the inner."""
     outer = [[(i + 1) % 4, i + 4, (i - 1) % 4] for i in range(4)]
     inner = [[i, (i + 1) % 4 + 4, (i - 1) % 4 + 4] for i in range(4)]
     return from_rotation(outer + inner)

@@ -21,7 +21,7 @@ Code: TypeAlias = tuple[tuple[int, ...], tuple[int, ...]]
 
 @dataclass(frozen=True, slots=True)
 class Mismatch:
-    """Why two maps are not the same.
+    """The reason why two maps are not the same.
 
     ``reason`` is a sentence.  ``word`` is a list of ``"sigma"`` and ``"alpha"`` steps from
     the roots after which the two rooted maps differ; empty where no single place tells.
@@ -31,7 +31,7 @@ class Mismatch:
     word: tuple[str, ...] = ()
 
     def __bool__(self) -> bool:
-        """A mismatch is false, so ``if isomorphism(a, b)`` reads as it should."""
+        """Return False, so that ``if isomorphism(a, b)`` means: if they are the same map."""
         return False
 
 
@@ -173,7 +173,7 @@ def isomorphism(a: CombinatorialMap, b: CombinatorialMap) -> tuple[Dart, ...] | 
     """A bijection ``w`` of darts with ``w . sigma = sigma . w`` and ``w . alpha = alpha . w``.
 
     Shape: ``w[d]`` is the dart of ``b`` for dart ``d`` of ``a``; of all witnesses the one
-    with the smallest image of dart 0.  Where there is none, a :class:`Mismatch`.
+    with the smallest image of dart 0.  If there is none, a :class:`Mismatch`.
     """
     counted = (
         ("edges", a.edge_count, b.edge_count),

@@ -21,13 +21,14 @@ from allworlds.inputs import (
     show,
 )
 from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.conditions import Condition
 
 DEFAULT_EDGES = 5
 """The number of edges up to which a check takes seconds."""
 
 
 class MapClass(StrEnum):
-    """Which maps are meant; the value is the name on the command line."""
+    """A class of maps; the value is its name on the command line."""
 
     MAPS = "maps"
     SIMPLE = "simple"
@@ -36,7 +37,7 @@ class MapClass(StrEnum):
 
     @classmethod
     def named(cls, text: object) -> MapClass:
-        """The class of that name.
+        """Return the class of that name.
 
         Raises:
             InputError: naming those that there are.
@@ -47,27 +48,27 @@ class MapClass(StrEnum):
 
     @property
     def summary(self) -> str:
-        """Which maps these are, in a few words."""
+        """A description of these maps in a few words."""
         return _KINDS[self].summary
 
     @property
     def simple(self) -> bool:
-        """Loops and parallel edges are excluded."""
+        """Whether loops and parallel edges are excluded."""
         return _KINDS[self].simple
 
     @property
     def planar(self) -> bool:
-        """Only genus 0."""
+        """Whether the genus of every map is 0."""
         return _KINDS[self].planar
 
     @property
     def promises(self) -> bool:
-        """Its maps keep a promise that can make an explorer right without folding its log."""
+        """Whether a promise of the class can make an explorer right without folding its log."""
         return self.planar or not self.plain
 
     @property
     def plain(self) -> bool:
-        """It is told by ``simple`` and ``planar`` alone, as compiled code takes a class to be."""
+        """Whether ``simple`` and ``planar`` alone define it, as compiled code assumes."""
         return _KINDS[self].further is None
 
     def includes(self, map_: CombinatorialMap) -> bool:
@@ -82,11 +83,11 @@ class MapClass(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class _Kind:
-    """What there is to say of a class.
+    """The properties of a class.
 
     Attributes:
-        summary: which maps these are, in a few words.
-        simple, planar: all of them are.
+        summary: a description of these maps in a few words.
+        simple, planar: whether all of them are.
         further: what else is true of exactly these.
     """
 
@@ -114,6 +115,7 @@ class Extent:
         map_class: the class.
         edges: M, or None where only the vertices are bounded (simple classes).
         vertices: N, or None where only the edges are bounded.
+        where: what besides is true of the maps, or None.
 
     Raises:
         InputError: naming the offending bound and what would be legal.
@@ -122,6 +124,7 @@ class Extent:
     map_class: MapClass
     edges: int | None
     vertices: int | None = None
+    where: Condition | None = None
 
     def __post_init__(self) -> None:
         for name in ("edges", "vertices"):
@@ -154,17 +157,21 @@ class Extent:
         return edges + 1 if self.vertices is None else min(edges + 1, self.vertices)
 
     def include(self, map_: CombinatorialMap) -> bool:
-        """Whether a map is one of the class within the bounds."""
+        """Whether a map belongs to the class and is within the bounds."""
         edges, vertices = map_.edge_count, map_.vertex_count
         within = edges in self.levels and vertices <= self.vertex_limit(edges)
-        return within and self.map_class.includes(map_)
+        return within and self.map_class.includes(map_) and self.admits(map_)
+
+    def admits(self, map_: CombinatorialMap) -> bool:
+        """Whether the condition holds of a map, if there is one."""
+        return self.where is None or self.where.holds(map_)
 
 
 # ---------------------------------------------------------------- as requests ask for it
 
 
 class AskedClass(Request):
-    """Of which maps."""
+    """The part of a request that names a class of maps."""
 
     map_class: Annotated[
         Taken[str, MapClass], Option(SCOPE, "CLASS", f"{one_of(MapClass)}.", "class")
@@ -172,7 +179,7 @@ class AskedClass(Request):
 
 
 class AskedSize(Request):
-    """How large maps are."""
+    """The part of a request that bounds the size of maps."""
 
     edges: Annotated[
         int | None,
@@ -195,13 +202,18 @@ class AskedSize(Request):
 
 
 class AskedExtent(AskedClass, AskedSize):
-    """Of which maps, and how large they are."""
+    """The part of a request that names a class of maps and bounds their size."""
 
     @property
     def extent(self) -> Extent:
-        """Class and bounds.
+        """The class and the bounds.
 
         Raises:
             InputError: naming the offending bound and what would be legal.
         """
-        return Extent(self.map_class, self.edges, self.vertices)
+        return Extent(self.map_class, self.edges, self.vertices, self.condition)
+
+    @property
+    def condition(self) -> Condition | None:
+        """The further condition on the maps; by default there is none."""
+        return None

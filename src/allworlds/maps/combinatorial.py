@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
-from allworlds.document import Natural, Permutation, WrittenByFields, about
+from allworlds.document import Natural, Permutation, Pictured, WrittenByFields, about
 from allworlds.inputs import InputError, are_plain, integer, parse_json, show
 
 Dart: TypeAlias = Natural
@@ -23,11 +23,63 @@ Alpha: TypeAlias = Annotated[Permutation, about("for each dart the other one of 
 
 
 class InvalidMap(InputError):
-    """A pair of sequences that is no map; the message names the broken law."""
+    """Raised for a pair of sequences that is no map; the message names the broken law.
+
+    Attributes:
+        sigma, alpha: the integers that were tried; empty where it did not come to that.
+        clash: the entries that break the law, each by the name of its sequence and its dart.
+    """
+
+    def __init__(
+        self,
+        message: str,
+        sigma: Sequence[int] = (),
+        alpha: Sequence[int] = (),
+        clash: Iterable[tuple[str, int]] = (),
+    ) -> None:
+        super().__init__(message)
+        self.sigma, self.alpha, self.clash = tuple(sigma), tuple(alpha), frozenset(clash)
+
+    @property
+    def tried(self) -> str:
+        """The two sequences as a table with the clash in brackets; empty if there are none.
+
+        If there are many darts, the table shows only the rows that hold a clash.
+        """
+        size = max(len(self.sigma), len(self.alpha))
+        rows = [range(first, min(first + IN_A_ROW, size)) for first in range(0, size, IN_A_ROW)]
+        if len(rows) > 1:
+            marked = {dart // IN_A_ROW for _, dart in self.clash} or {0}
+            rows = [rows[i] for i in sorted(marked)[:MOST_ROWS]]
+        return "\n\n".join(self._table(row) for row in rows)
+
+    def _table(self, darts: range) -> str:
+        lists = {"dart": range(darts.stop), "sigma": self.sigma, "alpha": self.alpha}
+        cells = {
+            name: [self._cell(name, dart, values) for dart in darts]
+            for name, values in lists.items()
+        }
+        width = max(len(cell) for row in cells.values() for cell in row)
+        return "\n".join(
+            f"{name:5} {' '.join(cell.rjust(width) for cell in row)}".rstrip()
+            for name, row in cells.items()
+        )
+
+    def _cell(self, name: str, dart: int, values: Sequence[int]) -> str:
+        if dart >= len(values):
+            return ""
+        shown = show(values[dart])
+        if len(shown) > LONGEST_CELL:
+            shown = f"{shown[: LONGEST_CELL - 3]}..."
+        return f"[{shown}]" if (name, dart) in self.clash else f" {shown} "
+
+
+IN_A_ROW, MOST_ROWS, LONGEST_CELL = 16, 3, 12
+"""Limits of the table of an invalid map: darts in a row, rows, characters of an entry."""
 
 
 @dataclass(frozen=True, init=False)
-class CombinatorialMap(WrittenByFields):
+class CombinatorialMap(Pictured, WrittenByFields):
     """A connected embedded graph: ``sigma`` clockwise round vertices, ``alpha`` across edges.
 
     The one law: ``sigma`` is a permutation of ``0..2m-1`` with ``m >= 1``, ``alpha`` an
@@ -56,7 +108,7 @@ class CombinatorialMap(WrittenByFields):
     def trusted(cls, sigma: Sequence[Dart], alpha: Sequence[Dart]) -> CombinatorialMap:
         """A map from permutations that the caller has made by a construction known to be right.
 
-        Nothing is checked; enumerators and builders use it, users should not.
+        The law is not checked; enumerators and builders use this, users should not.
         """
         self = object.__new__(cls)
         object.__setattr__(self, "sigma", tuple(sigma))
@@ -120,6 +172,25 @@ class CombinatorialMap(WrittenByFields):
         return (2 - self.vertex_count + self.edge_count - len(self.faces)) // 2
 
     @cached_property
+    def diameter(self) -> int:
+        """The largest number of edges that a shortest walk between two vertices has.
+
+        Cost: O(m) a vertex.
+        """
+        beyond: list[set[int]] = [set() for _ in self.vertices]
+        for dart, other in enumerate(self.alpha):
+            beyond[self.vertex_of[dart]].add(self.vertex_of[other])
+        largest = 0
+        for first in range(len(beyond)):
+            met, ring, steps = {first}, {first}, -1
+            while ring:
+                ring = set().union(*(beyond[vertex] for vertex in ring)) - met
+                met |= ring
+                steps += 1
+            largest = max(largest, steps)
+        return largest
+
+    @cached_property
     def loop_count(self) -> int:
         """The number of edges with both ends at one vertex."""
         owner = self.vertex_of
@@ -143,7 +214,7 @@ class CombinatorialMap(WrittenByFields):
 
     @property
     def is_planar(self) -> bool:
-        """The genus is 0."""
+        """Whether the genus is 0."""
         return self.genus == 0
 
     def turn(self, dart: Dart, offset: int) -> Dart:
@@ -174,7 +245,7 @@ class CombinatorialMap(WrittenByFields):
         return tuple(place)
 
     def relabelled(self, names: Sequence[Dart]) -> CombinatorialMap:
-        """The same map with dart ``d`` renamed to ``names[d]``, a permutation of the darts."""
+        """Return the map with dart ``d`` renamed to ``names[d]``, a permutation of the darts."""
         if sorted(names) != list(self.darts):
             last = len(self.sigma) - 1
             raise ValueError(f"{show(list(names))} is no permutation of the darts 0..{last}")
@@ -249,28 +320,31 @@ def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:
 
 
 def _check_law(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> None:
+    def broken(message: str, *clash: tuple[str, int]) -> InvalidMap:
+        return InvalidMap(message, sigma, alpha, clash)
+
     size = len(sigma)
     if len(alpha) != size:
-        raise InvalidMap(f"sigma has {size} darts and alpha {len(alpha)}; they must agree")
+        raise broken(f"sigma has {size} darts and alpha {len(alpha)}; they must agree")
     if size == 0 or size % 2:
-        raise InvalidMap(f"a map has 2m darts with m >= 1, not {size}")
+        raise broken(f"a map has 2m darts with m >= 1, not {size}")
     for name, permutation in (("sigma", sigma), ("alpha", alpha)):
         seen: dict[int, int] = {}
         for d, e in enumerate(permutation):
             if not 0 <= e < size:
-                raise InvalidMap(f"{name}[{d}] = {show(e)} is no dart; darts are 0..{size - 1}")
+                message = f"{name}[{d}] = {show(e)} is no dart; darts are 0..{size - 1}"
+                raise broken(message, (name, d))
             if e in seen:
-                raise InvalidMap(
-                    f"{name}[{seen[e]}] = {name}[{d}] = {e}, but {name} must be a permutation"
-                )
+                message = f"{name}[{seen[e]}] = {name}[{d}] = {e}, but {name} must be a permutation"
+                raise broken(message, (name, seen[e]), (name, d))
             seen[e] = d
     for d, e in enumerate(alpha):
         if e == d:
-            raise InvalidMap(f"alpha[{d}] = {d}, but alpha must have no fixed point")
+            message = f"alpha[{d}] = {d}, but alpha must have no fixed point"
+            raise broken(message, ("alpha", d))
         if alpha[e] != d:
-            raise InvalidMap(
-                f"alpha[{d}] = {e} but alpha[{e}] = {alpha[e]}; alpha must be an involution"
-            )
+            message = f"alpha[{d}] = {e} but alpha[{e}] = {alpha[e]}; alpha must be an involution"
+            raise broken(message, ("alpha", d), ("alpha", e))
     reached = [False] * size
     reached[0] = True
     todo = [0]
@@ -281,4 +355,6 @@ def _check_law(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> None:
                 todo.append(e)
     if len(todo) < size:
         lost = reached.index(False)
-        raise InvalidMap(f"dart {lost} cannot be reached from dart 0; a map is connected")
+        apart = [("dart", d) for d in range(size) if not reached[d]]
+        message = f"dart {lost} cannot be reached from dart 0; a map is connected"
+        raise broken(message, *apart)

@@ -1,4 +1,4 @@
-"""How many maps a partial gluing can become, without making one of them.
+"""The number of maps that a partial gluing can become, without making one of them.
 
 What is to come depends on the open darts, the darts that are owed and the vertices that are left
 alone.  In the plane each face of the boundary is filled by itself; what fills it is counted by
@@ -38,7 +38,7 @@ def completions(gluing: Gluing) -> int:
 
 @cache
 def _anywhere(open_: int, owed: int, vertices: int) -> int:
-    """The ways to close so many open darts with exactly the owed ones, any dart to any other."""
+    """The number of ways to close ``open_`` darts with exactly the owed ones, any to any."""
     if open_ == 0:
         return int(owed == 0)
     ways = (open_ - 1) * _anywhere(open_ - 2, owed, vertices) if open_ > 1 else 0
@@ -50,7 +50,7 @@ def _anywhere(open_: int, owed: int, vertices: int) -> int:
 
 @cache
 def _fillings(open_: int, most: int) -> Mapping[Size, int]:
-    """The ways to close a face of so many open darts with at most so many new ones, by size.
+    """The numbers of ways to close a face of ``open_`` darts, by size: at most ``most`` new darts.
 
     The oldest dart is glued to another one, which parts the face, or to a new vertex.
     """

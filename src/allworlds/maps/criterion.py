@@ -1,4 +1,4 @@
-"""How many worlds share a quotient, decided and counted without making one of them.
+"""The number of worlds that share a quotient, counted without making one of them.
 
 The setting is one marked vertex v0 that is sensed, so that all darts over the root's vertex
 of the quotient lie at v0.  The k sheets are permuted once round each vertex and across each
@@ -23,13 +23,13 @@ from allworlds.maps.quotient import Quotient
 
 
 class Disagreement(RuntimeError):
-    """Two ways to one number gave two numbers: a fault of this program."""
+    """Raised if two ways to compute one number disagree: a fault of this program."""
 
 
 def is_ambiguous(quotient: Quotient) -> bool:
     """Whether two or more worlds have this quotient under position.
 
-    That is so iff k >= 2, and not: there is no cycle (beta1 = 0), and k = 2, or there is no
+    True iff k >= 2, and not: there is no cycle (beta1 = 0), and k = 2, or there is no
     semi-edge and every cone index but that of v0 is 1.
 
     Cost: O(m).
@@ -41,7 +41,7 @@ def is_ambiguous(quotient: Quotient) -> bool:
 
 
 def pose_count(quotient: Quotient) -> int:
-    """P = (k!)^beta1 N(k,2)^s prod N(k,b_v): in how many (world, dart of v0) the robot can be.
+    """The number of poses (world, dart of v0): P = (k!)^beta1 N(k,2)^s prod N(k,b_v).
 
     N(k,b) is the number of permutations of k things with cycles of length b only, s the
     number of semi-edges; the product is over the vertices other than v0.
@@ -62,7 +62,7 @@ def class_size(quotient: Quotient) -> int:
 
 
 def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
-    """The choices that commute with a power of c that has so many cycles."""
+    """The number of choices that commute with a power of c that has ``cycles`` cycles."""
     k = quotient.sheets
     lengths = Counter(quotient.cone_indices[1:])
     lengths[2] += len(quotient.semi_edges)
@@ -72,9 +72,9 @@ def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
 
 
 def _uniform(k: int, cycles: int, b: int) -> int:
-    """The permutations of k things with cycles of length b only that commute with a power of c.
+    """The number of permutations of k things, all cycles of length b, that commute with c^i.
 
-    The power has ``cycles`` cycles of length ``r = k / cycles``.  What commutes with it
+    The power c^i has ``cycles`` cycles of length ``r = k / cycles``.  A commuting permutation
     permutes these cycles, and turns each on the way.  Where it takes t of them round, with
     turns that add up to an element of order o in Z_r, it has cycles of length t o = b: there
     are ``r^(t-1) phi(o)`` such turns.

@@ -1,4 +1,4 @@
-"""Families of large worlds, drawn from a seed: where one explorer walks far and another does not.
+"""Families of large worlds, drawn from a seed, in which the costs of explorers differ much.
 
 A vertex is a list of names of edges, clockwise, as :func:`allworlds.maps.build.from_cycles` takes
 them; a name that occurs twice at a vertex is a loop.  The rotation at each vertex is drawn unless
@@ -77,8 +77,8 @@ def bouquet(loops: int, random: Random) -> CombinatorialMap:
 def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
     """A path that looks like the knot at its end, and leads to it from a first vertex of degree 1.
 
-    The path has so many inner vertices, filled up with loops, and the knot as many vertices, the
-    last of which has degree D + 1.
+    The path has ``length`` inner vertices, filled up with loops, and the knot as many vertices,
+    the last of which has degree D + 1.
 
     Raises:
         ValueError: for an odd degree, or one below 4.
@@ -103,7 +103,7 @@ def lollipop_edges(degree: int, length: int) -> int:
 
 
 def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
-    """A path of so many edges, from its end, each vertex filled up with loops to at most D.
+    """A path of ``length`` edges, from its end, each vertex filled up with loops to at most D.
 
     Raises:
         ValueError: for an odd degree, or one below 2.
@@ -143,7 +143,7 @@ BASE_VERTICES, BASE_EDGES = 3, 5
 def cover(sheets: int, random: Random) -> CombinatorialMap:
     """A connected k-fold cover of a random map with 3 vertices and 5 edges; m = 5k.
 
-    Nothing but the lighthouse tells its sheets apart.
+    Only the lighthouse tells its sheets apart.
 
     Raises:
         ValueError: for no sheet.
@@ -189,7 +189,7 @@ def _drawn(vertices: int, ends: Ends, random: Random) -> CombinatorialMap:
 
 
 def _connected(draw: Callable[[], CombinatorialMap]) -> CombinatorialMap:
-    """The first that is connected."""
+    """The first connected one of these maps."""
     while True:
         try:
             return draw()

@@ -3,13 +3,15 @@
 A map is glued together from its root: number the darts in the order in which they come
 into being, take the oldest open dart, and glue it either to another open dart or to the
 first dart of a new vertex of degree d, whose other darts open behind it.  Every rooted map
-has exactly one such history, so nothing is met twice.
+has exactly one such history, so no map is made twice.
 
-No history is begun that cannot be finished (classes ``maps`` and ``planar``): the last open
+Only histories that can be finished are begun (classes ``maps`` and ``planar``): the last open
 dart may not close while darts are still owed.  In the plane a dart is glued only within its
 own face of the open boundary, and the vertices to come must be enough to even out every
 face with an odd number of open darts.  In the simple classes a vertex needs enough partners left;
-there the rule is only necessary, so a few histories end in nothing.
+there the rule is only necessary, so a few histories end without a map.  A condition with a name
+cuts off, in the same way, what can become no map of which it holds; one on the faces of a map is
+one on the vertices of its dual, which is glued together in its place.
 """
 
 from __future__ import annotations
@@ -19,9 +21,10 @@ from typing import TypeAlias
 
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.maps.conditions import Condition, NamedCondition
 
 Decision: TypeAlias = int
-"""What happens to the oldest open dart: ``z >= 0``: it is glued to the open dart ``z``;
+"""A decision about the oldest open dart: ``z >= 0``: it is glued to the open dart ``z``;
 ``-d``: it is glued to a new vertex of degree d.  The first decision is the root's degree."""
 
 OPEN = -1
@@ -38,18 +41,30 @@ class Gluing:
         degrees: the degree of each vertex.
         faces: the open darts round each face of the boundary, in the order in which they
             are met; for classes that are not planar one face that holds them all.
+        newest: a dart of the edge that was glued last, or OPEN.
     """
 
-    def __init__(self, edges: int, map_class: MapClass, vertices: int | None = None) -> None:
+    def __init__(
+        self,
+        edges: int,
+        map_class: MapClass,
+        vertices: int | None = None,
+        where: Condition | None = None,
+    ) -> None:
+        self._where = where if isinstance(where, NamedCondition) else None
+        self._dual = self._where is not None and self._where.dual
         self.edges = edges
-        self.limit = edges + 1 if vertices is None else min(edges + 1, vertices)
+        self.limit = edges + 1
+        if vertices is not None and not self._dual:
+            self.limit = min(self.limit, vertices)
         self.planar = map_class.planar
-        self.simple = map_class.simple
+        self.simple = map_class.simple and not self._dual
         self.alpha: list[Dart] = []
         self.vertex: list[int] = []
         self.degrees: list[int] = []
         self.neighbours: list[int] = []
         self.faces: list[list[Dart]] = []
+        self.newest = OPEN
 
     @property
     def owed(self) -> int:
@@ -58,11 +73,11 @@ class Gluing:
 
     @property
     def finished(self) -> bool:
-        """No dart is open, and none is owed."""
+        """Whether no dart is open, and none is owed."""
         return bool(self.degrees) and not self.faces
 
     def successors(self) -> Iterator[tuple[Decision, Gluing]]:
-        """What may happen next, in the fixed order: gluings ascending, then degrees ascending.
+        """The legal next decisions, in the fixed order: gluings ascending, then degrees ascending.
 
         Each successor can be followed up to a finished map (simple classes: as far as the
         counting of partners can tell).  Cost: O(m) for each.
@@ -79,7 +94,7 @@ class Gluing:
         for decision in decisions:
             after = self._fork()
             after.apply(decision)
-            if after._can_be_finished():  # noqa: SLF001  # its own kind
+            if after._can_be_finished() and after._may_be_meant():  # noqa: SLF001  # its own kind
                 yield decision, after
 
     def apply(self, decision: Decision) -> None:
@@ -105,13 +120,17 @@ class Gluing:
         self.faces = rest + [part for part in parts if part]
 
     def finish(self) -> CombinatorialMap:
-        """The finished map; its root is dart 0, and the darts of a vertex are consecutive."""
+        """The finished map; its root is dart 0.
+
+        The darts of a vertex are consecutive, or those of a face where the dual was glued together.
+        """
         sigma = list(range(1, 2 * self.edges + 1))
         first = 0
         for degree in self.degrees:
             sigma[first + degree - 1] = first
             first += degree
-        return CombinatorialMap.trusted(sigma, self.alpha)
+        made = CombinatorialMap.trusted(sigma, self.alpha)
+        return made.dual() if self._dual else made
 
     def _fork(self) -> Gluing:
         twin = object.__new__(Gluing)
@@ -119,7 +138,8 @@ class Gluing:
         twin.planar, twin.simple = self.planar, self.simple
         twin.alpha, twin.vertex = self.alpha[:], self.vertex[:]
         twin.degrees, twin.neighbours = self.degrees[:], self.neighbours[:]
-        twin.faces = self.faces
+        twin.faces, twin.newest = self.faces, self.newest
+        twin._where, twin._dual = self._where, self._dual
         return twin
 
     def _new_vertex(self, degree: int) -> Dart:
@@ -132,6 +152,7 @@ class Gluing:
 
     def _join(self, a: Dart, b: Dart) -> None:
         self.alpha[a], self.alpha[b] = b, a
+        self.newest = a
         u, v = self.vertex[a], self.vertex[b]
         self.neighbours[u] |= 1 << v
         self.neighbours[v] |= 1 << u
@@ -140,6 +161,9 @@ class Gluing:
         """Whether gluing ``a`` to ``b`` would make a loop or a parallel edge in a simple class."""
         u, v = self.vertex[a], self.vertex[b]
         return self.simple and (u == v or bool(self.neighbours[u] >> v & 1))
+
+    def _may_be_meant(self) -> bool:
+        return self._where is None or self._where.may_begin(self)
 
     def _can_be_finished(self) -> bool:
         owed = self.owed
@@ -173,6 +197,7 @@ def rooted_maps(
     map_class: MapClass = MapClass.MAPS,
     vertices: int | None = None,
     prefix: Sequence[Decision] = (),
+    where: Condition | None = None,
 ) -> Iterator[CombinatorialMap]:
     """Every map of the class with exactly ``edges`` edges, rooted at dart 0, once each.
 
@@ -181,14 +206,22 @@ def rooted_maps(
         map_class: the class.
         vertices: the largest number of vertices, or None.
         prefix: only the maps whose history begins with these decisions (:func:`prefixes`).
+        where: only the maps of which that is true.
 
     Cost: a fixed order, constant memory.
     """
-    gluing = Gluing(edges, map_class, vertices)
+    gluing = Gluing(edges, map_class, vertices, where)
     for decision in prefix:
         gluing.apply(decision)
     every = _completions(gluing)
-    yield from every if map_class.plain else filter(map_class.includes, every)
+    if map_class.plain and where is None:
+        yield from every
+        return
+    most = edges + 1 if vertices is None else vertices
+    for map_ in every:
+        of_class = map_class.includes(map_) and map_.vertex_count <= most
+        if of_class and (where is None or where.holds(map_)):
+            yield map_
 
 
 def _completions(gluing: Gluing) -> Iterator[CombinatorialMap]:
@@ -204,8 +237,12 @@ def prefixes(
     map_class: MapClass = MapClass.MAPS,
     vertices: int | None = None,
     depth: int = 2,
+    where: Condition | None = None,
 ) -> Iterator[tuple[Decision, ...]]:
-    """The histories cut after ``depth`` decisions: each map extends exactly one of them."""
+    """The histories cut after ``depth`` decisions: each map extends exactly one of them.
+
+    Under a condition those are left out that can become no map of which it is true.
+    """
 
     def histories(gluing: Gluing, history: tuple[Decision, ...]) -> Iterator[tuple[Decision, ...]]:
         if gluing.finished or len(history) == depth:
@@ -214,4 +251,4 @@ def prefixes(
         for decision, after in gluing.successors():
             yield from histories(after, (*history, decision))
 
-    yield from histories(Gluing(edges, map_class, vertices), ())
+    yield from histories(Gluing(edges, map_class, vertices, where), ())

@@ -12,6 +12,7 @@ from allworlds.maps import drawn_families as large
 from allworlds.maps.build import cycle, dense, lattice
 from allworlds.maps.canonical import rooted_code
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
+from allworlds.maps.corridor import corridor, corridor_edges
 
 LARGEST = 100_000
 """Larger maps are refused: a robot would not come to an end in them."""
@@ -46,8 +47,8 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
         text: of one of :data:`FAMILIES`, such as ``lattice:5x6`` (5 x 6 vertices in the plane),
             ``dense:7`` (a complete graph) or ``random:9`` (see :func:`random_map`).
         holes: the fraction of edges that are removed at random; lattice, strip and dense only.
-        seed: for whatever is drawn.  In a lattice or a strip that is the holes; without holes any
-            seed but 0 draws dart 0, where a robot starts.
+        seed: of all random choices.  In a lattice or a strip these are the holes; without holes
+            any seed but 0 draws dart 0, where a robot starts.
 
     Raises:
         InputError: naming the text, or the holes, and what would be legal.
@@ -64,7 +65,7 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 
 
 def edges_of(text: str) -> int:
-    """The number of edges of a member, without holes; of one that cannot be built it says nothing.
+    """The number of edges of a member, without holes.  Whether it can be built is not checked.
 
     Raises:
         InputError: if the text is that of no family.
@@ -156,6 +157,7 @@ FAMILIES = (
     Family("prism:N", lambda n: 3 * n, _drawn(large.switched_prism)),
     Family("thick:DxL", large.thick_edges, _drawn(large.thick)),
     Family("cover:K", lambda k: large.BASE_EDGES * k, _drawn(large.cover)),
+    Family("corridor:F", corridor_edges, lambda size, _holes, seed: corridor(size[0], seed)),
 )
 """Every family."""
 

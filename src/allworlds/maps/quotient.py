@@ -1,4 +1,4 @@
-"""Quotients: a labelled map with the darts that nothing tells apart taken together.
+"""Quotients: labelled maps in which indistinguishable darts are identified.
 
 Two darts are *alike* if every word of sigmas and alphas leads from both to equal labels; a
 *class* holds all darts that are alike.  Classes are numbered in canonical order: the class
@@ -8,7 +8,7 @@ equal.
 
 The map is a cover of its quotient with k = 2m / |Q| *sheets*: k darts lie over each class.
 Where l classes lie round a vertex of the quotient and the vertices over it have degree
-delta, ``delta / l`` is its *cone index*: so many times goes a vertex of the map round it.
+delta, ``delta / l`` is its *cone index*: a vertex of the map goes round it so often.
 ``alpha[q] == q`` is a *semi-edge*.
 """
 
@@ -60,7 +60,7 @@ class Quotient:
 
     @cached_property
     def cone_indices(self) -> tuple[int, ...]:
-        """For each vertex how many times a vertex of the map goes round it; divides k."""
+        """For each vertex how often a vertex of the map goes round it; divides k."""
         return tuple(self.degree[vertex[0]] // len(vertex) for vertex in self.vertices)
 
     @cached_property
@@ -93,7 +93,7 @@ class Quotient:
         return tuple(edge for edge in self.edges if edge[0] not in tree)
 
     def rerooted(self, root: int) -> Quotient:
-        """The same quotient rooted at another class."""
+        """Return the quotient rooted at another class."""
         order = numbering(self.sigma, self.alpha, root)
         number = {q: i for i, q in enumerate(order)}
         return Quotient(
@@ -143,7 +143,7 @@ def project(labelled: Labelled) -> Projection:
 
 
 def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
-    """For each of several maps the class of each dart, the classes being common to them all.
+    """For each of several maps the class of each dart, with classes common to all maps.
 
     Numbered in canonical order from the root of the first; then from the root of the second
     those that are new there, and so on.

@@ -1,4 +1,4 @@
-"""Partition refinement: which elements nothing tells apart, by Hopcroft's algorithm."""
+"""Partition refinement: classes of indistinguishable elements, by Hopcroft's algorithm."""
 
 from __future__ import annotations
 

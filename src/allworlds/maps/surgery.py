@@ -1,7 +1,6 @@
-"""Small changes to a map: the neighbours through which a shrinker goes down.
+"""Small changes to a map: the smaller neighbours that a shrinker tries.
 
-Each result keeps the order of the darts that are left; None where nothing that is a map
-would be left.
+Each result keeps the order of the darts that are left; None if no map would be left.
 """
 
 from __future__ import annotations
@@ -12,7 +11,7 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap
 
 
 def deleted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
-    """The map without the edge of ``dart``; None if that would be disconnected or empty.
+    """The map without the edge of ``dart``; None if the rest is disconnected or empty.
 
     The end of a leaf goes with its edge.
     """

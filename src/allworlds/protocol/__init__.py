@@ -1,17 +1,19 @@
-"""What an explorer and the harness say to each other: small frozen values, nothing else.
+"""The messages between an explorer and the harness: small frozen values, nothing else.
 
 An explorer is a **generator function** ``explore(first)``.  It gets percepts, yields actions
 and returns an answer; it never holds a world.  Turning is free and has no action of its own:
 it is folded into the next :class:`Move`, or into ``here`` of the answer.
 
 ``percept``, ``actions``, ``answers``, ``transcript``
-    what is sensed, what is done, what is said of the world, and the log of it;
+    percepts, actions, answers about the world, and the log of a run;
 ``choices``
-    where an explorer is free: policies, and every answer in turn;
+    the choices of an explorer: policies, and every schedule in turn;
 ``player``
     an explorer as the harness calls it;
 ``faults``
-    what went wrong with an explorer that is no generator.
+    what went wrong with an explorer that is no generator;
+``user_code``
+    how code of the user's is named, found and loaded, and by what it is known.
 """
 
 from typing import TYPE_CHECKING
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
         Drop as Drop,
         Move as Move,
         Pick as Pick,
+        Write as Write,
         action_numbered as action_numbered,
         number_of as number_of,
     )
@@ -53,14 +56,34 @@ if TYPE_CHECKING:
         ExplorerFault as ExplorerFault,
     )
     from allworlds.protocol.percept import Percept as Percept
-    from allworlds.protocol.player import Player as Player
+    from allworlds.protocol.player import Player as Player, Told as Told
     from allworlds.protocol.transcript import (
         AtStart as AtStart,
         Dropped as Dropped,
         Moved as Moved,
         Picked as Picked,
         Transcript as Transcript,
+        Wrote as Wrote,
         action_from_json as action_from_json,
+    )
+    from allworlds.protocol.user_code import (
+        Argument as Argument,
+        SourceText as SourceText,
+        UserCode as UserCode,
+        arguments_of as arguments_of,
+        attribute_of as attribute_of,
+        bytes_of as bytes_of,
+        called as called,
+        ensure_same_content as ensure_same_content,
+        find_code as find_code,
+        function_of as function_of,
+        imported as imported,
+        module_file as module_file,
+        module_named as module_named,
+        module_of_text as module_of_text,
+        points_of as points_of,
+        said as said,
+        text_of as text_of,
     )
 else:
     open_door(__name__)

@@ -1,4 +1,4 @@
-"""What the robot does."""
+"""The robot's actions."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from typing import TypeAlias, assert_never
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """Leave by ``sigma^k`` of the dart one stands at; one edge traversal.
+    """Leave by ``sigma^k`` of the robot's dart; one edge traversal.
 
     ``k`` may be any integer, negative too; it is taken modulo the degree.  ``Move(0)`` goes
-    back where one came from.
+    back by the edge of arrival.
     """
 
     k: int
 
     def __str__(self) -> str:
-        """For example ``move 2``."""
+        """The action in words: for example ``move 2``."""
         return f"move {self.k}"
 
 
@@ -26,7 +26,7 @@ class Drop:
     """Lay down one marker here; free.  Legal only where the lighthouse gives markers."""
 
     def __str__(self) -> str:
-        """``drop``."""
+        """The action in a word: ``drop``."""
         return "drop"
 
 
@@ -35,20 +35,32 @@ class Pick:
     """Take up one marker from here; free.  Legal only where the lighthouse gives markers."""
 
     def __str__(self) -> str:
-        """``pick``."""
+        """The action in a word: ``pick``."""
         return "pick"
 
 
-Action: TypeAlias = Move | Drop | Pick
+@dataclass(frozen=True, slots=True)
+class Write:
+    """Write the number ``k`` here; free.  Legal only where the lighthouse has room for numbers."""
+
+    k: int
+
+    def __str__(self) -> str:
+        """For example ``write 1``."""
+        return f"write {self.k}"
+
+
+Action: TypeAlias = Move | Drop | Pick | Write
 """Everything that an explorer may yield, besides a checkpoint."""
 
-DROP, PICK = -1, -2
+DROP, PICK, WRITE = -1, -2, -3
+"""The numbers of actions that are no motions; ``Write(k)`` has the number ``WRITE - k``."""
 
 _MOVES = tuple(Move(k) for k in range(64))
 
 
 def number_of(action: Action) -> int:
-    """``k`` of a motion modulo the degree, which is not negative; DROP or PICK."""
+    """``k`` of a motion modulo the degree, which is not negative; else a negative one."""
     match action:
         case Move(k):
             return k
@@ -56,6 +68,8 @@ def number_of(action: Action) -> int:
             return DROP
         case Pick():
             return PICK
+        case Write(k):
+            return WRITE - k
         case _:
             assert_never(action)
 
@@ -66,4 +80,6 @@ def action_numbered(number: int) -> Action:
         return _MOVES[number]
     if number >= 0:
         return Move(number)
+    if number <= WRITE:
+        return Write(WRITE - number)
     return Drop() if number == DROP else Pick()

@@ -1,4 +1,4 @@
-"""What an explorer says about the world, at the end and on the way."""
+"""An explorer's statements about the world, at the end and on the way."""
 
 from __future__ import annotations
 

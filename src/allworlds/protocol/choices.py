@@ -1,4 +1,4 @@
-"""Where an algorithm is free it asks; a policy answers, or the harness tries every answer.
+"""Choices: an algorithm asks where it is free; a policy answers, or every answer is tried.
 
 Every call of :meth:`Choices.pick` is one choice and is recorded by the index of the element
 picked.  The record replays the run, and together with the number of options at each choice
@@ -16,40 +16,40 @@ from allworlds.inputs import InputError, show
 T = TypeVar("T")
 
 Kind: TypeAlias = Literal["edge", "hypothesis", "path", "transit"]
-"""What is chosen: the dart to explore next, the hypothesis to test next, the next dart of a
+"""The kind of a choice: the dart to explore next, the hypothesis to test next, the next dart of a
 path that tests a hypothesis, the next dart on the way to the dart to be explored."""
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
 
 
 class Policy(Protocol):
-    """Answers choices.  It sees how many options there are, their kind and their costs."""
+    """A policy answers choices, given the number of options, their kind and their costs."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        """An index below ``len(options)``; anything if that is 0."""
+        """Return an index below ``len(options)``; any integer if that is 0."""
 
 
 class Fifo:
-    """The first option: darts in the order in which they came into S; cheapest way first."""
+    """Take the first option: darts in the order in which they came into S; cheapest way first."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        """Always 0."""
+        """Return 0."""
         return 0
 
 
 class Lifo:
-    """The dart that came into S last; all else as :class:`Fifo`."""
+    """Take the dart that came into S last; all else as :class:`Fifo`."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        """The last edge, else 0."""
+        """Return the last option of the kind ``edge``, of other kinds 0."""
         return len(options) - 1 if kind == "edge" else 0
 
 
 class Nearest:
-    """The dart with the shortest walk, among equals the first; all else as :class:`Fifo`."""
+    """Take the dart with the shortest walk, of equals the first; all else as :class:`Fifo`."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        """The first of the cheapest edges, else 0."""
+        """Return the first cheapest option of the kind ``edge``, of other kinds 0."""
         if kind != "edge" or not cost:
             return 0
         _check_costs(options, cost)
@@ -57,13 +57,13 @@ class Nearest:
 
 
 class Seeded:
-    """A random option of every kind, from a seed; the same on every machine."""
+    """Take a random option of every kind, from a seed; equal on every machine."""
 
     def __init__(self, seed: str) -> None:
         self._random = Random(seed)  # noqa: S311  # reproducible, not secret
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        """Uniform."""
+        """Return a uniformly drawn index."""
         count = len(options)
         return self._random.randrange(count) if count else 0
 
@@ -76,10 +76,10 @@ POLICIES: dict[str, type[Fifo | Lifo | Nearest]] = {
 """Every policy that has no seed, by its name."""
 
 SEEDED = "random:SEED"
-"""How the one that has a seed is written."""
+"""The form of the policy's name that has a seed."""
 
 DEFAULT_POLICY = "fifo"
-"""Answers where no policy is named."""
+"""The name of the policy that answers unless another is named."""
 
 
 def policy_named(name: str, run: str = "") -> Policy:
@@ -103,16 +103,16 @@ def policy_named(name: str, run: str = "") -> Policy:
 
 
 class Choices:
-    """The one door to freedom: ``choices.pick(options, of="edge")``.
+    """The choices of one run: ``choices.pick(options, of="edge")``.
 
     Args:
-        policy: answers (default :class:`Fifo`).
-        script: answers for the first choices, by index; where one does not fit, and when
+        policy: answers choices (default :class:`Fifo`).
+        script: answers for the first choices, by index; if one does not fit, and when
             they are used up, the policy answers.
 
     Attributes:
         record: the index taken at each choice so far.
-        widths: how many options there were, where every schedule is tried.
+        widths: the number of options at each choice, if every schedule is tried.
     """
 
     def __init__(self, policy: Policy | None = None, script: Sequence[int] = ()) -> None:
@@ -126,13 +126,13 @@ class Choices:
 
         Args:
             options: in the canonical order of S; not empty.
-            of: what is chosen.
-            cost: the walking distance of each option; None or empty where it is not known.
+            of: the kind of the choice.
+            cost: the walking distance of each option; None or empty if unknown.
 
         Raises:
             ValueError: for a kind that is none, no option at all, options or costs that are no
                 sequence, or costs that are not one for each option; inside an explorer that is
-                a ``crash``.  Nothing is recorded then.
+                a ``crash``.  The choice is not recorded then.
         """
         if of not in KINDS:
             raise ValueError(f"of={show(of)} is not one of {', '.join(KINDS)}")
@@ -159,13 +159,13 @@ class Choices:
 
 
 def _check_sequence(name: str, given: object) -> None:
-    """Nothing for what has an element at each index; else raises ValueError."""
+    """Raise ValueError unless the value is a sequence, with an element at each index."""
     if not (hasattr(given, "__getitem__") and hasattr(given, "__len__")) or isinstance(given, dict):
         raise ValueError(f"{name} of the type {type(given).__name__} is no sequence, as a list is")
 
 
 def _check_costs(options: Sized, cost: Sequence[int]) -> None:
-    """Nothing if there is one for each option, or none at all; else raises ValueError."""
+    """Raise ValueError unless there is one cost for each option, or none at all."""
     if len(cost) not in (0, len(options)):
         raise ValueError(
             f"{len(cost)} costs for {len(options)} options; there must be one for each"
@@ -176,11 +176,11 @@ class Schedules:
     """Every schedule of one explorer on one world, in lexicographic order.
 
     Usage: iterate; give each :class:`Choices` to one run; when the run has ended the next
-    one takes the next schedule.  An explorer that asks nothing has one schedule.
+    one takes the next schedule.  An explorer without choices has one schedule.
     """
 
     def __iter__(self) -> Iterator[Choices]:
-        """Choices for one run after the other."""
+        """Yield the choices of one run after the other."""
         script: tuple[int, ...] | None = ()
         while script is not None:
             choices = _Counted(script)
@@ -197,7 +197,7 @@ def next_script(record: Sequence[int], widths: Sequence[int]) -> tuple[int, ...]
 
 
 class _Counted(Choices):
-    """Choices that also remember how many options there were."""
+    """Choices that also record the number of options."""
 
     def __init__(self, script: Sequence[int]) -> None:
         super().__init__(Fifo(), script)
@@ -212,7 +212,7 @@ class _Counted(Choices):
 
 
 class _Fixed(Sequence[T]):
-    """Options that are as many as they were when they were counted."""
+    """Options whose number does not change after it was asked for once."""
 
     def __init__(self, options: Sequence[T], count: int) -> None:
         self._options, self._count = options, count
@@ -229,11 +229,11 @@ class _Fixed(Sequence[T]):
 
 
 Schedule: TypeAlias = Literal["one", "all"]
-"""Which schedules a run has: the policy's, or every one."""
+"""The schedules of a run: the policy's, or every one."""
 
 
 def a_schedule(text: object) -> Schedule:
-    """``one`` or ``all``.
+    """The schedules of that name: ``one`` or ``all``.
 
     Raises:
         InputError: for anything else.

@@ -1,4 +1,4 @@
-"""How an explorer that is no generator of this process reports what went wrong with it."""
+"""The fault that the adapter of an explorer outside this process raises."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ ANSWER_TIMEOUT = 10.0
 
 
 class ExplorerFault(Exception):
-    """Raised by an adapter (a pipe to a foreign program) in place of an action.
+    """Raised by an adapter (a pipe to a user's program) in place of an action.
 
     Attributes:
         law: the broken law: ``crash``, ``timeout``, ``illegal-action`` or ``no-estimate``.
-        seen: a sentence: what happened instead of an answer.
+        seen: a sentence: the event in place of an answer.
         detail: for example the tail of the program's stderr; may be empty.
-        machine: it may be the machine's doing, not the program's.
+        machine: whether the machine, not the program, may be the cause.
     """
 
     def __init__(

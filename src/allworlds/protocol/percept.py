@@ -1,4 +1,4 @@
-"""What the robot senses."""
+"""The robot's percepts."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ class Percept(WrittenByFields):
     ] = None
 
     def marked(self, markers: int) -> Percept:
-        """The same with so many markers more."""
+        """Return this percept with ``markers`` more marks."""
         return Percept(self.degree, self.marks + markers, self.bearing) if markers else self
 
     def __reduce__(self) -> tuple[type[Percept], tuple[int, int, int | None]]:
-        """Pickled so several times faster than a frozen dataclass is by itself."""
+        """Pickle by the fields, several times faster than a frozen dataclass does by itself."""
         return Percept, (self.degree, self.marks, self.bearing)
 
     def __str__(self) -> str:
-        """For example ``degree 3, marked, bearing 2``."""
+        """The percept in words: for example ``degree 3, marked, bearing 2``."""
         marks = {0: "", 1: ", marked"}.get(self.marks, f", {self.marks} marks")
         bearing = "" if self.bearing is None else f", bearing {self.bearing}"
         return f"degree {self.degree}{marks}{bearing}"

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
-from typing import Any, Protocol
+from collections.abc import Generator, Mapping
+from typing import Any, Protocol, TypeAlias
 
 from allworlds.protocol.choices import Choices
 from allworlds.protocol.percept import Percept
+
+Told: TypeAlias = int | Mapping[str, int] | None
+"""The number, or the numbers by their names, that an explorer is told before the start."""
 
 
 class Player(Protocol):
     """An explorer ready to run: its optional keywords are already bound."""
 
-    def __call__(
-        self, first: Percept, choices: Choices, told: int | None
-    ) -> Generator[Any, Any, Any]:
-        """The generator of one run."""
+    def __call__(self, first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
+        """Return the generator of one run."""

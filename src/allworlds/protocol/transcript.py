@@ -1,4 +1,4 @@
-"""The log of one run: what was done and what was sensed."""
+"""The log of one run: actions and percepts."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, Literal, assert_never
 
-from allworlds.document import Document, about, plain
+from allworlds.document import Document, Natural, Paged, about, plain
 from allworlds.inputs import integer, show
-from allworlds.protocol.actions import Action, Drop, Move, Pick
+from allworlds.protocol.actions import Action, Drop, Move, Pick, Write
 from allworlds.protocol.percept import Percept
 
 
@@ -20,28 +20,35 @@ class AtStart(Document, forbid_unknown_fields=False):
 
 
 class Moved(Document, forbid_unknown_fields=False):
-    """A motion."""
+    """A row of a transcript: a motion and the percept after it."""
 
     move: Annotated[int, about("by how many darts clockwise the robot turned before it left")]
     percept: Annotated[Percept, about("what was sensed then")]
 
 
 class Dropped(Document, forbid_unknown_fields=False):
-    """A marker laid down."""
+    """A row of a transcript: a marker is laid down."""
 
     drop: Literal[True]
     percept: Annotated[Percept, about("what was sensed then")]
 
 
 class Picked(Document, forbid_unknown_fields=False):
-    """A marker taken up."""
+    """A row of a transcript: a marker is taken up."""
 
     pick: Literal[True]
     percept: Annotated[Percept, about("what was sensed then")]
 
 
+class Wrote(Document, forbid_unknown_fields=False):
+    """A number written."""
+
+    write: Annotated[Natural, about("the number")]
+    percept: Annotated[Percept, about("what was sensed then")]
+
+
 @dataclass(frozen=True)
-class Transcript:
+class Transcript(Paged):
     """The first percept, then each action with the percept that answered it.
 
     Motions stand modulo the degree.  Checkpoints stand in no transcript.
@@ -57,16 +64,16 @@ class Transcript:
 
     @property
     def percepts(self) -> list[Percept]:
-        """What was sensed at the start and after each step."""
+        """The percepts at the start and after each step."""
         return [self.first, *(percept for _, percept in self.steps)]
 
     @property
     def actions(self) -> tuple[Action, ...]:
-        """What was done, step by step."""
+        """The actions, step by step."""
         return tuple(action for action, _ in self.steps)
 
     def to_json(self) -> list[dict[str, Any]]:
-        """``[{"percept": P}, {"move": k, "percept": P}, ...]``."""
+        """The rows ``[{"percept": P}, {"move": k, "percept": P}, ...]``."""
         rows: list[dict[str, Any]] = plain([AtStart(percept=self.first), *map(_row, self.steps)])
         return rows
 
@@ -84,13 +91,13 @@ class Transcript:
             action = action_from_json(row)
             if action is None:
                 raise ValueError(
-                    f"row {i} of the transcript has no move, drop or pick: {show(row)}"
+                    f"row {i} of the transcript has no move, drop, pick or write: {show(row)}"
                 )
             steps.append((action, _percept(i, row)))
         return cls(_percept(0, rows[0]), tuple(steps))
 
 
-def _row(step: tuple[Action, Percept]) -> Moved | Dropped | Picked:
+def _row(step: tuple[Action, Percept]) -> Moved | Dropped | Picked | Wrote:
     action, percept = step
     match action:
         case Move(k):
@@ -99,12 +106,14 @@ def _row(step: tuple[Action, Percept]) -> Moved | Dropped | Picked:
             return Dropped(drop=True, percept=percept)
         case Pick():
             return Picked(pick=True, percept=percept)
+        case Write(k):
+            return Wrote(write=k, percept=percept)
         case _:
             assert_never(action)
 
 
 def action_from_json(row: object) -> Action | None:
-    """The action of a JSON object, None where it holds none; other keys are ignored."""
+    """The action of a JSON object, None if it holds none; other keys are ignored."""
     match row:
         case {"move": int() as k} if not isinstance(k, bool):
             return Move(k)
@@ -112,6 +121,8 @@ def action_from_json(row: object) -> Action | None:
             return Drop()
         case {"pick": True}:
             return Pick()
+        case {"write": int() as k} if not isinstance(k, bool) and k >= 0:
+            return Write(k)
         case _:
             return None
 

@@ -1,10 +1,27 @@
-"""Results as people and other programs read them; each report is loaded when it is asked for.
+"""Results for people and for other programs; each form of report is loaded on first use.
 
-A verb's text is a function from a result and a width, which the table of the verbs names.
-
-The tables of the files that results can be written to are in the module ``rendering``.  Modules
-that end in ``_text`` are the texts of the verbs, those that end in ``_words`` parts of them.  Pages
-are in ``html``, the page in which the reader is the robot in ``play``, pictures in ``drawing``.
+``telling``
+    what a result says, once, in parts that every form of a report can show;
+``tellings``
+    a module for each verb, which makes the telling of its result;
+``plain_text``, ``markdown``, ``html``, ``csv_rows``, ``junit``
+    forms of a report, which show any telling and know no verb;
+``world_rows``
+    rows of costs in single worlds and runs;
+``sarif``, ``annotations``, ``growth_plot``
+    forms for the findings of a check, and for costs in worlds that grow;
+``rendering``
+    **the** table of the files that results can be written to;
+``drawing``, ``scenes``, ``tours``, ``cost_curve``
+    pictures of maps, of walks and of costs, and walks to show worlds by;
+``text_layout``, ``markup``, ``project``
+    what forms share: laws in a line each, tables and paragraphs, elements, the folder of files;
+``event_lines``, ``schemas``
+    the lines of a file of events, and the schemas of all documents;
+``notebook``
+    results as notebooks and ``print`` show them;
+``play``
+    the page in which the reader is the robot.
 """
 
 from typing import TYPE_CHECKING
@@ -14,7 +31,7 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.reports.drawing.layout import Layout as Layout, layout as layout
     from allworlds.reports.drawing.scene import scene_of as scene_of
-    from allworlds.reports.drawing.text import draw as draw
+    from allworlds.reports.drawing.standalone import Drawing as Drawing, draw as draw
     from allworlds.reports.event_lines import (
         Event as Event,
         FindingEvent as FindingEvent,
@@ -25,26 +42,35 @@ if TYPE_CHECKING:
         UnitEvent as UnitEvent,
         VerdictEvent as VerdictEvent,
     )
-    from allworlds.reports.html.frame import Page as Page, counts as counts
-    from allworlds.reports.html.viewer import figure as figure
-    from allworlds.reports.junit import JUnitCase as JUnitCase, junit_text as junit_text
     from allworlds.reports.markup import tag as tag
+    from allworlds.reports.play.page import game as game
     from allworlds.reports.rendering import (
         FORMATS as FORMATS,
-        PAGE as PAGE,
+        PARQUET as PARQUET,
         brief as brief,
         ensure_drawable as ensure_drawable,
+        ensure_parquet as ensure_parquet,
         file_of as file_of,
         finding_in_words as finding_in_words,
-        page_of as page_of,
+        formats_of as formats_of,
+        parquet_of as parquet_of,
         text as text,
-        written as written,
     )
-    from allworlds.reports.text_layout import (
-        entry as entry,
-        in_lines as in_lines,
+    from allworlds.reports.telling import (
+        Block as Block,
+        Cell as Cell,
+        Headline as Headline,
+        Section as Section,
+        Shown as Shown,
+        Suite as Suite,
+        ToldCase as ToldCase,
+        ToldFacts as ToldFacts,
+        ToldPicture as ToldPicture,
+        ToldResult as ToldResult,
+        ToldTable as ToldTable,
+        Words as Words,
         interruption as interruption,
-        table as table,
     )
+    from allworlds.reports.text_layout import table as table
 else:
     open_door(__name__)

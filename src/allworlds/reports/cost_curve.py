@@ -1,4 +1,4 @@
-"""Traversals against the edges that they found, and the bound: in text, and as a picture."""
+"""Curve of traversals against found edges, with the bound: as text and as a picture."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WIDE, HIGH, LEFT, BELOW = 420, 220, 48, 40
 
 
 def cost_lines(spent: Spending, width: int) -> list[str]:
-    """For each edge that was found the traversals so far as a bar, then all, and the bound."""
+    """The traversals up to each found edge as bars, then the total and the bound."""
     rows = [(f"edge {k}", at) for k, at in _told(spent)]
     rows += [("all", spent.cost), ("bound", spent.bound)]
     longest = max(1, *(at for _, at in rows))
@@ -33,7 +33,7 @@ def cost_lines(spent: Spending, width: int) -> list[str]:
 
 
 def _told(spent: Spending) -> list[tuple[int, int]]:
-    """The number of an edge, and the traversal that found it."""
+    """Edges that get a line, each with the traversal that found it."""
     found = [*enumerate(spent.found, 1)]
     if len(found) <= LONGEST:
         return found
@@ -42,7 +42,7 @@ def _told(spent: Spending) -> list[tuple[int, int]]:
 
 
 def cost_picture(spent: Spending, name: str) -> ET.Element:
-    """The edges found after each traversal as a line, and the bound beside it."""
+    """The number of found edges after each traversal as a line, with the bound beside it."""
     most = max(spent.cost, spent.bound, 1)
     edges = max(len(spent.found), 1)
 

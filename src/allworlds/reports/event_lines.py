@@ -1,4 +1,4 @@
-"""The lines of a file of events: a document each."""
+"""Lines of a file of events, a document each."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from allworlds.outcome import Result
 
 
 class EventLine(Document):
-    """One line of what `--events FILE` writes."""
+    """One line of the file that `--events FILE` writes."""
 
     schema: Annotated[Literal[1], about("the version of the document")] = SCHEMA
 
 
 class LevelEvent(EventLine):
-    """A level begins."""
+    """The beginning of a level."""
 
     event: Literal["level"] = "level"
     edges: Positive
@@ -24,23 +24,23 @@ class LevelEvent(EventLine):
 
 
 class StageEvent(EventLine):
-    """A part of another kind begins."""
+    """The beginning of a stage of another kind."""
 
     event: Literal["stage"] = "stage"
     name: Annotated[Text, about("of the part")]
-    all: Annotated[Natural, about("how many are to be done")]
-    of: Annotated[Text, about("what is counted")]
+    all: Annotated[Natural, about("the number of items in the stage")]
+    of: Annotated[Text, about("the items that are counted")]
 
 
 class ProgressEvent(EventLine):
-    """Once a second: what is done of the level or stage that began last."""
+    """Progress of the level or stage that began last, once a second."""
 
     event: Literal["progress"] = "progress"
     done: Annotated[Natural, about("worlds, or what the stage counts")]
 
 
 class UnitEvent(EventLine):
-    """A unit is finished."""
+    """The end of a unit."""
 
     event: Literal["unit"] = "unit"
     unit: Annotated[Text, about("its key, `EDGES:DECISION,...`")]
@@ -48,7 +48,7 @@ class UnitEvent(EventLine):
 
 
 class FindingEvent(EventLine):
-    """A run that refutes was met in a unit that is finished."""
+    """A run that breaks a law, in a finished unit."""
 
     event: Literal["finding"] = "finding"
     finding: Annotated[
@@ -59,14 +59,14 @@ class FindingEvent(EventLine):
 
 
 class NoticeEvent(EventLine):
-    """Something that the user may want to know."""
+    """A message for the user."""
 
     event: Literal["notice"] = "notice"
-    text: Annotated[Text, about("what stands on stderr too")]
+    text: Annotated[Text, about("the line that also goes to stderr")]
 
 
 class VerdictEvent(EventLine):
-    """The end."""
+    """The end of the job."""
 
     event: Literal["verdict"] = "verdict"
     report: Annotated[

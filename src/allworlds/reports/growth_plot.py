@@ -1,4 +1,7 @@
-"""The costs in worlds that grow as a picture, logarithmic in both directions, a panel a family."""
+"""The costs in worlds that grow as a picture, logarithmic in both directions, a panel a family.
+
+A band is the interval of the mean; where a size has none, it is as narrow as the line.
+"""
 
 from __future__ import annotations
 
@@ -6,17 +9,20 @@ import io
 from math import ceil
 from typing import Any
 
+from allworlds.reports.telling import ToldResult
 from allworlds.studies.compare import Growth
 
 COLUMNS, SIDE = 3, 3.4
 """Panels side by side, and the side of one in inches."""
 
 
-def growth_plot(report: Growth) -> str:
-    """An SVG document; the same for the same report."""
+def growth_plot(telling: ToldResult) -> str:
+    """An SVG document, equal for equal reports."""
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
+    report = telling.result
+    assert isinstance(report, Growth)
     columns = max(1, min(COLUMNS, len(report.families)))
     lines = max(1, ceil(len(report.families) / columns))
     # Without a salt the names in an SVG are drawn anew each time.
@@ -36,17 +42,12 @@ def _draw(report: Growth, family: str, panel: Any) -> None:
     for name in report.explorers:
         rows = [row for row in report.rows if (row.family, row.explorer) == (family, name)]
         if rows:
-            low = [row.mean - row.least for row in rows]
-            high = [row.worst - row.mean for row in rows]
-            panel.errorbar(
-                [row.edges for row in rows],
-                [row.mean for row in rows],
-                yerr=[low, high],
-                label=name,
-                marker="o",
-                markersize=3,
-                linewidth=1,
-                capsize=2,
+            edges = [row.edges for row in rows]
+            (line,) = panel.plot(
+                edges, [row.mean for row in rows], label=name, marker="o", markersize=3, linewidth=1
             )
+            bands = [row.interval or (row.mean, row.mean) for row in rows]
+            low, high = zip(*bands, strict=True)
+            panel.fill_between(edges, low, high, color=line.get_color(), alpha=0.25, linewidth=0)
     panel.set(title=family, xlabel="edges", ylabel="traversals", xscale="log", yscale="log")
     panel.legend(fontsize="x-small")

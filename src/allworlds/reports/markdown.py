@@ -1,50 +1,66 @@
-"""Reports as Markdown: what a job's page of a CI service shows."""
+"""A telling as Markdown, for the page of a job in a CI service."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator, Sequence
 
-from allworlds.judging import Finding
-from allworlds.reports.check_words import origin_words, scope_words, size_table, verdict_words
-from allworlds.reports.finding_words import headline
-from allworlds.reports.law_words import ASKED
-from allworlds.reports.run_text import finding_text
-from allworlds.studies.check import CheckReport
+from allworlds.reports.plain_text import text_of
+from allworlds.reports.telling import (
+    Section,
+    ToldFacts,
+    ToldPicture,
+    ToldResult,
+    ToldTable,
+    ToldWalk,
+)
 
 WIDTH = 100
 
 
-def markdown(report: CheckReport) -> str:
-    """The verdict, every finding with its picture, what was counted, and the scope."""
-    word, text = verdict_words(report)
-    blocks = [f"## allworlds: {word} {_plain(report.explorer)}", _plain(text)]
-    for finding in report.findings:
-        blocks += _finding(finding, origin_words(report, finding))
-    header, rows = size_table(report)
-    if rows:
-        blocks.append(_table(header, rows, "--:"))
-    scope = [[name, text] for name, text in scope_words(report)]
-    blocks += ["<details><summary>What was checked</summary>", _table(["", ""], scope, "---")]
-    blocks.append("</details>")
-    return "\n\n".join(blocks) + "\n"
+def markdown(telling: ToldResult) -> str:
+    """The headline, every section with a picture, and the others folded."""
+    head = [f"## {_plain(telling.done)}: {_plain(telling.subject)}"]
+    if said := telling.headline:
+        named = telling.done.partition(" ")[0]
+        head = [f"## {named}: {said.word} {_plain(telling.subject)}", _plain(said.text)]
+    blocks = [block for section in telling.sections for block in _section(section)]
+    return "\n\n".join([*head, *blocks]) + "\n"
 
 
-def _finding(finding: Finding, origin: str) -> list[str]:
-    text = finding_text(finding, WIDTH, origin)
-    # A fence is longer than any that the text holds.
+def _section(section: Section) -> Iterator[str]:
+    if any(isinstance(block, ToldWalk | ToldPicture) for block in section.blocks):
+        yield from [f"### {_plain(section.title)}"] if section.title else []
+        yield _fenced(text_of([section], WIDTH))
+        return
+    tables = [block for block in section.blocks if isinstance(block, ToldTable)]
+    yield from (_table(table.header, table.texts, table.right) for table in tables if table.rows)
+    others = [block for block in section.blocks if not isinstance(block, ToldTable)]
+    if others:
+        yield f"<details><summary>{_plain(section.title or 'More')}</summary>"
+        for block in others:
+            if isinstance(block, ToldFacts):
+                yield _table(["", ""], block.entries, "ll")
+            else:
+                yield _fenced(text_of([Section("", "", [block])], WIDTH))
+        yield "</details>"
+
+
+def _fenced(text: str) -> str:
+    """The text inside a fence that is longer than any fence in the text."""
     longest = max((len(run) for run in re.findall("`+", text)), default=0)
     fence = "`" * max(3, longest + 1)
-    asked = f"Law `{finding.law}`: {ASKED[finding.law]}"
-    return [f"### {_plain(headline(finding))}", asked, f"{fence}text\n{text}\n{fence}"]
+    return f"{fence}text\n{text}\n{fence}"
 
 
-def _table(header: list[str], rows: list[list[str]], rule: str) -> str:
-    lines = [header, [rule] * len(header), *rows]
-    return "\n".join(f"| {' | '.join(_plain(cell) for cell in line)} |" for line in lines)
+def _table(header: Sequence[str], rows: Sequence[Sequence[str]], right: str) -> str:
+    rule = "| " + " | ".join("--:" if side == "r" else "---" for side in right) + " |"
+    first, *lines = (f"| {' | '.join(_plain(cell) for cell in line)} |" for line in (header, *rows))
+    return "\n".join([first, rule, *lines])
 
 
 def _plain(text: str) -> str:
-    """The text in one line, where none of it is taken for markup."""
+    """The text in one line, with markup escaped."""
     one = re.sub(r"[\x00-\x1f\x7f]+", " ", text)
     one = one.replace("&", "&amp;").replace("<", "&lt;")
     return re.sub(r"([\\`*_|\[\]#~])", r"\\\1", one)

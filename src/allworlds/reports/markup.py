@@ -1,4 +1,4 @@
-"""Elements of a page: whatever text they are given, it is text and no markup."""
+"""Elements of a page. Every text that they are given stays text and never becomes markup."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ import re
 from typing import TypeAlias
 from xml.etree import ElementTree as ET
 
+from allworlds.words import escaped
+
 Child: TypeAlias = ET.Element | str
-"""What an element may hold."""
+"""Possible children of an element."""
 
 # HTML allows neither control characters nor non-characters, and UTF-8 no half of a pair.
 _FORBIDDEN = re.compile(
@@ -30,16 +32,16 @@ def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.
     element = ET.Element(name)
     for key, value in attributes.items():
         if value is not None:
-            element.set(key.rstrip("_").replace("_", "-"), legal(str(value)))
+            element.set(key.rstrip("_").replace("_", "-"), legal(escaped(str(value))))
     last: ET.Element | None = None
     for child in children:
         if isinstance(child, ET.Element):
             element.append(child)
             last = child
         elif last is None:
-            element.text = (element.text or "") + legal(child)
+            element.text = (element.text or "") + legal(escaped(child))
         else:
-            last.tail = (last.tail or "") + legal(child)
+            last.tail = (last.tail or "") + legal(escaped(child))
     if name not in _INLINE:
         element.tail = "\n"
     return element
@@ -54,7 +56,7 @@ def record(document: object, /, **attributes: str) -> ET.Element:
 
 
 def raw(name: str, text: str, /, **attributes: str) -> ET.Element:
-    """A ``script`` or ``style``, whose text a browser takes as it is."""
+    """A ``script`` or ``style``, whose text a browser reads unescaped."""
     if "</" in text or "<!--" in text:
         raise ValueError(f"the text of a {name} would end it")
     element = tag(name, **attributes)
@@ -63,7 +65,7 @@ def raw(name: str, text: str, /, **attributes: str) -> ET.Element:
 
 
 def legal(text: str) -> str:
-    """The text with a sign in place of each character that HTML does not allow."""
+    """The text with a replacement for each character that HTML does not allow."""
     return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", text)
 
 

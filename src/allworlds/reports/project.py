@@ -1,4 +1,4 @@
-"""The folder from which reports name files."""
+"""The folder to which file names in reports are relative."""
 
 from __future__ import annotations
 
@@ -7,5 +7,5 @@ from pathlib import Path
 
 
 def project_folder() -> Path:
-    """Where a CI service has laid the project; elsewhere the folder of the check."""
+    """The project's folder in a CI service; elsewhere the current folder."""
     return Path(os.environ.get("GITHUB_WORKSPACE") or Path.cwd()).resolve()

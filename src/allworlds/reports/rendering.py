@@ -1,25 +1,31 @@
-"""**The** tables of the files that results can be written to; texts and files of a result.
+"""**The** table of the files that results can be written to; texts and files of a result.
 
-A new file of a report is a module of this package, and an entry of one of the two tables.
+A new file of a report is a module of this package, and an entry of the table.
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from allworlds.inputs import ensure_installed
-from allworlds.verbs import VERBS, loaded
+from allworlds.lazy import loaded
+from allworlds.verbs import BY_NAME, CASES, FINDINGS, GROWTH, ROWS
+from allworlds.words import escaped
+
+if TYPE_CHECKING:
+    from allworlds.reports.telling import ToldResult
 
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """A kind of file.
+    """A file format of reports.
 
     Attributes:
-        home: where it is made: module and function.
-        help: what the option says.
+        home: the module and the function that makes it of a telling.
+        help: the help of the option.
+        shows: what it shows; it is an option of every verb that has such.
         summary: the variable of a CI service that names a file to which the report is added
             without being asked for; empty where there is none.
         told_to: the variable by which a CI service says that it reads stderr for it, likewise.
@@ -27,83 +33,102 @@ class Format:
 
     home: str
     help: str
+    shows: str = ROWS
     summary: str = ""
     told_to: str = ""
 
 
-PAGE = "Write a web page too: one file, which needs no network."
-"""The help of the option for a page, of every verb."""
-
-
 FORMATS = {
-    "junit": Format("reports.junit:junit", "Write the report as JUnit XML too."),
-    "html": Format("reports.html.pages:check_page", PAGE),
-    "sarif": Format(
-        "reports.sarif:sarif", "Write the report as SARIF 2.1.0 too, for code scanning and editors."
+    "html": Format(
+        "reports.html.html_page:html", "Also write a web page: one file, which needs no network."
     ),
     "markdown": Format(
         "reports.markdown:markdown",
-        "Write the report as Markdown too.",
+        "Also write the report as Markdown.",
         summary="GITHUB_STEP_SUMMARY",
+    ),
+    "csv": Format(
+        "reports.csv_rows:csv_rows",
+        "Also write the rows as CSV; as Parquet, if FILE ends in .parquet (extra: notebook).",
+    ),
+    "junit": Format("reports.junit:junit", "Also write the report as JUnit XML.", CASES),
+    "sarif": Format(
+        "reports.sarif:sarif",
+        "Also write the report as SARIF 2.1.0, for code scanning and editors.",
+        FINDINGS,
     ),
     "annotations": Format(
         "reports.annotations:runner_commands",
-        "Write the findings as commands of GitHub's runners too; there stderr has them anyway.",
+        "Also write the findings as commands of GitHub's runners; there stderr has them anyway.",
+        FINDINGS,
         told_to="GITHUB_ACTIONS",
+    ),
+    "plot": Format(
+        "reports.growth_plot:growth_plot",
+        "With --to: also draw the costs, as SVG; needs the extra 'figures'.",
+        GROWTH,
     ),
 }
 """Every kind of file by the name of its option."""
 
 
-FILES = {
-    ("paper claims", "junit"): "evidence.claims.claims_junit:claims_junit",
-    ("compare", "csv"): "reports.compare_text:compare_csv",
-    ("compare", "plot"): "reports.growth_plot:growth_plot",
-}
-"""Other files of a verb's result, by the verb and the option; pages have a table of
-their own, :data:`allworlds.reports.html.pages.PAGES`."""
+def formats_of(verb: str) -> dict[str, Format]:
+    """The formats in which a verb's results can be written."""
+    has = BY_NAME[verb].has
+    return {name: form for name, form in FORMATS.items() if form.shows in has}
 
-_TEXTS = {verb.name: verb.text for verb in VERBS}
-_BRIEFS = {verb.name: verb.brief for verb in VERBS}
+
+def told(verb: str, result: Any) -> ToldResult:
+    """The telling of a verb's result."""
+    telling: ToldResult = loaded(BY_NAME[verb].telling)(result)
+    return telling
 
 
 def text(verb: str, result: Any, width: int) -> str:
     """The text of a verb's result for a terminal with so many columns."""
-    made: str = loaded(_TEXTS[verb])(result, width)
-    return made
+    from allworlds.reports.plain_text import text
+
+    return text(told(verb, result), width)
 
 
 def brief(verb: str, result: Any, width: int) -> str:
-    """Return the text that ``--quiet`` leaves: one line where the verb has one, else all."""
-    if not _BRIEFS[verb]:
-        return text(verb, result, width)
-    made: str = loaded(_BRIEFS[verb])(result, width)
-    return made
+    """Return the text that ``--quiet`` leaves: one line where there is a verdict, else all."""
+    from allworlds.reports.plain_text import brief
+
+    return brief(told(verb, result), width)
 
 
-def finding_in_words(finding: Any, width: int) -> str:
-    """A finding with its picture, as the text of ``check`` has it."""
-    made: str = loaded("reports.run_text:finding_text")(finding, width)
-    return made
+def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
+    """A finding with its picture, as in the text of ``check``."""
+    from allworlds.reports.plain_text import text_of
+    from allworlds.reports.tellings.finding import finding_section
+
+    return text_of([finding_section(finding, number)], width)
 
 
-def written(form: str, report: Any) -> str:
+def file_of(verb: str, form: str, result: Any) -> str:
     """The content of a file of that format."""
-    return _fit_for_a_file(loaded(FORMATS[form].home)(report))
+    return _fit_for_a_file(loaded(FORMATS[form].home)(told(verb, result)))
 
 
-def file_of(verb: str, option: str, result: Any) -> str:
-    """The content of the file of a verb's option: a page, or one of :data:`FILES`."""
-    if option == "html":
-        return page_of(verb, result)
-    return _fit_for_a_file(loaded(FILES[verb, option])(result))
+PARQUET = ".parquet"
+"""The end of the name of a file of rows that is no text."""
 
 
-def page_of(verb: str, result: Any) -> str:
-    """A verb's result as a web page."""
-    from allworlds.reports.html.pages import page
+def parquet_of(verb: str, result: Any) -> bytes:
+    """The content of a file of Parquet with the rows of a result."""
+    from allworlds.reports.csv_rows import parquet_rows
 
-    return page(verb, result)
+    return parquet_rows(told(verb, result))
+
+
+def ensure_parquet() -> None:
+    """Refuse to go on unless files of Parquet can be written.
+
+    Raises:
+        InputError: if what writes them is not installed.
+    """
+    ensure_installed("pyarrow", "notebook", f"a file of rows that ends in {PARQUET}")
 
 
 def ensure_drawable() -> None:
@@ -116,24 +141,27 @@ def ensure_drawable() -> None:
 
 
 def _fit_for_a_file(text: str) -> str:
-    """The text with a sign in place of what no text file should hold, or can.
+    """The text with replacements for characters that a text file should not, or cannot, hold.
 
     That is control characters, and halves of pairs, which UTF-8 has not: the name of a file that
-    is no UTF-8 holds some, and what an explorer says may hold any.
+    is no UTF-8 holds some, and what an explorer says may hold any.  Controls that would turn a
+    text round are shown by their numbers.
     """
-    return re.sub("[\x00-\x08\x0b-\x1f\x7f\ud800-\udfff]", "\N{REPLACEMENT CHARACTER}", text)
+    whole = re.sub("[\x00-\x08\x0b-\x1f\x7f\ud800-\udfff]", "\N{REPLACEMENT CHARACTER}", text)
+    return escaped(whole)
 
 
 __all__ = [
-    "FILES",
     "FORMATS",
-    "PAGE",
+    "PARQUET",
     "Format",
     "brief",
     "ensure_drawable",
+    "ensure_parquet",
     "file_of",
     "finding_in_words",
-    "page_of",
+    "formats_of",
+    "parquet_of",
     "text",
-    "written",
+    "told",
 ]

@@ -9,14 +9,13 @@ from typing import Any
 from urllib.parse import quote
 
 from allworlds.explorers import SourceLine, place_of_explorer
-from allworlds.judging import Finding, file_name as name_of_finding, true_trail
+from allworlds.judging import ASKED, Finding, file_name as name_of_finding, true_trail
 from allworlds.outcome import Verdict
 from allworlds.protocol import Move
-from allworlds.reports.check_words import verdict_words
-from allworlds.reports.finding_words import headline
-from allworlds.reports.law_words import ASKED
 from allworlds.reports.project import project_folder
-from allworlds.reports.run_text import finding_text
+from allworlds.reports.rendering import finding_in_words
+from allworlds.reports.telling import ToldResult
+from allworlds.reports.tellings.finding import headline_of
 from allworlds.studies.check import CheckReport
 from allworlds.version import __version__
 
@@ -33,7 +32,7 @@ LEVELS = {
 """How loud a verdict is that is no finding; the others say nothing that needs a notification."""
 
 
-def sarif(report: CheckReport) -> str:
+def sarif(telling: ToldResult) -> str:
     """The report as a SARIF log with one run.
 
     Every law is a rule.  Every finding is a result at the file and line of the explorer: its
@@ -42,16 +41,19 @@ def sarif(report: CheckReport) -> str:
     that is no good news is a notification.  ``properties`` hold the report without its findings,
     those of a result the document of its finding.
     """
+    report, head = telling.result, telling.headline
+    assert isinstance(report, CheckReport)
+    assert head is not None
     place = place_of_explorer(report.explorer)
     document: dict[str, Any] = dict(report.to_json())
     del document["findings"]
     run = {
         "tool": {"driver": _driver()},
-        "invocations": [_invocation(report)],
+        "invocations": [_invocation(report, head.line)],
         "columnKind": "unicodeCodePoints",
         "originalUriBaseIds": {"SRCROOT": {"uri": project_folder().as_uri() + "/"}},
         "artifacts": [{"location": _artifact(place)}] if place else [],
-        "results": [_result(finding, place) for finding in report.findings],
+        "results": [_result(*told, place) for told in enumerate(report.findings, 1)],
         "properties": {"report": document},
     }
     return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
@@ -69,11 +71,10 @@ def _driver() -> dict[str, Any]:
     return {"name": "allworlds", "semanticVersion": __version__, "rules": rules}
 
 
-def _invocation(report: CheckReport) -> dict[str, Any]:
-    """Whether the check itself came to its end, and what else it says."""
-    word, text = verdict_words(report)
+def _invocation(report: CheckReport, verdict: str) -> dict[str, Any]:
+    """Completion of the check itself, and its further remarks."""
     level = LEVELS.get(report.verdict)
-    said = [(level, f"{word}: {text}")] if level else []
+    said = [(level, verdict)] if level else []
     said += [("note", remark) for remark in report.remarks]
     return {
         "executionSuccessful": report.verdict is not Verdict.ERROR and not report.interrupted,
@@ -84,16 +85,16 @@ def _invocation(report: CheckReport) -> dict[str, Any]:
     }
 
 
-def _result(finding: Finding, place: SourceLine | None) -> dict[str, Any]:
-    text = finding_text(finding, WIDTH)
+def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str, Any]:
+    text = finding_in_words(finding, WIDTH, number)
     graph, traversal = _walk(finding)
     return {
         "ruleId": finding.law,
         "ruleIndex": [*ASKED].index(finding.law),
         "level": "error",
         "message": {
-            "text": f"{headline(finding)}.\n\n{text}",
-            "markdown": f"{headline(finding)}.\n\n```text\n{text}\n```",
+            "text": f"{headline_of(finding)}.\n\n{text}",
+            "markdown": f"{headline_of(finding)}.\n\n```text\n{text}\n```",
         },
         "locations": [_location(place)] if place else [],
         # The name of the finding's file holds a digest of all of it.
@@ -105,7 +106,7 @@ def _result(finding: Finding, place: SourceLine | None) -> dict[str, Any]:
 
 
 def _walk(finding: Finding) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The world as a graph with a directed edge for each dart, and the walk along these."""
+    """The world as a graph with a directed edge for each dart, and the walk along its edges."""
     map_ = finding.world.map
     graph = {
         "description": {"text": "the world; a directed edge leaves along each dart"},
@@ -141,7 +142,7 @@ def _location(place: SourceLine) -> dict[str, Any]:
 
 
 def _artifact(place: SourceLine) -> dict[str, Any]:
-    """Relative to the folder of the project, where that is possible."""
+    """The location of a file, relative to the project's folder where possible."""
     name = place.named_from(project_folder())
     if Path(name).is_absolute():
         return {"uri": place.file.as_uri()}

@@ -1,4 +1,4 @@
-"""A walk in a world, and the same walk in an answer, as every picture shows them."""
+"""Scenes of a walk: in the world, and in an answer."""
 
 from __future__ import annotations
 
@@ -10,15 +10,9 @@ from allworlds.protocol import Estimate, Move, Transcript
 from allworlds.reports.drawing.scene import Scene, scene_of
 from allworlds.world import World
 
-ANSWER = "the answer (R: where it says that the robot is)"
-"""The caption of an answer."""
-
-OTHER = "another world, where the robot senses the same"
-"""The caption of another world that agrees with the log."""
-
 
 def walk_in_world(world: World, transcript: Transcript) -> Scene:
-    """The world with what is sensed in it, and the robot at the end of its walk."""
+    """The world with everything that is sensed, and the robot at the end of its walk."""
     states = [state for state, _ in true_walk(world, transcript)]
     trail = [state.dart for state in states]
     return scene_of(
@@ -27,7 +21,7 @@ def walk_in_world(world: World, transcript: Transcript) -> Scene:
 
 
 def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Scene:
-    """The answer with what it makes expect on the walk; the robot is where the answer says."""
+    """The answer with the percepts that it predicts, and the robot where the answer says."""
     walk = believed_walk(world, answer, transcript)
     # Where the answer has no place for the lighthouse it says nothing of markers.
     return Scene.sensed(
@@ -40,6 +34,6 @@ def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Sc
 
 
 def _arrivals(trail: Sequence[Dart], transcript: Transcript) -> set[Dart]:
-    """The darts by which an edge was walked; before the first motion there is none."""
+    """The darts by which the robot arrived, step by step; none before the first motion."""
     steps = zip(trail[1:], transcript.actions, strict=True)
     return {dart for dart, action in steps if type(action) is Move}

@@ -1,4 +1,4 @@
-"""JSON Schema of every document, made from the classes that are the documents.
+"""JSON Schemas of all documents, made from the documents' classes.
 
 ``python -m allworlds.reports.schemas DIRECTORY`` writes one file for each document; the build of
 the package does so.  Every file is complete in itself: what it refers to stands under ``$defs``.
@@ -20,16 +20,27 @@ from msgspec import UNSET, Meta, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
-from allworlds.document import Document, MadeBy, Text, WrittenByFields, keys_of, plain
+from allworlds.document import IF_ANY, Document, MadeBy, Text, WrittenByFields, keys_of, plain
 from allworlds.engines import ENGINES
 from allworlds.judging import LAWS, PRECEDENCE, Finding, FindingDocument
+from allworlds.lazy import loaded
 from allworlds.maps import MapClass
 from allworlds.outcome import Result, Verdict
-from allworlds.protocol import AtStart, Dropped, Estimate, Moved, Picked, RootedMap, Transcript
+from allworlds.protocol import (
+    AtStart,
+    Dropped,
+    Estimate,
+    Moved,
+    Picked,
+    RootedMap,
+    Transcript,
+    Wrote,
+)
 from allworlds.reports.event_lines import Event
 from allworlds.studies.check import TimeEstimate
 from allworlds.studies.merge import MergedReport
-from allworlds.verbs import VERBS, loaded
+from allworlds.studies.run import WorldNames
+from allworlds.verbs import VERBS, Verb
 from allworlds.world import LIGHTHOUSES, Lighthouse, Manifest, World, WorldDocument
 
 Schema: TypeAlias = dict[str, Any]
@@ -42,7 +53,7 @@ WRITTEN_AS = {
     Finding: FindingDocument,
     Path: Text,
 }
-"""What is written in place of a value that is no JSON."""
+"""The JSON that is written in place of a value that is no JSON."""
 
 READ = {"finding", "world", "transcript", "manifest"}
 """The documents that are read; their schemas say what is taken, and may be left out."""
@@ -62,19 +73,23 @@ def reports() -> dict[str, Any]:
     """The type of every report by the name of its schema."""
     found: dict[str, Any] = {}
     for verb in VERBS:
-        function = unwrap(loaded(verb.function))
-        returned = eval(function.__annotations__["return"], function.__globals__)  # noqa: S307
-        if returned is not MergedReport:
-            first, *others = members(returned)
+        if reports_of(verb) != [MergedReport]:
+            first, *others = reports_of(verb)
             found[verb.document] = first
             found |= {other.__name__.lower(): other for other in others}
-    return found | {"estimate": TimeEstimate}
+    return found | {"estimate": TimeEstimate, "worldnames": WorldNames}
+
+
+def reports_of(verb: Verb) -> list[Any]:
+    """The types of a verb's reports."""
+    function = unwrap(loaded(verb.function))
+    return [*members(eval(function.__annotations__["return"], function.__globals__))]  # noqa: S307
 
 
 @cache
 def pages() -> dict[str, Any]:
     """The type of every document by the name of its schema: reports, then the rest."""
-    merged = [reports()[verb.document] for verb in VERBS if verb.merged]
+    merged = dict.fromkeys(kind for verb in VERBS if verb.sweep for kind in reports_of(verb))
     return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
         "finding": FindingDocument,
@@ -90,7 +105,7 @@ def pages() -> dict[str, Any]:
 
 
 class Shapes:
-    """The types of one page, as msgspec knows them.
+    """The types of one page, in msgspec's description.
 
     Attributes:
         written: every key is there that is always written; else those that must be read.
@@ -149,7 +164,7 @@ class Shapes:
         return self._made[kind]
 
     def _keys(self, kind: Any) -> Iterator[tuple[str, Any, bool]]:
-        """The name of each key, its type, and whether it must be there."""
+        """The name of each key, its type, and whether it is required."""
         hints = get_type_hints(kind, include_extras=True)
         if is_dataclass(kind):
             for told in fields_of_dataclass(kind):
@@ -179,14 +194,18 @@ class Shapes:
     def _lighthouse(self, kind: type[Lighthouse]) -> Any:
         hints = get_type_hints(kind, include_extras=True)
         keys: list[tuple[str, Any, bool]] = [("kind", Literal[kind.kind], True)]
-        keys += [(key, hints[key], self.written) for key in kind.keys if key in hints]
+        keys += [
+            (key, hints[key], self.written and IF_ANY not in get_args(hints[key])[1:])
+            for key in kind.keys
+            if key in hints
+        ]
         if not self.written:
             keys += [(key, tp, False) for key, tp in kind.asked.items()]
         self._made[kind] = self._defined(f"{kind.__name__}Lighthouse", kind.__doc__ or "", keys)
         return self._made[kind]
 
     def _transcript(self) -> Any:
-        first, *rest = (self._struct(row) for row in (AtStart, Moved, Dropped, Picked))
+        first, *rest = (self._struct(row) for row in (AtStart, Moved, Dropped, Picked, Wrote))
         self.also |= {row.__name__: row for row in (first, *rest)}
         return Annotated[
             list[Any],
@@ -206,7 +225,7 @@ class Shapes:
 
 
 def members(tp: Any) -> tuple[Any, ...]:
-    """The types of a union; of anything else itself."""
+    """The types of a union; any other type itself."""
     return get_args(tp) if get_origin(tp) in (Union, UnionType) else (tp,)
 
 
@@ -232,7 +251,7 @@ def schema_of(tp: Any, *, written: bool = True) -> tuple[Schema, dict[str, Schem
 
 
 def page(name: str) -> Schema:
-    """The schema of a document; of what is read, of all that is taken."""
+    """The schema of a document; for one that is read, of everything that is accepted."""
     found, parts = schema_of(pages()[name], written=name not in READ)
     if found.keys() == {"$ref"}:
         found = parts.pop(found["$ref"].rpartition("/")[2])
@@ -241,13 +260,13 @@ def page(name: str) -> Schema:
 
 
 def names_page() -> Schema:
-    """The names that stand in tables, each with its summary where it has one."""
+    """The names in tables, each with its summary if it has one."""
     parts = {name: {"title": title, **_enum(table)} for name, (title, table) in NAMES.items()}
     return _page("names", {"title": "Names"}, parts)
 
 
 def schemas() -> dict[str, Schema]:
-    """Every schema by its name."""
+    """The schemas of all documents, by name."""
     return {name: page(name) for name in pages()} | {"names": names_page()}
 
 
@@ -264,7 +283,7 @@ def _enum(table: Iterable[Any]) -> Schema:
 
 
 def _plain(told: Any) -> Any:
-    """A schema in few words: no defaults, and in one object what can be told in one."""
+    """The schema in short form: without defaults, and merged where one object is enough."""
     if isinstance(told, list):
         return [_plain(inner) for inner in told]
     if not isinstance(told, dict):
@@ -312,7 +331,7 @@ def _referred(told: Any, parts: dict[str, Schema], found: dict[str, Schema]) -> 
 
 
 def main(directory: Path) -> None:
-    """Write every schema into a directory, and nothing else there."""
+    """Write every schema into a directory, and no other file there."""
     directory.mkdir(exist_ok=True)
     for file in directory.glob("*.schema.json"):
         file.unlink()

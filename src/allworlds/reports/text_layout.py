@@ -1,4 +1,4 @@
-"""Tables and named paragraphs."""
+"""Layout of tables and named paragraphs."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from textwrap import wrap
 
 GAP = 2
 """Columns of a table are so far apart."""
+
+INDENT = 11
+"""The columns before the text of a named paragraph."""
 
 NARROWEST_TEXT = 12
 """A last column of text is not made narrower than this."""
@@ -24,7 +27,8 @@ def table(
 
     What is wider than ``width`` has its last column wrapped, if that is flushed left and the rest
     leaves room for it.  Else it is cut into tables one below the other: each has as many columns as
-    fit, and begins with the first ``keys`` ones, by which rows are told apart.
+    fit, and begins with the first ``keys`` ones, by which rows are told apart.  Where not even one
+    column fits beside these, each row is a list of named cells.
     """
     lines = [header, *rows]
     widths = [max(len(line[i]) for line in lines) for i in range(len(header))]
@@ -33,14 +37,29 @@ def table(
     room = width - sum(widths[:-1]) - GAP * (len(widths) - 1)
     if right[len(header) - 1 :] != "r" and room >= NARROWEST_TEXT:
         return _lines(_wrapped(lines, room), [*widths[:-1], room], right)
-    first, *others = _blocks(widths, width, keys)
-    if not others:  # one column beside the keys is wider than there is room
-        return _lines(lines, widths, right)
+    blocks = _blocks(widths, width, keys)
+    if any(_wide(widths, block) > width for block in blocks):
+        return _listed(header, rows, width)
     told: list[str] = []
-    for block in (first, *others):
+    for block in blocks:
         cells = [[line[i] for i in block] for line in lines]
         flushed = "".join(right[i : i + 1] or "l" for i in block)
         told += [*([""] if told else []), *table(cells[0], cells[1:], flushed, width, keys)]
+    return told
+
+
+def _wide(widths: Sequence[int], block: Sequence[int]) -> int:
+    """Total width of a table with these columns."""
+    return sum(widths[i] for i in block) + GAP * (len(block) - 1)
+
+
+def _listed(header: Sequence[str], rows: Sequence[Sequence[str]], width: int) -> list[str]:
+    """Each row as a list of its cells by their names, those that are empty left out."""
+    told: list[str] = []
+    for row in rows:
+        told += [""] if told else []
+        for name, cell in zip(header, row, strict=True):
+            told += entry(name, cell, max(width, INDENT + NARROWEST_TEXT)) if cell else []
     return told
 
 
@@ -56,7 +75,7 @@ def _lines(lines: Sequence[Sequence[str]], widths: Sequence[int], right: str) ->
 
 
 def _wrapped(lines: Sequence[Sequence[str]], room: int) -> list[list[str]]:
-    """The lines with the last cell of each in so much room; what goes on is below it."""
+    """Lines in which the last cell is wrapped to this width, continued below itself."""
     told = []
     for *cells, last in lines:
         parts = wrap(last, room, break_on_hyphens=False) or [""]
@@ -65,12 +84,11 @@ def _wrapped(lines: Sequence[Sequence[str]], room: int) -> list[list[str]]:
 
 
 def _blocks(widths: Sequence[int], width: int, keys: int) -> list[list[int]]:
-    """The columns of the tables into which one is cut."""
+    """Columns of each table, when one table is cut into several."""
     blocks = [[*range(keys)]]
     for column in range(keys, len(widths)):
         block = [*blocks[-1], column]
-        fits = sum(widths[i] for i in block) + GAP * (len(block) - 1) <= width
-        if fits or len(blocks[-1]) == keys:
+        if _wide(widths, block) <= width or len(blocks[-1]) == keys:
             blocks[-1] = block
         else:
             blocks.append([*range(keys), column])
@@ -79,18 +97,7 @@ def _blocks(widths: Sequence[int], width: int, keys: int) -> list[list[int]]:
 
 def entry(name: str, text: str, width: int) -> list[str]:
     """A named paragraph with a hanging indent."""
-    indent = 11
-    lines = wrap(text, max(width - indent, 20), break_on_hyphens=False) or [""]
-    return [(f"{name} " if i == 0 else "").ljust(indent) + line for i, line in enumerate(lines)]
-
-
-def in_lines(items: Sequence[str], width: int) -> list[str]:
-    """Lines with as many of the items in each as fit; none is broken."""
-    held = "   ".join(item.replace(" ", "\0") for item in items)
-    return [line.replace("\0", " ") for line in wrap(held, width, break_long_words=False)]
-
-
-def interruption(*, complete: bool, width: int) -> list[str]:
-    """A paragraph for what the user has interrupted; nothing for what is complete."""
-    text = "here stands what was finished before; nothing is known of the rest"
-    return [] if complete else entry("INTERRUPTED", text, width)
+    first, indent = f"{name} ".ljust(INDENT), " " * INDENT
+    return wrap(
+        text, width, initial_indent=first, subsequent_indent=indent, break_on_hyphens=False
+    ) or [name]

@@ -1,4 +1,4 @@
-"""Walks to show worlds by: along given motions, or along every edge."""
+"""Walks that show worlds: along given motions, or along every edge."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The checker of bisimulations; it knows nothing of how they are found, whoever finds them."""
+"""The checker of bisimulations; the way in which they were found is not used."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from allworlds.world.world import World
 
 
 def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str | None:
-    """Why the classes do not prove that no motion tells the worlds apart; None if they do.
+    """The reason why the classes do not prove the worlds indistinguishable; None if they do.
 
-    They prove it if the starts are in one class, and darts of one class sense the same and
-    lead, by sigma and by alpha, to darts of one class: every motion is made of these two.
+    No motion tells the worlds apart if the starts are in one class, and darts of one class
+    sense the same and lead, by sigma and by alpha, to darts of one class: every motion is made
+    of these two.
 
     Args:
         worlds: two of them (or any number).

@@ -1,4 +1,4 @@
-"""The corpus that ships with the package: everything known, and everything ever caught.
+"""The corpus that ships with the package: known worlds, and every finding so far.
 
 A manifest, and a file for each of its entries: named worlds, findings, pairs of worlds that
 no motion tells apart, counts, and checks, with their provenance and what is expected of them.
@@ -24,9 +24,9 @@ MANIFEST = "manifest.json"
 
 
 class CorpusEntry(Document):
-    """One thing that a corpus keeps.
+    """An entry of a corpus.
 
-    What a file holds is a WORLD, a FINDING, a pair of worlds, counts, or the options of a check.
+    Its file holds a WORLD, a FINDING, a pair of worlds, counts, or the options of a check.
     """
 
     name: Annotated[Text, about("unique in the corpus")]
@@ -57,7 +57,7 @@ class Corpus:
     entries: tuple[CorpusEntry, ...]
 
     def of_kind(self, kind: Kind) -> list[CorpusEntry]:
-        """The entries that hold that, in the order of the manifest."""
+        """The entries of that kind, in the order of the manifest."""
         return [entry for entry in self.entries if entry.kind == kind]
 
     def named(self, name: str) -> CorpusEntry:
@@ -122,7 +122,7 @@ def load_corpus(directory: Path) -> Corpus:
 
 
 def _bytes(file: Path) -> bytes:
-    """What a file holds; a name that no file can have is that of none."""
+    """The content of a file; raise FileNotFoundError for a name that no file can have."""
     try:
         return file.read_bytes()
     except ValueError:

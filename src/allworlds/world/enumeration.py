@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from typing import Literal
 
 from allworlds.inputs import InputError, show
-from allworlds.maps import DEFAULT_EDGES, Extent, MapClass, rooted_maps
+from allworlds.maps import DEFAULT_EDGES, Condition, Extent, MapClass, rooted_maps
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.kinds import lighthouse_named
+from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
+from allworlds.world.own_condition import a_condition
 from allworlds.world.world import World
 
 
@@ -17,8 +18,9 @@ def worlds(
     edges: int | None = None,
     vertices: int | None = None,
     map_class: str = "maps",
-    lighthouse: str = "directional",
+    lighthouse: GivenLighthouse = "directional",
     places: Literal["all", "first"] = "first",
+    where: str | Condition | None = None,
 ) -> Iterator[World]:
     """Every world of a class, in the fixed order.
 
@@ -29,14 +31,15 @@ def worlds(
         lighthouse: the kind of lighthouse.
         places: ``first``: one world a rooted map, as reports count worlds; ``all``: one for
             every place of the lighthouse, as reports count runs.
+        where: what besides is true of the maps, as ``--where`` takes it.
 
     Raises:
         InputError: naming the offending option and what would be legal.
     """
     if edges is None and vertices is None:
         edges = DEFAULT_EDGES
-    extent = Extent(MapClass.named(map_class), edges, vertices)
-    kind = lighthouse_named(lighthouse)
+    extent = Extent(MapClass.named(map_class), edges, vertices, a_condition(where))
+    kind = lighthouse_kind(lighthouse).as_class
     if places not in ("all", "first"):
         raise InputError(f"places {show(places)} is not one of all, first")
     return _worlds(extent, kind, places)
@@ -44,7 +47,8 @@ def worlds(
 
 def _worlds(extent: Extent, kind: type[Lighthouse], places: str) -> Iterator[World]:
     for level in extent.levels:
-        for map_ in rooted_maps(level, extent.map_class, extent.vertices):
+        bounds = (level, extent.map_class, extent.vertices)
+        for map_ in rooted_maps(*bounds, where=extent.where):
             for placed in kind.places(map_, 0):
                 yield World(map_, placed, 0)
                 if places == "first":

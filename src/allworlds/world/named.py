@@ -17,27 +17,53 @@ from allworlds.inputs import (
     read_text,
     show,
 )
-from allworlds.maps import FORMS, CombinatorialMap, NoSuchMap, family, named_map, named_maps
+from allworlds.maps import (
+    FORMS,
+    CombinatorialMap,
+    Dart,
+    NoSuchMap,
+    family,
+    named_map,
+    named_maps,
+    rooted_code,
+)
+from allworlds.world.adversary import FORM, PREFIX
 from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.directional import Directional
-from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_named
+from allworlds.world.lighthouses.kinds import (
+    GivenLighthouse,
+    LighthouseKind,
+    lighthouse_from_json,
+    lighthouse_kind,
+)
 from allworlds.world.world import World
 
 HOLES = Option(SCOPE, "P%", "Share of a family's edges to remove [default: none].")
 """An option of every verb that takes a family."""
 
 
-def world_named(text: str, kind: str = Directional.kind) -> World:
-    """The world of inline JSON, of ``@file``, of the corpus, or of a named map.
+def world_named(
+    text: str, kind: GivenLighthouse = Directional.kind, seed: int | None = None
+) -> World:
+    """The world of inline JSON, of ``@file``, of the corpus, of a named map, or of a code.
 
-    Where no lighthouse is named it is of that kind, at its default place: at dart 0 of a
-    named map.
+    If no lighthouse is named, it is of that kind, at its default place: at dart 0 of a
+    named map.  The seed is that of a family, by default 0.
+
+    Raises:
+        InputError: naming a text that is none of these, or a seed that has no effect.
     """
-    lighthouse_named(kind)
+    kind = lighthouse_kind(kind)
+    if seed is not None and (_is_json(text) or text.partition(":")[0] not in _families()):
+        raise InputError(f"seed {seed} has no effect on world {show(text)}, which is no family")
     if text.startswith("@"):
         return _world_of_json(read_text(text[1:]), kind)
     if _is_json(text):
         return _world_of_json(text, kind)
+    if _CODE.fullmatch(text):
+        return World.from_json(map_of_code(text).to_json(), missing=kind)
+    if ":" in text:
+        return World.from_json(map_of_family(text, None, seed or 0).to_json(), missing=kind)
     try:
         map_ = named_map(text)
     except NoSuchMap as error:
@@ -45,7 +71,43 @@ def world_named(text: str, kind: str = Directional.kind) -> World:
     return World.from_json(map_.to_json(), missing=kind)
 
 
-def _world_of_corpus(name: str, kind: str, no_map: NoSuchMap) -> World:
+_CODE = re.compile(r"[0-9.]+/[0-9.]+", re.ASCII)
+
+
+def code_of(map_: CombinatorialMap, root: Dart = 0) -> str:
+    """The canonical code of a map rooted at a dart, as a WORLD: ``SIGMA/ALPHA``.
+
+    Each is written as its images, with dots between; two worlds have one code exactly if they
+    are isomorphic as rooted maps.
+    """
+    return "/".join(".".join(map(str, each)) for each in rooted_code(map_.sigma, map_.alpha, root))
+
+
+def map_of_code(text: str) -> CombinatorialMap:
+    """The map of :func:`code_of`, or of another numbering in the same form.
+
+    Raises:
+        InvalidMap: naming what is no map.
+    """
+    sigma, _, alpha = text.partition("/")
+    return CombinatorialMap(*([int(f"0{image}") for image in t.split(".")] for t in (sigma, alpha)))
+
+
+def names_of_worlds() -> dict[str, tuple[str, ...]]:
+    """The names of a WORLD: maps, families (a capital letter is a number), the corpus."""
+    entries = tuple(entry.name for entry in own_corpus().of_kind("world"))
+    return {
+        "maps": tuple(
+            name.replace("-N", ":N")
+            for name in named_maps()
+            if name.removesuffix("-N") not in _families()
+        ),
+        "families": tuple(FORMS.split(", ")),
+        "corpus": tuple(name for name in entries if name not in named_maps()),
+    }
+
+
+def _world_of_corpus(name: str, kind: LighthouseKind, no_map: NoSuchMap) -> World:
     corpus = own_corpus()
     for entry in corpus.of_kind("world"):
         if entry.name == name:
@@ -53,8 +115,8 @@ def _world_of_corpus(name: str, kind: str, no_map: NoSuchMap) -> World:
     if f"{name.rpartition('-')[0]}-N" in named_maps():
         raise no_map
     raise InputError(
-        f"world {show(name)} is neither JSON, nor @file, nor one of {', '.join(named_maps())}, "
-        f"nor a world of the corpus{_hint(name)}"
+        f"world {show(name)} is neither JSON, nor @file, nor a name that 'allworlds run --list' "
+        f"tells{_hint(name)}"
     )
 
 
@@ -68,7 +130,7 @@ def _is_json(text: str) -> bool:
     return True
 
 
-def _world_of_json(text: str, kind: str) -> World:
+def _world_of_json(text: str, kind: LighthouseKind) -> World:
     document = parse_json(text)
     keys = document.keys() if isinstance(document, dict) else set()
     if keys & {"findings", "finding", "law"} and not keys & {"sigma", "alpha"}:
@@ -77,18 +139,16 @@ def _world_of_json(text: str, kind: str) -> World:
 
 
 def _hint(name: str) -> str:
-    """What may have been meant by a name that is none."""
+    """A hint for an unknown name: the nearest known one; empty if there is none near."""
     if Path(name).suffix == ".json":
         return f"; to read a file write {show('@' + name)}"
-    if ":" in name:
-        return f"; a family is given by --family {name}"
     known = [*named_maps(), *(entry.name for entry in own_corpus().of_kind("world"))]
     meant = get_close_matches(name.lower(), known, 1)
     return f"; did you mean {meant[0]!r}?" if meant else ""
 
 
 class FamilyWords(Request):
-    """One world of a family, in place of another, as the command line names it."""
+    """The options of the command line that name one world of a family."""
 
     family: Annotated[str | None, Option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
     holes: Annotated[str | None, HOLES] = None
@@ -96,20 +156,34 @@ class FamilyWords(Request):
         int, Option(SCOPE, "S", "For whatever is drawn of a family.", parse=integer_of)
     ] = 0
 
-    def world(self, kind: str) -> World:
-        """That world, started at dart 0, with a lighthouse at its default place."""
+    def world(self, kind: GivenLighthouse) -> World:
+        """Return that world, started at dart 0, with a lighthouse at its default place."""
         assert self.family is not None
         map_ = map_of_family(self.family, self.holes, self.seed)
         return World(map_, lighthouse_from_json(None, map_, 0, kind))
 
 
 def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:
-    """The map of a family; ``holes`` is ``10%`` or ``0.1``."""
+    """The map of a family, or a named one with its number; ``holes`` is ``10%`` or ``0.1``."""
+    if text.startswith(PREFIX):
+        raise InputError(
+            f"{show(text)} is no world before an explorer has walked in it: it is for 'allworlds "
+            f"run EXPLORER {FORM}'; {FORM.removeprefix(PREFIX)} has a world for each seed"
+        )
+    kind, _, number = text.partition(":")
+    names = {name.removesuffix("-N") for name in named_maps() if name.endswith("-N")}
+    if holes is None and kind in names - _families():
+        return named_map(f"{kind}-{number}")
     return family(text, holes=0.0 if holes is None else _fraction(holes), seed=seed)
 
 
+def _families() -> set[str]:
+    """The names of the families."""
+    return {form.partition(":")[0] for form in FORMS.split(", ")}
+
+
 def _fraction(text: str) -> float:
-    """``10%`` or ``0.1``."""
+    """The fraction of ``10%`` or ``0.1``; raise InputError outside 0..1."""
     match = re.fullmatch(r"([0-9]+(?:\.[0-9]+)?)(%?)", text)
     value = float(match[1]) / (100 if match[2] else 1) if match else -1.0
     if not 0 <= value < 1:

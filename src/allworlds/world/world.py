@@ -1,4 +1,4 @@
-"""The world: pure, and the only thing that knows where the robot is."""
+"""The world: pure, and the only place where the robot's position is known."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any
 
-from allworlds.document import Document, about
+from allworlds.document import Document, Pictured, about
 from allworlds.inputs import integer, parse_json, show
-from allworlds.maps import Alpha, CombinatorialMap, Dart, Sigma
-from allworlds.protocol import Action, Drop, Move, Percept
+from allworlds.maps import Alpha, CombinatorialMap, Dart, Sigma, to_networkx
+from allworlds.protocol import Action, Move, Percept, Told
 from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, refuse_other_keys
 from allworlds.world.lighthouses.directional import Directional
-from allworlds.world.lighthouses.kinds import lighthouse_from_json
+from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.state import State, without_markers
 
 
 class IllegalAction(ValueError):
-    """An action that this world does not know."""
+    """Raised for an action that is illegal in this world."""
 
 
 class WorldDocument(Document):
@@ -36,7 +36,7 @@ class WorldDocument(Document):
 
 
 @dataclass(frozen=True)
-class World:
+class World(Pictured):
     """A map, a lighthouse that stands in it, and the dart that the robot faces at the start.
 
     Raises:
@@ -52,7 +52,7 @@ class World:
 
     @cached_property
     def percepts(self) -> tuple[Percept, ...]:
-        """For each dart what is sensed by a robot that has arrived by it and dropped nothing."""
+        """For each dart the percept of a robot that has arrived by it and dropped no marker."""
         return self.lighthouse.percepts(self.map)
 
     @property
@@ -62,44 +62,43 @@ class World:
 
     @property
     def first(self) -> Percept:
-        """What is sensed before any motion."""
+        """The percept before any motion."""
         return self.percepts[self.start]
 
     @property
-    def told(self) -> int | None:
-        """What the lighthouse tells the explorer before the start, if anything."""
+    def over(self) -> bool:
+        """Whether the world ends the run: it never does."""
+        return False
+
+    @property
+    def told(self) -> Told:
+        """The value that the explorer is told before the start; None if there is none."""
         return self.lighthouse.told(self.map)
 
     def step(self, state: State, action: Action) -> tuple[State, Percept]:
-        """The state after the action, and what the robot senses then.
+        """The state after the action, and the robot's percept then.
 
         Raises:
-            IllegalAction: for markers that there are not, with what would be legal.
+            IllegalAction: for markers that are not there, naming the legal actions.
         """
         if type(action) is Move:
             dart = self.map.alpha[self.map.turn(state.dart, action.k)]
-            if state.lying or state.hand:
-                after = State(dart, state.lying, state.hand)
+            if state.lying or state.hand or state.written:
+                after = State(dart, state.lying, state.hand, state.written)
                 return after, self.sensed(after)
             return without_markers(dart), self.percepts[dart]
-        here, lying = self.map.vertex_of[state.dart], [*state.lying]
-        if refusal := self.lighthouse.refusal(action, lying.count(here), state.hand):
+        lying = state.lying.count(self.map.vertex_of[state.dart])
+        if refusal := self.lighthouse.refusal(action, lying, state.hand):
             raise IllegalAction(refusal)
-        if type(action) is Drop:
-            lying.append(here)
-        else:
-            lying.remove(here)
-        hand = state.hand + len(state.lying) - len(lying)
-        after = State(state.dart, tuple(sorted(lying)), hand)
+        after = self.lighthouse.acted(self.map, state, action)
         return after, self.sensed(after)
 
     def sensed(self, state: State) -> Percept:
-        """What the robot senses in a state: what has been dropped is one mark each."""
-        percept = self.percepts[state.dart]
-        return percept.marked(state.lying.count(self.map.vertex_of[state.dart]))
+        """The robot's percept in a state, with the marks that it has left there itself."""
+        return self.percepts[state.dart].marked(self.lighthouse.left_marks(self.map, state))
 
     def relabelled(self, names: Sequence[Dart]) -> World:
-        """The same world with dart ``d`` renamed to ``names[d]``."""
+        """Return this world with dart ``d`` renamed to ``names[d]``."""
         return World(
             self.map.relabelled(names), self.lighthouse.relabelled(names), names[self.start]
         )
@@ -107,6 +106,15 @@ class World:
     def mirrored(self) -> World:
         """The mirror image, marker and start included."""
         return World(self.map.mirrored(), self.lighthouse, self.start)
+
+    def to_networkx(self) -> Any:
+        """The graph of the map, of networkx; see :func:`allworlds.maps.networks.to_networkx`.
+
+        Its attributes ``start`` and ``lighthouse`` are those of the world's document.
+        """
+        graph = to_networkx(self.map)
+        graph.graph.update(start=self.start, lighthouse=self.lighthouse.to_json())
+        return graph
 
     def to_json(self) -> dict[str, Any]:
         """The document :class:`WorldDocument`."""
@@ -119,7 +127,7 @@ class World:
 
     @classmethod
     def from_json(
-        cls, document: str | Mapping[str, Any], *, missing: str = Directional.kind
+        cls, document: str | Mapping[str, Any], *, missing: GivenLighthouse = Directional.kind
     ) -> World:
         """The world of :meth:`to_json`'s document, or of its text; other keys are refused.
 
@@ -145,8 +153,23 @@ class World:
         return cls(map_, lighthouse, start)
 
 
+def at_place(world: World, number: int) -> World:
+    """The world with its lighthouse at the place of that number.
+
+    Raises:
+        InvalidWorld: naming the numbers of its places.
+    """
+    places = list(type(world.lighthouse).places(world.map, world.start))
+    if number not in range(len(places)):
+        raise InvalidWorld(
+            f"place {show(number)} is none of the {len(places)} places of the lighthouse "
+            f"{world.lighthouse.kind} in this world, which are numbered from 0"
+        )
+    return World(world.map, places[number], world.start)
+
+
 def _a_start(given: object, map_: CombinatorialMap) -> Dart:
-    """The start, if it is a dart of the map; else raises InvalidWorld."""
+    """The start; raise InvalidWorld unless it is a dart of the map."""
     try:
         start = integer(given)
     except TypeError:

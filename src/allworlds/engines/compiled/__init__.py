@@ -5,7 +5,7 @@
 ``tallies``
     built-in explorers: its rows into tallies;
 ``stretches``
-    foreign explorers, many runs at a time;
+    users' explorers, many runs at a time;
 ``agreement``
     its comparison with the Python engine, before it is believed;
 ``sizes``

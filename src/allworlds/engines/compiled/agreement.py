@@ -30,23 +30,26 @@ from allworlds.engines.units.shards import Whole
 from allworlds.explorers import Subject
 from allworlds.maps import Code, prefixes, rooted_code
 from allworlds.protocol import Move, Transcript
-from allworlds.world import World
+from allworlds.world import Cluster, Natural, World
 
 AGREEMENT_EDGES = 4
 """The largest m for which a check begins with a comparison of both engines, run by run."""
 
+AGREEMENT_EDGES_SIMPLE = 6
+"""The limit in simple classes under lighthouses at two vertices, which few small worlds have."""
+
 HERE_EDGES = 3
-"""The largest m for which a process would take longer to start than to do the work."""
+"""The largest m for which the work takes less time than the start of a process."""
 
 PLAYERS = 2
-"""Processes that play, where there is nothing to be compiled."""
+"""The number of processes that play if everything is compiled already."""
 
 Outcomes: TypeAlias = dict[UnitOfRuns, list[Listed]]
-"""The list of each run, by unit."""
+"""The listed runs, by unit."""
 
 
 class ListingEngine(PythonEngine):
-    """The Python engine that lists each run of an explorer of ours instead of tallying it."""
+    """The Python engine that lists each run of a built-in explorer instead of tallying it."""
 
     def for_built_in(
         self,
@@ -65,7 +68,7 @@ class BoundListing:
     subject: Subject
 
     def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, list[Listed]]]:
-        """The list of all runs at once; a world without a place is a run without a step."""
+        """Yield the list of all runs at once; a world without a place is a run without a step."""
         assert not start
         examiner = Examiner(self.subject, self.scope.rules)
         listed = [
@@ -100,7 +103,7 @@ def number_of(transcript: Transcript) -> int:
 
 
 def compare_engines(scope: Scope, subject: Subject, limits: Limits) -> None:
-    """Raise EnginesDisagree unless both engines agree on every run up to AGREEMENT_EDGES edges.
+    """Raise EnginesDisagree unless both engines agree on every run in small worlds.
 
     Where the scope has levels that are walked once for every bearing, the walks are compared
     too: each must cost what the general engine's cost at every bearing.
@@ -109,7 +112,7 @@ def compare_engines(scope: Scope, subject: Subject, limits: Limits) -> None:
         EnginesDisagree: naming the first world in which they do not.
     """
     small = replace(scope, coverage=Whole())
-    levels = [m for m in scope.extent.levels if m <= AGREEMENT_EDGES]
+    levels = [m for m in scope.extent.levels if m <= compared_to(scope)]
     walked = walks(scope, subject, scope.extent.levels[-1])
     agreed = (subject.name, scope.rules, replace(scope.extent, edges=levels[-1]), walked)
     if agreed in AGREED:
@@ -129,8 +132,15 @@ def compare_engines(scope: Scope, subject: Subject, limits: Limits) -> None:
     AGREED.add(agreed)
 
 
+def compared_to(scope: Scope) -> int:
+    """The largest m for which both engines are compared."""
+    at_two_vertices = issubclass(scope.rules.kind, Cluster | Natural)
+    few = scope.extent.map_class.simple and at_two_vertices
+    return AGREEMENT_EDGES_SIMPLE if few else AGREEMENT_EDGES
+
+
 AGREED: set[object] = set()
-"""The comparisons that were made in this process."""
+"""The comparisons that have succeeded in this process."""
 
 
 def _units(scope: Scope, edges: int) -> Iterator[LevelRuns]:
@@ -144,9 +154,9 @@ def _units(scope: Scope, edges: int) -> Iterator[LevelRuns]:
 def _beside(
     scope: Scope, subject: Subject, limits: Limits, units: list[LevelRuns]
 ) -> Iterator[tuple[Future[None], Future[Outcomes]]]:
-    """The work beside this thread: its futures, in their order.
+    """A context with the futures of the work beside this thread, in their order.
 
-    First the explorer is compiled, if nothing is yet; then all runs are played by the general
+    First the explorer is compiled, if necessary; then all runs are played by the general
     engine.  Compiling leaves room for one process more, loading for two.
     """
     known = is_compiled(examine)
@@ -165,13 +175,13 @@ def _beside(
 
 
 def _ready(_explorer: str) -> None:
-    """Do nothing, where nothing is to be compiled."""
+    """Return at once: the explorer is compiled already."""
 
 
 def _played(
     listing: ListingEngine, subject: Subject, workers: Workers, units: list[LevelRuns]
 ) -> Outcomes:
-    """The outcomes in the general engine."""
+    """The listed runs of each unit, by the general engine."""
     if units[-1].edges > HERE_EDGES:
         return {part.unit: part.result for part in workers.map(listing, units)}
     own = listing.for_built_in(subject)
@@ -200,7 +210,7 @@ def walk_costs(scope: Scope, subject: Subject, edges: int) -> dict[Code, int]:
 
 
 def rotation(degrees: Iterable[int]) -> list[int]:
-    """``sigma`` of vertices whose darts are consecutive and clockwise."""
+    """The permutation sigma of vertices whose darts are consecutive and clockwise."""
     sigma: list[int] = []
     for degree in degrees:
         first = len(sigma)

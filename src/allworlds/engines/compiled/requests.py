@@ -10,33 +10,42 @@ from allworlds.engines.kernel import engine as kernel
 from allworlds.engines.kernel.law_numbers import CHECKED
 from allworlds.engines.kernel.rows import Level, LevelBounds
 from allworlds.engines.kernel.tables import MOST_EDGES, Tables, tables
-from allworlds.engines.python.scope import Scope
+from allworlds.engines.python.scope import Given, Scope
 from allworlds.explorers import Subject
 from allworlds.inputs import InputError, show
-from allworlds.judging import LAWS, Rules, default_step_budget, paper_bound
+from allworlds.judging import LAWS, Rules
 from allworlds.maps import Extent, MapClass
-from allworlds.world import LIGHTHOUSES, Lighthouse
+from allworlds.world import LIGHTHOUSES, Directional, Lighthouse
 
 
 def obstacle(scope: Scope, subject: Subject) -> str:
-    """Why the kernel cannot do a check; empty if it can."""
+    """The reason why the kernel cannot do a check; empty if it can."""
     rules, extent = scope.rules, scope.extent
     if not subject.from_user and subject.name not in kernel.EXPLORERS:
         return f"runs only {', '.join(kernel.EXPLORERS)}, not {show(subject.name)}"
     if subject.from_user and not hasattr(os, "memfd_create"):
-        return "judges foreign explorers on Linux alone"
+        return "judges users' explorers on Linux alone"
     if kind_of(rules.kind) not in kernel.LIGHTHOUSES:
-        return f"does not know the lighthouse {show(rules.lighthouse)}"
+        return f"does not know the lighthouse {show(str(rules.lighthouse))}"
+    if isinstance(scope.coverage, Given):
+        return "tries every map of a class, and no given worlds"
+    if extent.where is not None:
+        return f"does not know the condition {show(extent.where.name)}"
     if not extent.map_class.plain:
         return f"does not know the class {extent.map_class}"
     if extent.levels[-1] > MOST_EDGES:
         return f"has room for {MOST_EDGES} edges, not for {extent.levels[-1]}"
+    if not rules.task.is_map:
+        return f"judges the task map alone, not {show(rules.task.name)}"
     if rules.policy not in ("fifo", "lifo", "nearest"):
         return f"knows the policies fifo, lifo and nearest, not {show(rules.policy)}"
     if unknown := [law for law in rules.applying if law not in CHECKED]:
         return f"does not check the law {unknown[0]!r}"
     if scope.schedules != "one":
         return "walks one schedule (see worst for all of them)"
+    if beyond := rules.the_bound.variables & {"d", "g"}:
+        named = " and ".join(sorted(beyond))
+        return f"does not know {named} of the bound {show(rules.the_bound.name)}"
     if rules.step_budget is not None and rules.step_budget > kernel.MOST_BUDGET:
         return f"has room for a step budget of {kernel.MOST_BUDGET}, not of {rules.step_budget}"
     return ""
@@ -44,7 +53,9 @@ def obstacle(scope: Scope, subject: Subject) -> str:
 
 def kind_of(kind: type[Lighthouse]) -> str:
     """The kernel's name of a kind of lighthouse."""
-    return kind.kind if LIGHTHOUSES[kind.kind] is kind else f"{kind.kind}-single"
+    if LIGHTHOUSES.get(kind.kind) is kind:
+        return kind.kind
+    return f"{kind.kind}-single"
 
 
 def walks(scope: Scope, subject: Subject, edges: int) -> bool:
@@ -53,7 +64,7 @@ def walks(scope: Scope, subject: Subject, edges: int) -> bool:
     return (
         edges >= WALKED_FROM
         and subject.name == "algorithm1"
-        and rules.lighthouse == "directional"
+        and rules.kind is Directional
         and scope.extent.map_class is MapClass.MAPS
         and rules.laws in (None, tuple(LAWS))
         and rules.step_budget is None
@@ -82,9 +93,7 @@ def level_of(explorer: str, rules: Rules, extent: Extent, edges: int) -> Level:
 
 def _budgets(rules: Rules, edges: int) -> tuple[int, ...]:
     """The step budgets by vertices."""
-    if rules.step_budget is not None:
-        return (rules.step_budget,) * (edges + 2)
-    return (0, *(default_step_budget(paper_bound(n, edges)) for n in range(1, edges + 2)))
+    return (0, *(rules.budget_by_size(n, edges) for n in range(1, edges + 2)))
 
 
 def _bounds(rules: Rules, edges: int) -> LevelBounds:
@@ -92,7 +101,7 @@ def _bounds(rules: Rules, edges: int) -> LevelBounds:
 
     def value(n: int, d0: int, largest: int) -> int | None:
         try:
-            return bound.value(n, edges, d0, largest)
+            return bound.value(n, edges, d0, largest, 0, 0)  # see obstacle
         except InputError:
             return kernel.UNDEFINED
 

@@ -1,4 +1,4 @@
-"""The sizes from which on a check is done in another way; here nothing compiled is loaded."""
+"""The sizes from which on a check is done in another way; no compiled code is loaded here."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Foreign explorers in the compiled engine: stretches of runs, played twice, and judged between.
+"""Users' explorers in the compiled engine: stretches of runs, played twice, and judged between.
 
-A stretch is laid out and judged by a referee, which has no foreign code in it; its two players play
+A stretch is laid out and judged by a referee, which has no user's code in it; its two players play
 it, the first in worlds, the second against the recorded percepts, each in an order of its own.
 The general engine (:mod:`allworlds.engines.python.second_play`) plays a stretch anew in which
 something went wrong: a player was lost, threads were left behind, or logs cannot be read.  It also
@@ -20,23 +20,18 @@ from typing import Any, NamedTuple
 
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.tallies import tally_of
+from allworlds.engines.isolation.generator_player import load as load_generators
 from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.engines.isolation.process import guardian
 from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.job import Job
 from allworlds.engines.kernel import engine as kernel
-from allworlds.engines.kernel.batches import (
-    LONGEST_STRETCH,
-    MOST_EARLIER,
-    LaidOutRuns,
-    ReplayableRun,
-    UnitJudge,
-    load_native,
-)
+from allworlds.engines.kernel.batches import LaidOutRuns, ReplayableRun, UnitJudge, load_native
 from allworlds.engines.kernel.compiling import is_compiled
 from allworlds.engines.kernel.native import play_worlds
 from allworlds.engines.kernel.rows import BrokenRun, Rows
 from allworlds.engines.kernel.runs import examine
+from allworlds.engines.kernel.stretch import LONGEST_STRETCH, MOST_EARLIER
 from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.comparison import nondeterministic
 from allworlds.engines.python.examiner import LOST, Outcome, Referee
@@ -46,8 +41,9 @@ from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, Number
 from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.second_play import KEPT, EarlierPlays, OneRun, PlayedTwice
 from allworlds.engines.python.tally import Tally
+from allworlds.engines.python.tour import SPELL
 from allworlds.explorers import Subject
-from allworlds.judging import Fault, Log, UncheckedAnswer, retold
+from allworlds.judging import Fault, Finding, Log, UncheckedAnswer, retold
 from allworlds.maps import Code, CombinatorialMap
 from allworlds.world import World
 
@@ -71,13 +67,14 @@ THIRD = "when it was played once more, the walk or the answer was another"
 
 
 def load() -> None:
-    """Load the kernel, and with it this module."""
+    """Load the kernel, and with it this module and all that players need."""
     load_native()
+    load_generators()
 
 
 @dataclass(frozen=True, slots=True)
 class StretchEngine:
-    """The engine in which a foreign explorer plays in stretches, and the kernel judges.
+    """The engine in which a user's explorer plays in stretches, and the kernel judges.
 
     Attributes:
         scope, keep: as for the general engine.
@@ -85,6 +82,10 @@ class StretchEngine:
 
     scope: Scope
     keep: int
+
+    def tally(self) -> Tally:
+        """Return an empty tally."""
+        return Tally(self.keep)
 
     @staticmethod
     def compiled(job: Job) -> None:
@@ -98,13 +99,14 @@ class StretchEngine:
         subject: Subject,
         beat: MutableSequence[int] | None = None,
     ) -> PartwiseEngine:
-        """See :class:`~allworlds.engines.isolation.player_pair.WorkerEngine`."""
+        """Return the engine with a built-in explorer, of the interface ``WorkerEngine``."""
         return PythonEngine(self.scope, self.keep).for_built_in(subject, beat)
 
-    def for_foreign(
+    def for_users(
         self, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
     ) -> PartwiseEngine:
-        """See :class:`~allworlds.engines.isolation.player_pair.WorkerEngine`."""
+        """Return the engine with a user's explorer, of the interface ``WorkerEngine``."""
+        players.in_stretches = True
         return PlayedByStretches(PythonEngine(self.scope, self.keep), explorer, players, earlier)
 
 
@@ -116,9 +118,16 @@ class _EarlierRun(NamedTuple):
     kept: ReplayableRun
 
 
+class _Differing(NamedTuple):
+    """Runs whose two plays differ: the numbers of those of the stretch, and earlier plays."""
+
+    here: list[int]
+    earlier: list[_EarlierRun]
+
+
 @dataclass(slots=True)
 class PlayedByStretches:
-    """The engine with a foreign explorer.
+    """The engine with a user's explorer.
 
     Attributes:
         engine, explorer, players, earlier: as for the general engine.
@@ -133,6 +142,8 @@ class PlayedByStretches:
     _most: int = AT_FIRST
     _worst: Tally = field(init=False)
     _kept: EarlierPlays[_EarlierRun] = field(default_factory=EarlierPlays)
+    _seed: int | None = None
+    _stash: list[Finding] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self._general = PlayedTwice(self.engine, self.explorer, self.players, self.earlier)
@@ -140,7 +151,7 @@ class PlayedByStretches:
         self._worst = Tally(self.engine.keep)
 
     def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Tally]]:
-        """The number of the next run and the tally since, after each stretch."""
+        """Yield the number of the next run and the tally since, after each stretch."""
         if start or not isinstance(unit, LevelRuns):
             # The rest of a unit whose referee was lost.
             yield from self._general.parts(unit, start)
@@ -158,10 +169,14 @@ class PlayedByStretches:
                 self._most = AFTER_LOSS
                 judge.skip(batch)
                 tally = self._by_the_general_engine(unit, batch)
+                for found in self._stash:
+                    tally.find(found)
+                self._stash.clear()
             else:
                 slow = time.monotonic() - began > REPORT_EVERY
                 most = self._most // 2 if slow else 2 * self._most
-                self._most = max(LEAST, min(most, LONGEST_STRETCH))
+                longest = LONGEST_STRETCH if self.players.tour.complete else SPELL
+                self._most = max(LEAST, min(most, longest))
                 if unit.edges <= AGREEMENT_EDGES:
                     general = self._by_the_general_engine(unit, batch)
                     tally.remarks.update(general.remarks)
@@ -170,7 +185,7 @@ class PlayedByStretches:
             yield batch.until, tally
 
     def _compiled(self, unit: LevelRuns, judge: UnitJudge, batch: LaidOutRuns) -> Tally | None:
-        """The tally of a stretch; None where the general engine must make it."""
+        """The tally of a stretch; None if the general engine must make it."""
         first, second = _memory(unit.edges)
         policy, size = self.engine.scope.rules.policy, 0
         if batch.runs:
@@ -178,6 +193,9 @@ class PlayedByStretches:
             if played is None:
                 return None
             size = played
+        if self._seed != self.players.tour.hash_seed:
+            self._seed = self.players.tour.hash_seed
+            self._kept.forget()
         earlier = self._kept.draw(MOST_EARLIER) if batch.runs else []
         again = [play.kept for play in earlier]
         rows, readable = judge.judge(batch, size, again)
@@ -192,14 +210,16 @@ class PlayedByStretches:
                 return None
             differing = judge.differing(batch, played, again)
         tally = tally_of(rows, unit, self.engine.scope, self.engine.keep)
-        ours = [judge.number(row) for row in differing if row < batch.runs]
-        if ours:
-            self._find_differing(unit, ours, tally)
-        else:
-            for broken in rows.broken:
-                self._find(unit, batch, judge, broken, tally)
-        for play in (earlier[row - batch.runs] for row in differing if row >= batch.runs):
-            self._find_differing(play.unit, [play.number], tally)
+        by_seed = self.players.tour.differ
+        unlike = _Differing(
+            [judge.number(row) for row in differing if row < batch.runs],
+            [earlier[row - batch.runs] for row in differing if row >= batch.runs],
+        )
+        for _ in self._finding(unit, batch, judge, rows.broken, unlike, tally):
+            if by_seed and self.players.tour.alike:
+                # The explorer goes by hashes: the stretch is played anew, with one seed.
+                self._stash += tally.findings
+                return None
         if not differing:
             wanted = min(batch.runs, max(ANEW, KEPT - len(self._kept)))
             for row in self.players.random.sample(range(batch.runs), wanted):
@@ -207,6 +227,27 @@ class PlayedByStretches:
                 if kept.short:
                     self._kept.keep(_EarlierRun(unit, judge.number(row), kept))
         return tally
+
+    def _finding(
+        self,
+        unit: LevelRuns,
+        batch: LaidOutRuns,
+        judge: UnitJudge,
+        broken: Sequence[BrokenRun],
+        differing: _Differing,
+        tally: Tally,
+    ) -> Iterator[None]:
+        """Find what is wrong with a stretch, part by part."""
+        if differing.here:
+            self._find_differing(unit, differing.here, tally)
+            yield
+        else:
+            for each in broken:
+                self._find(unit, batch, judge, each, tally)
+                yield
+        for play in differing.earlier:
+            self._find_differing(play.unit, [play.number], tally)
+            yield
 
     def _by_the_general_engine(self, unit: LevelRuns, batch: LaidOutRuns) -> Tally:
         tally = self.engine.tally()
@@ -308,11 +349,21 @@ class PlayedByStretches:
         chosen = [run for run in self.engine.runs(unit) if run.number in wanted and run.lighthouse]
         chosen.sort(key=lambda run: run.map.vertex_count)
         placed = {run.number: _one(run) for run in chosen[:MOST_DIFFERING]}
-        for one, outcome in self._general.outcomes(unit, placed):
-            settled = outcome
-            if isinstance(outcome, Outcome) and _law(outcome) != "nondeterministic":
+        tour = self.players.tour
+        by_seed = tour.differ
+        tour.hold()
+        again = [*self._general.outcomes(unit, placed)]
+        explained = by_seed and tour.alike
+        for one, outcome in again:
+            if (
+                not isinstance(outcome, Outcome)
+                or _law(outcome) == "nondeterministic"
+                or (explained and _law(outcome))
+            ):
+                tally.find(self._general.finding(one, outcome))
+            elif not explained:
                 settled = replace(outcome, violation=nondeterministic(DIFFERENT))
-            tally.find(self._general.finding(one, settled))
+                tally.find(self._general.finding(one, settled))
 
 
 def _law(outcome: Outcome) -> str:

@@ -55,7 +55,7 @@ class CompiledEngine:
     Attributes:
         scope, subject, keep: as for the general engine.
         flag: its entry 0 tells the kernel to give up.
-        reached: by edges and vertices, what some walk has cost: who costs less is not the most
+        reached: by edges and vertices, the cost of some walk: a cheaper run is not the most
             expensive.
     """
 
@@ -78,7 +78,7 @@ class CompiledEngine:
         return cls(job.scope, job.subject, job.keep)
 
     def halt(self) -> None:
-        """Give up."""
+        """Make all threads give up their work."""
         self.flag[0] = 1
 
     def is_soon_done(self, unit: LevelRuns) -> bool:
@@ -138,7 +138,7 @@ class CompiledEngine:
 
 
 def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, keep: int) -> Tally:
-    """The tally of the kernel's counts, without the events and the findings."""
+    """A tally of the kernel's counts, without the events and the findings."""
     tally = Tally(keep)
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in rows.most_expensive
@@ -162,6 +162,6 @@ def tally_of(rows: Rows, unit: LevelRuns, scope: Scope, keep: int) -> Tally:
         tally.witnesses["parallel-edge"] += counts.parallels
     for n, d0, largest in rows.met:
         # Where a run has a bound without a value, this says so.
-        bound = scope.rules.the_bound.value(n, unit.edges, d0, largest)
+        bound = scope.rules.the_bound.value(n, unit.edges, d0, largest, 0, 0)
         tally.row(unit.edges, n).bound_of(bound)
     return tally

@@ -1,4 +1,4 @@
-"""Isolation: foreign code runs in processes that it may kill, and the check goes on.
+"""Isolation: users' code runs in processes that it may kill, and the check goes on.
 
 The owner (a check) hands units to **referees**, which judge; each has two **players** with the
 explorer in them, of which the first plays in worlds and the second against recorded percepts.
@@ -8,19 +8,23 @@ The **guardian** forks them all, and ends them, and all that they have started.
     messages to players; and those of players: integers and texts alone;
 ``referee_jobs``
     messages to referees, and their answers;
-``guardian``, ``roles``, ``process``
+``guardian``, ``guardian_requests``, ``roles``, ``process``, ``process_tree``
     starting, reading and ending processes;
+``relay``
+    the stderr of processes, on its way to that of the owner;
 ``player``, ``player_pair``
-    the process with the foreign code in it, and the referee's side of two of them;
+    the process with the user's code in it, and the referee's side of two of them;
 ``referee``, ``workers``
     the process that judges units, and its owner's side: the transport;
 ``shared_logs``, ``generator_player``
-    many runs of a foreign explorer at a time, in shared memory; and the writing of their logs,
+    many runs of a user's explorer at a time, in shared memory; and the writing of their logs,
     where the explorer is a generator;
 ``confirm``
     single runs, and findings once more in fresh processes;
 ``subject_probe``
     the keywords that an explorer takes;
+``overheard``
+    the prints of a player in one run;
 ``stderr_stream``
     a stderr that may be lost.
 """

@@ -2,8 +2,8 @@
 
 The log of a run is written in the bytes that the kernel reads
 (:mod:`allworlds.engines.kernel.logs`), so that one compiled judge judges explorers of every kind.
-The twin of :func:`log_of_run` is :func:`allworlds.judging.episode.perform`, which also says what
-went wrong; the general engine calls it for a run that went wrong.
+The twin of :func:`log_of_run` is :func:`allworlds.judging.episode.perform`, which also describes
+faults; the general engine calls it for a run with a fault.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class GeneratorPlayer:
         player: the explorer.
         beat: ``beat[0]`` is set to the number of each run; see
             :func:`allworlds.judging.episode.play`.
-        intact: called after each play, to look at what the explorer may have broken.
+        intact: called after each play, to check the parts that the explorer may have broken.
     """
 
     def __init__(
@@ -51,7 +51,7 @@ class GeneratorPlayer:
     def play(self, job: PlayStretch) -> StretchResult:
         """Play all runs of a stretch, and put their logs into the memory.
 
-        None are put there if there is no room, or if the machine may have had its part in one.
+        No log is put there if there is no room, or if the machine may be the cause of a fault.
         """
         stretch = self._memories.stretch(job)
         heads = stretch.heads[: job.runs].tolist()
@@ -75,6 +75,10 @@ class GeneratorPlayer:
                 return StretchResult(-1, 0)
             logs += log
         return StretchResult(stretch.put(logs, begins), 0)
+
+
+def load() -> None:
+    """Load this module, and with it all modules that players need to write logs."""
 
 
 class ByteWorld:

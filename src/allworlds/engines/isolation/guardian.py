@@ -1,31 +1,52 @@
 """The process that starts all others, and that ends them when its owner is gone.
 
-It holds nothing but imported modules: no world, no foreign code.  Its children are therefore
-clean, and start in milliseconds.  It is the reaper of its descendants: a process that an explorer
-leaves behind, in whatever session, becomes its child when its own parent is gone, and is killed.
-When its owner ends, however it ends, the socket between them is closed, and everything is killed.
+The guardian holds imported modules only: no world, no user's code.  Its children are therefore
+clean, and start in milliseconds.  All of them share its address layout and its hash seed; so a
+player that is to have others is forked by a **nursery**: another guardian, which this one starts
+when it is asked for, in an interpreter of its own.
 
-Source: prctl(2), PR_SET_CHILD_SUBREAPER and PR_SET_PDEATHSIG.  Where they do not exist (macOS)
-only the groups of its own children can be ended.
+The guardian is the reaper of its descendants: a process that an explorer leaves behind, in any
+session, becomes its child when its own parent is gone, and is killed.  When its owner ends, however
+it ends, the socket between them is closed, and everything is killed.
+
+The stderr of its processes goes through it (:mod:`allworlds.engines.isolation.relay`).
 """
 
 from __future__ import annotations
 
-import ctypes
 import gc
+import json
 import os
-import pickle
 import signal
 import socket
-import struct
+import subprocess
 import sys
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
 from importlib import import_module
-from pathlib import Path
 from selectors import EVENT_READ, DefaultSelector
-from typing import Any, NoReturn
+from typing import NoReturn
+
+from allworlds.engines.isolation.guardian_requests import (
+    Answer,
+    AskExitCode,
+    EndProcesses,
+    Prepare,
+    ReachNursery,
+    ServeAnother,
+    Spawn,
+    receive,
+    send,
+)
+from allworlds.engines.isolation.process_tree import (
+    DEATH_SIGNAL,
+    SUBREAPER,
+    children_by_parent,
+    control,
+    kill_tree,
+)
+from allworlds.engines.isolation.relay import Relay
+from allworlds.explorers import HASH_SEED
 
 Role = Callable[[list[int]], None]
 """The main function of a forked process.
@@ -34,97 +55,39 @@ It is called with the descriptors that the process was given, but for the first,
 stderr and stdout; and behind them, in a role of :data:`OWNERS`, a socket to the guardian."""
 
 OWNERS = frozenset({"referee"})
-"""The roles that may own processes; no foreign code is in them."""
+"""The roles that may own processes; no user's code is in them."""
 
 LOOK = 1.0
 """Seconds after which the guardian looks again whether its owner is there."""
 
-_SUBREAPER, _DEATH_SIGNAL = 36, 1
-_LENGTH = struct.Struct("<I")
-_MOST_DESCRIPTORS = 4
+_START = (
+    "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
+    "from allworlds.engines.isolation.roles import guard; guard(int(sys.argv[2]))"
+)
 
 
-@dataclass(frozen=True, slots=True)
-class Spawn:
-    """Fork a process for a role.
+def launch(
+    kind: str, hash_seed: int, path: list[str]
+) -> tuple[socket.socket, subprocess.Popen[bytes]]:
+    """A guardian in an interpreter of its own, and the socket to it.
 
-    Attributes:
-        role: the name of the role.
-        directory, path, environment: of the process.
+    Args:
+        kind: ``guardian`` or ``nursery``; shown on its command line.
+        hash_seed: of the interpreter.
+        path: from which it imports.
     """
-
-    role: str
-    directory: str
-    path: list[str]
-    environment: dict[str, str]
-
-
-@dataclass(frozen=True, slots=True)
-class EndProcesses:
-    """Kill processes with all that they have started; answered when they have ended."""
-
-    pids: tuple[int, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class AskExitCode:
-    """Ask for the exit code of a process."""
-
-    pid: int
-
-
-@dataclass(frozen=True, slots=True)
-class Prepare:
-    """Call a function without arguments: all that are forked later share the modules it loads.
-
-    Attributes:
-        module, function: its module, which is one of ours, and its name.
-    """
-
-    module: str
-    function: str
-
-
-Request = Spawn | EndProcesses | AskExitCode | Prepare
-Answer = int | None
-"""A process's number to :class:`Spawn`; to :class:`AskExitCode` its exit code (minus the signal),
-or None while it goes on."""
-
-
-def send(sock: socket.socket, message: object, descriptors: list[int]) -> None:
-    """Send a message, with descriptors that the other side gets as its own."""
-    text = pickle.dumps(message)
-    socket.send_fds(sock, [_LENGTH.pack(len(text))], descriptors)
-    sock.sendall(text)
-
-
-def receive(sock: socket.socket) -> tuple[Any, list[int]]:
-    """The next message with its descriptors.
-
-    Raises:
-        EOFError: if the other side has gone.
-    """
-    try:
-        head, descriptors, _, _ = socket.recv_fds(sock, _LENGTH.size, _MOST_DESCRIPTORS)
-        while 0 < len(head) < _LENGTH.size:
-            head += _some(sock, _LENGTH.size - len(head))
-        if not head:
-            raise EOFError
-        left = _LENGTH.unpack(head)[0]
-        parts = []
-        while left:
-            parts.append(_some(sock, left))
-            left -= len(parts[-1])
-    except ConnectionError:
-        raise EOFError from None
-    return pickle.loads(b"".join(parts)), [*descriptors]  # noqa: S301  # our own process
-
-
-def _some(sock: socket.socket, most: int) -> bytes:
-    part = sock.recv(min(most, 1 << 16))
-    if not part:
-        raise EOFError
-    return part
+    ours, theirs = socket.socketpair()
+    process = subprocess.Popen(  # noqa: S603  # our own module
+        [sys.executable, "-P", "-c", _START, json.dumps(path), str(theirs.fileno()), kind],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        pass_fds=(theirs.fileno(),),
+        # A Ctrl-C is for the owner.
+        start_new_session=True,
+        env={**os.environ, HASH_SEED: str(hash_seed)},
+    )
+    theirs.close()
+    return ours, process
 
 
 class _Guardian:
@@ -142,10 +105,13 @@ class _Guardian:
         self._control: dict[int, socket.socket] = {}
         self._ended: dict[int, int] = {}
         self._prepared: set[Prepare] = set()
+        self._nurseries: dict[ReachNursery, tuple[socket.socket, int]] = {}
+        self._relay = Relay()
+        self._selector.register(self._relay, EVENT_READ)
 
     def run(self) -> NoReturn:
         """Serve until the owner is gone; then end everything."""
-        _control(_SUBREAPER)
+        control(SUBREAPER)
         # Imported modules stay: no forked process looks for garbage there.
         gc.freeze()
         signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -154,6 +120,9 @@ class _Guardian:
         with suppress(EOFError):
             while os.getppid() == self._parent:
                 for key, _ in self._selector.select(LOOK):
+                    if key.fileobj is self._relay:
+                        self._relay.pass_on()
+                        continue
                     assert isinstance(key.fileobj, socket.socket)
                     # One that was ended by a request heard just before is heard no more.
                     if key.fileobj in self._owned:
@@ -163,6 +132,7 @@ class _Guardian:
 
     def _end_all(self) -> NoReturn:
         kill_tree(os.getpid(), itself=False)
+        self._relay.pass_on()
         os._exit(0)
 
     def _serve(self, sock: socket.socket) -> None:
@@ -174,8 +144,38 @@ class _Guardian:
             self._end(tuple(self._owned[sock]))
             self._forget(sock)
             return
+        if isinstance(request, ServeAnother):
+            self._serve_another(*descriptors)
+            return
         with suppress(BrokenPipeError, ConnectionResetError):
+            if isinstance(request, ReachNursery):
+                pid, way = self._reach(request)
+                with way:
+                    send(sock, pid, [way.fileno()])
+                return
             send(sock, self._answer(sock, request, descriptors), [])
+
+    def _serve_another(self, descriptor: int) -> None:
+        owner = socket.socket(fileno=descriptor)
+        self._owned[owner] = set()
+        self._selector.register(owner, EVENT_READ)
+
+    def _reach(self, request: ReachNursery) -> tuple[int, socket.socket]:
+        """The number of a nursery, and a socket to it.
+
+        The nursery reads the messages there as soon as it is ready.
+        """
+        self._reap()
+        if request not in self._nurseries or self._nurseries[request][1] in self._ended:
+            ours, nursery = launch("nursery", request.seed, sys.path)
+            nursery.returncode = 0  # it is reaped here
+            self._known.add(nursery.pid)
+            self._nurseries[request] = ours, nursery.pid
+        ours, pid = self._nurseries[request]
+        theirs, way = socket.socketpair()
+        with theirs, suppress(BrokenPipeError, ConnectionResetError):
+            send(ours, ServeAnother(), [theirs.fileno()])
+        return pid, way
 
     def _forget(self, sock: socket.socket) -> None:
         self._selector.unregister(sock)
@@ -183,7 +183,12 @@ class _Guardian:
         self._control = {pid: kept for pid, kept in self._control.items() if kept is not sock}
         sock.close()
 
-    def _answer(self, sock: socket.socket, request: Request, descriptors: list[int]) -> Answer:
+    def _answer(
+        self,
+        sock: socket.socket,
+        request: Spawn | EndProcesses | AskExitCode | Prepare,
+        descriptors: list[int],
+    ) -> Answer:
         match request:
             case Spawn():
                 pid = self._spawn(request, descriptors)
@@ -208,6 +213,8 @@ class _Guardian:
     def _spawn(self, request: Spawn, descriptors: list[int]) -> int:
         ours, theirs = socket.socketpair()
         owns = request.role in OWNERS
+        if not request.relayed:
+            descriptors[0] = self._relay.leading_to(descriptors[0])
         pid = os.fork()
         if pid == 0:
             self._child(request, [*descriptors, *([theirs.detach()] if owns else [])])
@@ -224,12 +231,12 @@ class _Guardian:
         return pid
 
     def _child(self, request: Spawn, descriptors: list[int]) -> NoReturn:
-        """Run the role in this process, and end it, whatever happens."""
+        """Run the role in this process, and end the process in every case."""
         code = 1
         try:
             guardian = os.getppid()
             os.setsid()
-            _control(_DEATH_SIGNAL, signal.SIGKILL)
+            control(DEATH_SIGNAL, signal.SIGKILL)
             if os.getppid() != guardian:
                 os._exit(1)
             _keep_only(descriptors)
@@ -242,6 +249,7 @@ class _Guardian:
             _forget_randomness()
             os.dup2(descriptors[0], 2)
             os.dup2(descriptors[0], 1)
+            os.close(descriptors[0])
             self._roles[request.role](descriptors[1:])
             code = 0
         finally:
@@ -259,10 +267,11 @@ class _Guardian:
             with suppress(ChildProcessError):
                 os.waitpid(pid, 0)
         # A process that they have left in a session of its own is a child of ours by now.
-        for stray in _children().get(os.getpid(), ()):
+        for stray in children_by_parent().get(os.getpid(), ()):
             if stray not in self._known:
                 kill_tree(stray)
         self._reap()
+        self._relay.pass_on()
         for pid in family:
             self._known.discard(pid)
             self._ended.pop(pid, None)
@@ -298,56 +307,3 @@ def _forget_randomness() -> None:
     import random
 
     random.seed()
-
-
-def _control(option: int, value: int = 1) -> None:
-    """Call prctl, where there is one."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None, use_errno=True).prctl(option, int(value), 0, 0, 0)
-
-
-def _children() -> dict[int, list[int]]:
-    """The children of every process, read from /proc; empty where there is none."""
-    found: dict[int, list[int]] = {}
-    with suppress(FileNotFoundError):
-        # A process may end while it is looked at, so that nothing but its own entry is asked for.
-        for name in filter(str.isdigit, os.listdir("/proc")):  # noqa: PTH208
-            with suppress(OSError, ValueError, IndexError):
-                # The name in parentheses may hold anything, parentheses and blanks included.
-                text = Path("/proc", name, "stat").read_text(errors="replace")
-                fields = text.rpartition(")")[2].split()
-                if fields[0] != "Z":
-                    found.setdefault(int(fields[1]), []).append(int(name))
-    return found
-
-
-def kill_tree(pid: int, *, itself: bool = True) -> None:
-    """End a process's descendants, whatever sessions they are in, and the process itself.
-
-    It is stopped first, and its descendants are looked for until there are none, so that none
-    of them can start another one unseen.
-    """
-    if itself:
-        _signal(pid, signal.SIGSTOP)
-    while True:
-        family, waiting = [], [pid]
-        children = _children()
-        while waiting:
-            below = children.get(waiting.pop(), [])
-            family += below
-            waiting += below
-        if not family:
-            break
-        for member in family:
-            _signal(member, signal.SIGSTOP)
-        for member in family:
-            _signal(member, signal.SIGKILL)
-    if itself:
-        with suppress(ProcessLookupError, PermissionError):
-            os.killpg(pid, signal.SIGKILL)
-        _signal(pid, signal.SIGKILL)
-
-
-def _signal(pid: int, number: int) -> None:
-    with suppress(ProcessLookupError, PermissionError):
-        os.kill(pid, number)

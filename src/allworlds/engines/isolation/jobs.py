@@ -1,25 +1,34 @@
 """Messages to players: small frozen values.
 
-What players answer is in :mod:`allworlds.engines.isolation.messages`.
+The answers of players are in :mod:`allworlds.engines.isolation.messages`.
 """
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from typing import Self
 
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
-from allworlds.engines.units.effort import Limits
-from allworlds.explorers import ExplorerSource, Subject
+from allworlds.engines.units.effort import START_TIMEOUT, Limits
+from allworlds.explorers import Subject
 from allworlds.judging import Rules
-from allworlds.protocol import Schedule
-from allworlds.world import World
+from allworlds.protocol import Schedule, SourceText
+from allworlds.world import Adversary, World
 
 
 class HarnessError(RuntimeError):
-    """A process of ours has failed, and no explorer is to blame."""
+    """Raised if a process without user's code has failed, so that no explorer is to blame."""
+
+
+class Unsettled(Exception):
+    """Raised if processes are lost again and again, so that there is no verdict on the explorer."""
+
+
+class GuardianLost(HarnessError, Unsettled):
+    """Raised if the process that starts all others is killed or stopped, or does not start."""
 
 
 # ---------------------------------------------------------------- to a player
@@ -34,19 +43,25 @@ class PlayerSetup:
     Attributes:
         name: of the explorer.
         source: the text of its file, if it has been read.
-        answer_timeout: seconds after which a silent foreign program is given up.
+        answer_timeout: seconds after which a silent program is given up.
         memory: MB of address space, or None.
+        output: the path to which the explorer prints once it is loaded; before that, it is not
+            read.  Empty: all prints go to stderr.
+        start_timeout: seconds in which it must be loaded.
     """
 
     name: str
-    source: ExplorerSource | None
+    source: SourceText | None
     answer_timeout: float
     memory: int | None
+    output: str = os.devnull
+    start_timeout: float = START_TIMEOUT
 
     @classmethod
-    def of(cls, subject: Subject, limits: Limits) -> Self:
+    def of(cls, subject: Subject, limits: Limits, output: str = os.devnull) -> Self:
         """The setup of a player of that explorer."""
-        return cls(subject.name, subject.source, limits.answer_timeout, limits.memory)
+        patience = limits.answer_timeout, limits.memory, output, limits.start_timeout
+        return cls(subject.name, subject.source, *patience)
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,12 +100,13 @@ class PlayStretch:
     Answered by a ``StretchResult``.
 
     Attributes:
-        memory: a file that both sides see, laid out by the kernel.
-        edges: of each world.
-        runs: how many.
+        memory: a file that both sides share, laid out by the kernel.
+        edges: the number of edges of each world.
+        runs: the number of runs.
         order: seed of the order in which they are played.
         policy: answers the explorer's choices.
-        again: against the recorded percepts that stand there, and not in worlds.
+        again: whether the runs are played against the recorded percepts there, not in worlds.
+        compiled: whether compiled code plays; then the explorer is a shared library, loaded there.
     """
 
     memory: str
@@ -99,16 +115,19 @@ class PlayStretch:
     order: int
     policy: str
     again: bool
+    compiled: bool = True
 
 
 @dataclass(frozen=True, slots=True)
 class Trace:
     """Play one world and send every step at once, because the process may not survive it.
 
-    The schedules are all, or the policy's after the choices of ``script``.
+    The schedules are all, or the policy's after the choices of ``script``.  If there is an
+    adversary, the explorer plays against it; the world is the one that it has at first.
     """
 
     rules: Rules
     world: World
     schedules: Schedule
     script: tuple[int, ...] = ()
+    adversary: Adversary | None = None

@@ -1,6 +1,6 @@
 """Messages of a player to its referee: integers and texts alone.
 
-Foreign code has a player's pipe at hand.  A pickle would let it choose what the reader calls, so
+A user's code has a player's pipe at hand.  A pickle would let it choose the reader's calls, so
 the messages are msgpack, and are read as one of a few types.  A value of another type, wherever it
 stands, makes the whole message unreadable.
 """
@@ -21,10 +21,14 @@ class _Message(Struct, frozen=True, array_like=True, forbid_unknown_fields=True,
 
 
 class ExplorerDescription(_Message, frozen=True):
-    """The keywords that the explorer takes, and the digest of its code, as far as it is known."""
+    """The keywords that the explorer takes, and the digest of its code, if it is known.
+
+    An explorer that has a shield of its own says so, since its bound is that of a shield.
+    """
 
     keywords: frozenset[str]
     digest: str
+    has_shield: bool = False
 
 
 class RunLogs(_Message, frozen=True):
@@ -48,19 +52,19 @@ class StretchResult(_Message, frozen=True):
 
 
 class TraceEvent(_Message, frozen=True):
-    """Part of a trace: a new schedule (None), a choice, or an action and its percept."""
+    """A part of a trace: a new schedule (None), a choice, or an action and its percept."""
 
     what: int | tuple[int, Percept] | None
 
 
 class Refusal(_Message, frozen=True):
-    """Why the input cannot be used: the text of an InputError."""
+    """The reason why the input cannot be used: the text of an InputError."""
 
     text: str
 
 
 class Failure(_Message, frozen=True):
-    """The traceback of an error in code of ours."""
+    """The traceback of an error outside the user's code."""
 
     text: str
 
@@ -81,7 +85,7 @@ def write_message(message: Message) -> bytes:
 
 
 def read_message(data: bytes) -> Message:
-    """The message of these bytes, from whatever process.
+    """The message of these bytes, which may come from any process.
 
     Raises:
         ValueError: if there is none.
@@ -101,7 +105,7 @@ def _no_value(_object: object) -> None:
 
 
 def _extended(value: Any) -> Any:
-    """The value with extension types where msgpack has no room: long integers, lone surrogates."""
+    """A value with extension types for long integers and lone surrogates, which msgpack lacks."""
     if isinstance(value, list | tuple):
         return [_extended(each) for each in value]
     if isinstance(value, int) and value.bit_length() > 63:

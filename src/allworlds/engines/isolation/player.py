@@ -1,4 +1,4 @@
-"""The process with the foreign code in it: it plays, and judges nothing."""
+"""The process with the user's code in it, which plays and does not judge."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ from allworlds.engines.isolation.messages import (
 )
 from allworlds.engines.isolation.process import address_space, limit_memory
 from allworlds.engines.python.examiner import name_run
-from allworlds.engines.python.play import ExplorerRunner
-from allworlds.explorers import Subject, load
+from allworlds.engines.python.play import ExplorerRunner, ending_maker
+from allworlds.explorers import Shield, Subject, load
 from allworlds.inputs import InputError
-from allworlds.judging import Log, perform
+from allworlds.judging import Environment, Log, perform
 from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
-from allworlds.world import State, World
+from allworlds.world import Deciding, State
 
 if TYPE_CHECKING:
     from allworlds.engines.isolation.generator_player import GeneratorPlayer
@@ -76,11 +76,13 @@ class PlayerProcess:
     def run(self) -> None:
         """Serve until the owner hangs up."""
         setup: PlayerSetup = self._connection.recv()
+        if setup.output:
+            _print_to(os.devnull)
         try:
             if setup.memory is not None:
                 limit_memory(setup.memory)
             subject = load(setup.name, setup.answer_timeout, setup.source)
-            if subject.native is not None and setup.memory is None:
+            if (subject.inside or subject).native is not None and setup.memory is None:
                 limit_memory(address_space() + NATIVE_MEMORY)
         except InputError as error:
             reason = str(error)
@@ -90,7 +92,15 @@ class PlayerProcess:
             return
         self._intact()
         signal.signal(signal.SIGTERM, lambda *_: _leave(subject))
-        self._send(ExplorerDescription(subject.keywords, _digest(subject)))
+        if setup.output not in ("", os.devnull):
+            # An explorer that has left itself no descriptors has no output.
+            with suppress(OSError):
+                _print_to(setup.output)
+        native = (subject.inside or subject).native
+        if native is not None:
+            native.library.print_line_by_line()
+        has_shield = isinstance(subject.explore, Shield)
+        self._send(ExplorerDescription(subject.keywords, _digest(subject), has_shield))
         with subject.running():
             self._serve(subject, ExplorerRunner(subject.player(), self._beat, self._intact))
 
@@ -123,7 +133,7 @@ class PlayerProcess:
         from allworlds.engines.isolation.shared_logs import LibraryPlayer
 
         if self._stretches is None:
-            if subject.native is not None:
+            if subject.native is not None and job.compiled:
                 self._stretches = LibraryPlayer(subject.native, self._beat)
             else:
                 self._stretches = GeneratorPlayer(subject.player(), self._beat, self._intact)
@@ -155,12 +165,16 @@ class PlayerProcess:
         every = job.schedules == "all"
         for choices in Schedules() if every else [rules.choices(name, job.script)]:
             self._send(TraceEvent(None))
+            world: Environment = rules.task.environment(job.world)
+            if job.adversary:
+                world = Deciding(job.adversary)
             log = perform(
-                TracedWorld(job.world, self._send),
+                TracedWorld(world, self._send),
                 subject.player(),
                 TracedChoices(choices, self._send),
                 rules.budget(job.world.map),
                 self._beat,
+                ended=ending_maker(any_answer=not rules.task.is_map),
             )
             self._intact()
         self._send(RecordLogs([log]))
@@ -169,7 +183,7 @@ class PlayerProcess:
         self._connection.send_bytes(write_message(message))
 
     def _intact(self) -> None:
-        """Leave, if the explorer has forked this process; now and then look at the rest, too."""
+        """Leave if the explorer has forked this process; at intervals check pipe and timers."""
         if os.getpid() != self._pid:
             # The original goes on with the work; its copy must not do it a second time.
             os._exit(0)
@@ -177,7 +191,7 @@ class PlayerProcess:
             self._look()
 
     def _look(self) -> None:
-        """Leave, if the explorer has closed this process's pipe; stop its timers."""
+        """Leave if the explorer has closed this process's pipe; stop its timers."""
         for timer in TIMERS:
             signal.setitimer(timer, 0)
         os.fstat(self._connection.fileno())
@@ -187,9 +201,14 @@ class PlayerProcess:
 class TracedWorld:
     """A world that reports each step before the explorer sees its outcome."""
 
-    def __init__(self, world: World, send: Callable[[Message], None]) -> None:
+    def __init__(self, world: Environment, send: Callable[[Message], None]) -> None:
         self._world, self._send = world, send
         self.initial, self.first, self.told = world.initial, world.first, world.told
+
+    @property
+    def over(self) -> bool:
+        """Whether the world ends the run."""
+        return self._world.over
 
     def step(self, state: State, action: Action) -> tuple[State, Percept]:
         """Step the world, and report the step to the owner."""
@@ -213,8 +232,17 @@ class TracedChoices(Choices):
         return picked
 
 
+def _print_to(path: str) -> None:
+    """Redirect all later prints to that path."""
+    descriptor = os.open(path, os.O_WRONLY | os.O_APPEND)
+    os.dup2(descriptor, 1)
+    os.dup2(descriptor, 2)
+    os.close(descriptor)
+
+
 def _digest(subject: Subject) -> str:
-    """SHA-256 of the explorer's file, or of the program's; empty where there is none."""
+    """The SHA-256 of the explorer's file, or of the program's; empty if there is none."""
+    subject = subject.inside or subject
     if subject.source is not None:
         return subject.source.digest
     with suppress(Exception):  # whatever an explorer's module makes of being looked at
@@ -228,7 +256,8 @@ def _digest(subject: Subject) -> str:
 
 
 def _leave(subject: Subject) -> None:
-    """End this process now, but not without the foreign program behind the explorer."""
-    if subject.program:
-        subject.program.close()
+    """End the user's program behind the explorer, and this process."""
+    program = (subject.inside or subject).program
+    if program:
+        program.close()
     os._exit(0)

@@ -15,6 +15,7 @@ from allworlds.engines.isolation.jobs import (
     PlayRecords,
     PlayRuns,
     PlayStretch,
+    Unsettled,
 )
 from allworlds.engines.isolation.messages import (
     ExplorerDescription,
@@ -27,15 +28,16 @@ from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import PartwiseEngine, RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
 from allworlds.engines.python.second_play import EarlierPlays
+from allworlds.engines.python.tour import Tour
 from allworlds.engines.units.effort import POLL
-from allworlds.explorers import Subject, is_program
+from allworlds.explorers import Subject, is_library, is_program
 from allworlds.inputs import InputError, show
 from allworlds.judging import Fault, Log, LostRun
 
-IMPORT_TIMEOUT = 60.0
-"""Seconds that an explorer's module may take to be imported."""
-
 ANSWER = "an action, or an estimate at the end"
+
+GENERATORS = "allworlds.engines.isolation.generator_player"
+"""The module by which a process without compiled code plays stretches."""
 
 MOST_LOSSES = 20
 """The number of losses that are put down to the machine, if no fresh player repeats them."""
@@ -43,18 +45,14 @@ MOST_LOSSES = 20
 M = TypeVar("M")
 
 
-class Unsettled(Exception):
-    """Processes are lost again and again, and nothing can be said of the explorer."""
-
-
 class PlayerLost(Exception):
-    """A player was silent for too long, or has died.
+    """Raised if a player was silent for too long, or has died.
 
     Attributes:
         law: ``timeout`` or ``crash``.
-        seen: how, as a sentence.
-        machine: it may be the machine's doing.
-        number: of the run that it was in; None if it was in none.
+        seen: a sentence about the loss.
+        machine: whether the machine may be the cause.
+        number: of the run in progress; None if there was none.
     """
 
     def __init__(self, law: str, seen: str, number: int | None, *, machine: bool) -> None:
@@ -66,13 +64,23 @@ class PlayerLost(Exception):
         return Log((), (), kind(self.law, ANSWER, self.seen, "", self.machine))
 
 
-def start_player(guardian: Guardian, setup: PlayerSetup) -> tuple[Process, ExplorerDescription]:
-    """A player with its explorer loaded.
+def start_player(
+    guardian: Guardian, setup: PlayerSetup, hash_seed: int = 0, copy: int = 0
+) -> tuple[Process, ExplorerDescription]:
+    """Start a player, and load its explorer.
+
+    Args:
+        guardian: of this process.
+        setup: the explorer.
+        hash_seed: of the process, and of programs that it starts.
+        copy: the number of the process with that seed that forks it.
 
     Raises:
         InputError: if the explorer cannot be loaded.
     """
-    process = Process(guardian, "player", setup)
+    # A program is started anew, with addresses of its own.
+    parent = guardian if is_program(setup.name) else guardian.nursery(hash_seed, copy)
+    process = Process(parent, "player", setup, hash_seed)
     try:
         return process, _description(process, setup)
     except BaseException:
@@ -81,13 +89,13 @@ def start_player(guardian: Guardian, setup: PlayerSetup) -> tuple[Process, Explo
 
 
 def _description(process: Process, setup: PlayerSetup) -> ExplorerDescription:
-    deadline = time.monotonic() + IMPORT_TIMEOUT
+    deadline = time.monotonic() + setup.start_timeout
     while not process.connection.poll(POLL):
         if process.has_ended():
             raise _not_imported(process, setup)
         if time.monotonic() > deadline:
             raise InputError(
-                f"{show(setup.name)} does not import: it was at it for {IMPORT_TIMEOUT:g} s"
+                f"{show(setup.name)} does not import: it was at it for {setup.start_timeout:g} s"
             )
     try:
         description = process.receive()
@@ -140,7 +148,7 @@ def _died(process: Process) -> PlayerLost:
 
 
 def _interfered(process: Process, error: HarnessError) -> PlayerLost:
-    """The loss of a player that failed out of the explorer's turn, perhaps by a signal of its."""
+    """The loss of a player that failed out of the explorer's turn, perhaps by its signal."""
     last = (str(error).strip().splitlines() or ["an error"])[-1]
     return PlayerLost("crash", f"{last}, out of its turn", _number(process), machine=True)
 
@@ -160,6 +168,9 @@ class PlayerPair:
         random: from which every order is drawn.
         alive: called while a player is waited for.
         remark: takes the text of an event that refutes nothing.
+        tour: the hash seeds of both.
+        in_stretches: whether compiled code plays a shared library.  Compiled code is loaded in the
+            guardian alone, so in the end both players come from there.
     """
 
     guardian: Guardian
@@ -167,8 +178,11 @@ class PlayerPair:
     random: Random
     alive: Callable[[], None] = lambda: None
     remark: Callable[[str], None] = lambda _: None
+    tour: Tour = field(default_factory=Tour)
+    in_stretches: bool = False
     _processes: dict[str, Process] = field(default_factory=dict)
     _losses: int = 0
+    _at_home: bool = False
     _sent: PlayRecords = field(default_factory=lambda: PlayRecords((), "fifo", 0))
 
     def close(self) -> None:
@@ -179,6 +193,12 @@ class PlayerPair:
     def restart(self) -> None:
         """Go on in fresh processes."""
         self.close()
+
+    def take_seeds(self, seed: int, *, alike: bool) -> None:
+        """Go on in fresh processes: the second with that hash seed, the first with it or with 0."""
+        self.close()
+        self.tour.seed, self.tour.alike = seed, alike
+        self.tour.hold()
 
     def play_runs(
         self,
@@ -191,10 +211,12 @@ class PlayerPair:
 
         Raises:
             Unsettled: if processes are lost again and again, and no fresh one repeats it.
-            HarnessError: if a player fails otherwise than by the explorer's acts in its turn, and
-                a fresh one does so, too.
+            HarnessError: if a player, and then a fresh one, fails in another way than by the
+                explorer's acts in its turn.
         """
-        # All that a player has loaded when a foreign explorer is: it may load no more then.
+        if self.tour.alike and self.tour.change():
+            self.close()
+        # All that a player has loaded when a user's explorer is: it may load no more then.
         counter = RunCounter(engine.scope, engine.keep)
         left, received = list(numbers), Counter[int]()
         while left:
@@ -204,16 +226,44 @@ class PlayerPair:
                 return
             # If it is not known in which run, the first that is left may be the one.
             number = lost.number if lost.number in left else next(iter(left), None)
-            again = None
+            again, alone = None, list[tuple[int, Log]]()
             if number is not None:
                 # Once more by itself, so that it can be put down to nobody else.
-                alone = replace(job, numbers=(number,))
-                again = yield from self._attempt(alone, left, received, last=True)
+                again = self._by_itself(replace(job, numbers=(number,)), alone, received)
+                if again is None:
+                    again = yield from self._after_others(job, number, left, received)
             if again is None:
                 self._note(lost)
-            elif number in left:
+            if number in left:
                 left.remove(number)
-                yield [(number, again.log(LostRun))]
+                yield alone if again is None else [(number, again.log(LostRun))]
+
+    def _by_itself(
+        self, job: PlayRuns, logs: list[tuple[int, Log]], received: Counter[int]
+    ) -> PlayerLost | None:
+        """Play one run in a fresh process; add its logs, or return the loss of the player."""
+        attempt = self._attempt(job, [*job.numbers], Counter(received), last=True)
+        while True:
+            try:
+                logs += next(attempt)
+            except StopIteration as end:
+                lost: PlayerLost | None = end.value
+                return lost
+
+    def _after_others(
+        self, job: PlayRuns, number: int, left: list[int], received: Counter[int]
+    ) -> Generator[list[tuple[int, Log]], None, PlayerLost | None]:
+        """Yield the logs of a job that is played once more in a fresh process, in its order.
+
+        Return how it was lost, if it was lost in that run, which by itself was not lost.
+        """
+        self._end("first")
+        lost = yield from self._attempt(job, left, received)
+        if lost is None or lost.number != number:
+            return None
+        lost.seen += " when it was played after others, twice; by itself it was not"
+        lost.machine = False
+        return lost
 
     def _attempt(
         self, job: PlayRuns, left: list[int], received: Counter[int], *, last: bool = False
@@ -222,7 +272,7 @@ class PlayerPair:
 
         Runs that have no more logs are taken out of ``left``.
         """
-        before = Counter(received)
+        before, done = Counter(received), {*job.numbers} - {*left}
         player = None
         try:
             player = self._player("first")
@@ -240,7 +290,10 @@ class PlayerPair:
                         fresh.append((number, log))
                 waiting -= len(message.finished)
                 for number in message.finished:
-                    left.remove(number)
+                    if number in done:
+                        done.remove(number)
+                    else:
+                        left.remove(number)
                 if fresh:
                     yield fresh
         except PlayerLost as lost:
@@ -255,10 +308,15 @@ class PlayerPair:
         return None
 
     def play_stretch(self, which: str, job: PlayStretch) -> StretchResult | None:
-        """Have the first or the second player play a stretch; None if it was lost over it."""
+        """Let the first or the second player play a stretch; return None if it was lost."""
+        if which == "second":
+            self._change_second(job.runs)
+        elif self.tour.alike and self.tour.change():
+            self.close()
         try:
             player = self._player(which)
-            player.send(job)
+            home = self._place(which) == (0, 0)
+            player.send(replace(job, compiled=home))
             message = receive(player, self.setup, self.alive)
         except (PlayerLost, HarnessError):
             self._end(which)
@@ -272,6 +330,7 @@ class PlayerPair:
         """Begin to play these once more."""
         self._sent = PlayRecords(tuple(records), policy, self.random.getrandbits(64))
         if records:
+            self._change_second(len(records))
             self._player("second").send(self._sent)
 
     def receive_logs(self) -> list[Log]:
@@ -327,8 +386,32 @@ class PlayerPair:
 
     def _player(self, which: str) -> Process:
         if which not in self._processes:
-            self._processes[which], _ = start_player(self.guardian, self.setup)
+            self._processes[which], _ = self._start(*self._place(which))
         return self._processes[which]
+
+    def _place(self, which: str) -> tuple[int, int]:
+        """The hash seed of a player, and the number of the process with that seed that forks it."""
+        first, second = self.tour.seeds
+        if which == "first" or self._at_home:
+            return first, 0
+        return second, int(first == second)
+
+    def _start(self, seed: int, copy: int) -> tuple[Process, ExplorerDescription]:
+        if self.in_stretches and (seed, copy) != (0, 0) and not is_program(self.setup.name):
+            self.guardian.nursery(seed, copy).prepare(GENERATORS, "load")
+        return start_player(self.guardian, self.setup, seed, copy)
+
+    def _change_second(self, plays: int) -> None:
+        """Count plays of the second player, and replace it if it is time for that."""
+        tour, compiled = self.tour, self.in_stretches and is_library(self.setup.name)
+        complete = tour.complete
+        if not tour.alike and tour.change():
+            self._end("second")
+            if complete and compiled:
+                self._at_home = tour.stays = True
+        tour.count(plays)
+        if tour.upcoming is not None and not is_program(self.setup.name):
+            self.guardian.nursery(tour.upcoming, int(tour.alike))
 
     def _end(self, which: str) -> None:
         process = self._processes.pop(which, None)
@@ -337,23 +420,26 @@ class PlayerPair:
 
 
 class WorkerEngine(Protocol):
-    """An engine that workers can use: it is sent to their referees."""
+    """An engine for workers: it is sent to their referees."""
 
     @property
     def keep(self) -> int:
         """The number of findings that are kept."""
 
+    def tally(self) -> Any:
+        """Return an empty result."""
+
     def for_built_in(
         self, subject: Subject, beat: MutableSequence[int] | None = None
     ) -> PartwiseEngine:
-        """The engine with an explorer of ours, which is played where this is called.
+        """The engine with a built-in explorer, which is played in the calling process.
 
         Args:
             subject: the explorer.
             beat: see :func:`allworlds.judging.episode.play`.
         """
 
-    def for_foreign(
+    def for_users(
         self, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
     ) -> PartwiseEngine:
-        """The engine with a foreign explorer, of that name, in these two processes."""
+        """The engine with the user's explorer of that name, in these two processes."""

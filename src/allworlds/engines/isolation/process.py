@@ -1,11 +1,11 @@
-"""The owner's side of processes: they are started and ended through the guardian, and read."""
+"""The owner's side of processes: their start and end through the guardian, and their messages."""
 
 from __future__ import annotations
 
 import atexit
-import json
 import mmap
 import os
+import signal
 import socket
 import struct
 import subprocess
@@ -13,30 +13,28 @@ import sys
 import tempfile
 import threading
 import time
+from collections.abc import Sequence
 from contextlib import suppress
 from multiprocessing import Pipe
-from multiprocessing.connection import Connection
+from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any
 
-from allworlds.engines.isolation.guardian import (
-    OWNERS,
+from allworlds.engines.isolation.guardian import OWNERS, launch
+from allworlds.engines.isolation.guardian_requests import (
     AskExitCode,
     EndProcesses,
     Prepare,
+    ReachNursery,
     Request,
     Spawn,
     receive,
     send,
 )
-from allworlds.engines.isolation.jobs import HarnessError
+from allworlds.engines.isolation.jobs import GuardianLost, HarnessError
 from allworlds.engines.isolation.messages import Failure, Refusal, read_message
+from allworlds.explorers import HASH_SEED
 from allworlds.inputs import InputError
-
-_START = (
-    "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
-    "from allworlds.engines.isolation.roles import guard; guard(int(sys.argv[2]))"
-)
 
 BEAT_WORDS = 2
 """The shared memory: the number of the current run, and the turns of the explorer in it."""
@@ -45,51 +43,93 @@ NO_RUN = (1 << 64) - 1
 """The number of the current run before the first."""
 
 GRACE = 2.0
-"""Seconds more where the owner is not the first to know: for a foreign program, whose silence
+"""Extra seconds where the owner is not the first to notice: for a user's program, whose silence
 its player notices itself, and for a process that has sent a message before."""
 
 ANSWERS = 120.0
 """Seconds in which a guardian that is alive answers, however busy the machine."""
 
+WAKE = 1.0
+"""Seconds of silence after which a guardian or a referee is woken, in case it was stopped."""
+
 STALL = 10
 """Seconds in which a player that has begun to send a message must go on with it."""
 
+LONGEST = 1 << 28
+"""Bytes of the longest message of a player; whatever announces more is noise."""
+
 
 class Guardian:
-    """The owner's side of a guardian.
+    """The owner's side of a guardian, or of a nursery.
+
+    Args:
+        sock: to it.
+        pid: its number.
+        process: of the guardian, if its owner has started it.
 
     Raises:
-        HarnessError: where there is none: it has been killed or stopped, or could not be started.
+        GuardianLost: if it has been killed or stopped, or could not be started.
     """
 
-    def __init__(self, sock: socket.socket, process: subprocess.Popen[bytes] | None = None) -> None:
+    def __init__(
+        self, sock: socket.socket, pid: int, process: subprocess.Popen[bytes] | None = None
+    ) -> None:
         sock.settimeout(ANSWERS)
-        self._sock, self._process = sock, process
+        self._sock, self._pid, self._process = sock, pid, process
         self._turn = threading.Lock()
+        self._nurseries: dict[tuple[int, int], Guardian] = {}
 
-    def spawn(self, role: str, descriptors: list[int]) -> int:
-        """The number of a new process that has copies of these descriptors."""
+    def spawn(self, role: str, descriptors: list[int], hash_seed: int = 0) -> int:
+        """The number of a new process that has copies of these descriptors.
+
+        Programs that the process starts have the given hash seed; the process has the guardian's.
+        """
         with suppress(OSError):
             sys.stderr.flush()
-        request = Spawn(role, str(Path.cwd()), child_path(), dict(os.environ))
-        pid = self._ask(request, [2, *descriptors])
+        environment = {**os.environ, HASH_SEED: str(hash_seed)}
+        relayed = os.getpid() in _relayed
+        request = Spawn(role, str(Path.cwd()), child_path(), environment, relayed)
+        pid, _ = self._ask(request, [2, *descriptors])
         assert pid is not None
         return pid
 
     def end(self, *pids: int) -> None:
         """Kill these processes and everything that they have started."""
-        self._ask(EndProcesses(pids), [])
+        self._ask(EndProcesses(pids))
 
     def exit_code(self, pid: int) -> int | None:
         """The exit code of a process; None while it goes on."""
-        return self._ask(AskExitCode(pid), [])
+        return self._ask(AskExitCode(pid))[0]
 
     def prepare(self, module: str, function: str) -> None:
-        """Have it call a function of ours: all later processes share the modules that it loads."""
-        self._ask(Prepare(module, function), [])
+        """Let it call a function of this package: all later processes share the loaded modules."""
+        self._ask(Prepare(module, function))
+
+    def nursery(self, seed: int, copy: int = 0) -> Guardian:
+        """A guardian that forks processes with another hash seed and address layout.
+
+        It starts at the first call, which does not wait for it.  The first with seed 0 is this one.
+
+        Args:
+            seed: its hash seed.
+            copy: the number of a guardian with this seed.
+        """
+        if (seed, copy) == (0, 0):
+            return self
+        if (seed, copy) not in self._nurseries:
+            pid, descriptors = self._ask(ReachNursery(seed, copy))
+            assert pid is not None
+            way = socket.socket(fileno=descriptors[0])
+            self._nurseries[seed, copy] = Guardian(way, pid)
+        return self._nurseries[seed, copy]
+
+    def wake(self) -> None:
+        """Let the process go on, if it was stopped."""
+        with suppress(ProcessLookupError, PermissionError):
+            os.kill(self._pid, signal.SIGCONT)
 
     def close(self) -> None:
-        """End it, and with it everything that it has started."""
+        """End the guardian, and everything that it has started."""
         self._sock.close()
         if self._process:
             try:
@@ -98,61 +138,65 @@ class Guardian:
                 self._process.kill()
                 self._process.wait()
 
-    def _ask(self, request: Request, descriptors: list[int]) -> int | None:
+    def _ask(
+        self, request: Request, descriptors: Sequence[int] = ()
+    ) -> tuple[int | None, list[int]]:
         with self._turn:
             try:
-                send(self._sock, request, descriptors)
-                answer: int | None = receive(self._sock)[0]
+                send(self._sock, request, [*descriptors])
+                self._await()
+                answer: tuple[int | None, list[int]] = receive(self._sock)
             except (EOFError, OSError) as error:
                 forget(self)
-                raise HarnessError(f"the guardian of the processes has gone: {error}") from None
+                raise GuardianLost(f"the guardian of the processes has gone: {error}") from None
+            except BaseException:
+                # An interrupt: part of a message may be under way, so no other can follow.
+                forget(self)
+                raise
         return answer
 
-
-def start_guardian(hash_seed: int) -> Guardian:
-    """A guardian of its own interpreter.
-
-    Args:
-        hash_seed: of the interpreter.  All that it forks have the same, so that an explorer
-            that depends on the order of a set does the same in each; another seed tells.
-    """
-    path = json.dumps(child_path())
-    ours, theirs = socket.socketpair()
-    environment = {**os.environ, "PYTHONHASHSEED": str(hash_seed)}
-    process = subprocess.Popen(  # noqa: S603  # our own module
-        [sys.executable, "-P", "-c", _START, path, str(theirs.fileno())],
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        pass_fds=(theirs.fileno(),),
-        # A Ctrl-C is for the owner.
-        start_new_session=True,
-        env=environment,
-    )
-    theirs.close()
-    return Guardian(ours, process)
+    def _await(self) -> None:
+        """Wait until there is data to read, for at most the time-out of the socket."""
+        deadline = time.monotonic() + ANSWERS
+        while not wait([self._sock], min(WAKE, ANSWERS)):
+            if time.monotonic() > deadline:
+                raise TimeoutError("timed out")
+            self.wake()
 
 
-_guardians: dict[tuple[int, int], Guardian] = {}
+def start_guardian() -> Guardian:
+    """A guardian of its own interpreter."""
+    sock, process = launch("guardian", 0, child_path())
+    return Guardian(sock, process.pid, process)
 
 
-def guardian(hash_seed: int = 0) -> Guardian:
-    """This process's guardian with that seed; it is started once."""
-    key = (os.getpid(), hash_seed)
-    if key not in _guardians:
-        _guardians[key] = start_guardian(hash_seed)
-        atexit.register(forget, _guardians[key])
-    return _guardians[key]
+_guardians: dict[int, Guardian] = {}
+_relayed: set[int] = set()
+
+
+def have_relayed_stderr() -> None:
+    """Note that the stderr of this process leads to a guardian."""
+    _relayed.add(os.getpid())
+
+
+def guardian() -> Guardian:
+    """This process's guardian; it is started once."""
+    pid = os.getpid()
+    if pid not in _guardians:
+        _guardians[pid] = start_guardian()
+        atexit.register(forget, _guardians[pid])
+    return _guardians[pid]
 
 
 def forget(lost: Guardian) -> None:
-    """Start another guardian next time."""
+    """Forget the guardian, so that the next use starts another one."""
     for key in [key for key, kept in _guardians.items() if kept is lost]:
         del _guardians[key]
     lost.close()
 
 
 def child_path() -> list[str]:
-    """A child's import path: the user's folders come last, and hide no module of ours."""
+    """A child's import path: the user's folders come last, and hide no module of the package."""
     users = {"", str(Path.cwd())}
     main = getattr(sys.modules.get("__main__"), "__file__", None)
     if main:
@@ -162,7 +206,7 @@ def child_path() -> list[str]:
 
 
 class Garbled(EOFError):
-    """Bytes that are no message, behind which nothing more can be read."""
+    """Raised for bytes that are no message, after which no message can be read."""
 
 
 class Process:
@@ -170,15 +214,16 @@ class Process:
 
     Args:
         guardian: starts it.
-        role: what it does.
+        role: the name of its main function.
         setup: its first message.
+        hash_seed: of programs that it starts.
     """
 
-    def __init__(self, guardian: Guardian, role: str, setup: object) -> None:
+    def __init__(self, guardian: Guardian, role: str, setup: object, hash_seed: int = 0) -> None:
         self._guardian = guardian
-        self._foreign = role not in OWNERS
+        self._users = role not in OWNERS
         self.connection, theirs = Pipe()
-        if self._foreign:
+        if self._users:
             _set_read_timeout(self.connection)
         with tempfile.TemporaryFile() as memory:
             memory.truncate(8 * BEAT_WORDS)
@@ -186,7 +231,7 @@ class Process:
             self.beat = memoryview(self._memory).cast("Q")
             self.beat[0] = NO_RUN
             try:
-                self.pid = guardian.spawn(role, [theirs.fileno(), memory.fileno()])
+                self.pid = guardian.spawn(role, [theirs.fileno(), memory.fileno()], hash_seed)
             finally:
                 theirs.close()
         self._seen: tuple[int, int] = (0, 0)
@@ -194,7 +239,7 @@ class Process:
         self.send(setup)
 
     def send(self, message: object) -> None:
-        """Send a message; that a process has ended is noticed elsewhere."""
+        """Send a message; the end of the process is noticed elsewhere."""
         with suppress(OSError):
             self.connection.send(message)
 
@@ -203,7 +248,7 @@ class Process:
 
         Raises:
             EOFError: if the process has ended.
-            Garbled: if its bytes are no message: a player's pipe is open to foreign code.
+            Garbled: if its bytes are no message: a player's pipe is open to the user's code.
             InputError: if its job cannot be done.
             HarnessError: if the process itself has failed.
         """
@@ -223,33 +268,44 @@ class Process:
         return message
 
     def _read(self) -> Any:
-        if self._foreign:
-            return read_message(self.connection.recv_bytes())
-        return self.connection.recv()
+        if not self._users:
+            return self.connection.recv()
+        try:
+            return read_message(self.connection.recv_bytes(LONGEST))
+        except OSError as error:
+            if error.errno is None:  # the pipe is sound, the length is not
+                raise Garbled("a message of an impossible length") from None
+            raise
+
+    def wake(self) -> None:
+        """Let the process go on, if it was stopped."""
+        with suppress(ProcessLookupError, PermissionError):
+            os.kill(self.pid, signal.SIGCONT)
+        self._guardian.wake()
 
     def silent_for(self) -> float:
-        """Seconds since its heartbeat has changed, or since it has nothing to do."""
+        """Seconds since its heartbeat has changed, or since it became idle."""
         now, seen = time.monotonic(), (self.beat[0], self.beat[1])
         if seen[1] == 0 or seen != self._seen:
             self._seen, self._since = seen, now
         return now - self._since
 
     def has_ended(self) -> bool:
-        """The process has ended, and all its messages have been received.
+        """Whether the process has ended, and all its messages have been received.
 
         The pipe alone does not tell: a process forked by an explorer may hold it open.
         """
         return not self.connection.poll() and self._guardian.exit_code(self.pid) is not None
 
     def death(self) -> tuple[str, bool]:
-        """The end of the process in words; and whether it may be the machine's doing."""
+        """The end of the process in words, and whether the machine may be the cause."""
         deadline = time.monotonic() + GRACE
         while (code := self._guardian.exit_code(self.pid)) is None:
             if time.monotonic() > deadline:
-                return "the end of the interpreter's pipe", False
+                return "the end of the process's pipe", False
             time.sleep(0.01)
         how = f"exit code {code}" if code >= 0 else f"signal {-code}"
-        return f"the end of the interpreter ({how})", code < 0
+        return f"the end of the process ({how})", code < 0
 
     def close(self) -> None:
         """End the process now, and all that it has started."""
@@ -266,11 +322,13 @@ def _set_read_timeout(connection: Connection) -> None:
 
 
 def close_all(*processes: Process) -> None:
-    """End processes of one guardian, and all that they have started."""
-    if not processes:
-        return
-    with suppress(HarnessError):  # without a guardian there are no processes either
-        processes[0]._guardian.end(*(process.pid for process in processes))  # noqa: SLF001
+    """End processes, and all that they have started."""
+    by_guardian: dict[Guardian, list[int]] = {}
+    for process in processes:
+        by_guardian.setdefault(process._guardian, []).append(process.pid)  # noqa: SLF001
+    for one, pids in by_guardian.items():
+        with suppress(GuardianLost):  # without a guardian there are no processes either
+            one.end(*pids)
     for process in processes:
         process.connection.close()
         process.beat.release()
@@ -278,7 +336,7 @@ def close_all(*processes: Process) -> None:
 
 
 def address_space() -> int:
-    """MB of address space of this process; 0 where that cannot be known."""
+    """MB of address space of this process; 0 if unknown."""
     with suppress(OSError):
         pages = int(Path("/proc/self/statm").read_text().split()[0])
         return pages * mmap.PAGESIZE >> 20
@@ -289,7 +347,7 @@ def limit_memory(megabytes: int) -> None:
     """Bound the address space of this process.
 
     Raises:
-        InputError: if it is larger already; it would go on for as long as it needs no more.
+        InputError: if it is larger already; the limit would then act only on further growth.
     """
     import resource
 

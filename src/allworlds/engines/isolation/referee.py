@@ -1,4 +1,4 @@
-"""The process that judges units; the foreign code is in its players."""
+"""The process that judges units; the user's code is in its players."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from multiprocessing.connection import Connection
 from random import Random
 from typing import Any
 
-from allworlds.engines.isolation.jobs import HarnessError, PlayerSetup
-from allworlds.engines.isolation.player_pair import PlayerPair, Unsettled, WorkerEngine
+from allworlds.engines.isolation.jobs import HarnessError, PlayerSetup, Unsettled
+from allworlds.engines.isolation.player_pair import PlayerPair, WorkerEngine
 from allworlds.engines.isolation.process import Guardian, limit_memory
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.python.run_counter import EnginesDisagree, PartwiseEngine
-from allworlds.engines.python.second_play import EarlierPlays
+from allworlds.engines.python.second_play import SPARE, EarlierPlays
 from allworlds.engines.transports.inline import with_last
 from allworlds.explorers import built_in
 from allworlds.inputs import InputError
@@ -22,7 +22,7 @@ from allworlds.inputs import InputError
 class RefereeProcess:
     """A referee: it receives its setup, then units until the pipe is closed.
 
-    ``beat[1]`` grows while it works, so that its owner can see that it does.
+    ``beat[1]`` grows while it works, as a heartbeat for its owner.
     """
 
     def __init__(
@@ -40,7 +40,8 @@ class RefereeProcess:
             except InputError as error:
                 self._connection.send(error)
                 return
-        players, earlier = self._players(setup), EarlierPlays[Any]()
+        players = self._players(setup)
+        earlier = EarlierPlays[Any](spare=SPARE // setup.limits.workers)
         # One engine as long as the same is asked for: it learns how long runs take.
         bound: tuple[WorkerEngine, PartwiseEngine] | None = None
         try:
@@ -66,11 +67,11 @@ class RefereeProcess:
         players: PlayerPair,
         earlier: EarlierPlays[Any],
     ) -> PartwiseEngine:
-        """The engine with its explorer: one of ours is played here, a foreign one by players."""
+        """The engine with its explorer: a built-in one is played here, a user's by players."""
         subject = setup.subject
         if not subject.from_user:
             return engine.for_built_in(built_in(subject.name), self._beat)
-        return engine.for_foreign(subject.name, players, earlier)
+        return engine.for_users(subject.name, players, earlier)
 
     def _do(self, engine: PartwiseEngine, job: UnitJob) -> None:
         try:

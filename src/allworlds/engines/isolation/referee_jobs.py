@@ -16,7 +16,7 @@ class RefereeSetup:
     """A referee's first message: the explorer whose runs it judges.
 
     Attributes:
-        subject: the explorer; the referee itself never loads foreign code.
+        subject: the explorer; the referee itself never loads users' code.
         limits: of its players.
         order: seed of every order of runs.
     """

@@ -13,20 +13,20 @@ from typing import NoReturn, TypeAlias, cast
 
 from allworlds.engines.isolation.guardian import Role, serve
 from allworlds.engines.isolation.player import PlayerProcess
-from allworlds.engines.isolation.process import BEAT_WORDS, Guardian
+from allworlds.engines.isolation.process import BEAT_WORDS, Guardian, have_relayed_stderr
 from allworlds.engines.isolation.referee import RefereeProcess
 from allworlds.engines.isolation.stderr_stream import patient_stderr
 
 
 def player(connection: Connection, beat: MutableSequence[int], _: Guardian | None) -> PlayerProcess:
-    """The process with the foreign code in it."""
+    """Run the process with the user's code in it."""
     return PlayerProcess(connection, beat)
 
 
 def referee(
     connection: Connection, beat: MutableSequence[int], guardian: Guardian | None
 ) -> RefereeProcess:
-    """The process that judges, and has no foreign code in it."""
+    """Run the process that judges, which has no user's code in it."""
     assert guardian is not None
     return RefereeProcess(connection, beat, guardian)
 
@@ -45,9 +45,10 @@ def _role(make: Maker) -> Role:
         # or get into, what the owner reads.
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         sys.stdout = sys.stderr = patient_stderr()
+        have_relayed_stderr()
         with mmap.mmap(memory, 8 * BEAT_WORDS) as shared, Connection(pipe) as connection:
             beat = memoryview(shared).cast("Q")
-            guardian = Guardian(socket.socket(fileno=control[0])) if control else None
+            guardian = Guardian(socket.socket(fileno=control[0]), os.getppid()) if control else None
             try:
                 make(connection, cast("MutableSequence[int]", beat), guardian).run()
             except (EOFError, OSError):

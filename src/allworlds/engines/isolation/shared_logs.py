@@ -1,4 +1,4 @@
-"""Memory that a referee shares with each player: many runs, and the logs that are left of them."""
+"""Memory that a referee shares with each player, for many runs and their logs."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from allworlds.engines.isolation.player_pair import PlayerPair
 from allworlds.explorers import NativeExplorer, threads_left, threads_now
 
 if TYPE_CHECKING:
-    from allworlds.engines.kernel.batches import Stretch
+    from allworlds.engines.kernel.stretch import Stretch
 
 
 class StretchMemory:
-    """Memory that a referee and one of its players see; no folder has a name for it.
+    """Memory that a referee shares with one of its players, without a name in any folder.
 
     Args:
-        edges: of each world.
+        edges: the number of edges of each world.
     """
 
     def __init__(self, edges: int) -> None:
-        from allworlds.engines.kernel.batches import Stretch
+        from allworlds.engines.kernel.stretch import Stretch
 
         self._edges = edges
         self._file = os.memfd_create("allworlds")
@@ -34,7 +34,7 @@ class StretchMemory:
         self.stretch = Stretch(mmap.mmap(self._file, size), edges)
 
     def close(self) -> None:
-        """Let no other process open it any more."""
+        """Close the memory: no other process can open it any more."""
         os.close(self._file)
 
     @property
@@ -43,12 +43,12 @@ class StretchMemory:
         return f"/proc/{os.getpid()}/fd/{self._file}"
 
     def play(self, players: PlayerPair, which: str, runs: int, policy: str) -> int | None:
-        """Have a player play; return the bytes of its logs, or None where none can be believed.
+        """Let a player play; return the size of its logs, or None if they cannot be trusted.
 
         Args:
-            players: the player is one of them.
+            players: the pair of the player.
             which: ``first`` or ``second``.
-            runs: how many.
+            runs: the number of runs.
             policy: answers the explorer's choices.
         """
         order = players.random.getrandbits(63)
@@ -58,18 +58,20 @@ class StretchMemory:
 
 
 class OpenedMemories:
-    """A player's side of the memories that were named to it; each is opened once."""
+    """A player's side of the shared memories; each is opened once."""
 
     def __init__(self) -> None:
         self._opened: dict[str, Stretch] = {}
 
     def stretch(self, job: PlayStretch) -> Stretch:
         """The memory of a job."""
-        from allworlds.engines.kernel.batches import Stretch
+        from allworlds.engines.kernel.stretch import Stretch
 
         if job.memory not in self._opened:
             with Path(job.memory).open("r+b") as file:
                 memory = mmap.mmap(file.fileno(), Stretch.size(job.edges))
+            if hasattr(mmap, "MADV_DONTFORK"):  # a copy made by the explorer must not write here
+                memory.madvise(mmap.MADV_DONTFORK)
             self._opened[job.memory] = Stretch(memory, job.edges)
         return self._opened[job.memory]
 

@@ -8,7 +8,7 @@ from typing import Any, TextIO
 
 
 def patient_stderr() -> TextIO:
-    """Stderr as a text stream that drops a text which cannot be written, be it full or unread.
+    """Stderr as a text stream that drops texts which cannot be written, if it is full or unread.
 
     Otherwise ``print`` would raise in the code that calls it: an explorer would be refuted, or
     bad input have the exit code of an internal error.
@@ -22,7 +22,7 @@ def patient_stderr() -> TextIO:
 
 
 class _Patient(io.FileIO):
-    """A file that never refuses to be written."""
+    """A file whose writing never fails."""
 
     def write(self, data: Any) -> int:
         """Write, and report the whole length as written."""

@@ -1,4 +1,4 @@
-"""The subject of a name: its keywords are asked of a player, whose code can do no harm here."""
+"""The subject of a name: a player loads the explorer and tells its keywords."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ from allworlds.explorers import (
     is_program,
     source_of,
     whole_name,
+    with_shield,
 )
 from allworlds.inputs import InputError, show
 
@@ -27,10 +28,10 @@ from allworlds.inputs import InputError, show
 def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
     """The subject for a name or a generator function.
 
-    A named explorer is loaded in a process of its own: foreign code does not get into this one.
+    A named explorer is loaded in a process of its own: users' code does not get into this one.
 
     Raises:
-        InputError: if there is no such explorer, it does not import, or it is none.
+        InputError: if there is no such explorer, it cannot be imported, or it is no explorer.
     """
     if not isinstance(explore, str):
         if not callable(explore):
@@ -43,6 +44,7 @@ def subject_of(explore: str | Callable[..., Any], limits: Limits) -> Subject:
         Program(command_of(explore), limits.answer_timeout)  # refuses what cannot be run
         return Subject(explore, frozenset({"told"}))
     subject = Subject(explore, frozenset(), source=source_of(explore))
-    player, description = start_player(guardian(), PlayerSetup.of(subject, limits))
+    player, description = start_player(guardian(), PlayerSetup.of(subject, limits, output=""))
     player.close()
-    return replace(subject, keywords=description.keywords)
+    found = replace(subject, keywords=description.keywords)
+    return with_shield(found) if description.has_shield else found

@@ -1,4 +1,4 @@
-"""The transport into worker processes: units are handed out to referees, and outlive them."""
+"""The transport into worker processes: referees do units, which survive the loss of a referee."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ from multiprocessing.connection import Connection, wait
 from random import Random
 from typing import Any, Self
 
-from allworlds.engines.isolation.player_pair import Unsettled, WorkerEngine
-from allworlds.engines.isolation.process import Guardian, Process, close_all, guardian
+from allworlds.engines.isolation.jobs import Unsettled
+from allworlds.engines.isolation.player_pair import WorkerEngine
+from allworlds.engines.isolation.process import WAKE, Guardian, Process, close_all, guardian
 from allworlds.engines.isolation.referee_jobs import RefereeSetup, UnitJob, UnitProgress
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.python_engine import PythonEngine
@@ -47,12 +48,12 @@ class _UnitTask:
 class Workers:
     """The transport into processes of their own.
 
-    A worker is a referee with its players.  Foreign code can cost the players their lives, which
-    their referee outlives; if a referee is lost, it is by the machine, and its unit is done again.
+    A worker is a referee with its players.  A user's code can kill the players, but not their
+    referee; if a referee is lost, the machine is the cause, and its unit is done again.
 
     Attributes:
         subject: the explorer, which the players find by its name.
-        limits: how many workers, and for how long.
+        limits: the number of workers, and the time.
         deadline: on the monotonic clock, or None.
     """
 
@@ -75,13 +76,13 @@ class Workers:
     def map(
         self, engine: WorkerEngine, units: Iterable[UnitOfRuns]
     ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
-        """The units, as many at a time as there are workers.
+        """Yield the results of the units, as many at a time as there are workers.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
             InputError: if the explorer cannot be loaded in a player.
             Unsettled: if processes are lost again and again.
-            EnginesDisagree: if two engines do, over a native explorer.
+            EnginesDisagree: if two engines disagree about a native explorer.
         """
         # An explorer that counts its runs is not to know of which unit they are.
         order = in_any_order(units) if self.subject.from_user else units
@@ -95,6 +96,8 @@ class Workers:
                 assert isinstance(connection, Connection)
                 yield self._receive(connection, engine)
             for referee, _ in list(self._busy.values()):
+                if referee.silent_for() > WAKE:
+                    referee.wake()
                 if referee.silent_for() > PATIENCE:
                     yield self._replace(referee, engine, f"silent for {PATIENCE:g} s")
                 elif referee.has_ended():
@@ -131,14 +134,14 @@ class Workers:
     def _replace(
         self, referee: Process, engine: WorkerEngine, how: str
     ) -> PartialResult[UnitOfRuns, Tally]:
-        """Go on with another referee, from where the unit was tallied."""
+        """Go on with another referee, from the first run that is not tallied."""
         _, task = self._busy.pop(referee.connection)
         referee.close()
         self._lost[task.unit.key] += 1
         if self._lost[task.unit.key] >= MOST_ATTEMPTS:
             raise Unsettled(f"{MOST_ATTEMPTS} processes were lost over one unit, the last by {how}")
         self._hand_out(engine, task)
-        tally = Tally(engine.keep)
+        tally = engine.tally()
         tally.remark(f"a referee was lost ({how}); its unit went on in another")
         return PartialResult(task.unit, tally, last=False)
 
@@ -154,18 +157,18 @@ class ThisProcess:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Leave: no process is to be ended."""
+        """Leave the context; there is no process to end."""
 
     def map(
         self, engine: PythonEngine, units: Iterable[UnitOfRuns]
     ) -> Iterator[PartialResult[UnitOfRuns, Tally]]:
-        """The units one after the other."""
+        """Yield the results of the units, one unit after the other."""
         subject = self.subject
         bound = engine.for_built_in(subject)
         if subject.from_user:
             players = InProcessPlayers(subject)
             bound, units = (
-                engine.for_foreign(subject.name, players, EarlierPlays()),
+                engine.for_users(subject.name, players, EarlierPlays()),
                 in_any_order(units),
             )
         for unit in units:

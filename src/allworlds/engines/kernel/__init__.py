@@ -1,4 +1,4 @@
-"""The kernel: compiled code with the same answers, orders of magnitude further.
+"""The kernel: compiled engines with the answers of their twins, orders of magnitude faster.
 
 Each is compared with a readable twin that shares no code with it.  They hold the interpreter's
 lock only to start and to end, so that threads share the work.
@@ -8,21 +8,21 @@ lock only to start and to end, so that threads share the work.
 ``runs``, ``episode``, ``explorers``, ``answers``, ``invariants``, ``embedding``, ``folding``
     the judge: every run of every map of a class, played, judged and tallied;
 ``gluing``, ``classes``, ``worlds``, ``lighthouses``
-    what is judged: maps, finished one after the other, as worlds with every lighthouse;
+    the worlds: maps, finished one after the other, with every lighthouse;
 ``algorithm1``, ``two_vertices``
     explorers, each behind the C interface of all explorers;
-``native``, ``picking``, ``logs``, ``writing``, ``batches``
-    foreign explorers, played in processes of their own, many runs at a time;
+``native``, ``picking``, ``logs``, ``log_codes``, ``writing``, ``stretch``, ``batches``
+    users' explorers, played in processes of their own, many runs at a time;
 ``demand_driven``, ``ways``, ``demand_tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``schedule_costs``
     the worst and the best cost of a world over all schedules, and its door;
 ``counting``
-    how many maps there are, by vertices and faces;
+    the numbers of maps, by vertices and faces;
 ``records``, ``walk_records``, ``tables``, ``names``, ``law_numbers``
-    what is kept in memory, what is looked up, and the names of small numbers;
+    the records in memory, the tables, and the names of small numbers;
 ``compiling``, ``calls``, ``bits``, ``code``
-    how it is compiled, C functions called by their addresses, sets as bit masks, codes.
+    compilation, C functions called by their addresses, sets as bit masks, codes.
 
 This package is imported where it is used: the first use compiles for some seconds, later ones
 load what was compiled.

@@ -47,7 +47,7 @@ def start(robot, percept, _told, action):  # pragma: no cover  # compiled
 
 
 def step(robot, percept, action):  # pragma: no cover  # compiled
-    """What is done after this has been sensed."""
+    """Write the explorer's next action, after this percept."""
     if robot.phase == PASSING:
         next_pass(robot, action)
     else:
@@ -57,19 +57,19 @@ def step(robot, percept, action):  # pragma: no cover  # compiled
 
 
 def answer(robot, published):  # pragma: no cover  # compiled
-    """S, and the robot's place in it."""
+    """Write the answer: S, and the robot's place in it."""
     published.sigma, published.alpha = address_of(robot.sigma), address_of(robot.alpha)
     published.darts, published.here = robot.darts, robot.here
 
 
 @cache
 def algorithm1_addresses() -> tuple[int, int, int]:
-    """Where the compiled explorer is: start, step, answer."""
+    """The addresses of the compiled explorer: start, step, answer."""
     return addresses(start, step)
 
 
 def addresses(start: Callable[..., None], step: Callable[..., None]) -> tuple[int, int, int]:
-    """A variant's addresses."""
+    """The addresses of the compiled functions of a variant."""
     robot, percept, action = RECORD(ROBOT), RECORD(PERCEPT), RECORD(ACTION)
     return (
         callback(start, types.void(robot, percept, types.int32, action)),
@@ -80,7 +80,7 @@ def addresses(start: Callable[..., None], step: Callable[..., None]) -> tuple[in
 
 @inner
 def begin(robot, degree, marks, bearing):
-    """S is v0."""
+    """Begin with S = v0."""
     robot.darts = robot.vertices = robot.known = robot.here = robot.turned = 0
     _add_vertex(robot, degree, marks, bearing)
     if bearing != NONE:
@@ -152,7 +152,7 @@ def offset(robot, dart):
 
 @inlined
 def _expected(robot, dart, degree, marks, bearing):
-    """Whether this is what is sensed by a robot that has arrived by the dart of S."""
+    """Whether this is the percept of a robot that has arrived by the dart of S."""
     return (
         robot.degree[dart] == degree
         and robot.marks[dart] == marks
@@ -162,7 +162,7 @@ def _expected(robot, dart, degree, marks, bearing):
 
 @inlined
 def _suppose(robot):
-    """Line 6: H."""
+    """Line 6: the hypotheses H."""
     robot.alike = robot.tried = robot.turned = 0
     for i in range(robot.known):
         dart = robot.unexplored[i]
@@ -260,7 +260,7 @@ def _augment_by_vertex(robot, action):
 
 @inner
 def _add_vertex(robot, degree, marks, bearing):
-    """A vertex whose darts are in U."""
+    """Add a vertex to S, whose darts are in U."""
     entry, v = robot.darts, robot.vertices
     for dart in range(entry, entry + degree):
         robot.sigma[dart] = dart + 1
@@ -277,7 +277,7 @@ def _add_vertex(robot, degree, marks, bearing):
 
 @inner
 def _explore(robot, dart, partner):
-    """An edge of S; its darts leave U."""
+    """Add an edge to S; its darts leave U."""
     robot.alpha[dart], robot.alpha[partner] = partner, dart
     left = 0
     for i in range(robot.known):
@@ -289,7 +289,7 @@ def _explore(robot, dart, partner):
 
 @inner
 def _measure(robot, goal):
-    """For each vertex of S the length of a shortest walk to the goal."""
+    """Measure for each vertex of S the length of a shortest walk to the goal."""
     for v in range(robot.vertices):
         robot.length[v] = NONE
     robot.length[goal] = 0
@@ -329,7 +329,7 @@ def _plan(robot, start, goal):
 
 @inner
 def _nearer(robot, v):
-    """The first dart of the vertex that leads one step nearer to what has been measured to."""
+    """The first dart of the vertex that leads one step nearer to the measured goal."""
     dart = robot.first[v]
     while robot.length[robot.owner[robot.alpha[dart]]] != robot.length[v] - 1:
         dart += 1
@@ -338,7 +338,7 @@ def _nearer(robot, v):
 
 @inner
 def _ways_home(robot):
-    """For each vertex of S but v0 the first dart that leads nearer to v0."""
+    """Find for each vertex of S but v0 the first dart that leads nearer to v0."""
     _measure(robot, robot.owner[0])
     for v in range(1, robot.vertices):
         robot.home[v] = _nearer(robot, v)

@@ -43,7 +43,7 @@ def answer_law(published, world, dart, scratch):
 
 @inlined
 def _goes_on(published, world, dart, judged):
-    """Whether the S that was shown last, whose embedding is known, has become the whole world."""
+    """Whether the last published S, whose embedding is known, has become the whole world."""
     return grown(judged, published, world, dart, -1) and judged.explored == world.darts
 
 

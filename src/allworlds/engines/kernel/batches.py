@@ -1,8 +1,8 @@
 """Runs of a native explorer, many at a time: laid out and judged here, played in other processes.
 
-:class:`Stretch` is memory that two processes see.  :class:`UnitJudge` lays out and judges, and has
-no explorer; :class:`NativePlayer` is the explorer's side.  Memory that is shared with foreign code
-is copied before it is read.
+:class:`~allworlds.engines.kernel.stretch.Stretch` is memory that two processes see.
+:class:`UnitJudge` lays out and judges, and has no explorer; :class:`NativePlayer` is the explorer's
+side.  Memory that is shared with users' code is copied before it is read.
 """
 
 from __future__ import annotations
@@ -22,71 +22,16 @@ from allworlds.engines.kernel.names import POLICIES
 from allworlds.engines.kernel.picking import pick_address
 from allworlds.engines.kernel.records import JOB, POLICY, READER, ROBOT, new
 from allworlds.engines.kernel.rows import Level, LevelBounds, Rows
+from allworlds.engines.kernel.stretch import (
+    LOG_BYTES,
+    LONGEST_EARLIER,
+    LONGEST_STRETCH,
+    MOST_EARLIER,
+    RUN_MOTIONS,
+    RUN_NUMBER,
+    Stretch,
+)
 from allworlds.engines.kernel.tables import tables
-
-LONGEST_STRETCH = 2048
-"""The largest number of runs in a stretch, but for those of its last world."""
-
-ROWS = LONGEST_STRETCH + 2 * native.MOST_PLACES
-"""Room for the runs of a stretch, of its last world, and for earlier ones."""
-
-MOST_EARLIER = 16
-"""So many earlier runs are played again among those of a stretch."""
-
-LOG_BYTES = 1 << 20
-"""Room for the logs of a stretch, and as much for its percepts: 512 bytes a run."""
-
-LONGEST_EARLIER = LOG_BYTES // (4 * MOST_EARLIER)
-"""The largest number of bytes in the log of a run that is played again later: all of them together
-leave room for a stretch."""
-
-
-class Stretch:
-    """Memory for so many runs, as both sides see it.
-
-    Args:
-        memory: shared; of :meth:`size` bytes.
-        edges: of each world.
-
-    Attributes:
-        heads: of each run its budget, what is told, its number, and how many motions it had.
-        worlds: of each run its world, dart by dart; for who plays against records there is none.
-        percepts, starts: what was sensed, three bytes each, and where those of a run begin.
-        logs, begins: what was done, and where the log of each run begins.
-    """
-
-    def __init__(self, memory: mmap.mmap, edges: int) -> None:
-        rows = ROWS
-        self._at = 0
-        self._memory = memory
-        self.heads = self._array(int32, rows, native.HEAD)
-        self.begins = self._array(int32, rows)
-        self.starts = self._array(int32, rows)
-        self.worlds = self._array(uint8, rows, native.WIDE * 2 * edges)
-        self.percepts = self._array(uint8, LOG_BYTES)
-        self.logs = self._array(uint8, LOG_BYTES)
-
-    @staticmethod
-    def size(edges: int) -> int:
-        """The number of bytes."""
-        rows = ROWS
-        return rows * (4 * native.HEAD + 8 + native.WIDE * 2 * edges) + 2 * LOG_BYTES
-
-    def put(self, logs: bytes | bytearray, begins: Sequence[int]) -> int:
-        """The number of bytes of logs that have come to stand here; -1 if there is no room."""
-        if len(logs) > len(self.logs):
-            return -1
-        self.begins[: len(begins)] = begins
-        self.logs[: len(logs)] = frombuffer(logs, uint8)
-        return len(logs)
-
-    def _array(self, kind: Any, *shape: int) -> Any:
-        count = 1
-        for length in shape:
-            count *= length
-        found: Any = frombuffer(self._memory, kind, count, self._at).reshape(shape)
-        self._at += found.nbytes
-        return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,9 +39,9 @@ class LaidOutRuns:
     """A stretch that has been laid out.
 
     Attributes:
-        runs: how many.
+        runs: the number of runs.
         first, until: the numbers of its first run and of that after its last, in their unit.
-        last: there is no other behind it.
+        last: whether it is the last one of its unit.
     """
 
     runs: int
@@ -110,8 +55,8 @@ class UnitJudge:
 
     Args:
         level: as for :func:`allworlds.engines.kernel.engine.judge`.
-        prefix: likewise.
-        keep: how many broken runs are kept of each stretch.
+        prefix: as for :func:`allworlds.engines.kernel.engine.judge`.
+        keep: the number of broken runs that are kept of each stretch.
         stretch: for the first play.
         records: for the second.
     """
@@ -130,7 +75,7 @@ class UnitJudge:
         self._never = zeros(1, int64)
 
     def lay_out(self, most: int) -> LaidOutRuns:
-        """The next stretch, of about so many runs; it comes to stand in the memory."""
+        """Write the next stretch, of about that many runs, to the memory; return its bounds."""
         ahead, stretch = self._ahead, self._stretch
         first = int(ahead.number)
         ahead.until = first + min(most, LONGEST_STRETCH)
@@ -141,21 +86,21 @@ class UnitJudge:
         return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
 
     def skip(self, batch: LaidOutRuns) -> None:
-        """Go on behind a stretch that is judged elsewhere: what was said of it is forgotten."""
+        """Go on behind a stretch that is judged elsewhere, without its results."""
         if self._job.number < batch.until:
             self.judge(batch, 0)
 
     def judge(
         self, batch: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
     ) -> tuple[Rows, bool]:
-        """What the logs in the memory are worth, and whether all of them could be judged.
+        """Judge the logs in the memory; return the rows, and whether all logs could be judged.
 
-        The percepts for the second play come to stand in its memory.
+        The percepts for the second play are written to its memory.
 
         Args:
             batch: the stretch.
             size: of the logs, in bytes.
-            earlier: what is to be played again among them.
+            earlier: runs that are played again among them.
         """
         reader, job, asked = self._reader, self._job, self._asked
         stretch, size = self._stretch, max(0, min(size, LOG_BYTES))
@@ -175,7 +120,7 @@ class UnitJudge:
         asked.clear()
         runs.examine(job, reader, *asked.arguments, self._never)
         starts[batch.runs] = reader.noted
-        self._heads[:, native.RUN_MOTIONS] = (starts[1:] - starts[:-1]) // 3 - 1
+        self._heads[:, RUN_MOTIONS] = (starts[1:] - starts[:-1]) // 3 - 1
         for row, play in enumerate(earlier, batch.runs):
             begins[row], ends[row] = size, size + len(play.log)
             kept[size : ends[row]] = play.log
@@ -186,7 +131,7 @@ class UnitJudge:
         return rows_of(asked, job, self._robot), good
 
     def _hand_over(self, batch: LaidOutRuns, earlier: Sequence[ReplayableRun]) -> None:
-        """What was sensed, here and earlier, to the second player."""
+        """Hand the percepts of these and of earlier runs to the second player."""
         records, first = self._records, self._first
         end = min(int(first.starts[batch.runs]), int(self._reader.room))
         records.percepts[:end] = first.percepts[:end]
@@ -198,12 +143,12 @@ class UnitJudge:
             records.starts[row], records.heads[row] = end, kept.head
             end += length
         # Who plays again is not to know which runs these are.
-        records.heads[: batch.runs + len(earlier), native.RUN_NUMBER] = 0
+        records.heads[: batch.runs + len(earlier), RUN_NUMBER] = 0
 
     def differing(
         self, batch: LaidOutRuns, size: int, earlier: Sequence[ReplayableRun] = ()
     ) -> list[int]:
-        """Which runs have second logs that are not as their first ones.
+        """The numbers of the runs whose second logs differ from their first ones.
 
         Those of the stretch, and behind them those of earlier ones, are numbered as they were laid
         out.
@@ -219,10 +164,10 @@ class UnitJudge:
 
     def number(self, row: int) -> int:
         """The number of a run in its unit."""
-        return int(self._first.heads[row, native.RUN_NUMBER])
+        return int(self._first.heads[row, RUN_NUMBER])
 
     def kept(self, row: int) -> ReplayableRun:
-        """What is needed to play a run again."""
+        """The data that are needed to play a run again."""
         first = self._first
         start, end, begin = int(first.starts[row]), int(first.starts[row + 1]), first.begins[row]
         log = first.logs[begin : first.ends[row]].copy()
@@ -230,7 +175,7 @@ class UnitJudge:
 
 
 class ReplayableRun(NamedTuple):
-    """A run that can be played again: what is said of it, what was sensed, and its log."""
+    """A run that can be played again: its head, its percepts, and its log."""
 
     head: Any
     percepts: Any
@@ -238,7 +183,7 @@ class ReplayableRun(NamedTuple):
 
     @property
     def short(self) -> bool:
-        """Whether there is room for it among the runs of any stretch."""
+        """Whether it has room among the runs of any stretch."""
         return max(len(self.log), len(self.percepts)) <= LONGEST_EARLIER
 
 
@@ -257,16 +202,16 @@ _FIRST_LOGS = zeros(LOG_BYTES + MOST_EARLIER * LONGEST_EARLIER + logs.SLACK, uin
 """This process's copy of the logs of a stretch, and behind them those of earlier runs."""
 
 _SECOND_LOGS = zeros(LOG_BYTES, uint8)
-"""The same of the second play."""
+"""This process's copy of the logs of the second play."""
 
 _PERCEPTS = zeros(LOG_BYTES, uint8)
-"""What is sensed on following the first logs."""
+"""The percepts on the walks of the first logs."""
 
 _ROOMS: list[tuple[Any, Any, Any]] = []
 
 
 def _room() -> tuple[Any, Any, Any]:
-    """This process's memory for two jobs, and for what counts nothing."""
+    """This process's memory for two jobs, and for the arrays that are not read."""
     if not _ROOMS:
         _ROOMS.append((new(JOB), new(JOB), new(ROBOT)))
     return _ROOMS[0]
@@ -278,7 +223,7 @@ class NativePlayer:
     Args:
         addresses: of ``start``, ``step``, ``answer`` and ``choose`` (0: none), by name.
         state: the address of its state.
-        arrays: percept, action, here, and twice sigma and alpha: what is handed to it.
+        arrays: percept, action, here, and twice sigma and alpha, which are handed to it.
         beat: the number of the current run, and the explorer's turns in it.
     """
 
@@ -301,14 +246,14 @@ class NativePlayer:
         )
 
     def play(self, stretch: Stretch, count: int, order: int, policy: str, *, again: bool) -> int:
-        """The number of bytes of the logs of so many runs; -1 if there is no room for them.
+        """Play runs; return the number of bytes of their logs, or -1 if there is no room for them.
 
         Args:
             stretch: in shared memory.
             count: of the runs.
             order: seed of the order in which they are played.
             policy: answers its choices.
-            again: against records.
+            again: whether they are played against records.
         """
         self._asked.policy = POLICIES[policy]
         every = arange(count)
@@ -330,7 +275,7 @@ def _view(memory: Any) -> Any:
 
 
 def load_native() -> None:
-    """Have all that native explorers need loaded, or compiled; the lighthouses are loaded later."""
+    """Load or compile the code that native explorers need, but for the lighthouses."""
     level = Level(
         1,
         2,

@@ -1,4 +1,4 @@
-"""Calling the C functions of an explorer by their addresses, from compiled code.
+"""Calls of an explorer's C functions by their addresses, from compiled code.
 
 Arguments are pointers (a record, or an address as an integer) and 32-bit integers, and nothing or
 a 32-bit integer is returned: that is called alike on every platform.
@@ -13,13 +13,15 @@ from llvmlite import ir
 from numba import extending, types
 from numba.core.cgutils import raw_memcpy
 
+from allworlds.engines.kernel.names import LANES
+
 intrinsic: Any = extending.intrinsic
 
 _POINTER = ir.IntType(8).as_pointer()
 
 
 def _lowered(builder: Any, kind: Any, value: Any) -> Any:
-    """The value as C takes it."""
+    """The value in the form that C takes."""
     if isinstance(kind, types.Record):
         return builder.bitcast(value, _POINTER)
     if kind == types.int64:
@@ -41,7 +43,7 @@ def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> 
 
 
 def _ask(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> Any:
-    """The same of a function that returns a 32-bit integer."""
+    """The code of a call that returns a 32-bit integer."""
     address, *values = values
     lowered = [
         _lowered(builder, kind, value)
@@ -53,37 +55,37 @@ def _ask(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> A
 
 @intrinsic
 def call_with(_context, address, record):
-    """``function(&record)``."""
+    """Call ``function(&record)``."""
     return types.void(address, record), _call
 
 
 @intrinsic
 def call_start(_context, address, state, percept, told, action):
-    """``start(state, &percept, told, &action)``."""
+    """Call ``start(state, &percept, told, &action)``."""
     return types.void(address, state, percept, told, action), _call
 
 
 @intrinsic
 def call_step(_context, address, state, percept, action):
-    """``step(state, &percept, &action)``."""
+    """Call ``step(state, &percept, &action)``."""
     return types.void(address, state, percept, action), _call
 
 
 @intrinsic
 def call_answer(_context, address, state, answer):
-    """``answer(state, &answer)``."""
+    """Call ``answer(state, &answer)``."""
     return types.void(address, state, answer), _call
 
 
 @intrinsic
 def call_choose(_context, address, state, pick, context):
-    """``choose(state, pick, context)``."""
+    """Call ``choose(state, pick, context)``."""
     return types.void(address, state, pick, context), _call
 
 
 @intrinsic
 def ask_answer(_context, address, state, capacity, sigma, alpha, here):
-    """``answer(state, capacity, sigma, alpha, &here)``, the number of darts."""
+    """Call ``answer(state, capacity, sigma, alpha, &here)``; return the number of darts."""
     return types.int32(address, state, capacity, sigma, alpha, here), _ask
 
 
@@ -101,7 +103,7 @@ def entry_of(_context, address, index):
 
 @intrinsic
 def byte_of(_context, address, index):
-    """The byte number ``index`` of what begins at the address."""
+    """The byte number ``index`` from the address on."""
 
     def generate(_target, builder, _signature, values):
         start = builder.inttoptr(values[0], _POINTER)
@@ -112,7 +114,7 @@ def byte_of(_context, address, index):
 
 @intrinsic
 def put_entry(_context, address, index, value):
-    """Makes it the 32-bit integer number ``index`` of what begins at the address."""
+    """Write the 32-bit integer number ``index`` from the address on."""
 
     def generate(target, builder, _signature, values):
         integer = ir.IntType(32)
@@ -126,7 +128,7 @@ def put_entry(_context, address, index, value):
 
 @intrinsic
 def address_of(_context, record_array):
-    """Where an array inside a record begins."""
+    """The address of an array inside a record."""
 
     def generate(target, builder, signature, values):
         array = target.make_array(signature.args[0])(target, builder, values[0])
@@ -137,7 +139,7 @@ def address_of(_context, record_array):
 
 @intrinsic
 def word_of(_context, address, index):
-    """The eight bytes from number ``index`` on of what begins at the address, as one integer."""
+    """The eight bytes from ``index`` bytes behind the address on, as one integer."""
 
     def generate(_target, builder, _signature, values):
         start = builder.gep(builder.inttoptr(values[0], _POINTER), [values[1]])
@@ -149,7 +151,7 @@ def word_of(_context, address, index):
 
 @intrinsic
 def put_word(_context, address, value):
-    """Makes the value the eight bytes at the address, the lowest first."""
+    """Write the value to the eight bytes at the address, the lowest first."""
 
     def generate(target, builder, _signature, values):
         start = builder.inttoptr(values[0], ir.IntType(64).as_pointer())
@@ -159,18 +161,15 @@ def put_word(_context, address, value):
     return types.void(types.int64, types.int64), generate
 
 
-LANES = 16
-"""So many entries are made bytes at a time, or bytes entries."""
-
 _BYTES = ir.VectorType(ir.IntType(8), LANES)
 _ENTRIES = ir.VectorType(ir.IntType(32), LANES)
 
 
 @intrinsic
 def narrow(_context, target, source, count):
-    """Copies the first ``count`` of ``LANES`` 32-bit integers to bytes, and makes the others 0.
+    """Copy the first ``count`` of ``LANES`` 32-bit integers to bytes, and make the others 0.
 
-    What is returned is not 0 if one of them is no byte.
+    The returned value is not 0 if one of them is no byte.
     """
 
     def generate(_target, builder, _signature, values):
@@ -194,7 +193,7 @@ def narrow(_context, target, source, count):
 
 @intrinsic
 def widen(_context, target, source):
-    """Copies ``LANES`` bytes to as many 32-bit integers."""
+    """Copy ``LANES`` bytes to as many 32-bit integers."""
 
     def generate(context, builder, _signature, values):
         to, origin = values
@@ -208,13 +207,13 @@ def widen(_context, target, source):
 
 
 WIDE_LANES = 32
-"""So many bytes are compared, or copied, at a time."""
+"""The number of bytes that are compared, or copied, at a time."""
 
 _WIDE = ir.VectorType(ir.IntType(8), WIDE_LANES)
 
 
 def _wide(builder: Any, address: Any) -> Any:
-    """The bytes there."""
+    """The vector of bytes at the address."""
     return builder.load(builder.inttoptr(address, _WIDE.as_pointer()), align=1)
 
 
@@ -226,7 +225,7 @@ def _where_unlike(builder: Any, one: Any, other: Any) -> Any:
 
 @intrinsic
 def unlike(_context, one, other):
-    """Which of the bytes at the two addresses differ, as a set."""
+    """The places of the bytes that differ at the two addresses, as a set."""
 
     def generate(_target, builder, _signature, values):
         return _where_unlike(builder, *(_wide(builder, value) for value in values))
@@ -236,7 +235,7 @@ def unlike(_context, one, other):
 
 @intrinsic
 def moved(_context, address):
-    """Which of the bytes at the address are not their own places, as a set."""
+    """The places of the bytes at the address that differ from their own number, as a set."""
 
     def generate(_target, builder, _signature, values):
         places = ir.Constant(_WIDE, list(range(WIDE_LANES)))
@@ -247,7 +246,7 @@ def moved(_context, address):
 
 @intrinsic
 def copy_bytes(_context, target, source):
-    """Copies ``WIDE_LANES`` bytes."""
+    """Copy ``WIDE_LANES`` bytes."""
 
     def generate(context, builder, _signature, values):
         to = builder.inttoptr(values[0], _WIDE.as_pointer())
@@ -259,7 +258,7 @@ def copy_bytes(_context, target, source):
 
 @intrinsic
 def copy(_context, target, source):
-    """Makes the target record equal to the source."""
+    """Copy the source record to the target."""
     assert target == source, (target, source)
 
     def generate(context, builder, signature, values):

@@ -1,8 +1,7 @@
-"""The rules of the classes smaller than ``maps``: what is not glued, because it leaves the class.
+"""The rules of the classes smaller than ``maps``: which gluings leave the class.
 
 A rule looks at a partial map whose latest decision has joined ``place`` and ``partner`` at its
-depth, and says whether that may stand.  It remembers nothing: what it must know of the partial
-map it finds there.
+depth, and says whether that is legal.  A rule has no memory: it reads all from the partial map.
 """
 
 from __future__ import annotations
@@ -17,9 +16,9 @@ from allworlds.engines.kernel.records import GLUING
 
 
 def rule(g):  # pragma: no cover  # compiled
-    """Sets ``g.possible``: the partial map is of the class, and can be finished.
+    """Set ``g.possible``: whether the partial map is of the class, and can be finished.
 
-    In the simple classes that is only as far as counting the partners left can tell.
+    In the simple classes the second part is decided by a count of the partners left alone.
     """
     depth = g.depth
     new = min(2 * g.edges - g.darts, g.limit - g.vertices)
@@ -31,7 +30,7 @@ def rule(g):  # pragma: no cover  # compiled
 
 @cache
 def rule_address() -> int:
-    """Where the compiled rule is."""
+    """The address of the compiled rule."""
     return callback(rule, types.void(RECORD(GLUING)))
 
 

@@ -1,4 +1,4 @@
-"""Canonical codes of rooted maps, and the least few of what has them."""
+"""Canonical codes of rooted maps, and lists of the least of them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from allworlds.engines.kernel.records import NONE
 
 @inner
 def number(world, root):
-    """The darts in canonical order from the root in ``world.order``, and their numbers."""
+    """Number the darts in canonical order from the root, in ``world.order``."""
     for dart in range(world.darts):
         world.number[dart] = NONE
     world.number[root] = 0
@@ -31,7 +31,7 @@ def number(world, root):
 
 @inlined
 def encode(world, root, row, start):
-    """The canonical code, sigma then alpha, in ``row[start:]``."""
+    """Write the canonical code, sigma then alpha, to ``row[start:]``."""
     number(world, root)
     for i in range(world.darts):
         row[start + i] = world.number[world.sigma[world.order[i]]]
@@ -40,7 +40,7 @@ def encode(world, root, row, start):
 
 @inner
 def encode_unrooted(world, row, start):
-    """The least of the canonical codes from all roots, in ``row[start:]``."""
+    """Write the least of the canonical codes from all roots to ``row[start:]``."""
     encode(world, 0, row, start)
     darts = world.darts
     for root in range(1, darts):
@@ -64,7 +64,7 @@ def is_greater(least, row):
 
 @inner
 def keep_least_of_kind(least, row, kind):
-    """As :func:`keep_least`; of the rows that agree from ``row[kind]`` on the smallest only."""
+    """Do :func:`keep_least`, but of the rows that agree from ``row[kind]`` on keep one."""
     for place in range(least.shape[0]):
         if least[place, 0] and _alike(row, least, place, kind):
             if not _before(row, least, place):
@@ -82,7 +82,7 @@ def keep_least_of_kind(least, row, kind):
 def is_less(world, rows, place):
     """Whether the canonical code of the world is less than that of a row, or that is empty.
 
-    It is not written down: the first difference, which is early in most cases, ends it.
+    The code is not written: the first difference, which is early in most cases, decides.
     """
     if rows[place, 0] == 0:
         return True

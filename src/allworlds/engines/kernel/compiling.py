@@ -1,8 +1,8 @@
-"""How the engines are compiled, and when what was compiled once is used again.
+"""The compilation of the engines, and the reuse of earlier compilations.
 
-numba keeps what it has compiled beside the sources (or in the user's cache), but asks only the
-source file of the outermost function whether it is still good.  Here every source of this
-package is asked: what a function has taken in from other files must be as they are now.
+numba keeps compiled code beside the sources (or in the user's cache), but checks only the source
+file of the outermost function.  Here every source of this package is checked, because a function
+contains code from other files.
 So is the judge's table of laws, from whose order the numbers follow that are compiled in.
 
 No compiled function makes an array or counts references, and only those that Python calls are
@@ -35,7 +35,7 @@ def _njit(**more: Any) -> Any:
 
 
 def inlined(function: Callable[..., Any]) -> Any:
-    """As inner, for one that is called from one place: it becomes a part of its caller."""
+    """A function that is called from one place: it becomes a part of its caller."""
     return _njit(no_cpython_wrapper=True, inline="always")(function)
 
 
@@ -45,7 +45,7 @@ def inner(function: Callable[..., Any]) -> Any:
 
 
 def entry(function: Callable[..., Any]) -> Any:
-    """A function that Python calls; what it compiles to is kept, where there is room for it."""
+    """A function that Python calls; its compiled code is kept if that is possible."""
     try:
         return _stamped(_njit(cache=True)(function))
     except RuntimeError:  # no folder that could be written to
@@ -53,7 +53,7 @@ def entry(function: Callable[..., Any]) -> Any:
 
 
 def callback(function: Callable[..., Any], signature: Any) -> int:
-    """The address of a C function; what it compiles to is kept, where there is room for it."""
+    """A C function with an address; its compiled code is kept if that is possible."""
     options = {"error_model": "numpy", "_nrt": False}
     compiled = CFunc(function, (signature.args, signature.return_type), {}, options)
     try:
@@ -68,7 +68,7 @@ def callback(function: Callable[..., Any], signature: Any) -> int:
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """No garbage is looked for: compiling makes so much that lives that it takes a tenth of it."""
+    """Switch the garbage collector off: it would take a tenth of the time of compiling."""
     enabled = gc.isenabled()
     gc.disable()
     try:
@@ -79,10 +79,10 @@ def uncollected() -> Iterator[None]:
 
 
 def is_compiled(function: Any) -> bool:
-    """Whether an earlier use has left what ``function`` compiles to behind, and it is still good.
+    """Whether compiled code of ``function`` is kept from an earlier use, and still valid.
 
-    What is kept is asked for its stamp, not for its age: an installation of the same sources,
-    made later, goes on with it.
+    The stamp of the kept code is checked, not its age: a later installation of equal sources uses
+    it, too.
     """
     file = _file_of(function)
     return file is not None and bool(file._load_index())  # noqa: SLF001  # there is no public way
@@ -92,11 +92,11 @@ RECORD = from_dtype
 """The type of a C function's argument that points to a record."""
 
 _ALIVE: list[CFunc] = []
-"""What has an address must stay."""
+"""The functions with addresses, which must not be freed."""
 
 
 def _stamped(function: Any) -> Any:
-    """The function; what is kept of it is good as long as this package is as it is now."""
+    """The function; its kept code is valid as long as no source of this package changes."""
     file = _file_of(function)
     if file is not None:
         file._source_stamp = _stamp()  # noqa: SLF001  # there is no public way
@@ -104,7 +104,7 @@ def _stamped(function: Any) -> Any:
 
 
 def _file_of(function: Any) -> Any:
-    """The index of what is kept of a function; none if nothing is."""
+    """The index file of a function's kept code; None if there is none."""
     return getattr(getattr(function, "_cache", None), "_cache_file", None)
 
 

@@ -1,7 +1,7 @@
-"""The number of rooted maps by vertices and faces, without any map being looked at.
+"""The number of rooted maps by vertices and faces, without making any map.
 
-The gluing is the one of :mod:`allworlds.engines.kernel.gluing`; what is kept of a partial map is
-the boundary of its faces, as they close.
+The gluing is the one of :mod:`allworlds.engines.kernel.gluing`; of a partial map only the
+boundary of its faces is kept.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from allworlds.engines.kernel.compiling import entry, inner
 
 @entry
 def count(c, prefix, viable, counts):
-    """Adds to ``counts[vertices, faces]`` the maps whose gluing begins with ``prefix``.
+    """Add to ``counts[vertices, faces]`` the maps whose gluing begins with ``prefix``.
 
     Args:
-        c: a record of :data:`~allworlds.engines.kernel.records.COUNTING`, for so many edges and at
-            most so many vertices.
+        c: a record of :data:`~allworlds.engines.kernel.records.COUNTING`, with the number of edges
+            and the largest number of vertices.
         prefix: the first decisions, at least one.
         viable: by darts owed and darts open after a decision: a map can still be finished.
         counts: added to.
@@ -89,7 +89,7 @@ def count(c, prefix, viable, counts):
 
 @inner
 def _copy(c, depth):
-    """The boundary one decision further, before it."""
+    """Copy the boundary to the next depth, before a decision there."""
     for dart in range(c.darts[depth]):
         c.after[depth + 1, dart] = c.after[depth, dart]
         c.before[depth + 1, dart] = c.before[depth, dart]
@@ -97,7 +97,7 @@ def _copy(c, depth):
 
 @inner
 def _join(c, depth, y, z):
-    """Glue two open darts; the number of faces that close.
+    """Glue two open darts; return the number of faces that close.
 
     ``after`` and ``before`` link the open darts round each face of the boundary.  Gluing
     exchanges what follows the two darts, and then they are gone.

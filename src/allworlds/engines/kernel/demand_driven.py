@@ -1,19 +1,19 @@
-"""The demand-driven check of Algorithm 1: every rooted map, decided only where it is looked at.
+"""The demand-driven check of Algorithm 1: every rooted map, decided only where the robot looks.
 
 Two partial maps grow side by side.  The world W has darts that are decided, each with its
 partner, and open ones; ``owed`` more darts have not come into being.  The robot's S and U
 are as in the paper, with ``image``: for each dart of S the dart of W that it stands for.
 The robot walks until it is about to cross an open dart of W.  Then every way to decide that
 dart is tried in turn: gluing it to another open dart, or to the first dart of a new vertex.
-None is tried from which W could not be finished.  A walk that ends has met one world, and
+Only decisions from which W can be finished are tried.  A walk that ends has met one world, and
 each finished map ends exactly one walk.
 
 What is checked in each pass is what makes I-1, I-2 and the variant hold after it: a new
 vertex of S has not been in S, and a dart closed to a loop leads in W where it leads in S.
 The robot closes a loop only on an arrival at v0 in the dart that the path ends with; that
 arrival also merges the log's node with v0, so the folded log holds every edge of S.  At the
-end S must be all of W.  To come back to a decision the record ``now`` is copied, and nothing
-else: entries of open darts and of vertices that do not exist any more are never read.
+end S must be all of W.  To come back to a decision only the record ``now`` is copied: entries of
+open darts and of vertices that do not exist any more are never read.
 
 Source: Algorithm 1, Sections IV and V.
 """
@@ -45,14 +45,14 @@ from allworlds.engines.kernel.ways import distance, nearest, ways_home
 
 @entry
 def explore(w, prefix, reached, most_expensive, least, row, listed, halt):
-    """Every world whose gluing begins with ``prefix``, walked once, tallied.
+    """Walk and tally every world whose gluing begins with ``prefix``, once each.
 
     Args:
-        w: a record that is new but for what is asked for; ``w.worlds`` becomes their number.
+        w: a new record with the request filled in; ``w.worlds`` becomes their number.
         prefix: decisions about the oldest open dart, as in the Python enumeration; at least
             the root's degree.
         reached: by vertices, a cost that is known to be met; becomes the largest that is.
-        most_expensive: by vertices, the least of the worlds that cost so much, as the rows of
+        most_expensive: by vertices, the least of the most expensive worlds, as the rows of
             ``least``.
         least: the least worlds that break a law, as rows: vertices, then the canonical code.
         row: room for one of these.
@@ -86,7 +86,7 @@ def explore(w, prefix, reached, most_expensive, least, row, listed, halt):
 
 @inlined
 def _begin(w, s, prefix):
-    """The decisions of the prefix; S is v0, and the dart that the robot faces is dart 0 of both."""
+    """Take the decisions of the prefix; S is v0, and the robot faces dart 0 of both."""
     s.open = s.darts = s.vertices = 0
     _add_vertex(w, s, -prefix[0])
     for i in range(1, len(prefix)):
@@ -112,7 +112,7 @@ def _begin(w, s, prefix):
 
 @inner
 def _add_vertex(w, s, degree):
-    """A new vertex of W whose darts are open."""
+    """Add a vertex to W, whose darts are open."""
     v, first = s.vertices, s.darts
     w.degrees[v] = degree
     for dart in range(first, first + degree):
@@ -125,14 +125,14 @@ def _add_vertex(w, s, degree):
 
 @inlined
 def _glue(w, s, z):
-    """The dart y leads to z."""
+    """Join the darts y and z of W."""
     w.partner[s.y], w.partner[z] = z, s.y
     s.open &= ~(1 << s.y | 1 << z)
 
 
 @inlined
 def _open_choice(w, s, others):
-    """The dart y must be decided, and can be in several ways."""
+    """Open a choice: the dart y must be decided, perhaps in several ways."""
     choice = w.choices[w.depth]
     w.depth += 1
     if not others or not w.viable[2 * w.edges - s.darts, size(others) - 1]:
@@ -143,7 +143,7 @@ def _open_choice(w, s, others):
 
 @inlined
 def _choose(w, s):
-    """Whether there is one more way to decide y; it is taken.  A choice without any is gone."""
+    """Take the next way to decide y; return whether there was one, else drop the choice."""
     choice = w.choices[w.depth - 1]
     if choice.untried:
         z = lowest(choice.untried)
@@ -169,7 +169,7 @@ def _choose(w, s):
 
 @inlined
 def _go_back(w, s):
-    """The walk is again where the last choice was opened."""
+    """Take the walk back to where the last choice was opened."""
     now = w.choices[w.depth - 1].now
     while s.passes > now.passes:
         s.passes -= 1
@@ -186,7 +186,7 @@ def _go_back(w, s):
 
 @inlined
 def _walk(w, s):
-    """On until a dart must be decided, or the walk has ended or failed."""
+    """Walk until a dart must be decided, or the walk has ended or failed."""
     while True:
         if s.stage == PICK:
             _pick(w, s)
@@ -293,7 +293,7 @@ def _test_all(w, s):
 
 @inlined
 def _aim(w, s, dart, x):
-    """The next step on the way home, from this dart of S, and x of W."""
+    """Plan the next step on the way home, from this dart of S, and x of W."""
     p = s.parent >> (5 * (w.s_owner[dart] - 1)) & 31
     turn = p - dart
     if turn < 0:
@@ -307,7 +307,7 @@ def _aim(w, s, dart, x):
 
 @inlined
 def _augment_by_vertex(w, s):
-    """Lines 20-21: a new vertex of S."""
+    """Lines 20-21: add a new vertex to S."""
     u, x, end = w.owner[s.x], s.x, w.end[s.x]
     degree = w.felt[x]
     if s.in_s >> u & 1 or s.s_darts + degree > 2 * w.edges:

@@ -1,4 +1,4 @@
-"""What a walk has met: its packed counters, and the tally of worlds by vertices."""
+"""The counts of a walk, packed, and the tally of worlds by vertices."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ ONE_LOOP = 1 << 52
 ONE_PARALLEL = 1 << 53
 
 EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
-"""The walk is about to cross e; or a step of a path; to choose e; to choose a hypothesis; it has
-ended; it has gone wrong, and only the worlds that it is wrong in are still to be met."""
+"""The phases of a walk: before crossing e; before a step of a path; before the choice of e; before
+the choice of a hypothesis; ended; failed, so that only the worlds with the failure are left."""
 
 # The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
 # worlds with a loop and with parallel edges, worlds that break a law, and walks that failed.
@@ -45,7 +45,7 @@ _FEW = 0xFF
 
 @inlined
 def tally(w, s, reached, most_expensive, least, row, listed):
-    """One world, and the walk in it."""
+    """Tally one world, and the walk in it."""
     n, cost = s.vertices, s.total & COST
     w.counts[n, WORLDS] += 1
     if s.stage == FAILED:
@@ -73,7 +73,7 @@ def tally(w, s, reached, most_expensive, least, row, listed):
 
 @inner
 def _settle(w, s):
-    """The world as a whole."""
+    """Complete the world from the walk."""
     world = w.world
     world.darts = s.darts
     for dart in range(s.darts):
@@ -84,7 +84,7 @@ def _settle(w, s):
 
 @inner
 def _note(w, s, row):
-    """The world, settled, as a row, but for its map's code without a root."""
+    """Write the completed world as a row, but for its map's code without a root."""
     row[0] = s.vertices
     encode(w.world, 0, row, 1)
 

@@ -1,9 +1,9 @@
-"""How a published S lies in the world, if it is the one before and some more.
+"""The embedding of a published S in the world, if S extends the one before.
 
-An S that has been embedded is remembered; of the next one only what is new is looked at.  Whatever
-is not as Algorithm 1 would have it (other names, several vertices at a time, a dart that has
-another partner than before) is left to the general way
-(:mod:`allworlds.engines.kernel.invariants`), which also says what is wrong.
+An embedded S is remembered; of the next one only the new part is checked.  An S that Algorithm 1
+would not publish (other names, several vertices at a time, a dart with another partner than
+before) is left to the general way (:mod:`allworlds.engines.kernel.invariants`), which also names
+the broken law.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from numpy import int64
 
 from allworlds.engines.kernel.bits import lowest, size
 from allworlds.engines.kernel.calls import (
-    LANES,
     address_of,
     byte_of,
     copy_bytes,
@@ -23,11 +22,12 @@ from allworlds.engines.kernel.calls import (
     widen,
 )
 from allworlds.engines.kernel.compiling import inlined, inner
+from allworlds.engines.kernel.names import LANES
 
 
 @inner
 def spell_out(published):
-    """Have its integers written, where it has been shown as bytes."""
+    """Write the integers of a published S, if it was published as bytes."""
     if published.bytes:
         darts = int64(published.darts)
         for dart in range(0, darts, LANES):
@@ -37,7 +37,7 @@ def spell_out(published):
 
 @inlined
 def _bytes_of(judged, published):
-    """Where its sigma stands as bytes, and alpha behind it; 0 if that is not possible."""
+    """The address of its sigma as bytes, with alpha behind it; 0 if that is not possible."""
     if published.bytes:
         return published.bytes
     darts, odd, sigma = int64(published.darts), int64(0), address_of(judged.bytes)
@@ -50,7 +50,7 @@ def _bytes_of(judged, published):
 
 @inner
 def remember(judged, published, explored, taken):
-    """The S that is embedded by ``judged.to``: every partner in it has it as its partner.
+    """Remember the S that is embedded by ``judged.to``; all its partners are mutual.
 
     Its integers have been written.
     """
@@ -64,9 +64,9 @@ def remember(judged, published, explored, taken):
 
 @inner
 def grown(judged, published, world, dart, walked):
-    """Whether it is the S that is remembered and more, and embedded too; then it is remembered.
+    """Whether it extends the remembered S and is embedded, too; then it is remembered.
 
-    Else nothing is known of it, and nothing remembered.
+    Else it is unknown whether it is embedded, and no S is remembered.
 
     The arguments are as for :func:`allworlds.engines.kernel.invariants.look_at`; if anything is
     remembered,
@@ -113,9 +113,9 @@ def grown(judged, published, world, dart, walked):
 
 @inlined
 def _new_vertex(judged, sigma, darts, world, first, behind):
-    """How many darts are at a vertex that is new, and that this dart of it was discovered by.
+    """The number of darts of a new vertex, which was discovered by this dart.
 
-    They are embedded; more than there are if that is not possible.
+    The darts are embedded; if that is not possible, the number is too large on purpose.
     """
     if first >= darts:
         return darts

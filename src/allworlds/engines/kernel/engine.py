@@ -32,23 +32,23 @@ from allworlds.engines.kernel.two_vertices import two_vertices_addresses
 from allworlds.engines.kernel.walk_records import WALK
 
 EVERY = 1 << 62
-"""More than the number of any run."""
+"""A number above that of any run."""
 
 COMPILING = "compiling the kernel; this is done once and takes some seconds"
 """The notice for a first use."""
 
 UNDEFINED = runs.UNDEFINED
-"""In place of a bound that has no value."""
+"""The entry for a bound that has no value."""
 
 EXPLORERS: dict[str, Callable[[], tuple[int, int, int]]] = {
     "algorithm1": algorithm1_addresses,
     "algorithm1-cluster": two_vertices_addresses,
     "algorithm1-natural": two_vertices_addresses,
 }
-"""The built-in explorers that there are in compiled code."""
+"""The built-in explorers that are compiled."""
 
 LIGHTHOUSES = frozenset(KINDS)
-"""The lighthouses that there are in compiled code."""
+"""The lighthouses that are compiled."""
 
 MOST_BUDGET = LONG // (2 * MOST_EDGES) - 2
 """The largest number of traversals that a run has room for."""
@@ -62,14 +62,14 @@ def judge(
     halt: Any = None,
     listed: int = 0,
 ) -> Rows:
-    """Every run of the maps whose gluing begins with ``prefix``, played and judged.
+    """Play and judge every run of the maps whose gluing begins with ``prefix``.
 
     Args:
-        level: what is asked.
+        level: the request.
         prefix: the first decisions, at least one (:func:`allworlds.maps.enumeration.prefixes`).
-        keep: how many broken runs are kept, each the least of its law and map.
-        halt: an array; once its entry 0 is not 0 the work is given up, and means nothing.
-        listed: how many runs are listed.
+        keep: the number of broken runs that are kept, each the least of its law and map.
+        halt: an array; once its entry 0 is not 0 the work is given up, and its result is void.
+        listed: the number of runs that are listed.
 
     Cost: some microseconds a run; constant memory.
     """
@@ -81,7 +81,7 @@ def judge(
 
 
 def rows_of(asked: AskedLevel, job: Any, robot: Any) -> Rows:
-    """What the judge has said."""
+    """The rows of the judge's results."""
     met = argwhere(asked.met).tolist()
     darts = 2 * int(job.gluing.edges)
     rows = enumerate(asked.counts.tolist())
@@ -96,7 +96,7 @@ def rows_of(asked: AskedLevel, job: Any, robot: Any) -> Rows:
 
 
 class AskedLevel:
-    """The arguments of the judge between the job and the flag, and room for what it says."""
+    """The arguments of the judge between the job and the flag, and room for its results."""
 
     def __init__(
         self,
@@ -127,7 +127,7 @@ class AskedLevel:
         )
 
     def clear(self) -> None:
-        """Nothing has been said."""
+        """Clear all results."""
         self.counts[:] = self.met[:] = self.most_expensive[:] = self.least[:] = 0
 
 
@@ -137,7 +137,7 @@ def asked_of(level: Level, prefix: Sequence[int], keep: int = 1, listed: int = 0
 
 
 def load_judge(level: Level) -> None:
-    """Have the judge loaded or compiled, without the explorer and the lighthouse."""
+    """Load or compile the judge, without the explorer and the lighthouse."""
     stop = flag()
     stop[0] = 1
     with uncollected():
@@ -146,9 +146,9 @@ def load_judge(level: Level) -> None:
 
 
 def compile_apart(explorer: str) -> None:
-    """Have another process compile an explorer, and leave it in the cache.
+    """Let another process compile an explorer, and leave it in the cache.
 
-    Where there is no cache that could be written to, that is in vain, and nothing else.
+    Without a cache that can be written to, this has no effect.
     """
     command = [sys.executable, "-c", _APART, json.dumps(sys.path), explorer]
     nothing = subprocess.DEVNULL
@@ -172,7 +172,7 @@ _OWN = local()
 
 
 def set_up(job: Any, robot: Any, level: Level) -> None:
-    """The job asks for what the level does, from the first run on."""
+    """Fill the job with the request of the level, from the first run on."""
     job.lighthouse = lighthouse_address(level.lighthouse)
     job.laws = sum(1 << LAWS.index(law) for law in level.laws)
     job.number, job.until, job.undefined = 0, EVERY, 0
@@ -222,7 +222,7 @@ def _at(row: list[int], darts: int) -> At:
 def walk(
     level: Level, prefix: Sequence[int], *, keep: int = 1, reached: Any = None, halt: Any = None
 ) -> Rows:
-    """Algorithm 1 walked once in every map whose gluing begins with ``prefix``.
+    """Walk Algorithm 1 once in every map whose gluing begins with ``prefix``.
 
     The class is ``maps``, the lighthouse directional, all laws are checked together, and the
     bound depends on n alone.  A broken world is one in which some law is broken at some place.
@@ -230,10 +230,10 @@ def walk(
     Args:
         level: as for :func:`judge`, and so are the others.
         prefix: the first decisions.
-        keep: how many broken worlds are kept, each the least of its map.
+        keep: the number of broken worlds that are kept, each the least of its map.
         reached: an array that knows, by vertices, costs that other pieces have met, and learns
             those of this one; where this one costs less, it looks for no most expensive run.
-        halt: tells to give up.
+        halt: an array; once its entry 0 is not 0 the work is given up.
 
     Cost: less than 100 ns a world; constant memory.
     """
@@ -277,7 +277,7 @@ def costs(
 
 
 def reached_in(edges: int) -> Any:
-    """For :func:`walk`: nothing is known of any number of vertices."""
+    """A fresh array of costs for :func:`walk`, by vertices."""
     return zeros(edges + 2, int64)
 
 
@@ -348,13 +348,15 @@ def flag() -> Any:
 def by_vertices_and_faces(
     edges: int, limit: int, prefix: Sequence[int]
 ) -> dict[tuple[int, int], int]:
-    """How many maps there are whose gluing begins with ``prefix``, by (vertices, faces).
+    """The number of maps whose gluing begins with ``prefix``, by (vertices, faces).
 
     Cost: less than 100 ns a map; constant memory.
     """
     counts = zeros((edges + 2, edges + 3), int64)
     c = new(COUNTING)
     c.edges, c.limit = edges, limit
-    count(c, array(prefix, int64), gluing_rule(edges), counts)
+    # Compiled code begins with a first decision, which is the degree of the root.
+    for begun in [prefix] if prefix else [(-degree,) for degree in range(1, 2 * edges + 1)]:
+        count(c, array(begun, int64), gluing_rule(edges), counts)
     rows = counts.tolist()
     return {(n, f): times for n, row in enumerate(rows) for f, times in enumerate(row) if times}

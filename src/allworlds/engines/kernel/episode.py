@@ -14,7 +14,7 @@ from allworlds.engines.kernel.worlds import arrival
 
 @inner
 def meet(world, explorer, budget, beat, log, judged):
-    """See :func:`allworlds.engines.kernel.explorers.play`."""
+    """Play an episode; see :func:`allworlds.engines.kernel.explorers.play`."""
     percept, action = explorer.percept, explorer.action
     log.cost = log.checkpoints = log.walked = 0
     log.published.bytes = 0
@@ -54,7 +54,7 @@ def meet(world, explorer, budget, beat, log, judged):
 
 @inlined
 def _sense(world, dart, percept):
-    """What is sensed on arriving by the dart."""
+    """Write the percept on arriving by the dart."""
     percept.degree = world.degree[dart]
     percept.marks = world.marks[dart]
     percept.bearing = world.bearing[dart]

@@ -1,6 +1,6 @@
-"""Who plays: an explorer behind its C interface, or one whose log is read.
+"""The two kinds of players: an explorer behind its C interface, or a log that is read.
 
-The judge asks both in the same way; which of them answers is known when it is compiled.
+The judge calls both in one way; the kind is known when the judge is compiled.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ def play(world: Any, explorer: Any, budget: int, beat: Any, log: Any, judged: An
     """The law that ended the episode, or 0 where there is an answer; ``log`` holds the walk.
 
     Args:
-        world: where the robot is.
-        explorer: see above.
+        world: of the robot.
+        explorer: of one of these kinds.
         budget: the largest legal number of traversals; one checkpoint more is legal.
-        beat: ``beat[1]`` grows at each turn of an explorer, for who looks on from outside.
-        log: is begun anew; the answer comes to stand in it.
-        judged: what the checkpoints are worth, where ``log.watched``.
+        beat: ``beat[1]`` grows at each turn of an explorer, as a heartbeat.
+        log: is begun anew; the answer is written to it.
+        judged: the verdict on the checkpoints, if ``log.watched``.
     """
     raise NotImplementedError
 

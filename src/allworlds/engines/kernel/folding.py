@@ -1,13 +1,13 @@
-"""The folded log: whether the walk alone determines the map, whatever the explorer says.
+"""The folded log: whether the walk alone determines the map, for any answer of the explorer.
 
 A tree of fresh nodes is walked as the log says; on each arrival at v0 the node is merged with
 v0, aligned by the bearing, and merging goes on where one dart would lead to two places.  The
 twin is :mod:`allworlds.judging.laws.folding`.
 
-What is merged is one vertex of the true map, since the log is a walk in it: so each node is known
+Merged nodes are one vertex of the true map, since the log is a walk in it: so each node is known
 to be a copy of a vertex there, and its darts have that vertex's names.  Which copies are merged
 does not depend on the names.  Dart d of node v is the number ``v << NODE | d``; of each node it is
-known which of its darts lead somewhere, as a set.
+known which of its darts have a known other end, as a set.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def folds(world, log, fold):
 
 @inlined
 def _lead(fold, v, leaving, w, entered):
-    """These two darts, of which nothing was known, lead to each other."""
+    """Join two darts whose other ends were unknown."""
     fold.link[v << NODE | leaving], fold.link[w << NODE | entered] = w, v
     fold.linked[v] |= 1 << leaving
     fold.linked[w] |= 1 << entered
@@ -73,7 +73,7 @@ def _root(fold, v):
 
 @inner
 def _merge(world, fold, v, w):
-    """Two nodes are one; so are those that one dart of it leads to."""
+    """Merge two nodes, and the nodes behind equal darts."""
     waiting = 0
     while True:
         v, w = _root(fold, v), _root(fold, w)

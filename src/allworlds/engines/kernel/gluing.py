@@ -1,7 +1,7 @@
 """Every rooted map of a class, finished one after the other, in the order of the Python twin.
 
 The oldest open dart is glued to another open dart, partners ascending, or to the first dart of
-a new vertex, degrees ascending.  What cannot be finished is not begun: the last open dart may
+a new vertex, degrees ascending.  Only maps that can be finished are begun: the last open dart may
 not close while darts are owed; the classes smaller than ``maps`` have more such rules
 (:mod:`allworlds.engines.kernel.classes`).  The twin is :mod:`allworlds.maps.enumeration`.
 """
@@ -18,7 +18,7 @@ from allworlds.engines.kernel.records import NONE
 def advance(g, prefix, viable):
     """Whether there is one more map whose first decisions are ``prefix``; ``g`` holds it.
 
-    Before the first call the record is new, but for what is asked for.
+    Before the first call the record is new, with the request filled in.
     """
     fresh = g.darts == 0
     if fresh:
@@ -43,7 +43,7 @@ def advance(g, prefix, viable):
 
 @inlined
 def _look(g, prefix):
-    """What there is to be tried for the oldest open dart."""
+    """List the decisions that are tried for the oldest open dart."""
     depth = g.depth
     y = lowest(g.open)
     g.place[depth] = y
@@ -60,7 +60,7 @@ def _look(g, prefix):
 
 @inlined
 def _decide(g, viable):
-    """Whether there is one more way to go on at this depth; it is taken."""
+    """Take the next decision at this depth; return whether there was one."""
     depth = g.depth
     y = g.place[depth]
     while True:
@@ -92,7 +92,7 @@ def _decide(g, viable):
 
 @inner
 def _add_vertex(g, degree):
-    """A new vertex whose darts are open."""
+    """Add a vertex whose darts are open."""
     first = g.darts
     for dart in range(first, first + degree):
         g.owner[dart] = g.vertices

@@ -1,6 +1,6 @@
-"""I-1, I-2 and the variant of Section V, looked at whenever an explorer shows its S and U.
+"""I-1, I-2 and the variant of Section V, checked whenever an explorer publishes S and U.
 
-The published S is embedded into the world by what it says itself: its ``here`` goes to the
+The published S is embedded into the world by its own data: its ``here`` goes to the
 robot's true dart, and all else follows along sigma and the explored edges.  The twin is
 :mod:`allworlds.judging.laws.invariants`.
 """
@@ -16,7 +16,7 @@ from allworlds.engines.kernel.records import NONE
 
 @inner
 def look_at(judged, published, world, dart, walked):
-    """Notes which of the laws this checkpoint breaks.
+    """Note which of the laws this checkpoint breaks.
 
     Args:
         judged: the notes.
@@ -38,7 +38,7 @@ def look_at(judged, published, world, dart, walked):
 
 @inner
 def _look_anew(judged, published, world, dart, walked):
-    """How many darts are explored; I-1 and I-2 are looked at without knowing of any other S."""
+    """The number of explored darts; I-1 and I-2 are checked without an earlier S."""
     darts, alpha = published.darts, published.alpha
     explored, mutual = 0, True
     for d in range(darts):
@@ -59,7 +59,7 @@ def _look_anew(judged, published, world, dart, walked):
 
 @inlined
 def variant_at_the_end(judged):
-    """The variant has ended at 0, if it was ever shown."""
+    """Check that the variant has ended at 0, if S was ever published."""
     if judged.shown and judged.t != 0:
         judged.broken |= 1 << VARIANT
 
@@ -68,8 +68,8 @@ def variant_at_the_end(judged):
 def _explored_part(judged, published, world, dart, walked):
     """The darts of the world that are in S, as a set.
 
-    Empty if it is no part of the world, in the same cyclic orders, or an edge of it has not been
-    walked.
+    The set is empty if S is no part of the world, in its cyclic orders, or an edge of S has not
+    been walked.
     """
     size, here = published.darts, published.here
     if here < 0 or here >= size or size > world.darts:

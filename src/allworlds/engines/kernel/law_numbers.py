@@ -1,4 +1,4 @@
-"""The laws by number, in the order in which a run that breaks several is said to break one."""
+"""The laws by number, in their order of precedence."""
 
 from allworlds.judging import PRECEDENCE
 

@@ -1,9 +1,9 @@
-"""Every kind of lighthouse: where it can stand in a world, and what is sensed of it there.
+"""Every kind of lighthouse: its places in a world, and its percepts.
 
 Each is a function that puts the lighthouse at the next of its places (before the first one
 ``world.place`` is NONE), or says by NONE that there is none left.  The places and their order
-are those of :mod:`allworlds.world.lighthouses`.  Bearings and marks are by darts: what is
-sensed by a robot that has arrived by it.
+are those of :mod:`allworlds.world.lighthouses`.  Bearings and marks are by darts: those of a
+robot that has arrived by the dart.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ ALL_CHOICES = 3
 
 
 def none(world):  # pragma: no cover  # compiled
-    """No lighthouse: one place."""
+    """Go to the next place of no lighthouse: the one place."""
     world.place = 0 if world.place == NONE else NONE
 
 
 def position(world):  # pragma: no cover  # compiled
-    """One mark at v0: one place."""
+    """Put one mark at v0: one place."""
     if world.place == NONE:
         world.place = 0
         _mark(world, 0, 1)
@@ -37,7 +37,7 @@ def position(world):  # pragma: no cover  # compiled
 
 
 def directional(world):  # pragma: no cover  # compiled
-    """One mark at v0 and the bearing of one of its darts: each of them is a place."""
+    """Put one mark at v0 that points to one of its darts: each of them is a place."""
     world.place += 1
     degree = world.degree[0]
     if world.place == degree:
@@ -51,7 +51,7 @@ def directional(world):  # pragma: no cover  # compiled
 
 
 def compass(world):  # pragma: no cover  # compiled
-    """The bearing of one dart of each vertex: every choice of them, or beyond a size the first.
+    """Choose a reference dart at each vertex: every choice, or beyond a size the first.
 
     Vertices and their darts count in canonical order; the dart of the last changes first.
     """
@@ -89,14 +89,14 @@ def compass(world):  # pragma: no cover  # compiled
 
 
 def cluster(world):  # pragma: no cover  # compiled
-    """One mark at v0 and two at a neighbour v1: a place for each dart that leads to one."""
+    """Put one mark at v0 and two at a neighbour v1: a place for each dart that leads to one."""
     _to_neighbour(world)
     if world.place != NONE:
         _cluster(world)
 
 
 def cluster_single(world):  # pragma: no cover  # compiled
-    """The same, where exactly one edge joins v0 and v1."""
+    """Do :func:`cluster`, but only where exactly one edge joins v0 and v1."""
     _to_neighbour(world)
     while world.place != NONE and _joined(world, world.owner[world.alpha[world.pointed]]) > 1:
         world.place -= 1
@@ -106,7 +106,7 @@ def cluster_single(world):  # pragma: no cover  # compiled
 
 
 def natural(world):  # pragma: no cover  # compiled
-    """No mark: v1 is a neighbour, and its degree and that of v0 are each of one vertex only.
+    """Choose a neighbour v1 so that its degree and that of v0 are each of one vertex only.
 
     The explorer is told the degree of v1.
     """
@@ -120,7 +120,7 @@ def natural(world):  # pragma: no cover  # compiled
 
 @inner
 def _to_neighbour(world):
-    """The next place at the next dart of v0 that leads to another vertex, or none."""
+    """Go to the next dart of v0 that leads to another vertex, or to no place."""
     world.place += 1
     while True:
         world.pointed += 1
@@ -158,7 +158,7 @@ def _unique(world, dart):
 
 @inner
 def _cluster(world):
-    """One mark at v0, two at the other end of the dart that is pointed out, none elsewhere."""
+    """Put one mark at v0, two at the other end of the dart of the place, none elsewhere."""
     darken(world)
     _mark(world, 0, 1)
     _mark(world, world.owner[world.alpha[world.pointed]], 2)
@@ -166,7 +166,7 @@ def _cluster(world):
 
 @inner
 def _mark(world, vertex, marks):
-    """So many marks lie at the vertex."""
+    """Put marks at the vertex."""
     first = world.root[vertex]
     for dart in range(first, first + world.degree[first]):
         world.marks[dart] = marks
@@ -174,7 +174,7 @@ def _mark(world, vertex, marks):
 
 @inner
 def _point(world, dart):
-    """At the vertex of the dart its bearing is sensed."""
+    """Make the dart the reference dart of its vertex."""
     first, degree = world.first[dart], world.degree[dart]
     for other in range(first, first + degree):
         world.bearing[other] = dart - other
@@ -196,5 +196,5 @@ KINDS: dict[str, Callable[..., None]] = {
 
 @cache
 def lighthouse_address(kind: str) -> int:
-    """Where the compiled lighthouse is."""
+    """The address of the compiled lighthouse."""
     return callback(KINDS[kind], types.void(RECORD(WORLD)))

@@ -1,15 +1,15 @@
-"""The log of a run in bytes: each motion, what has been published, and how it ended.
+"""The log of a run in bytes: each motion, the published maps, and the ending.
 
-Who plays writes it (:mod:`allworlds.engines.kernel.native`); here it is followed through the world,
-and what is sensed on the way is noted for the second play.
+The player writes the log (:mod:`allworlds.engines.kernel.native`); here it is followed through the
+world, and the percepts on the way are noted for the second play.
 """
 
 from __future__ import annotations
 
 from numpy import int64
 
+from allworlds.engines.kernel import log_codes
 from allworlds.engines.kernel.calls import (
-    LANES,
     address_of,
     byte_of,
     entry_of,
@@ -19,37 +19,35 @@ from allworlds.engines.kernel.calls import (
 from allworlds.engines.kernel.compiling import entry, inlined, inner
 from allworlds.engines.kernel.invariants import look_at
 from allworlds.engines.kernel.law_numbers import BUDGET, ILLEGAL_ACTION
+from allworlds.engines.kernel.log_codes import (
+    ANSWERED,
+    ILLEGAL,
+    LARGEST_MOTION,
+    MOST_PUBLISHED,
+    OVER_BUDGET,
+    SHOWN,
+    SHOWN_TOO_OFTEN,
+    STRANGE,
+)
+from allworlds.engines.kernel.names import LANES
 from allworlds.engines.kernel.records import DARTS, NONE
 from allworlds.engines.kernel.worlds import arrival
-
-# Motions below the first of these, and then how it goes on.
-LARGEST_MOTION = 199
-SHOWN, ANSWERED, OVER_BUDGET, SHOWN_TOO_OFTEN, ILLEGAL, STRANGE = range(200, 206)
-
-MOST_PUBLISHED = 64
-"""So many darts, more than a world has, can be read again; more are left to the general engine."""
 
 LONGEST_ENTRY = 4 + 2 * MOST_PUBLISHED + LANES
 """The largest number of bytes that are written in one step."""
 
 SLACK = DARTS
-"""So many bytes behind a log may be read; they mean nothing."""
+"""The number of bytes behind a log that may be read; their values have no meaning."""
 
 
-@inlined
-def span(darts):
-    """How many bytes sigma and alpha take: a byte for each entry, and zeros.
-
-    Alpha is followed by so many that it can be written whenever that is convenient.
-    """
-    return darts + (darts + LANES - 1 & -LANES)
+span = inlined(log_codes.span)
 
 
 @inner
 def follow(world, reader, budget, log, judged):
-    """Follows the next log through the world; see :func:`allworlds.engines.kernel.explorers.play`.
+    """Follow the next log through the world; see :func:`allworlds.engines.kernel.explorers.play`.
 
-    What is no log is counted as strange, whatever is said of it here.
+    Bytes that are no log are counted as strange, in addition to the result here.
     """
     logs, size, published = reader.logs, reader.size, log.published
     run, noted = reader.run, reader.noted
@@ -94,7 +92,7 @@ def follow(world, reader, budget, log, judged):
 
 @inlined
 def _note(reader, at, world, dart):
-    """What is sensed on arriving by the dart: three bytes, and one that means nothing."""
+    """Note the percept on arriving by the dart: three bytes, and one without meaning."""
     if at + 4 > reader.room:
         reader.strange += 1
     else:
@@ -116,9 +114,9 @@ def _find_map(reader, at, published):
 
 @entry
 def differing(first, begins, ends, second, again, runs, different):
-    """How many of the runs have second logs that are not as the first; noted in ``different``.
+    """The number of runs whose second logs differ from the first; noted in ``different``.
 
-    What is published on the way is judged once, and need not be the same again.
+    Maps that are published on the way are judged once, and need not be equal in the second log.
 
     ``first`` and ``second`` are the bytes of the logs, and ``begins`` and ``again`` say where that
     of each run begins; ``ends`` where the first ends.  A log tells where it ends, so that one which
@@ -139,7 +137,7 @@ def differing(first, begins, ends, second, again, runs, different):
 
 @inner
 def _mean_the_same(one, length, other, room):
-    """Whether the logs have the same motions and end in the same way, whatever they show."""
+    """Whether the logs have equal motions and endings, whatever maps they publish."""
     a, b = _behind_the_shown(one, 0, length), _behind_the_shown(other, 0, room)
     while a < length and b < room:
         code = byte_of(one, a)
@@ -154,7 +152,7 @@ def _mean_the_same(one, length, other, room):
 
 @inlined
 def _behind_the_shown(log, at, end):
-    """Where the log goes on behind what has been published there."""
+    """The place where the log goes on behind the map that is published there."""
     while at + 1 < end and byte_of(log, at) == SHOWN:
         at += 3 + span(byte_of(log, at + 1))
     return at
@@ -162,7 +160,7 @@ def _behind_the_shown(log, at, end):
 
 @inlined
 def _same(one, other, length):
-    """Whether so many bytes are the same."""
+    """Whether the bytes at the two places are equal."""
     differ, at = int64(0), 0
     while at + 8 <= length:
         differ |= word_of(one, at) ^ word_of(other, at)

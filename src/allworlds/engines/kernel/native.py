@@ -1,6 +1,6 @@
 """Native explorers in compiled code: laid out, played in worlds, and played against records.
 
-What is played is laid out first, so that who plays needs no enumeration, and can take the runs in
+The runs are laid out first, so that the player needs no enumeration, and can take the runs in
 any order.  A run leaves a log (:mod:`allworlds.engines.kernel.logs`), which is judged elsewhere.
 
 The twins are :mod:`allworlds.judging` and :mod:`allworlds.explorers.shared_library.native`.
@@ -15,7 +15,6 @@ from numba.extending import overload
 from numpy import int64
 
 from allworlds.engines.kernel.calls import (
-    LANES,
     address_of,
     ask_answer,
     call_choose,
@@ -27,36 +26,32 @@ from allworlds.engines.kernel.calls import (
 )
 from allworlds.engines.kernel.compiling import entry, inlined, inner
 from allworlds.engines.kernel.gluing import advance
-from allworlds.engines.kernel.logs import (
+from allworlds.engines.kernel.log_codes import (
     ANSWERED,
     ILLEGAL,
-    LONGEST_ENTRY,
     MOST_PUBLISHED,
     OVER_BUDGET,
     SHOWN,
     SHOWN_TOO_OFTEN,
     STRANGE,
-    span,
 )
-from allworlds.engines.kernel.names import AMBIGUOUS, ANSWER_READY, CHECKPOINT, MOVE
+from allworlds.engines.kernel.logs import LONGEST_ENTRY, span
+from allworlds.engines.kernel.names import AMBIGUOUS, ANSWER_READY, CHECKPOINT, LANES, MOVE
 from allworlds.engines.kernel.records import NONE
+from allworlds.engines.kernel.stretch import (
+    BEARING,
+    DEGREE,
+    FIRST,
+    MARKS,
+    MOST_PLACES,
+    PARTNER,
+    RUN_BUDGET,
+    RUN_MOTIONS,
+    RUN_NUMBER,
+    RUN_TOLD,
+    WIDE,
+)
 from allworlds.engines.kernel.worlds import settle
-
-MOST_PLACES = 64
-"""More places than a lighthouse has in one map."""
-
-# The columns of what is said of a run besides: its budget, what is told, its number in its unit,
-# and against records how many motions were made.
-RUN_BUDGET = 0
-RUN_TOLD = 1
-RUN_NUMBER = 2
-RUN_MOTIONS = 3
-HEAD = 4
-
-# The columns of a laid-out world, for each dart: the first dart of its vertex, its partner, and
-# what is sensed on arriving by it.
-FIRST, PARTNER, DEGREE, MARKS, BEARING = range(5)
-WIDE = 5
 
 # The addresses of an explorer, in their order.  There are two rooms for sigma and alpha, which take
 # turns: who reads what has just been written, in other portions, waits for it to get to memory.
@@ -67,7 +62,7 @@ ADDRESSES = SIGMA + 2 * ROOMS
 
 @entry
 def lay_out(job, prefix, viable, budgets, heads, worlds):
-    """How many runs have been laid out, up to ``job.until``, or till there is no more room.
+    """Lay out runs up to ``job.until``, or till there is no more room; return their number.
 
     The first four are as for :func:`allworlds.engines.kernel.runs.examine`; ``job.number`` becomes
     the number of the next run, and ``job.until`` 0 behind the last.  ``heads`` and ``worlds`` are
@@ -99,7 +94,7 @@ def lay_out(job, prefix, viable, budgets, heads, worlds):
 
 @entry
 def shuffle(order, seed):
-    """Brings the entries into an order that the seed determines.
+    """Bring the entries into an order that the seed determines.
 
     Source: Fisher and Yates; Marsaglia, Xorshift RNGs (2003), with the shifts 13, 7, 17.
     """
@@ -119,7 +114,7 @@ class WorldRuns(NamedTuple):
 
 
 class RecordedRuns(NamedTuple):
-    """Runs that are played against what was sensed: at a percept of three bytes."""
+    """Runs that are played against recorded percepts: at a percept of three bytes."""
 
     percepts: Any
     starts: Any
@@ -129,10 +124,10 @@ class RecordedRuns(NamedTuple):
 def play_worlds(
     explorer, percept, action, here, room, asked, heads, worlds, order, logs, begins, beat
 ):
-    """The number of bytes of the logs; -1 if there is no room for them.
+    """Play runs in worlds; return the number of bytes of the logs, -1 if there is no room.
 
-    ``explorer`` holds addresses; what is handed to and fro (``percept`` to ``here``, and sigma and
-    alpha of ``room`` darts) stands in memory of its own; ``asked`` answers choices.  ``heads`` and
+    ``explorer`` holds addresses; the exchanged values (``percept`` to ``here``, and sigma and
+    alpha of ``room`` darts) stand in memory of their own; ``asked`` answers choices.  ``heads`` and
     ``worlds`` have been laid out; the runs are played in the given ``order``.  ``logs`` are
     written, and in ``begins`` where that of each run begins.  ``beat`` tells the number of the
     current run, and the explorer's turns in it.
@@ -157,7 +152,7 @@ def play_records(
     begins,
     beat,
 ):
-    """The same against what was sensed in the first play, without a world.
+    """Play runs against the percepts of the first play, without a world.
 
     ``percepts`` are three bytes each, and ``starts`` says where those of a run begin.
     """
@@ -168,7 +163,7 @@ def play_records(
 
 @inlined
 def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
-    """All runs, by what is known of them."""
+    """Play all runs, by the data that are known of them."""
     percept, action, _, _ = handed
     at, due = int64(0), NOTHING_DUE
     for run in order:
@@ -222,22 +217,22 @@ def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
 
 
 def _enter(known: Any, run: int) -> int:
-    """Where the run begins."""
+    """The place where the run begins."""
     raise NotImplementedError
 
 
 def _degree_of(known: Any, run: int, place: int) -> int:
-    """The degree there."""
+    """The degree at the place."""
     raise NotImplementedError
 
 
 def _sense(known: Any, run: int, place: int, percept: Any) -> None:
-    """What is sensed there."""
+    """Write the percept at the place."""
     raise NotImplementedError
 
 
 def _go(known: Any, head: Any, run: int, place: int, motion: Any, cost: int) -> int:
-    """Where the motion leads, after so many others; NONE if the first play had ended here."""
+    """The place behind the motion, after ``done`` others; NONE if the first play ended here."""
     raise NotImplementedError
 
 
@@ -295,13 +290,13 @@ def _going(known, head, run, place, motion, cost):
 
 
 def _either(known: types.NamedTuple, world: Any, record: Any) -> Any:
-    """What of the two is meant."""
+    """The one of the two that the type selects."""
     return world if known.instance_class is WorldRuns else record
 
 
 @inlined
 def _begin(explorer, action, asked, head, beat):
-    """The first step of an episode."""
+    """Let the explorer take the first step of an episode."""
     beat[0], beat[1] = head[RUN_NUMBER], 1
     asked.wrong = 0
     if explorer[CHOOSE]:
@@ -314,7 +309,7 @@ def _begin(explorer, action, asked, head, beat):
 
 @inlined
 def _end(explorer, handed, kind, logs, at, due):
-    """Where the log ends, with an answer or what is none; and what is due."""
+    """Write the end of the log, with an answer or without; return its place, and what is due."""
     if kind == ANSWER_READY:
         at, due = _publish(explorer, handed, logs, at, ANSWERED, due)
         if due[0] >= 0:
@@ -336,9 +331,9 @@ NOTHING_DUE = (int64(-1), int64(0), int64(0))
 
 @inlined
 def _publish(explorer, handed, logs, at, what, due):
-    """Where the log goes on behind what is published now, and that this is due.
+    """Write a published map; return the place behind it, and the address of the map that is due.
 
-    If it is no use, STRANGE stands there, and nothing is due.
+    If the map does not fit, STRANGE is written, and no map is due.
     """
     _, _, here, capacity = handed
     room = 1 - due[1]
@@ -363,7 +358,7 @@ def _publish(explorer, handed, logs, at, what, due):
 
 @inner
 def _write(explorer, logs, due):
-    """Writes the darts of what is due; what has an entry that is no byte is made STRANGE."""
+    """Write the pending map's darts; mark the log STRANGE if one of them is no byte."""
     at, room, darts = due
     if at < 0:
         return

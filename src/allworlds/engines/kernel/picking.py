@@ -13,7 +13,7 @@ from allworlds.engines.kernel.records import POLICY
 
 
 def pick(asked, of, options, cost):  # pragma: no cover  # compiled
-    """``allworlds_pick``, as the policies answer."""
+    """Answer ``allworlds_pick`` by the policy."""
     if options < 1 or of < 0 or of > 3:
         asked.wrong = 1
         return int32(0)
@@ -31,5 +31,5 @@ def pick(asked, of, options, cost):  # pragma: no cover  # compiled
 
 @cache
 def pick_address() -> int:
-    """Where the policies are."""
+    """The address of the compiled policies."""
     return callback(pick, types.int32(RECORD(POLICY), types.int32, types.int32, types.int64))

@@ -1,4 +1,4 @@
-"""What the compiled judge keeps in memory, field by field.
+"""The records of the compiled judge in memory, field by field.
 
 Every record is one structured array; compiled code reaches its fields by name, and gets a
 pointer where a function takes one.  Darts of a vertex are consecutive in a map that has been
@@ -18,14 +18,14 @@ DEPTHS = 16
 """Room for the decisions of a gluing: one for each edge, and the root's degree."""
 
 LONG = 1 << 18
-"""Room for what grows with a walk: the darts that an explorer may think there are, the darts
+"""Room for all that grows with a walk: the darts that an explorer may believe in, the darts
 of an unfolded log, and so the darts of a world times the traversals of its budget."""
 
 FOLDED = LONG // 16
 """Room for the nodes of an unfolded log: more than the traversals of the largest budget."""
 
 NONE = -1
-"""No dart, no bearing, nothing told."""
+"""The entry for no dart, no bearing, no number told."""
 
 GLUING = dtype(
     [
@@ -253,7 +253,7 @@ JUDGED = dtype(
         ("claim", int64, DARTS),
     ]
 )
-"""What the judge remembers of a run on its way."""
+"""The judge's memory of a run on its way."""
 
 JOB = dtype(
     [
@@ -278,7 +278,7 @@ JOB = dtype(
 
 
 POLICY = dtype([("policy", int64), ("wrong", int64)], align=True)
-"""Who answers the choices of a native explorer, and whether one was asked that is none."""
+"""The policy for a native explorer's choices, and whether an illegal choice was asked."""
 
 READER = dtype(
     [
@@ -302,7 +302,7 @@ READER = dtype(
     ],
     align=True,
 )
-"""An explorer that does what the logs of another one say."""
+"""An explorer that repeats the logs of another one."""
 
 
 def new(kind: Any) -> Any:

@@ -1,4 +1,4 @@
-"""What the engines are asked, and what they say: plain numbers."""
+"""The requests to the engines, and their results: plain numbers."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ class LevelBounds:
     """The largest legal cost of every run of a level.
 
     Attributes:
-        value: of n, d0 and D; None where there is no bound, UNDEFINED where it has no value.
+        value: of n, d0 and D; None if there is no bound, UNDEFINED where the bound has no value.
         by_d0, by_largest: whether it depends on the degree of v0, and on the largest degree;
-            what it does not depend on is given to it as 0.
+            other arguments are given as 0.
     """
 
     value: Callable[[int, int, int], int | None]
@@ -26,7 +26,7 @@ class LevelBounds:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Level:
-    """What is one and the same for all units of a level.
+    """The common data of all units of a level.
 
     Attributes:
         edges: m, at most MOST_EDGES.
@@ -35,10 +35,10 @@ class Level:
         explorer: one of :data:`allworlds.engines.kernel.engine.EXPLORERS`.
         lighthouse: one of :data:`allworlds.engines.kernel.engine.LIGHTHOUSES`.
         policy: ``fifo``, ``lifo`` or ``nearest``.
-        laws: those that are checked; those before ``map`` always are.
-        bounds: the law ``bound``'s.
+        laws: the checked ones; those before ``map`` always are.
+        bounds: of the law ``bound``.
         budgets: the largest number of traversals, by vertices from 0 on; at most MOST_BUDGET.
-        tables: what the engines look up.
+        tables: of the engines.
     """
 
     edges: int
@@ -56,16 +56,16 @@ class Level:
 
 @dataclass(frozen=True, slots=True)
 class Counts:
-    """What was seen in the worlds of one size.
+    """The counts of the worlds of one size.
 
     Attributes:
         vertices: n.
         worlds: rooted maps.
         runs: worlds x places.
         traversals: summed over the runs.
-        traversals_rooted: the same at the first place of each rooted map only.
+        traversals_rooted: summed over the first place of each rooted map only.
         largest: the largest cost of a run.
-        checkpoints: how many were shown.
+        checkpoints: the number of published ones.
         left_out: worlds without a place for the lighthouse.
         loops, parallels: worlds with a loop, and with two edges that have the same two ends.
     """
@@ -105,7 +105,7 @@ class BrokenRun:
         vertices: n.
         sigma, alpha: the map, rooted at dart 0.
         place: the number of the lighthouse's place; None for every place.
-        law: the law's name; empty where the engine does not tell them apart.
+        law: the law's name; empty if the engine does not tell laws apart.
     """
 
     vertices: int
@@ -122,8 +122,8 @@ class Listed:
     Attributes:
         law: the law that it breaks, or an empty text.
         cost: its traversals.
-        checkpoints: how many were shown.
-        walk: a number in which its whole walk has part (:func:`walk_number`).
+        checkpoints: the number of published ones.
+        walk: a hash of its whole walk (:func:`walk_number`).
     """
 
     law: str
@@ -138,8 +138,8 @@ class Rows:
 
     Attributes:
         counts: for each number of vertices that occurs.
-        events: how often each event of Algorithm 1 has occurred.
-        met: (n, d0, D) for all runs, with 0 for what the bound does not depend on.
+        events: the number of occurrences of each event of Algorithm 1.
+        met: (n, d0, D) for all runs, with 0 for numbers on which the bound does not depend.
         most_expensive: for each number of vertices the least of the runs that cost most; none where
             more expensive ones were known elsewhere.
         broken: the least runs that break a law, ascending.
@@ -155,7 +155,7 @@ class Rows:
 
 
 def walk_number(steps: Sequence[tuple[int, int, int, int]]) -> int:
-    """The number of a walk: of its motions, each with degree, marks and bearing (-1: none)."""
+    """The hash of a walk: of its motions, each with degree, marks and bearing (-1: none)."""
     number = 0
     for step in steps:
         for part in step:

@@ -70,11 +70,11 @@ def examine(
     beat,
     halt,
 ):
-    """Whether the unit is done; if not, it was given up, or ``job.until`` is reached.
+    """Examine a unit; return whether it is done, else it was given up or reached ``job.until``.
 
     Args:
-        job: a record that is new but for what is asked for.
-        explorer: who plays: behind its C interface, or a log that is read again.
+        job: a new record with the request filled in.
+        explorer: behind its C interface, or a log that is read again.
         prefix: the decisions that the gluing of each map of the unit begins with.
         viable: by darts owed and darts open after a decision: a map can still be finished.
         bounds: the largest legal cost by vertices, degree of v0 and largest degree; the latter
@@ -144,7 +144,7 @@ def _bound(job, bounds, met):
 
 @inner
 def _run(job, explorer, budget, bound, beat):
-    """The first law that the run breaks, or 0."""
+    """Play and judge a run; return the first law that it breaks, or 0."""
     world, log, judged = job.world, job.log, job.judged
     judged.broken = judged.shown = judged.known = 0
     law = play(world, explorer, budget, beat, log, judged)
@@ -183,7 +183,7 @@ def _count_run(job, law, counts, most_expensive):
 
 @inner
 def _note(world, law, row):
-    """A run as a row, but for its map's code without a root."""
+    """Write a run as a row, but for its map's code without a root."""
     row[0] = world.vertices
     encode(world, 0, row, 1)
     row[1 + 2 * world.darts] = world.place
@@ -192,7 +192,7 @@ def _note(world, law, row):
 
 @inner
 def _blame(world, least, row):
-    """A run that breaks a law, if it is among the least."""
+    """Keep a run that breaks a law, if it is among the least."""
     if not is_greater(least, row):
         encode_unrooted(world, row, 3 + 2 * world.darts)
         keep_least_of_kind(least, row, 2 + 2 * world.darts)
@@ -200,7 +200,7 @@ def _blame(world, least, row):
 
 @inner
 def _list(world, log, law, number, listed):
-    """What has become of the run, and a number in which its whole walk has part."""
+    """List the run: law, cost, checkpoints, and a hash of its whole walk."""
     walk, before = 0, world.start
     for step in range(log.cost):
         dart = log.arrived[step]

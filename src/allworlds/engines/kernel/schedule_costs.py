@@ -17,7 +17,7 @@ _TRANSITS = {"shortest": SHORTEST, "simple": SIMPLE}
 
 
 class ScheduleCosts(NamedTuple):
-    """What every schedule can cost in the maps of one size.
+    """The costs over all schedules in the maps of one size.
 
     Attributes:
         vertices: n.
@@ -25,7 +25,7 @@ class ScheduleCosts(NamedTuple):
         worst: the largest cost of a schedule.
         best: the largest, over the worlds, of the cost of the cheapest schedule.
         tests: different tests, on every simple path, in the worlds worked on.
-        wrong: how many of them confirmed a false hypothesis.
+        wrong: the number of them that confirmed a false hypothesis.
         sigma, alpha: the least code of a world that attains the worst cost.
     """
 
@@ -49,16 +49,16 @@ def schedule_costs_of_unit(
     simple: bool = False,
     planar: bool = False,
 ) -> list[ScheduleCosts]:
-    """Every map of a class whose gluing begins with ``prefix``.
+    """The schedule costs of every map of a class whose gluing begins with ``prefix``.
 
     Args:
         edges: m.
         limit: the largest number of vertices.
         prefix: the first decisions, at least one.
         transit: ``shortest`` or ``simple``.
-        halt: an array; once its entry 0 is not 0 the work is given up, and means nothing.
-        simple: the class has no loops and no parallel edges.
-        planar: it has genus 0.
+        halt: an array; once its entry 0 is not 0 the work is given up, and its result is void.
+        simple: whether the class has no loops and no parallel edges.
+        planar: whether it has genus 0.
     """
     counts, rows = zeros((edges + 2, COLUMNS), int64), zeros((edges + 2, 1 + 4 * edges), int64)
     job = new(SCHEDULES)

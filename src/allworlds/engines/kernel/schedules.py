@@ -35,7 +35,7 @@ _FAR = 1 << 30
 
 @entry
 def search(job, prefix, viable, worst, best, reached, halt, counts, rows, row, other):
-    """Every map whose gluing begins with ``prefix``.
+    """Search all schedules in every map whose gluing begins with ``prefix``.
 
     Args:
         job: a record of :data:`~allworlds.engines.kernel.walk_records.SCHEDULES`; its gluing is new
@@ -43,14 +43,14 @@ def search(job, prefix, viable, worst, best, reached, halt, counts, rows, row, o
         prefix: the first decisions.
         viable: the gluing rule.
         worst: room for a cost by sets of edges and vertices.
-        best: the same.
+        best: room for a cost by sets of edges and vertices.
         reached: room for a set of vertices by sets of edges.
         halt: ``halt[0]`` is not 0 once the work is to be given up.
         counts: by vertices; sums are added to, maxima raised.
         rows: ``rows[vertices]``: vertices, then the least code of a world that attains the
             worst cost; 0 for none yet.
         row: room for such a row.
-        other: the same.
+        other: room for another such row.
     """
     while not halt[0] and advance(job.gluing, prefix, viable):
         settle(job.world, job.gluing)
@@ -77,7 +77,7 @@ def _is_least(world, row, other):
 
 @inner
 def _keep(job, worst, best, counts, rows, row):
-    """The outcome of a world."""
+    """Add the outcome of a world to the counts."""
     n = job.world.vertices
     counts[n, TESTS] += job.tests
     counts[n, WRONG] += job.wrong
@@ -92,7 +92,7 @@ def _keep(job, worst, best, counts, rows, row):
 
 @inner
 def _solve(job, worst, best, reached):
-    """The worst and the best cost from vertex 0, in ``worst[0, 0]`` and ``best[0, 0]``."""
+    """Write the worst and the best cost from vertex 0 to ``worst[0, 0]`` and ``best[0, 0]``."""
     world = job.world
     _begin(job, reached)
     every = (1 << (world.darts // 2)) - 1
@@ -115,7 +115,7 @@ def _solve(job, worst, best, reached):
 
 @inner
 def _begin(job, reached):
-    """The edges are numbered, and which sets can be reached: ascending, since passes add edges."""
+    """Number the edges, and find the reachable sets: ascending, since passes add edges."""
     world = job.world
     job.tests = job.wrong = 0
     edge = 0
@@ -138,9 +138,9 @@ def _begin(job, reached):
 
 @inner
 def _pass(job, explored, known, worst, best):
-    """The most expensive and the cheapest way to go on from each dart, but for the transit.
+    """Find the most expensive and the cheapest way to go on from each dart, without the transit.
 
-    They stand in ``job.most`` and ``job.least``; -1 for a dart that is not in U.
+    The costs stand in ``job.most`` and ``job.least``; -1 for a dart that is not in U.
     """
     world = job.world
     _shortest(job, 0, job.near)
@@ -179,7 +179,7 @@ def _pass(job, explored, known, worst, best):
 
 @inner
 def _ways(job, explored, known, worst, best):
-    """The costs from each vertex on where the robot can stand, transit included."""
+    """Find the costs from each vertex on where the robot can stand, transit included."""
     world = job.world
     for v in range(world.vertices):
         if not known >> v & 1 or (v and job.adjacent[v] & (job.adjacent[v] - 1)):
@@ -198,7 +198,7 @@ def _ways(job, explored, known, worst, best):
 
 @inner
 def _test(job, explored, hypothesis, entered):
-    """Tests a false hypothesis on every simple path in S.
+    """Test a false hypothesis on every simple path in S.
 
     ``job.shortest`` and ``job.longest`` get the least and the greatest number of steps until a
     mismatch; ``job.tests`` and ``job.wrong`` count different tests, and those that match.
@@ -239,7 +239,7 @@ def _test(job, explored, hypothesis, entered):
 
 @inner
 def _turned(world, dart, turn):
-    """``sigma^turn(dart)``, for less than a whole turn."""
+    """The dart ``sigma^turn(dart)``, for less than a whole turn."""
     dart += turn
     if dart >= world.first[dart - turn] + world.degree[dart - turn]:
         dart -= world.degree[dart - turn]
@@ -262,7 +262,7 @@ def _joined(job, start, avoiding):
 
 @inner
 def _shortest(job, start, length):
-    """For each vertex of S the length of a shortest path from start."""
+    """Find for each vertex of S the length of a shortest path from start."""
     reached = front = 1 << start
     length[start] = steps = 0
     while front:
@@ -281,7 +281,7 @@ def _shortest(job, start, length):
 
 @inner
 def _longest(job, start, length):
-    """For each vertex of S the length of a longest simple path from start."""
+    """Find for each vertex of S the length of a longest simple path from start."""
     for v in range(job.world.vertices):
         length[v] = 0
     visited = 1 << start

@@ -1,4 +1,4 @@
-"""What the engines look up instead of knowing it: here a mutant can be made without a compiler."""
+"""The tables of the engines: a mutant can be made here without a compiler."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ MOST_EDGES = 12
 """The largest number of edges for which every packed number has its room."""
 
 UNBOUNDED = 1 << 40
-"""As good as no bound: more than any walk costs."""
+"""The number in place of no bound: more than any walk costs."""
 
 _NOTHING = -1
-"""As good as any smaller bound: no walk costs so little."""
+"""The number in place of all smaller bounds: less than any walk costs."""
 
 
 class Tables(NamedTuple):
@@ -43,7 +43,7 @@ def tables(edges: int, fuel: int, bounds: Sequence[int | None] = ()) -> Tables:
     Args:
         edges: m.
         fuel: a walk that costs more has failed.
-        bounds: the largest legal cost for 1, 2, ... vertices, None where there is none;
+        bounds: the largest legal cost for 1, 2, ... vertices, None if there is none;
             empty takes (1) + (2).
     """
     darts = 2 * edges
@@ -58,12 +58,12 @@ def tables(edges: int, fuel: int, bounds: Sequence[int | None] = ()) -> Tables:
 
 
 def gluing_rule(edges: int) -> Any:
-    """By darts owed and darts open: the last open dart may not close while darts are owed."""
+    """The rule by darts owed and open: the last open dart may not close while darts are owed."""
     viable = ones((2 * edges + 1, 4 * edges + 1), int64)
     viable[1:, 0] = 0
     return viable
 
 
 def packed(bound: int | None) -> int:
-    """A bound that says the same of every walk, and has its room in a word."""
+    """Clamp a bound to the kernel's integers; no verdict changes."""
     return UNBOUNDED if bound is None else max(_NOTHING, min(bound, UNBOUNDED))

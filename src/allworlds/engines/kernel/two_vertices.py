@@ -39,7 +39,7 @@ def start(robot, percept, told, action):  # pragma: no cover  # compiled
 
 
 def step(robot, percept, action):  # pragma: no cover  # compiled
-    """What is done after this has been sensed."""
+    """Write the explorer's next action, after this percept."""
     degree, marks = percept.degree, percept.marks
     if robot.phase == SEARCHING or robot.phase == ASKING:
         robot.matched = _is_v1(robot, degree, marks)
@@ -64,13 +64,13 @@ def step(robot, percept, action):  # pragma: no cover  # compiled
 
 @cache
 def two_vertices_addresses() -> tuple[int, int, int]:
-    """Where the compiled explorer is: start, step, answer."""
+    """The addresses of the compiled explorer: start, step, answer."""
     return addresses(start, step)
 
 
 @inlined
 def _is_v0(robot, degree, marks):
-    """1 if this is sensed at v0, else 0."""
+    """Return 1 if this is the percept of v0, else 0."""
     if robot.natural:
         return 1 if degree == robot.degree_of_v0 else 0
     return 1 if marks == 1 else 0
@@ -78,7 +78,7 @@ def _is_v0(robot, degree, marks):
 
 @inlined
 def _is_v1(robot, degree, marks):
-    """1 if this is sensed at v1, else 0."""
+    """Return 1 if this is the percept of v1, else 0."""
     if robot.natural:
         return 1 if degree == robot.degree_of_v1 else 0
     return 1 if marks == 2 else 0
@@ -86,14 +86,14 @@ def _is_v1(robot, degree, marks):
 
 @inner
 def _search(robot, dart, action):
-    """Out by this dart of v0."""
+    """Leave by this dart of v0, to search v1."""
     robot.phase, robot.pointed = SEARCHING, dart
     action.kind, action.motion = MOVE, dart - robot.here
 
 
 @inner
 def _ask(robot, action):
-    """The query: out by the dart that should be the pointed one."""
+    """Begin the query: leave by the dart that should be the pointed one."""
     towards = offset(robot, robot.pointed)
     robot.phase = ASKING
     action.kind, action.motion = MOVE, towards - robot.turned
@@ -102,7 +102,7 @@ def _ask(robot, action):
 
 @inlined
 def _hear(robot, action):
-    """The answer of the query is known, and the robot back at v0, turned to the dart it left by."""
+    """Use the answer of the query; the robot is back at v0, turned to the dart it left by."""
     if robot.matched:
         confirm(robot, robot.pointed, action)
     else:

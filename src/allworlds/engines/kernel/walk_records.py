@@ -1,4 +1,4 @@
-"""The same of the demand-driven check, and of the search over schedules."""
+"""The records of the demand-driven check, and of the search over schedules."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from numpy import dtype, int64, uint8
 from allworlds.engines.kernel.records import DARTS, DEPTHS, GLUING, WORLD
 
 WALKED = 80
-"""More than the darts of a world, so that also a robot that errs stays within its buffers."""
+"""Room for more than the darts of a world, so that a robot that errs stays in its buffers."""
 
 NOW = dtype(
     [
@@ -41,7 +41,7 @@ NOW = dtype(
     ],
     align=True,
 )
-"""What a walk goes back to when a dart has been decided in one way and is to be in another."""
+"""The state to which a walk goes back to decide a dart in another way."""
 
 CHOICE = dtype([("untried", int64), ("degree", int64), ("now", NOW)], align=True)
 """A dart that must be decided: partners and degrees to be tried, and the walk up to there."""

@@ -1,4 +1,4 @@
-"""Ways through the S of a walk, by sets of vertices: lengths, and what is nearest."""
+"""Ways through the S of a walk, by sets of vertices: lengths, and nearest darts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A glued map as a world: where a motion leads, and the same world under other names.
+"""A glued map as a world: the effect of a motion, and the world under other names.
 
 A dart has its spot on the rings, which hold the darts of one vertex after the other, each
 clockwise; so a turn is an addition on a ring whatever the darts are called.
@@ -12,7 +12,7 @@ from allworlds.engines.kernel.records import NONE
 
 @inner
 def settle(world, g):
-    """The finished map as a world without a lighthouse; the start is dart 0."""
+    """Write the finished map as a world without a lighthouse; the start is dart 0."""
     world.darts, world.vertices = g.darts, g.vertices
     world.start, world.place, world.pointed = 0, NONE, NONE
     for v in range(g.vertices):
@@ -29,7 +29,7 @@ def settle(world, g):
 
 @inner
 def darken(world):
-    """Nothing is sensed but the degree, and nothing told."""
+    """Remove the lighthouse: only the degree is sensed, and no number told."""
     world.told = NONE
     for dart in range(world.darts):
         world.marks[dart] = 0
@@ -38,7 +38,7 @@ def darken(world):
 
 @inlined
 def arrival(world, dart, motion):
-    """The dart arrived by after leaving ``motion`` places clockwise of the dart."""
+    """The dart of arrival after leaving ``motion`` places clockwise of the dart."""
     degree = world.degree[dart]
     spot = world.spot[dart] + motion
     if spot >= world.first[dart] + degree:
@@ -48,7 +48,7 @@ def arrival(world, dart, motion):
 
 @inner
 def doubled(world):
-    """1 if there is a loop, and 2 more if two edges have the same two ends."""
+    """Return 1 if there is a loop, plus 2 if two edges have the same two ends."""
     found = 0
     for v in range(world.vertices):
         joined = 0

@@ -3,17 +3,19 @@
 ``scope``
     the scope of a check: a class of worlds, all of it or a part, and the rules;
 ``runs_of_unit``
-    the units into which it is cut;
+    the units of a scope;
 ``examiner``
     one run, judged;
 ``run_counter``
-    the runs of a unit, and how they are counted, whoever plays them;
+    the runs of a unit, and their counting in all engines;
 ``python_engine``
     all runs of a unit; **the** loop of the exhaustive check;
 ``play``, ``second_play``, ``comparison``, ``in_process``
-    a foreign explorer, which plays everything twice, and the comparison of both plays;
+    a user's explorer, which plays every run twice, and the comparison of both plays;
+``tour``
+    hash seeds and address layouts of the players of both plays, in turn;
 ``tally``
     counts that can be added up in any order, and the smallest findings;
 ``costs``
-    the same with the cost of every run.
+    a tally with the cost of every run.
 """

@@ -6,7 +6,21 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from allworlds.engines.python.examiner import LOST, Outcome
-from allworlds.judging import PRECEDENCE, Fault, Log, Violation
+from allworlds.inputs import show
+from allworlds.judging import (
+    PRECEDENCE,
+    Fault,
+    Log,
+    Over,
+    UncheckedAmbiguous,
+    UncheckedAnswer,
+    UncheckedValue,
+    Violation,
+)
+from allworlds.protocol import action_numbered
+
+SHOWN_BEFORE, SHOWN_AFTER = 8, 4
+"""The number of actions that are shown before the first that differs, and from it on."""
 
 
 def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
@@ -16,11 +30,12 @@ def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
         return outcome
     faults = [log.ending for log in (second, first) if isinstance(log.ending, Fault)]
     detail = next((fault.detail for fault in faults if fault.detail), "")
+    detail = "\n".join(filter(None, [side_by_side(first, second), detail]))
     return replace(outcome, violation=difference, detail=detail)
 
 
 def _may_be_overruled(violation: Violation | None) -> bool:
-    """Whether the law comes behind: a crash or a time-out that is not repeated does, too."""
+    """Whether nondeterminism has precedence over this law, as over an unrepeated crash."""
     if violation is None or violation.law in LOST:
         return True
     return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
@@ -38,13 +53,47 @@ def difference_of(first: Log, second: Log) -> Violation | None:
     else:
         return None
     for which, log in (("first", first), ("second", second)):
-        if isinstance(log.ending, Fault):
+        # Where the second walk leaves the first, nothing that it does is legal.
+        left = log is second and first.actions != second.actions
+        if isinstance(log.ending, Fault) and not (left and log.ending.law == "illegal-action"):
             difference += f"; the {which} ended with {log.ending.law}: {log.ending.seen}"
     return nondeterministic(difference)
 
 
+def side_by_side(first: Log, second: Log) -> str:
+    """Both plays, a line each: the actions around the first that differs, and the endings."""
+    pairs = zip(first.actions, second.actions, strict=False)
+    differ = next((i for i, (a, b) in enumerate(pairs) if a != b), len(first.actions))
+    begin, end = max(0, differ - SHOWN_BEFORE), differ + SHOWN_AFTER
+    return "\n".join(
+        f"{which} play, from step {begin + 1} on: {_walk(log, begin, end)}"
+        for which, log in (("first", first), ("second", second))
+    )
+
+
+def _walk(log: Log, begin: int, end: int) -> str:
+    actions = [str(action_numbered(number)) for number in log.actions[begin:end]]
+    if len(log.actions) > end:
+        return ", ".join([*actions, f"and {len(log.actions) - end} more"])
+    return ", ".join([*actions, _ending(log)])
+
+
+def _ending(log: Log) -> str:
+    match log.ending:
+        case Fault(law=law):
+            return law
+        case UncheckedAmbiguous():
+            return "a quotient"
+        case UncheckedValue(text):
+            return f"the answer {text}"
+        case Over():
+            return "all was done"
+        case UncheckedAnswer(sigma, alpha, here):
+            return show({"sigma": sigma, "alpha": alpha, "here": here})
+
+
 def nondeterministic(seen: str) -> Violation:
-    """The violation of two plays that differ in that."""
+    """The violation of two plays with this difference."""
     return Violation(
         "nondeterministic",
         "the same walk and answer when the same world is explored again",
@@ -63,7 +112,7 @@ def differing_or_first(first: Log, again: Sequence[Log]) -> Log:
 
 
 def may_be_the_machine(first: Log, second: Log) -> bool:
-    """Whether the plays differ, and one of them ended in a way that may be the machine's doing."""
+    """Whether the plays differ, and the machine may be the cause of the ending of one."""
     endings = (first.ending, second.ending)
     suspicious = any(isinstance(end, Fault) and end.machine for end in endings)
     return suspicious and difference_of(first, second) is not None

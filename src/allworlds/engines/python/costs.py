@@ -26,7 +26,7 @@ class RunCost(NamedTuple):
     most_expensive: int
 
     def joined(self, other: RunCost) -> RunCost:
-        """The costs of both."""
+        """The cheapest and the most expensive of both costs."""
         return RunCost(
             min(self.cheapest, other.cheapest), max(self.most_expensive, other.most_expensive)
         )
@@ -34,7 +34,7 @@ class RunCost(NamedTuple):
 
 @dataclass(slots=True)
 class CostTally(Tally):
-    """A tally that knows every run; its document, which a run directory would keep, does not.
+    """A tally that knows every run.
 
     Attributes:
         costs: by the rooted map, and the number of the lighthouse's place in it.
@@ -43,7 +43,7 @@ class CostTally(Tally):
     costs: dict[tuple[MapKey, int], RunCost] = field(default_factory=dict)
 
     def cost(self, world: World, place: int, cost: RunCost) -> None:
-        """Take in an episode."""
+        """Take in the cost of an episode."""
         key = key_of(world.map), place
         known = self.costs.get(key)
         self.costs[key] = cost if known is None else known.joined(cost)

@@ -11,20 +11,23 @@ from allworlds.judging import (
     LAWS,
     Answered,
     Case,
+    Ending,
     Episode,
     Fault,
     Finding,
     Rules,
     Undecided,
     Violation,
+    any_ending_of,
     canonical_world,
+    ending_of,
     judge,
     place_of,
     play,
     the_same,
 )
 from allworlds.maps import rooted_code
-from allworlds.protocol import Choices, Transcript
+from allworlds.protocol import Answer, Choices, Transcript
 from allworlds.world import World
 
 
@@ -38,6 +41,8 @@ class Outcome:
         detail: a traceback, or a program's stderr; may be empty.
         choices: the index taken at each choice.
         bound: the largest legal number of traversals, or None.
+        hash_seed: the players' one, if it makes a difference.
+        output: the explorer's prints, if they were recorded.
     """
 
     episode: Episode
@@ -45,15 +50,17 @@ class Outcome:
     detail: str
     choices: tuple[int, ...]
     bound: int | None
+    hash_seed: int | None = None
+    output: str = ""
 
     @property
     def cost(self) -> int:
-        """Edge traversals."""
+        """The number of edge traversals."""
         return self.episode.transcript.cost
 
 
 class Referee:
-    """Judges runs under one set of rules; of the explorer it knows the name."""
+    """A referee judges runs under one set of rules; it knows only the name of the explorer."""
 
     def __init__(self, explorer: str, rules: Rules) -> None:
         self.explorer = explorer
@@ -61,7 +68,7 @@ class Referee:
         self._checks = [LAWS[law].check for law in rules.applying]
 
     def outcome(self, world: World, episode: Episode, choices: tuple[int, ...]) -> Outcome:
-        """The episode, judged."""
+        """Judge an episode."""
         bound = self.rules.the_bound.of(world.map, world.start)
         violation = self.verdict(world, episode, bound)
         ending = episode.ending
@@ -73,18 +80,21 @@ class Referee:
         ending = episode.ending
         if isinstance(ending, Fault):
             return Violation(ending.law, ending.expected, ending.seen)
-        if isinstance(ending, Undecided) and not world.lighthouse.leaves_open:
+        task, open_ = self.rules.task, world.lighthouse.leaves_open
+        if task.is_map and isinstance(ending, Undecided) and not open_:
             return Violation(
                 "no-estimate",
                 f"a map: the {world.lighthouse.kind} lighthouse has no answer without one",
                 show(ending.quotient),
             )
+        if not task.is_map and (wrong := task.flaw(world, episode.transcript, ending)) is not None:
+            return Violation("task", task.asks, wrong)
         case = Case(
             world.map,
             world.start,
             episode.transcript,
             episode.checkpoints,
-            ending.estimate if isinstance(ending, Answered) else ending.quotient,
+            _estimate_of(ending) if task.is_map else None,
             bound,
         )
         return judge(case, self._checks)
@@ -112,10 +122,12 @@ class Referee:
             outcome.detail,
             violation.step,
             machine=isinstance(outcome.episode.ending, Fault) and outcome.episode.ending.machine,
+            hash_seed=outcome.hash_seed,
+            output=outcome.output,
         )
 
     def lost(self, world: World, place: int, fault: Fault) -> Finding:
-        """The finding of a run whose walk is not known: it has cost its process its life."""
+        """The finding of a run that has killed its process, so that its walk is not known."""
         canonical = canonical_world(world)
         return Finding(
             self.explorer,
@@ -133,11 +145,11 @@ class Referee:
 
 
 class Examiner(Referee):
-    """Plays and judges runs of an explorer that is here, and is one of ours: it plays once.
+    """An examiner plays and judges runs of a built-in explorer in this process, each once.
 
     Args:
         subject: the explorer.
-        rules: how runs are played and judged.
+        rules: the rules by which runs are played and judged.
         beat: see :func:`allworlds.judging.episode.play`.
     """
 
@@ -152,12 +164,31 @@ class Examiner(Referee):
     def examine(self, world: World, choices: Choices) -> Outcome:
         """Play one episode, and judge it."""
         budget = self.rules.budget(world.map)
-        episode = play(world, self._player, choices, budget, self.beat, the_same)
+        task = self.rules.task
+        episode = play(
+            task.environment(world),
+            self._player,
+            choices,
+            budget,
+            self.beat,
+            the_same,
+            ending_of if task.is_map else any_ending_of,
+        )
         return self.outcome(world, episode, tuple(choices.record))
 
 
+def _estimate_of(ending: Ending) -> Answer | None:
+    match ending:
+        case Answered(estimate):
+            return estimate
+        case Undecided(quotient):
+            return quotient
+        case _:
+            return None
+
+
 LOST = ("crash", "timeout")
-"""The laws that the machine can break, too."""
+"""The laws that the machine may break, not the explorer alone."""
 
 
 def name_run(rules: Rules, world: World) -> str:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from allworlds.engines.python.play import ExplorerRunner, Record
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
+from allworlds.engines.python.tour import Tour
 from allworlds.explorers import Subject
 from allworlds.judging import Log
 
@@ -18,9 +19,10 @@ CHUNK = 64
 
 @dataclass(slots=True)
 class InProcessPlayers:
-    """Both plays take place here, in orders of their own; a silent explorer cannot be stopped."""
+    """Players in this process, each with its own order; a silent explorer cannot be stopped."""
 
     subject: Subject
+    tour: Tour = field(default_factory=lambda: Tour(0, stays=True))
     _runner: ExplorerRunner = field(init=False)
     _logs: list[Log] = field(default_factory=list)
 
@@ -47,7 +49,7 @@ class InProcessPlayers:
             yield logs
 
     def send_records(self, records: Sequence[Record], policy: str) -> None:
-        """Play these once more."""
+        """Take records that are played once more."""
         self._logs = self._runner.play_records(records, policy, secrets.randbits(64))
 
     def receive_logs(self) -> list[Log]:
@@ -55,4 +57,7 @@ class InProcessPlayers:
         return self._logs
 
     def restart(self) -> None:
-        """Go on: there is only this process."""
+        """Go on in this process, which cannot be replaced."""
+
+    def take_seeds(self, seed: int, *, alike: bool) -> None:
+        """Go on in this process, which keeps its hash seed."""

@@ -10,8 +10,8 @@ from typing import NamedTuple
 from allworlds.engines.python.examiner import name_run
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
-from allworlds.judging import Log, perform
-from allworlds.protocol import Choices, Percept, Player, policy_named
+from allworlds.judging import EndingOf, Log, any_ending_of, ending_of, perform
+from allworlds.protocol import Choices, Percept, Player, Told, policy_named
 from allworlds.world import IllegalAction, World
 
 
@@ -24,24 +24,29 @@ class Record(NamedTuple):
         choices: answers to the choices.
         budget: the largest legal number of traversals.
         name: of the run, for a random policy.
+        any_answer: the task asks for no estimate.
+        over: the first play was ended since all was done, and so is this one.
     """
 
     percepts: Sequence[Percept]
-    told: int | None
+    told: Told
     choices: tuple[int, ...]
     budget: int
     name: str
+    any_answer: bool = False
+    over: bool = False
 
 
 class Recorded:
-    """In place of a world: answers every action with the next recorded percept.
+    """An environment in place of a world: answers every action with the next recorded percept.
 
     The state, which is a world's elsewhere, is the number of the step.
     """
 
-    def __init__(self, percepts: Sequence[Percept], told: int | None) -> None:
+    def __init__(self, percepts: Sequence[Percept], told: Told, over: bool = False) -> None:
         self.initial, self.first, self.told = 0, percepts[0], told
-        self._percepts = percepts
+        self.over = over and len(percepts) == 1
+        self._percepts, self._ends = percepts, over
 
     def step(self, state: int, _action: object) -> tuple[int, Percept]:
         """The next percept.
@@ -51,18 +56,24 @@ class Recorded:
         """
         if state + 1 == len(self._percepts):
             raise IllegalAction("nothing: the record ends here")
+        self.over = self._ends and state + 2 == len(self._percepts)
         return state + 1, self._percepts[state + 1]
+
+
+def ending_maker(*, any_answer: bool) -> EndingOf:
+    """Return what makes an ending of an answer: of an estimate alone, or of any."""
+    return any_ending_of if any_answer else ending_of
 
 
 @dataclass(slots=True)
 class ExplorerRunner:
-    """Plays runs of an explorer that is here.
+    """A runner plays runs of an explorer in this process.
 
     Attributes:
         player: the explorer.
         beat: ``beat[0]`` is set to the number of each run; see
             :func:`allworlds.judging.episode.play`.
-        intact: called after each play, to look at what the explorer may have broken.
+        intact: called after each play, to check the parts that the explorer may have broken.
     """
 
     player: Player
@@ -80,7 +91,7 @@ class ExplorerRunner:
         order: int,
         script: tuple[int, ...] | None = None,
     ) -> Iterator[tuple[int, Log | None]]:
-        """The logs of these runs, each with its number; None behind the last of a run.
+        """Yield the logs of these runs, each with its number; None behind the last of a run.
 
         Args:
             engine: the scope, with its rules.
@@ -98,13 +109,20 @@ class ExplorerRunner:
             budget = rules.budget(world.map)
             every = [rules.choices(name, script)] if script is not None else scope.schedule(name)
             for choices in every:
-                log = perform(world, self.player, choices, budget, self.beat)
+                log = perform(
+                    rules.task.environment(world),
+                    self.player,
+                    choices,
+                    budget,
+                    self.beat,
+                    ended=ending_maker(any_answer=not rules.task.is_map),
+                )
                 self.intact()
                 yield number, log
             yield number, None
 
     def play_records(self, records: Sequence[Record], policy: str, order: int) -> list[Log]:
-        """The logs of these records, in their order, whatever the order of their playing."""
+        """The logs of these records, in their order, which is not the order of playing."""
         logs: dict[int, Log] = {}
         numbers = list(range(len(records)))
         Random(order).shuffle(numbers)  # noqa: S311  # as above
@@ -112,8 +130,14 @@ class ExplorerRunner:
             self.beat[0] = number
             record = records[number]
             choices = Choices(policy_named(policy, record.name), record.choices)
-            world = Recorded(record.percepts, record.told)
-            log = perform(world, self.player, choices, record.budget, self.beat)
+            log = perform(
+                Recorded(record.percepts, record.told, record.over),
+                self.player,
+                choices,
+                record.budget,
+                self.beat,
+                ended=ending_maker(any_answer=record.any_answer),
+            )
             # Checkpoints are judged once, and must not influence the walk.
             logs[number] = log._replace(checkpoints=())
             self.intact()

@@ -22,7 +22,7 @@ class PythonEngine(RunCounter):
     def for_built_in(
         self, subject: Subject, beat: MutableSequence[int] | None = None
     ) -> PartwiseEngine:
-        """The engine with an explorer of ours, which is played in this process, and once.
+        """The engine with a built-in explorer, which is played in this process, and once.
 
         Args:
             subject: the explorer.
@@ -30,29 +30,29 @@ class PythonEngine(RunCounter):
         """
         return BoundPythonEngine(self, subject, beat)
 
-    def for_foreign(
+    def for_users(
         self, explorer: str, players: Players, earlier: EarlierPlays[Any]
     ) -> PartwiseEngine:
-        """The engine with a foreign explorer, of that name, which plays everything twice.
+        """The engine with the user's explorer of that name, which plays every run twice.
 
         Args:
             explorer: its name.
             players: its players.
-            earlier: plays of other units, to be played again.
+            earlier: plays of other units, which are played again.
         """
         return PlayedTwice(self, explorer, players, earlier)
 
 
 @dataclass(frozen=True, slots=True)
 class BoundPythonEngine:
-    """The Python engine with an explorer of ours, which is played here, and once."""
+    """The Python engine with a built-in explorer, which is played in this process, and once."""
 
     engine: PythonEngine
     subject: Subject
     beat: MutableSequence[int] | None = None
 
     def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Tally]]:
-        """The number of the next run and the tally since, after some time and at the end."""
+        """Yield the number of the next run and the tally since, after some time and at the end."""
         engine, scope = self.engine, self.engine.scope
         examiner = Examiner(self.subject, scope.rules, self.beat)
         tally, after = engine.tally(), start

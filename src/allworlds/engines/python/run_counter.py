@@ -1,4 +1,4 @@
-"""The runs of a unit, and how they are counted, whoever plays them."""
+"""The runs of a unit, and their counting in all engines."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ REPORT_EVERY = 0.25
 
 
 class EnginesDisagree(Exception):
-    """Two engines differ about one world."""
+    """Raised if two engines differ about one world."""
 
 
 class PartwiseEngine(Protocol):
     """An engine with its explorer, which does a unit from some run on."""
 
     def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Any]]:
-        """The number of the next run and the result since, now and then and at the end."""
+        """Yield the number of the next run and the result since, at intervals and at the end."""
 
 
 @dataclass(frozen=True, slots=True)
 class RunCounter:
-    """The runs of units, and how they are counted.
+    """The runs of units, and their counting.
 
     Attributes:
-        scope: what is checked, and under which rules.
-        keep: how many findings are kept.
+        scope: the worlds and the rules of the check.
+        keep: the number of findings that are kept.
     """
 
     scope: Scope
@@ -51,7 +51,7 @@ class RunCounter:
         return Tally(self.keep)
 
     def count_run(self, run: NumberedRun, tally: Tally) -> World | None:
-        """Count a run, and return its world; None where that has no place for the lighthouse."""
+        """Count a run, and return its world; None if that has no place for the lighthouse."""
         edges, vertices = run.map.edge_count, run.map.vertex_count
         if run.first:
             tally.row(edges, vertices).worlds += 1

@@ -56,8 +56,8 @@ class NumberedRun:
         number: from 0 on; a world without a place counts as one.
         map: rooted at dart 0.
         place: the number of the lighthouse's place.
-        lighthouse: None where the world has no place for it.
-        first: it is the first of its world.
+        lighthouse: None if the world has no place for it.
+        first: whether it is the first of its world.
     """
 
     number: int

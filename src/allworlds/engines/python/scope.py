@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from allworlds.engines.python.runs_of_unit import LevelRuns
-from allworlds.engines.units.levels import units_of_level
-from allworlds.engines.units.shards import WHOLE, Shard, Whole
+from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns
+from allworlds.engines.units.levels import SweptLevel, level_size, units_of_level
+from allworlds.engines.units.shards import WHOLE, Portion, Shard, Whole
 from allworlds.inputs import InputError, an_integer, at_most, show
 from allworlds.judging import Rules
 from allworlds.maps import Extent
 from allworlds.protocol import Choices, Schedule, Schedules
+from allworlds.world import World
 
 MOST_RUNS = 10**12
+
+PIECE = 50
+"""The given worlds that one worker does at a time."""
 
 
 @dataclass(frozen=True, slots=True)
 class Sample:
     """A number of random worlds, drawn from a seed, each with a least number of edges.
+
+    A shard of it is a range of these worlds.
 
     Raises:
         InputError: for numbers out of range.
@@ -28,6 +34,7 @@ class Sample:
     runs: int
     seed: int = 0
     min_edges: int = 1
+    portion: Portion = WHOLE
 
     def __post_init__(self) -> None:
         for name in ("runs", "seed", "min_edges"):
@@ -41,7 +48,26 @@ class Sample:
             raise InputError(f"min-edges = {show(self.min_edges)} is not positive")
 
 
-Coverage: TypeAlias = Whole | Shard | Sample
+@dataclass(frozen=True, slots=True)
+class Given:
+    """Worlds that the user has chosen, with the numbers of their places; ascending by edges."""
+
+    worlds: tuple[tuple[World, int], ...]
+
+    @property
+    def sizes(self) -> list[int]:
+        """Their numbers of edges, each once, ascending."""
+        return sorted({world.map.edge_count for world, _ in self.worlds})
+
+    def level(self, edges: int) -> SweptLevel:
+        """Those with that many edges."""
+        here = [each for each in self.worlds if each[0].map.edge_count == edges]
+        pieces = (here[i : i + PIECE] for i in range(0, len(here), PIECE))
+        units = [GivenWorlds(tuple(piece), f"{edges}/{i}") for i, piece in enumerate(pieces)]
+        return SweptLevel(edges, len(here), units)
+
+
+Coverage: TypeAlias = Whole | Shard | Sample | Given
 """The part of the worlds of an extent that is tried."""
 
 
@@ -51,9 +77,9 @@ class Scope:
 
     Attributes:
         extent: class and bounds.
-        rules: how each run is played and judged.
+        rules: the rules by which each run is played and judged.
         schedules: ``one`` (the policy's) or ``all`` (every sequence of choices).
-        coverage: which of these worlds.
+        coverage: the part of these worlds that is tried.
     """
 
     extent: Extent
@@ -63,14 +89,37 @@ class Scope:
 
     @property
     def whole(self) -> bool:
-        """Every world of the extent is tried, so that they can be counted."""
+        """Whether every world of the extent is tried, so that they can be counted."""
         return isinstance(self.coverage, Whole)
 
+    @property
+    def portion(self) -> Portion:
+        """The whole, or a shard of it."""
+        match self.coverage:
+            case Sample(portion=portion):
+                return portion
+            case Given():
+                return WHOLE
+        return self.coverage
+
+    @property
+    def sizes(self) -> Sequence[int]:
+        """The numbers of edges of its levels."""
+        return self.coverage.sizes if isinstance(self.coverage, Given) else self.extent.levels
+
     def units(self, edges: int) -> Iterator[LevelRuns]:
-        """The units of a level; the same for any number of workers."""
-        portion = WHOLE if isinstance(self.coverage, Sample) else self.coverage
-        for unit in units_of_level(self.extent, edges, portion):
+        """The units of a level; they do not depend on the number of workers."""
+        for unit in units_of_level(self.extent, edges, self.portion):
             yield LevelRuns(unit.edges, unit.prefix)
+
+    @property
+    def levels(self) -> Iterator[SweptLevel]:
+        """The levels of the scope, with their units."""
+        if isinstance(self.coverage, Given):
+            yield from map(self.coverage.level, self.coverage.sizes)
+            return
+        for edges in self.extent.levels:
+            yield SweptLevel(edges, level_size(self.extent, edges), self.units(edges))
 
     def schedule(self, name: str) -> Iterator[Choices]:
         """Choices for each schedule of the run of that name."""

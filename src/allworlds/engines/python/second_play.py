@@ -1,19 +1,23 @@
-"""Every run of a foreign explorer played twice: in worlds, and against the recorded percepts.
+"""Every run of a user's explorer played twice: in worlds, and against the recorded percepts.
 
 The second play is not in the order of the first, and, where the explorer can be played in other
 processes, not in the process of the first nor in one that holds any world.  An explorer that
-keeps something from one run to the next, or looks at anything but its percepts, does not play
-the same way twice.  The orders are drawn anew for each check, and among the second plays are
-some of worlds that came long before, so that nothing but its percepts tells an explorer which
-world it is in.
+keeps a memory from one run to the next, or reads more than its percepts, plays differently the
+second time.  The orders are drawn anew for each check, and among the second plays are
+some of worlds that came long before, so that only its percepts tell an explorer which world it
+is in.
 
 A player's messages are believed of its runs alone.  The referee knows by itself which runs and
 which choices are due, and that none is left out; the second play gets the choices that were due,
 and not those that the first play reported.
 
+Where the second player has another hash seed than the first, plays that differ are repeated with
+either seed in both players.  If that explains the difference, the explorer goes by hashes: from
+then on both players have one seed, and it is right if it is right with each of them.
+
 A failure that the machine may have caused is tried once more in fresh processes before it is
-believed: a run that has cost its process its life, or that crashed, or was silent, in one of its
-plays alone.
+believed: a run that has killed its process, or that crashed, or was silent, in one of its plays
+alone.
 
 :class:`PlayedTwice` alone decides what two plays that differ mean.  The compiled engine
 (:mod:`allworlds.engines.compiled.stretches`) compares whole stretches byte by byte, and gives the
@@ -41,9 +45,10 @@ from allworlds.engines.python.comparison import (
 from allworlds.engines.python.examiner import Outcome, Referee, name_run
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import REPORT_EVERY, RunCounter
-from allworlds.engines.python.runs_of_unit import NumberedRun, UnitOfRuns
+from allworlds.engines.python.runs_of_unit import GivenWorlds, NumberedRun, UnitOfRuns
 from allworlds.engines.python.tally import Tally
-from allworlds.judging import Episode, Fault, Finding, Log, LostRun, retold
+from allworlds.engines.python.tour import Tour
+from allworlds.judging import Episode, Fault, Finding, Log, LostRun, Over, retold
 from allworlds.protocol import DEFAULT_POLICY, next_script
 from allworlds.world import IllegalAction, World
 
@@ -51,12 +56,18 @@ FEW, MANY = 16, 1024
 """The least and the greatest number of runs among which the order is drawn."""
 
 ENOUGH, BEGINNING = 32, 128
-"""The number of second plays that leaves an explorer that goes by their number no chance; and the
+"""The number of second plays that catches an explorer which goes by their number; and the
 number that is the beginning of a check, in which even a unit of one run is played often enough."""
+
+PLAYS, SPARE = 3, 20
+"""The largest number of plays of a run, on the average, and of plays besides; what is played anew
+where something was wrong does not count."""
 
 OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
 )
+
+GOES_BY_HASHES = "the explorer goes by hashes: where PYTHONHASHSEED is another one, so is its walk"
 
 FIRST, KEPT = 64, 256
 """The number of plays that are kept for good, and in all, to be played again among later ones."""
@@ -72,19 +83,26 @@ class Players(Protocol):
         numbers: Sequence[int],
         script: tuple[int, ...] | None = None,
     ) -> Iterator[list[tuple[int, Log]]]:
-        """The logs of these runs of the unit, some at a time, each with its number.
+        """Yield the logs of these runs of the unit, some at a time, each with its number.
 
-        A run that cost its process its life, twice, has one log, with that fault.
+        A run that has killed its process twice has one log, with that fault.
         """
 
     def send_records(self, records: Sequence[Record], policy: str) -> None:
         """Begin to play these once more, in another order, without a world."""
 
     def receive_logs(self) -> list[Log]:
-        """The logs of the records that were sent, in their order."""
+        """Return the logs of the records that were sent, in their order."""
 
     def restart(self) -> None:
         """Go on in fresh processes."""
+
+    @property
+    def tour(self) -> Tour:
+        """The hash seeds of both."""
+
+    def take_seeds(self, seed: int, *, alike: bool) -> None:
+        """Go on in fresh processes: the second with that hash seed, the first with it or with 0."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,10 +116,10 @@ class OneRun:
 
 @dataclass(slots=True)
 class ScriptTracker:
-    """The script of the next log that is due of each run: one log, or one for each schedule.
+    """The script of each run's next log: one log for a run, or one for each schedule.
 
     Attributes:
-        every: every schedule is due.
+        every: whether every schedule is due.
         scripts: for each run the first choices of its next log, all others being 0 where
             every schedule is due; None behind the last.
     """
@@ -136,7 +154,7 @@ class ScriptTracker:
 class _Play(NamedTuple):
     """A first play, walked anew in its world, with the record by which it is played again.
 
-    ``fits``: it made the choices that were due.
+    ``fits``: whether it made the choices that were due.
     """
 
     one: OneRun
@@ -146,20 +164,35 @@ class _Play(NamedTuple):
     fits: bool
 
 
+class _Unlike(NamedTuple):
+    """A first play with hash seed 0, a second one that differs, and the second one's hash seed.
+
+    ``belated``: whether the first play has been counted before.
+    """
+
+    play: _Play
+    second: Log
+    seed: int
+    outcome: Outcome
+    belated: bool = False
+
+
 P = TypeVar("P")
 
 
 @dataclass(slots=True)
 class EarlierPlays(Generic[P]):
-    """Plays that were the same twice, to be played again among those of other units and levels.
+    """Plays that were equal twice, which are played again among those of other units and levels.
 
     Otherwise an explorer that counts the second plays would know which level they come from.
 
     Attributes:
-        random: from which it is drawn which.
+        random: draws the plays.
+        spare: the number of plays that may be made besides those that are due.
     """
 
     random: Random = field(default_factory=lambda: Random(secrets.randbits(64)))  # noqa: S311
+    spare: int = SPARE
     _plays: list[P] = field(default_factory=list)
     _drawn: int = 0
 
@@ -167,18 +200,22 @@ class EarlierPlays(Generic[P]):
         return len(self._plays)
 
     def draw_for(self, plays: int) -> list[P]:
-        """Some of them, to go with that number of others; at the beginning of a check more."""
+        """Some plays, in proportion to that number of others; at the beginning of a check more."""
         least = FEW if self._drawn < BEGINNING else FEW // 4
-        drawn = self.draw(max(least, plays // FEW))
+        drawn = self.draw(min(self.spare, max(least, plays // FEW)))
         self._drawn += len(drawn)
         return drawn
 
     def draw(self, most: int) -> list[P]:
-        """That number of them, or all."""
+        """The given number of plays, drawn, or all if there are fewer."""
         return self.random.sample(self._plays, min(most, len(self._plays)))
 
+    def forget(self) -> None:
+        """Drop all kept plays."""
+        self._plays.clear()
+
     def keep(self, play: P) -> None:
-        """Keep one; beyond the first, each takes the place of another."""
+        """Keep a play; when the memory is full, it takes the place of another one."""
         if len(self._plays) < KEPT:
             self._plays.append(play)
         else:
@@ -187,22 +224,24 @@ class EarlierPlays(Generic[P]):
 
 @dataclass(slots=True)
 class PlayedTwice:
-    """The engine for a foreign explorer."""
+    """The engine with a user's explorer, which plays each run twice."""
 
     engine: RunCounter
     explorer: str
     players: Players
     earlier: EarlierPlays[_Play] = field(default_factory=EarlierPlays)
-    _belated: list[tuple[OneRun, Outcome]] = field(default_factory=list)
+    _belated: list[tuple[OneRun, Outcome | LostRun]] = field(default_factory=list)
     _window: int = FEW
     _again: int = 0
+    _seed: int | None = None
+    _seeds_explain: bool = True
     _referee: Referee = field(init=False)
 
     def __post_init__(self) -> None:
         self._referee = Referee(self.explorer, self.engine.scope.rules)
 
     def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Tally]]:
-        """The number of the next run and the tally since, after some runs and at the end."""
+        """Yield the number of the next run and the tally since, after some runs and at the end."""
         runs = self.engine.runs(unit, start)
         after = start
         while window := list(islice(runs, self._window)):
@@ -249,11 +288,13 @@ class PlayedTwice:
         Args:
             unit: the unit.
             placed: the runs, by their numbers.
-            matters: whether it is worth while to try a run once more in fresh processes.
+            matters: whether a run is worth another try in fresh processes.
             remark: takes the text of an event that refutes nothing.
-            given: the choices to be made; None for every schedule that the scope asks for.
+            given: the script of the choices; None for every schedule that the scope asks for.
         """
         scripts = ScriptTracker(self._every and given is None, dict.fromkeys(placed, given or ()))
+        doubtful: list[_Play] = []
+        unlike: list[_Unlike] = []
         for logs in self.players.play_runs(self.engine, unit, [*placed], given):
             whole = []
             for number, log in logs:
@@ -263,10 +304,13 @@ class PlayedTwice:
                 else:
                     whole.append(self._play(placed[number], log, script, fits))
             records = [play.record for play in whole]
+            self._forget_other_seeds()
+            self.earlier.spare += (PLAYS - 2) * len(records)
             earlier = self.earlier.draw_for(len(records))
             # A run that ended in a fault is played again once: a silence is not waited out often.
             lively = [i for i, play in enumerate(whole) if not isinstance(play.log.ending, Fault)]
             rounds = self._rounds(len(lively), len(earlier))
+            self.earlier.spare -= len(earlier) + (rounds - 1) * len(lively)
             order = [*range(len(records)), *lively * (rounds - 1)]
             due = [*(records[i] for i in order), *(play.record for play in earlier)]
             self.players.send_records(due, self._policy)
@@ -275,7 +319,8 @@ class PlayedTwice:
                 for play in whole
             ]
             again = self.players.receive_logs()
-            self._look_back(earlier, again[len(order) :])
+            seed = self.players.tour.seed
+            self._look_back(earlier, again[len(order) :], unlike)
             seconds: dict[int, list[Log]] = {i: [] for i in range(len(whole))}
             for i, log in zip(order, again, strict=False):
                 seconds[i].append(log)
@@ -284,19 +329,91 @@ class PlayedTwice:
                 if not play.fits:
                     yield play.one, replace(outcome, violation=nondeterministic(OTHER_CHOICES))
                 elif may_be_the_machine(play.log, second) and matters(play.one):
-                    yield play.one, self._once_more(unit, play, remark)
+                    doubtful.append(play)
+                elif self._may_go_by_seed and difference_of(play.log, second):
+                    unlike.append(_Unlike(play, second, seed, outcome))
                 else:
                     settled = overruled(outcome, play.log, second)
                     if settled.violation is None:
                         self.earlier.keep(play)
-                    yield play.one, settled
+                    yield play.one, self._seeded(settled)
         scripts.finish()
+        # The players are at rest: now they may be ended.
+        for play in doubtful:
+            yield play.one, self._once_more(unit, play, remark)
+        if unlike:
+            yield from self._by_seed(unlike, remark)
 
     def finding(self, one: OneRun, outcome: Outcome | LostRun) -> Finding:
-        """The finding of a run that breaks a law, or was lost."""
+        """The finding of a run that breaks a law, or that was lost."""
         if isinstance(outcome, Outcome):
             return self._referee.finding(one.world, one.place, outcome)
-        return self._referee.lost(one.world, one.place, outcome)
+        lost = self._referee.lost(one.world, one.place, outcome)
+        return replace(lost, hash_seed=self.players.tour.hash_seed)
+
+    def _by_seed(
+        self, unlike: list[_Unlike], remark: Callable[[str], None]
+    ) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
+        """The outcomes of runs whose two plays differ, where the players had different seeds."""
+        chosen = unlike[0]
+        again = [(0, chosen.play.log), (chosen.seed, chosen.second)]
+        self._seeds_explain = all(self._repeats(chosen.play, *each) for each in again)
+        # Where seeds explain it, both players have this one from now on.
+        self.players.take_seeds(chosen.seed, alike=self._seeds_explain)
+        if self._seeds_explain:
+            remark(GOES_BY_HASHES)
+        for each in unlike:
+            settled: Outcome | LostRun
+            if not self._seeds_explain:
+                settled = overruled(each.outcome, each.play.log, each.second)
+            elif each.outcome.violation is not None:
+                settled = replace(each.outcome, hash_seed=0)
+            else:
+                settled = self._anew(each.play, remark)
+            if not each.belated:
+                yield each.play.one, settled
+            elif isinstance(settled, LostRun) or settled.violation is not None:
+                self._belated.append((each.play.one, settled))
+
+    def _repeats(self, play: _Play, seed: int, before: Log) -> bool:
+        """Whether the record is played as before, with that hash seed and other addresses."""
+        self.players.take_seeds(seed, alike=True)
+        self.players.send_records([play.record], self._policy)
+        (log,) = self.players.receive_logs()
+        return difference_of(before, log) is None
+
+    def _anew(self, play: _Play, remark: Callable[[str], None]) -> Outcome | LostRun:
+        """The outcome of a run that is played anew, with the present hash seed."""
+        unit, one = _by_itself(play.one)
+        script = self._script(play)
+        ((_, outcome),) = self.outcomes(unit, {one.number: one}, remark=remark, given=script)
+        return outcome
+
+    def _script(self, play: _Play) -> tuple[int, ...]:
+        """The script of a play: all of its choices if every schedule is due, else the given ones.
+
+        A player with a script lets the rules' policy answer all later choices.
+        """
+        return play.log.choices if self._every else play.record.choices
+
+    @property
+    def _may_go_by_seed(self) -> bool:
+        """Whether a difference of two plays may be one of their hash seeds."""
+        return self._seeds_explain and self.players.tour.differ
+
+    def _forget_other_seeds(self) -> None:
+        """Keep no plays that were made with another hash seed."""
+        seed = self.players.tour.hash_seed
+        if seed is not None and seed != self._seed:
+            self.earlier.forget()
+            self._seed = seed
+
+    def _seeded(self, outcome: Outcome) -> Outcome:
+        """The outcome with the hash seed, if it makes a difference."""
+        broken = outcome.violation
+        if broken is None or broken.law == "nondeterministic":
+            return outcome
+        return replace(outcome, hash_seed=self.players.tour.hash_seed)
 
     @property
     def _every(self) -> bool:
@@ -307,19 +424,25 @@ class PlayedTwice:
         """The policy that answers the choices that no script answers."""
         return DEFAULT_POLICY if self._every else self.engine.scope.rules.policy
 
-    def _look_back(self, plays: list[_Play], again: list[Log]) -> None:
-        """Note the earlier plays that differ by now, unless the machine can have done it."""
+    def _look_back(self, plays: list[_Play], again: list[Log], unlike: list[_Unlike]) -> None:
+        """Note the earlier plays that differ now, unless the machine may be the cause."""
         for play, log in zip(plays, again, strict=True):
             if difference_of(play.log, log) and not may_be_the_machine(play.log, log):
                 outcome = self._referee.outcome(play.one.world, play.episode, play.log.choices)
-                self._belated.append((play.one, overruled(outcome, play.log, log)))
+                if self._may_go_by_seed:
+                    seed = self.players.tour.seed
+                    unlike.append(_Unlike(play, log, seed, outcome, belated=True))
+                else:
+                    self._belated.append((play.one, overruled(outcome, play.log, log)))
 
     def _rounds(self, records: int, others: int) -> int:
-        """How often to play these records: in one order, a few might agree by chance."""
+        """The number of plays of these records: a few may agree by chance in one order."""
         if not records:
             return 1
         wanted = max(ENOUGH - self._again - others, FEW if self._again < BEGINNING else 1)
-        rounds = -(-wanted // records)
+        # Half of what may be played is left for later.
+        spare = max(0, self.earlier.spare - others) // 2
+        rounds = min(-(-wanted // records), 1 + spare // records)
         self._again += rounds * records
         return rounds
 
@@ -335,6 +458,8 @@ class PlayedTwice:
             script,
             rules.budget(world.map),
             name_run(rules, world),
+            any_answer=not rules.task.is_map,
+            over=isinstance(log.ending, Over),
         )
         return _Play(one, log, episode, record, fits)
 
@@ -342,9 +467,7 @@ class PlayedTwice:
         self, unit: UnitOfRuns, before: _Play, remark: Callable[[str], None]
     ) -> Outcome | LostRun:
         """The outcome of the run played anew, both times in fresh processes."""
-        one = before.one
-        # A player that is given a script lets the rules' policy answer what it does not.
-        script = before.log.choices if self._every else before.record.choices
+        one, script = before.one, self._script(before)
         self.players.restart()
         (((_, log),),) = self.players.play_runs(self.engine, unit, [one.number], script)
         if isinstance(log.ending, LostRun):
@@ -357,3 +480,8 @@ class PlayedTwice:
             remark(f"a run ended otherwise when it was tried again; at first: {ended}")
         outcome = self._referee.outcome(one.world, play.episode, log.choices)
         return overruled(outcome, log, second)
+
+
+def _by_itself(one: OneRun) -> tuple[UnitOfRuns, OneRun]:
+    """A unit of that run alone, and the run in it."""
+    return GivenWorlds(((one.world, one.place),)), replace(one, number=0)

@@ -4,18 +4,38 @@ from __future__ import annotations
 
 from bisect import insort
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple, Self
+from typing import Annotated, Any, NamedTuple, Self
 
-from allworlds.document import Document, plain_at_once, taken
+from allworlds.engines.units.kept_form import Form
 from allworlds.judging import Finding, Rules
+
+
+def finding_to_record(finding: Finding) -> dict[str, Any]:
+    """A finding with what its own document leaves out, but without the rules."""
+    return {
+        **finding.to_json(),
+        "place": finding.place,
+        "machine": finding.machine,
+        "traced": finding.traced,
+    }
+
+
+def finding_from_record(document: Mapping[str, Any]) -> Finding:
+    """The finding of :func:`finding_to_record`'s document, but for its rules."""
+    return replace(
+        Finding.from_json(document),
+        place=document["place"],
+        machine=document["machine"],
+        traced=document["traced"],
+    )
 
 
 class AtRun(NamedTuple):
     """A run in canonical numbering, and the choices of one of its episodes.
 
-    Where the policy makes them, there may be none.
+    If the policy makes the choices, they may be empty.
     """
 
     sigma: tuple[int, ...]
@@ -26,19 +46,18 @@ class AtRun(NamedTuple):
 
 @dataclass(slots=True)
 class Row:
-    """What was seen in the worlds with one number of edges and of vertices.
+    """The counts of the worlds with one number of edges and of vertices.
 
     Attributes:
         worlds: rooted maps.
         runs: worlds x places.
         episodes: runs x schedules.
         traversals: summed over the episodes.
-        traversals_rooted: the same at the first place of each rooted map only.
+        traversals_rooted: summed over the first place of each rooted map only.
         max_cost: the largest cost of an episode.
         bound: the largest bound of a run; None without a bound.
         most_expensive: the least run that attains the largest cost; None without a run, and in a
-            part of a whole that has more expensive ones.  Rows that count the same are equal
-            whatever it is.
+            part of a whole that has more expensive ones.  Rows are compared without it.
     """
 
     worlds: int = 0
@@ -51,7 +70,7 @@ class Row:
     most_expensive: AtRun | None = field(default=None, compare=False)
 
     def add(self, other: Row) -> None:
-        """Take in what was seen elsewhere."""
+        """Take in the counts of another part."""
         self.worlds += other.worlds
         self.runs += other.runs
         self.episodes += other.episodes
@@ -63,30 +82,30 @@ class Row:
         self.bound_of(other.bound)
 
     def cost_of(self, cost: int, where: AtRun) -> None:
-        """Take in the largest cost that there is at that place."""
+        """Take in the largest cost at a run."""
         if cost > self.max_cost or self.most_expensive is None:
             self.max_cost, self.most_expensive = cost, where
         elif cost == self.max_cost:
             self.most_expensive = min(self.most_expensive, where)
 
     def bound_of(self, run: int | None) -> None:
-        """Take in the bound of a run, which may be negative; None where it has none."""
+        """Take in the bound of a run, which may be negative; None if it has none."""
         if run is not None:
             self.bound = run if self.bound is None else max(self.bound, run)
 
 
 @dataclass(slots=True)
 class Tally:
-    """Everything that a part of a check has seen.
+    """The sum of all results of a part of a check.
 
     Attributes:
-        keep: how many findings are kept, each the smallest of its law and map.
+        keep: the number of findings that are kept, each the smallest of its law and map.
         rows: by (edges, vertices).
-        witnesses: how often each event occurred.
+        witnesses: the number of occurrences of each event.
         left_out: worlds without a place for the lighthouse.
-        checkpoints: how many were published.
+        checkpoints: the number of published ones.
         findings: the smallest, ascending.
-        remarks: what happened that refutes nothing, each with how often.
+        remarks: events that refute nothing, each with its number of occurrences.
     """
 
     keep: int
@@ -94,7 +113,9 @@ class Tally:
     witnesses: Counter[str] = field(default_factory=Counter)
     left_out: int = 0
     checkpoints: int = 0
-    findings: list[Finding] = field(default_factory=list)
+    findings: list[Annotated[Finding, Form(finding_to_record, finding_from_record)]] = field(
+        default_factory=list
+    )
     remarks: Counter[str] = field(default_factory=Counter)
 
     def row(self, edges: int, vertices: int) -> Row:
@@ -121,7 +142,7 @@ class Tally:
         del self.findings[self.keep :]
 
     def remark(self, text: str) -> None:
-        """Note what happened, and refutes nothing."""
+        """Note an event that refutes nothing."""
         self.remarks[text] += 1
 
     def add(self, other: Tally) -> None:
@@ -135,75 +156,28 @@ class Tally:
         for finding in other.findings:
             self.find(finding)
 
-    def to_json(self) -> dict[str, Any]:
-        """The document :class:`KeptTally`, as it is kept in a run directory."""
-        kept = KeptTally(
-            rows=tuple((*size, row) for size, row in sorted(self.rows.items())),
-            witnesses=dict(sorted(self.witnesses.items())),
-            left_out=self.left_out,
-            checkpoints=self.checkpoints,
-            findings=tuple(map(finding_to_record, self.findings)),
-            remarks=dict(sorted(self.remarks.items())),
-        )
-        return plain_at_once(kept)
+    def under(self, rules: Rules) -> Self:
+        """Return the tally under the rules of the job, which are not kept with each finding."""
+        self.findings = [replace(found, rules=rules) for found in self.findings]
+        return self
 
-    @classmethod
-    def from_json(cls, document: object, keep: int, rules: Rules) -> Self:
-        """The tally of :meth:`to_json`'s document, made under these rules."""
-        kept = taken(document, KeptTally, "tally")
-        return cls(
-            keep,
-            {(edges, vertices): row for edges, vertices, row in kept.rows},
-            Counter(kept.witnesses),
-            kept.left_out,
-            kept.checkpoints,
-            [finding_from_record(found, rules) for found in kept.findings],
-            Counter(kept.remarks),
-        )
+    @property
+    def costs_by_size(self) -> Iterator[tuple[int, int, int]]:
+        """Edges, vertices and the largest cost of each size."""
+        for (edges, vertices), row in self.rows.items():
+            yield edges, vertices, row.max_cost
 
     @property
     def worlds(self) -> int:
-        """Rooted maps visited."""
+        """The number of rooted maps visited."""
         return sum(row.worlds for row in self.rows.values())
 
     @property
     def runs(self) -> int:
-        """Worlds x places."""
+        """The number of runs: worlds x places."""
         return sum(row.runs for row in self.rows.values())
 
     @property
     def traversals(self) -> int:
-        """Summed over all episodes."""
+        """The number of traversals, summed over all episodes."""
         return sum(row.traversals for row in self.rows.values())
-
-
-class KeptTally(Document):
-    """A tally in a run directory, without what the job knows."""
-
-    rows: tuple[tuple[int, int, Row], ...]
-    witnesses: dict[str, int]
-    left_out: int
-    checkpoints: int
-    findings: tuple[dict[str, Any], ...]
-    remarks: dict[str, int]
-
-
-def finding_to_record(finding: Finding) -> dict[str, Any]:
-    """A finding with what its own document leaves out, but without the rules."""
-    return {
-        **finding.to_json(),
-        "place": finding.place,
-        "machine": finding.machine,
-        "traced": finding.traced,
-    }
-
-
-def finding_from_record(document: Mapping[str, Any], rules: Rules) -> Finding:
-    """The finding of :func:`finding_to_record`'s document, made under these rules."""
-    return replace(
-        Finding.from_json(document),
-        rules=rules,
-        place=document["place"],
-        machine=document["machine"],
-        traced=document["traced"],
-    )

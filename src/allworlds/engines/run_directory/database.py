@@ -1,7 +1,7 @@
 """The file of a run directory: finished units in SQLite, each with a checksum.
 
-It holds JSON texts and nothing that is run when it is read.  One transaction a unit: whoever is
-killed loses what it was at, and nothing else.  Every row is checked when it is read.
+The file holds JSON texts, and no code.  Each unit is one transaction: a killed process loses the
+unit that it was at, and nothing else.  Every row is checked when it is read.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from allworlds.engines.run_directory.identity import FORMAT, Identity, canonical
+from allworlds.engines.run_directory.identity import FORMAT, Identity, in_order
 from allworlds.inputs import InputError, show
 from allworlds.version import __version__
 
 FILE, DRAFT = "units.sqlite", "draft.sqlite"
 
 APPLICATION = 0x616C6C77
-"""In the header of the file: that it is one of ours."""
+"""The number in the header of the file that marks a run directory."""
 
 SCHEMA = 2
-"""The version of the tables below, and of what is kept in them."""
+"""The version of the tables below, and of their content."""
 
 TABLES = """
 CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL, checksum TEXT NOT NULL) STRICT;
@@ -42,7 +42,7 @@ BUSY = 10.0
 
 
 def damaged(path: Path, how: str) -> InputError:
-    """What is said of a run directory that is not as it was written."""
+    """The error for a run directory that is not as it was written."""
     return InputError(
         f"run directory {show(str(path))} is damaged: {how}; remove it and begin again, or bring "
         "it back from a copy"
@@ -51,7 +51,7 @@ def damaged(path: Path, how: str) -> InputError:
 
 @contextmanager
 def saying_where(path: Path) -> Iterator[None]:
-    """A context in which what SQLite complains of is said of the directory, in one line."""
+    """A context in which errors of SQLite become errors about the directory, in one line."""
     try:
         yield
     except sqlite3.OperationalError as error:
@@ -66,7 +66,7 @@ class Database:
     Args:
         path: the directory.
         connection: to its file.
-        identity: what it is of.
+        identity: of the job.
     """
 
     def __init__(self, path: Path, connection: sqlite3.Connection, identity: Identity) -> None:
@@ -75,14 +75,14 @@ class Database:
         self._seal = identity.digest
 
     def close(self) -> None:
-        """Nothing more is read or written."""
+        """Close the connection to the file."""
         self._connection.close()
 
     def result(self, key: str) -> Any:
         """The JSON value of a finished unit; None of any other.
 
         Raises:
-            InputError: if it is not what was written.
+            InputError: if it is not as it was written.
         """
         with saying_where(self.path):
             row = self._connection.execute("SELECT * FROM units WHERE key = ?", (key,)).fetchone()
@@ -103,14 +103,18 @@ class Database:
     def keep(self, key: str, worlds: int, finished: float, result: Any) -> None:
         """Write a finished unit, in a transaction of its own.
 
+        If another command writes the unit, too, because its lock was removed, the results are
+        equal.
+
         Raises:
             sqlite3.OperationalError: if there is no room for it.
         """
-        row = (key, worlds, finished, canonical(result))
-        self._connection.execute("INSERT INTO units VALUES (?, ?, ?, ?, ?)", self._sealed(*row))
+        row = (key, worlds, finished, in_order(result))
+        query = "INSERT OR REPLACE INTO units VALUES (?, ?, ?, ?, ?)"
+        self._connection.execute(query, self._sealed(*row))
 
     def recall(self, name: str) -> Any:
-        """What has been noted under a name; None if nothing has."""
+        """The value that was noted under a name; None if there is none."""
         with saying_where(self.path):
             query = "SELECT * FROM meta WHERE name = ?"
             row = self._connection.execute(query, (name,)).fetchone()
@@ -122,16 +126,16 @@ class Database:
         Raises:
             sqlite3.OperationalError: if there is no room for it.
         """
-        row = self._sealed(name, canonical(value))
+        row = self._sealed(name, in_order(value))
         self._connection.execute("INSERT OR REPLACE INTO meta VALUES (?, ?, ?)", row)
 
     def begin_session(self, now: float) -> None:
-        """Note when somebody began to add to it."""
+        """Note the time at which a process begins to add to it."""
         with saying_where(self.path):
             self._connection.execute("INSERT INTO sessions VALUES (?)", (now,))
 
     def last_session(self) -> float:
-        """When somebody last did."""
+        """The time at which a process last began to add to it."""
         with saying_where(self.path):
             (started,) = self._connection.execute("SELECT max(started) FROM sessions").fetchone()
         return float(started or 0)
@@ -146,7 +150,7 @@ class Database:
 
 
 def checksum(seal: str, *row: Any) -> str:
-    """A digest of a row, and of what it belongs to."""
+    """A digest of a row, and of its job."""
     return hashlib.sha256(repr((seal, *row)).encode(errors="backslashreplace")).hexdigest()[:32]
 
 
@@ -172,10 +176,10 @@ def created(path: Path, identity: Identity) -> Database:
 
 
 def opened(path: Path) -> Database:
-    """The file of a directory, to be added to.
+    """Open the file of a directory to add to it.
 
     Raises:
-        InputError: if it is none of ours, of another version, or damaged.
+        InputError: if it is no run directory's, of another version, or damaged.
     """
     with saying_where(path):
         connection = _connected(f"file:{_quoted(path / FILE)}?mode=rw")
@@ -190,7 +194,7 @@ def opened(path: Path) -> Database:
 
 @contextmanager
 def reading(path: Path) -> Iterator[Database]:
-    """The file of a directory, to be read alone, also while somebody adds to it.
+    """A context with the file of a directory, open for reading, even while a process adds to it.
 
     Raises:
         InputError: as :func:`opened`; and if there is none.
@@ -228,7 +232,7 @@ def _write_ahead(connection: sqlite3.Connection) -> None:
 
 
 def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
-    """What the file is of, after a look at all its pages."""
+    """The identity in the file, after a check of all its pages."""
     (application,) = connection.execute("PRAGMA application_id").fetchone()
     if application != APPLICATION:
         raise InputError(f"{show(str(path))} is no run directory: its {FILE} is somebody else's")

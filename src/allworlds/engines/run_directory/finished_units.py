@@ -1,4 +1,4 @@
-"""Where the finished units of a job are kept: nowhere, in a run directory, or in several."""
+"""The finished units of a job: not kept, in a run directory, or in several."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from typing_extensions import override
 from allworlds.engines.run_directory import database
 from allworlds.engines.run_directory.database import Database
 from allworlds.engines.run_directory.identity import Identity
+from allworlds.engines.units.kept_form import to_kept
 from allworlds.engines.units.unit import NOTHING_KEPT, KeptUnits, Sum, Unit
 from allworlds.inputs import InputError, a_path, show
 from allworlds.words import listed, plural
@@ -24,37 +25,37 @@ from allworlds.words import listed, plural
 LOCK = "lock"
 
 ENDED = "complete"
-"""What is noted under ``ended`` when nothing more is to be done."""
+"""The value that is noted under ``ended`` when the job is complete."""
 
 MOST_NAMED = 9
-"""So many missing shards are named."""
+"""The largest number of missing shards that are named."""
 
 PATIENCE = 3.0
 """Seconds to wait for a command that is about to end, before another one is refused."""
 
 
 class Gap(Exception):
-    """Parts of a whole are missing."""
+    """Raised if parts of a whole are missing."""
 
 
 class Records(Protocol):
-    """What is kept of a job."""
+    """The records of a job."""
 
     def result(self, key: str) -> Any:
-        """The JSON value of a finished unit; None of any other."""
+        """Return the JSON value of a finished unit; None for any other."""
 
     def keep(self, key: str, worlds: int, result: Any) -> None:
         """Take in a finished unit."""
 
     def recall(self, name: str) -> Any:
-        """What has been noted under a name; None if nothing has."""
+        """Return the value that was noted under a name; None if there is none."""
 
     def note(self, name: str, value: Any) -> None:
         """Note a JSON value under a name."""
 
 
 class NoRecords(Records):
-    """Nobody keeps anything."""
+    """Records that keep no units."""
 
     @override
     def result(self, key: str) -> None:
@@ -77,13 +78,13 @@ class NoRecords(Records):
 class RunDirectory(Records):
     """The records of a job that goes on after an interruption.
 
-    What there is no room for is lost with a word, and nothing else is.
+    If there is no room for a unit, it is lost with a notice; the job goes on.
 
     Attributes:
         database: its file.
-        notice: takes what the user may want to know now.
-        found: the units that were finished when it was opened; nobody asks twice for one, and
-            nobody else adds to it.
+        notice: takes messages to the user.
+        found: the units that were finished when it was opened; each is asked for at most once, and
+            no other process adds units.
     """
 
     database: Database
@@ -142,10 +143,10 @@ class Merged(Records):
         return found[0][1]
 
     def keep(self, key: str, worlds: int, result: Any) -> None:
-        """Nothing: nothing is done that could be kept."""
+        """Do nothing: in a merge no unit is done."""
 
     def recall(self, name: str) -> Any:
-        """What one of the directories has noted under a name.
+        """The value that one of the directories has noted under a name.
 
         Raises:
             Gap: if none has.
@@ -170,28 +171,28 @@ class Merged(Records):
 
 @dataclass(frozen=True, slots=True)
 class Shelf:
-    """Records as whoever adds up results sees them.
+    """The records, with results in place of JSON values.
 
     Attributes:
-        records: where they are.
-        read: the result of a JSON value.
+        records: with the JSON values.
+        read: makes a result of a JSON value.
     """
 
     records: Records
     read: Callable[[Any], Sum]
 
     def result(self, unit: Unit) -> Sum | None:
-        """The result of a finished unit; None of any other."""
+        """The result of a finished unit; None for any other."""
         told = self.records.result(unit.key)
         return None if told is None else self.read(told)
 
     def keep(self, unit: Unit, result: Sum) -> None:
         """Keep the whole result of a unit."""
-        self.records.keep(unit.key, result.worlds, result.to_json())
+        self.records.keep(unit.key, result.worlds, to_kept(result))
 
 
 def shelf(records: Records, read: Callable[[Any], Sum]) -> KeptUnits:
-    """Records as whoever adds up results sees them; ``read`` makes a result of its JSON value."""
+    """The shelf of these records; ``read`` makes a result of its JSON value."""
     return NOTHING_KEPT if isinstance(records, NoRecords) else Shelf(records, read)
 
 
@@ -203,11 +204,11 @@ def records_in(
 
     Args:
         run: the directory; None for no records.
-        identity: what the job is; not asked for without a directory.
-        notice: takes what the user may want to know now.
+        identity: of the job; not asked for without a directory.
+        notice: takes messages to the user.
 
     Raises:
-        InputError: if the directory is of something else, in use, damaged, or cannot be written.
+        InputError: if the directory is of another job, in use, damaged, or cannot be written.
     """
     if run is None:
         yield NoRecords()
@@ -244,7 +245,7 @@ def _opened(path: Path, identity: Identity) -> Database:
 
 @contextmanager
 def _locked(path: Path) -> Iterator[None]:
-    """A context in which nobody else adds to the directory."""
+    """A context in which no other process adds to the directory."""
     try:
         path.mkdir(parents=True, exist_ok=True)
         lock = os.open(path / LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
@@ -272,7 +273,7 @@ def _taken(lock: int) -> bool:
 
 
 def in_use(path: Path) -> bool:
-    """Whether somebody adds to the directory now."""
+    """Whether a process adds to the directory now."""
     with suppress(OSError):
         lock = os.open(path / LOCK, os.O_RDONLY | os.O_CLOEXEC)
         try:
@@ -286,7 +287,7 @@ def in_use(path: Path) -> bool:
 
 @contextmanager
 def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
-    """The records of all shards of one job, and what the job is.
+    """The records of all shards of one job, and the job's identity.
 
     Raises:
         InputError: if they are not of one job, or overlap.

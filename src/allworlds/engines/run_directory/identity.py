@@ -48,19 +48,19 @@ class Identity(Document):
 
     @property
     def portion(self) -> Portion:
-        """The part of the units."""
+        """The part of the units that is done: the whole, or a shard."""
         index, _, count = self.shard.partition("/")
         return a_shard((int(index), int(count)))
 
     @property
     def shards(self) -> int:
-        """Into how many the job is cut."""
+        """The number of shards into which the job is cut."""
         return shards_of(self.portion)
 
     def difference(self, other: Identity) -> str:
-        """What the other one differs in, as a clause about the other; empty if in nothing.
+        """The difference of the other one, as a clause about the other; empty if there is none.
 
-        Which of the shards it is makes no difference here; how many there are does.
+        The number of a shard makes no difference here; the number of all shards does.
         """
         if other.format != self.format:
             return f"is of format {other.format}, not {self.format}"
@@ -70,6 +70,9 @@ class Identity(Document):
             return f"is of {show(other.verb)}, not {show(self.verb)}"
         for name in sorted({*self.parameters, *other.parameters}):
             mine, its = self.parameters.get(name), other.parameters.get(name)
+            if mine != its and isinstance(mine, dict) and isinstance(its, dict):
+                changed = sorted(code for code in mine if mine[code] != its.get(code))
+                return f"is of another text of {', '.join(map(show, changed or its))}"
             if mine != its:
                 said = name.replace("_", "-")
                 return f"is of {said} = {show(its)}, not {show(mine)}"
@@ -84,8 +87,14 @@ class Identity(Document):
 
 
 def canonical(value: Any) -> str:
-    """A JSON value as a text that is the same for equal values."""
+    """The canonical text of a JSON value, equal for equal values."""
     return _CANONICAL.encode(value)
 
 
+def in_order(value: Any) -> str:
+    """A JSON value as a text that keeps the order of keys, in which a report tells them."""
+    return _IN_ORDER.encode(value)
+
+
+_IN_ORDER = json.JSONEncoder(separators=(",", ":"))
 _CANONICAL = json.JSONEncoder(sort_keys=True, separators=(",", ":"))

@@ -1,5 +1,5 @@
-"""Transports: where units are done; one a module.
+"""Transports: the places of work for units; one a module.
 
 The contract is :class:`~allworlds.engines.units.unit.Transport`; worker processes are a transport,
-too, in ``isolation``.  Which engine takes which is said in the table of the engines.
+too, in ``isolation``.  The table of the engines says which engine takes which transport.
 """

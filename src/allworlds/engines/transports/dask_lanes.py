@@ -1,7 +1,7 @@
-"""What a Dask worker has of a job: its engine, which is sent once, and its lanes.
+"""The state of a job on a Dask worker: its engine, which is sent once, and its lanes.
 
 A *lane* is a transport that outlives the tasks of its job: as many as the worker has threads.
-So the processes in which a foreign explorer is played are started once, and not for each task.
+So the processes in which a user's explorer is played are started once, and not for each task.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from allworlds.inputs import InputError
 from allworlds.version import __version__
 
 IDLE = 120.0
-"""Seconds after which a worker closes lanes that nobody uses; their owner may have been killed."""
+"""Seconds after which a worker closes unused lanes; their owner may have been killed."""
 
 
 class ClusterLost(Exception):
-    """Workers were lost again and again, or the scheduler was."""
+    """Raised if workers are lost again and again, or the scheduler is lost."""
 
 
 @dataclass(frozen=True, slots=True)
 class Errand:
-    """What is the same in all tasks of a level.
+    """The common part of all tasks of a level.
 
     Attributes:
-        inside: how units get to the engine on a worker.
-        probe: what speaks against a worker, asked there once.
-        engine: what is done with a unit.
+        inside: makes the transport on a worker.
+        probe: returns the reason against a worker, asked there once.
+        engine: does a unit.
     """
 
     inside: Callable[[], Transport[Any]]
@@ -40,7 +40,7 @@ class Errand:
     engine: Any
 
     def packed(self) -> bytes:
-        """It, as it travels; packed once, however many tasks there are."""
+        """The errand as bytes; packed once for all tasks."""
         from distributed.protocol.pickle import dumps
 
         travels: bytes = dumps(self)  # type: ignore[no-untyped-call]  # Dask is not typed
@@ -48,9 +48,9 @@ class Errand:
 
 
 class LaneResult(NamedTuple):
-    """What comes back from a task: whole results, in the order of its units, and the seconds.
+    """The result of a task: whole results, in the order of its units, and the seconds.
 
-    Of the first task of a lane these are not told, since most of them go into what stays.
+    The first task of a lane tells no seconds, since it spends most of them on starting the lane.
     """
 
     results: list[Any]
@@ -58,7 +58,7 @@ class LaneResult(NamedTuple):
 
 
 class _Lanes:
-    """What a worker has of one job."""
+    """The state of one job on a worker."""
 
     def __init__(self) -> None:
         self.errands: dict[bytes, Errand] = {}
@@ -68,7 +68,7 @@ class _Lanes:
         self.used = monotonic()
 
     def errand(self, packed: bytes) -> Errand:
-        """What has travelled; unpacked once."""
+        """The errand of the job; unpacked once."""
         if packed not in self.errands:
             from distributed.protocol.pickle import loads
 
@@ -81,16 +81,16 @@ _TURN = threading.Lock()
 
 
 def done(job: str, version: str, packed: bytes, batch: list[Any]) -> LaneResult:
-    """The results of some units, each whole.
+    """Do some units; return their results, each whole.
 
     Args:
-        job: its name; every one has its own lanes.
+        job: name; every job has its own lanes.
         version: of the package, where the job comes from.
         packed: an :class:`Errand`.
         batch: the units.
 
     Raises:
-        InputError: if this worker cannot do it.
+        InputError: if this worker cannot do the job.
         ClusterLost: if the job has ended.
     """
     errand, lane = _lane(job, version, packed)
@@ -117,7 +117,7 @@ def done(job: str, version: str, packed: bytes, batch: list[Any]) -> LaneResult:
 
 
 def end_job(job: str) -> None:
-    """Give up whatever is being done for a job on this worker."""
+    """Cancel all work for a job on this worker."""
     lanes = _JOBS[job]
     lanes.ended = True
     for errand in list(lanes.errands.values()):
@@ -133,7 +133,7 @@ def _go_on(job: str) -> None:
 
 
 def _lane(job: str, version: str, packed: bytes) -> tuple[Errand, Transport[Any] | None]:
-    """What is to be done, and a lane that is idle; None if there is none."""
+    """The errand, and an idle lane; None if there is no idle one."""
     with _TURN:
         _go_on(job)
         lanes = _JOBS[job]
@@ -165,14 +165,14 @@ def _give_back(job: str, lane: Transport[Any]) -> None:
 
 
 def _look_in(job: str, seconds: float) -> None:
-    """Look after some time whether anybody still uses the lanes."""
+    """Check after some time whether the lanes are still used."""
     timer = threading.Timer(seconds, _close_unused, (job,))
     timer.daemon = True
     timer.start()
 
 
 def _close_unused(job: str) -> None:
-    """Close what nobody has used for so long, or look in again."""
+    """Close the lanes if they were unused for too long, else check again later."""
     lanes = _JOBS[job]
     with _TURN:
         left = lanes.used + IDLE - monotonic()

@@ -10,7 +10,7 @@ from allworlds.engines.units.unit import PartialResult, R, U, UnitEngine
 
 
 class ThisThread:
-    """The transport that goes nowhere; what an engine does here cannot be stopped from outside."""
+    """The transport in this thread; the engine's work here cannot be stopped from outside."""
 
     def __init__(self, deadline: float | None = None) -> None:
         self._deadline = deadline
@@ -19,10 +19,10 @@ class ThisThread:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Nothing is left."""
+        """Leave the context; no work goes on."""
 
     def map(self, engine: UnitEngine[U, R], units: Iterable[U]) -> Iterator[PartialResult[U, R]]:
-        """The parts of all units, in their order."""
+        """Yield the parts of all units, in their order."""
         for unit in units:
             for result, last in with_last(engine.parts(unit)):
                 yield PartialResult(unit, result, last)

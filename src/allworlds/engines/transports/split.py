@@ -1,4 +1,4 @@
-"""Levels that are soon done at one place, all others at another."""
+"""A transport that does small levels at one place, all others at another."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from allworlds.engines.units.unit import PartialResult, Transport
 
 
 class Split:
-    """Two transports as one: where the units of a level are done, its first one tells.
+    """Two transports as one: the first unit of a level decides which one does the level.
 
     A level costs a scheduler some round trips before all workers are busy, and again at its end.
     A small one is done in less.
 
     Args:
-        soon: whether units like this one are better done near.
+        soon: whether units such as this one are faster done near.
         near: the transport of such units; a context as long as this one is.
         far: that of the others, likewise.
     """
@@ -41,7 +41,7 @@ class Split:
             self._near.__exit__(*error)
 
     def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult[Any, Any]]:
-        """The parts of all units, as they come; the units are those of one level."""
+        """Yield the parts of all units of one level, as they come."""
         waiting = iter(units)
         for first in waiting:
             where = self._near if self._soon(first) else self._far

@@ -1,4 +1,4 @@
-"""Units in threads, for engines that let go of the interpreter's lock."""
+"""Units in threads, for engines that release the interpreter's lock."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ class Haltable(UnitEngine[U_contra, R_co], Protocol[U_contra, R_co]):
     """An engine for threads: its work can be ended before its time."""
 
     def halt(self) -> None:
-        """Give up the work of every thread; nobody waits for its results any more."""
+        """Cancel the work of every thread; its results are no longer needed."""
 
 
 class Threads:
-    """A pool of threads; at the end of the context, the work that goes on in it is given up.
+    """A pool of threads; leaving the context cancels the work that is running.
 
     Args:
         workers: the number of threads.
@@ -51,10 +51,10 @@ class Threads:
         self._pool.shutdown(wait=patient, cancel_futures=True)
 
     def map(self, engine: Haltable[U, R], units: Iterable[U]) -> Iterator[PartialResult[U, R]]:
-        """The parts of all units, in the order in which their batches are done.
+        """Yield the parts of all units, in the order in which their batches are done.
 
         Raises:
-            Exception: of the engine, in the first unit that has one, whatever was done first.
+            Exception: of the engine, in the first unit that raises one, in the order of units.
         """
         self._engine = engine
         waiting = iter(units)

@@ -1,15 +1,17 @@
-"""What bounds the effort, and not the meaning, of a job."""
+"""The limits of a job's effort, which do not change its meaning."""
 
 from __future__ import annotations
 
 import os
 import re
 import time
+from collections.abc import Callable
+from dataclasses import dataclass
 from math import inf
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
-from allworlds.engines.progress import Listener, Silent
+from allworlds.engines.progress import Listener, usual_listener
 from allworlds.inputs import (
     EFFORT,
     InputError,
@@ -26,17 +28,30 @@ from allworlds.inputs import (
 from allworlds.protocol import ANSWER_TIMEOUT
 
 LEAST_TIMEOUT = 0.1
-"""Seconds; explorers are not looked at more often."""
+"""The shortest time-out in seconds; explorers are not checked more often."""
+
+START_TIMEOUT = 60.0
+"""Seconds in which an explorer must be imported, unless others are named."""
 
 POLL = LEAST_TIMEOUT
-"""Seconds between two looks at what goes on elsewhere."""
+"""Seconds between two checks of other threads and processes."""
 
-MOST = {"workers": 10_000, "answer-timeout": 10**6, "time-limit": 10**9, "memory": 10**9}
+DASK_TIMEOUT = 60.0
+"""Seconds of silence after which a part of a cluster is given up, unless others are named."""
+
+MOST = {
+    "workers": 10_000,
+    "answer-timeout": 10**6,
+    "start-timeout": 10**6,
+    "dask-timeout": 10**6,
+    "time-limit": 10**9,
+    "memory": 10**9,
+}
 """The largest legal value of each limit: an operating system does not count further."""
 
 
 def worker_count(text: str) -> int:
-    """A number of processes, or one a usable core for ``auto``."""
+    """The number of processes; for ``auto`` one for each usable core."""
     if text == "auto":
         return len(os.sched_getaffinity(0))
     if re.fullmatch(r"[0-9]{1,9}", text) and int(text) > 0:
@@ -44,20 +59,61 @@ def worker_count(text: str) -> int:
     raise InputError(f"workers {show(text)} is neither auto nor a positive number")
 
 
+def _positive(name: str) -> Callable[[Any], Any]:
+    """Return what takes a limit of that name: a positive number, or none where there can be none.
+
+    That function raises InputError, naming the value.
+    """
+
+    def limit(value: Any) -> Any:
+        if value is None and name in ("time-limit", "memory"):
+            return None
+        if not isinstance(value, int | float) or isinstance(value, bool):
+            raise InputError(f"{name} = {show(value)} is not a number")
+        if name in ("workers", "memory"):
+            an_integer(name, value)
+        if not 0 < value < inf:
+            raise InputError(f"{name} {show(value)} is not positive and finite")
+        at_most(name, value, MOST[name])
+        if name == "answer-timeout" and value < LEAST_TIMEOUT:
+            raise InputError(
+                f"answer-timeout {value} s is shorter than silence is noticed; the least is "
+                f"{LEAST_TIMEOUT} s"
+            )
+        return value
+
+    return limit
+
+
 class AskedPatience(Request):
-    """How long explorers are waited for."""
+    """The part of a request that says how long explorers are waited for."""
 
     answer_timeout: Annotated[
-        float,
+        Taken[float, float],
         Option(EFFORT, "S", "Seconds of silence that break the law 'timeout'.", parse=seconds_of),
-    ] = ANSWER_TIMEOUT
+    ] = Taken(_positive("answer-timeout"), ANSWER_TIMEOUT)
+    start_timeout: Annotated[
+        Taken[float, float],
+        Option(
+            EFFORT,
+            "S",
+            "Seconds in which an explorer must be imported, or its library loaded.",
+            parse=seconds_of,
+            apart=True,
+        ),
+    ] = Taken(_positive("start-timeout"), START_TIMEOUT)
+
+    @property
+    def patience(self) -> Limits:
+        """The time-outs of this request, as limits."""
+        return Limits(**values_of(AskedPatience, self))
 
 
 class AskedWorkers(Request):
-    """How many there are."""
+    """The part of a request that names the number of workers."""
 
     workers: Annotated[
-        int,
+        Taken[int, int],
         Option(
             EFFORT,
             "N|auto",
@@ -66,69 +122,57 @@ class AskedWorkers(Request):
             default="auto",
             apart=True,
         ),
-    ] = 1
+    ] = Taken(_positive("workers"), 1)
 
 
-class Limits(AskedWorkers, AskedPatience):
-    """What bounds the effort of many runs.
+class AskedTime(Request):
+    """The part of a request that names the time limit."""
+
+    time_limit: Annotated[
+        Taken[float | None, float | None],
+        Option(EFFORT, "S", "Seconds for everything.", parse=seconds_of, apart=True),
+    ] = Taken(_positive("time-limit"), None)
+
+
+class Limits(AskedTime, AskedWorkers, AskedPatience):
+    """The limits of the effort of many runs.
 
     Raises:
         InputError: for values that are not positive, for infinite ones, and for a timeout that
             is too short to be kept.
     """
 
-    time_limit: Annotated[
-        float | None,
-        Option(EFFORT, "S", "Seconds for everything.", parse=seconds_of, apart=True),
-    ] = None
     memory: Annotated[
-        int | None,
+        Taken[int | None, int | None],
         Option(
             EFFORT,
             "MB",
             "Address space of each worker process; the kernel engine has none.",
             parse=integer_of,
         ),
-    ] = None
-
-    def __post_init__(self) -> None:
-        for name in ("workers", "answer_timeout", "time_limit", "memory"):
-            value, legal = getattr(self, name), name.replace("_", "-")
-            if value is None and name in ("time_limit", "memory"):
-                continue
-            if not isinstance(value, int | float) or isinstance(value, bool):
-                raise InputError(f"{legal} = {show(value)} is not a number")
-            if name in ("workers", "memory"):
-                an_integer(legal, value)
-            if not 0 < value < inf:
-                raise InputError(f"{legal} {show(value)} is not positive and finite")
-            at_most(legal, value, MOST[legal])
-        if self.answer_timeout < LEAST_TIMEOUT:
-            raise InputError(
-                f"answer-timeout {self.answer_timeout} s is shorter than silence is noticed; the "
-                f"least is {LEAST_TIMEOUT} s"
-            )
+    ] = Taken(_positive("memory"), None)
 
     @property
     def limits(self) -> Limits:
-        """These alone, of a request that says more."""
+        """The limits alone, without the rest of a request."""
         return Limits(**values_of(Limits, self))
 
     def deadline(self) -> float | None:
-        """When the time is up, on the monotonic clock, if the job begins now."""
-        return None if self.time_limit is None else time.monotonic() + self.time_limit
+        """The end of the time limit, on the monotonic clock, if the job begins now."""
+        return deadline_after(self.time_limit)
 
 
 class AskedListener(Request):
-    """Who is told."""
+    """The part of a request that names the listener."""
 
     listener: Annotated[
-        Taken[Listener | None, Listener], "is told of the progress; by default nobody"
-    ] = Taken(lambda listener: listener or Silent(), None)
+        Taken[Listener | None, Listener],
+        "is told of the progress; by default a bar in a notebook, else nobody",
+    ] = Taken(lambda listener: listener or usual_listener(), None)
 
 
 class AskedDirectory(Request):
-    """Where finished units are kept."""
+    """The part of a request that names the run directory."""
 
     run: Annotated[
         str | Path | None,
@@ -142,26 +186,73 @@ class AskedDirectory(Request):
     ] = None
 
 
+def _scheduler(address: str | None) -> str | None:
+    """Return an address that is no empty text: it is refused before anything is compiled."""
+    if address is not None and not address.strip():
+        raise InputError(f"dask {show(address)} is no address of a scheduler")
+    return address
+
+
+LOCAL = "local"
+"""The word in place of an address: a cluster of this machine alone, for the time of the job."""
+
+
+@dataclass(frozen=True, slots=True)
+class DaskCluster:
+    """A Dask cluster that is to do the work.
+
+    Attributes:
+        address: of its scheduler, or :data:`LOCAL`.
+        timeout: the seconds of silence after which a worker, or the scheduler, is given up.
+    """
+
+    address: str
+    timeout: float = DASK_TIMEOUT
+
+    def __str__(self) -> str:
+        return f"the Dask scheduler {self.address}"
+
+
 class AskedCluster(Request):
-    """On which machines the work is done."""
+    """The part of a request that names the cluster."""
 
     dask: Annotated[
-        str | None,
+        Taken[str | None, str | None],
         Option(
             EFFORT,
             "ADDRESS|local",
             "Do the work on the workers of this Dask scheduler (extra: distributed).",
             apart=True,
         ),
-    ] = None
+    ] = Taken(_scheduler, None)
+    dask_timeout: Annotated[
+        Taken[float, float],
+        Option(
+            EFFORT,
+            "S",
+            "Seconds of silence after which a Dask worker, or the scheduler, is given up.",
+            parse=seconds_of,
+            apart=True,
+        ),
+    ] = Taken(_positive("dask-timeout"), DASK_TIMEOUT)
+
+    @property
+    def cluster(self) -> DaskCluster | None:
+        """The cluster; None for work on this machine without Dask."""
+        return None if self.dask is None else DaskCluster(self.dask, self.dask_timeout)
 
 
 class TimeIsUp(Exception):
-    """The time limit of the whole job has been reached."""
+    """Raised if the time limit of the whole job has been reached."""
+
+
+def deadline_after(time_limit: float | None) -> float | None:
+    """The end of a time limit, in seconds, that begins now; on the monotonic clock."""
+    return None if time_limit is None else time.monotonic() + time_limit
 
 
 def check_deadline(deadline: float | None) -> None:
-    """Nothing before the deadline.
+    """Raise TimeIsUp once the deadline has passed.
 
     Raises:
         TimeIsUp: after it.

@@ -18,10 +18,10 @@ def gather(
 ) -> None:
     """Add the results of all units to ``total``; the listener is told of each part.
 
-    What is kept is not done again, and what gets done is kept: a unit at a time, when it is whole.
+    Kept units are not done again, and each unit is kept when it is whole.
 
     Raises:
-        TimeIsUp: when the time limit has been reached; ``total`` holds what was done till then.
+        TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.
     """
 
     def undone() -> Iterator[Unit]:

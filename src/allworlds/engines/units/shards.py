@@ -1,4 +1,4 @@
-"""Shards: a job cut into so many parts of about equal weight, each for a machine of its own."""
+"""Shards: a job cut into parts of about equal weight, each for a machine of its own."""
 
 from __future__ import annotations
 
@@ -43,14 +43,14 @@ class Shard:
 WHOLE = Whole()
 
 Portion: TypeAlias = Whole | Shard
-"""Which of the units of a job are done."""
+"""The part of the units of a job that is done."""
 
 UNMERGEABLE = "without --run DIR the report of this shard cannot be merged with others"
-"""What whoever asks for a shard may want to know."""
+"""The notice to the user of a shard that cannot be merged."""
 
 
 def shards_of(portion: object) -> int:
-    """Into how many parts a job is cut of which this is one."""
+    """The number of parts of the job to which this part belongs."""
     return portion.count if isinstance(portion, Shard) else 1
 
 
@@ -58,7 +58,7 @@ SHARD_DIGITS = 9
 
 
 def shard_numbers(text: str) -> tuple[int, int]:
-    """``K/N``."""
+    """The two numbers of ``K/N``."""
     match = re.fullmatch(r"([0-9]+)/([0-9]+)", text)
     if match is None:
         raise InputError(f"shard {show(text)} is not of the form K/N, counted from 0")
@@ -84,7 +84,7 @@ def a_shard(pair: object) -> Portion:
 
 
 class AskedShard(Request):
-    """Which part of a job is done here."""
+    """The part of a request that names the shard."""
 
     shard: Annotated[
         Taken[tuple[int, int] | Portion | None, Portion],

@@ -10,7 +10,7 @@ from typing_extensions import override
 
 
 class Unit(Protocol):
-    """A piece of work; the same whoever does it, and however many do."""
+    """A piece of work, which does not depend on the workers or their number."""
 
     @property
     def key(self) -> str:
@@ -18,17 +18,14 @@ class Unit(Protocol):
 
 
 class Sum(Protocol):
-    """A result whose parts can be added up in any order."""
+    """A result whose parts can be added up in any order; a dataclass, kept by its fields."""
 
     @property
     def worlds(self) -> int:
-        """How many worlds it speaks of."""
+        """The number of worlds in it."""
 
     def add(self, other: Any, /) -> None:
         """Take in another part."""
-
-    def to_json(self) -> Any:
-        """It as a JSON value, from which whoever keeps it can make it again."""
 
 
 U = TypeVar("U", bound=Unit)
@@ -40,7 +37,7 @@ E_contra = TypeVar("E_contra", contravariant=True)
 
 @dataclass(frozen=True, slots=True)
 class PartialResult(Generic[U, R]):
-    """A part of a unit's result; ``last``: with it the unit is done."""
+    """A part of a unit's result; ``last``: whether it completes the unit."""
 
     unit: U
     result: R
@@ -48,17 +45,17 @@ class PartialResult(Generic[U, R]):
 
 
 class KeptUnits(Protocol):
-    """Where finished units are kept, so that nothing is done twice."""
+    """The store of finished units, so that no unit is done twice."""
 
     def result(self, unit: Unit) -> Any:
-        """The result of a unit that is finished; None if it is not."""
+        """Return the result of a unit that is finished; None if it is not."""
 
     def keep(self, unit: Unit, result: Any) -> None:
-        """Take in the whole result of a unit; what is lost then is not the check's fault."""
+        """Store the whole result of a unit; errors of the disk do not end the job."""
 
 
 class NothingKept(KeptUnits):
-    """Nobody keeps anything."""
+    """A store that keeps no units."""
 
     @override
     def result(self, unit: Unit) -> None:
@@ -73,21 +70,21 @@ NOTHING_KEPT = NothingKept()
 
 
 class UnitEngine(Protocol[U_contra, R_co]):
-    """What is done with a unit."""
+    """The engine that does a unit."""
 
     def parts(self, unit: U_contra) -> Iterator[R_co]:
-        """The unit's result in parts, at least one; they add up to the whole."""
+        """Yield the unit's result in parts, at least one; they add up to the whole."""
 
 
 class Transport(Protocol[E_contra]):
-    """Where units are done, by engines of some kind; a context, behind which nothing goes on."""
+    """A transport brings units to engines; a context, after which no work goes on."""
 
     def __enter__(self) -> Self: ...
 
     def __exit__(self, *_: object) -> None: ...
 
     def map(self, engine: E_contra, units: Iterable[Any]) -> Iterator[PartialResult[Any, Any]]:
-        """The parts of all units, as they come.
+        """Yield the parts of all units, as they come.
 
         Raises:
             TimeIsUp: when the time limit has been reached.

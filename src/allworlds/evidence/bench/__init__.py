@@ -1,4 +1,4 @@
-"""Measurements side by side: ``rounds`` measures, ``bench_text`` tells."""
+"""Measurements side by side: ``rounds`` measures, ``bench_telling`` tells."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Engines and other programs side by side: who walks how many worlds a second.
+"""Engines and other programs measured side by side, in worlds per second.
 
 Contenders take turns, round after round, and a ratio is taken within each round: what else
 the machine does then befalls both sides.
@@ -48,7 +48,7 @@ from allworlds.explorers import load
 from allworlds.inputs import InputError, a_text, an_integer, at_most, show
 from allworlds.judging import Rules, default_step_budget, paper_bound
 from allworlds.maps import Extent, MapClass, prefixes, rooted_maps, source_for
-from allworlds.outcome import Exit, until_interrupted
+from allworlds.outcome import Facts, until_interrupted
 from allworlds.world import Directional, World
 
 REFERENCE = "kernel"
@@ -62,12 +62,12 @@ JUDGED_EDGES = 6
 
 @dataclass(frozen=True, slots=True)
 class Contender:
-    """Something that walks every world with ``edges`` edges when it is called.
+    """Anything that walks every world with ``edges`` edges when it is called.
 
     Attributes:
         name: how it is called in the report.
         edges: m.
-        does: what it does, in words, or its command.
+        does: its work in words, or its command.
         work: does it once.
     """
 
@@ -90,7 +90,7 @@ class Contender:
 
 
 class RateSpread(Document):
-    """A figure over the rounds."""
+    """Median, smallest and largest value of a figure over the rounds."""
 
     median: Figure
     lowest: Figure
@@ -98,7 +98,7 @@ class RateSpread(Document):
 
     @classmethod
     def over(cls, values: Sequence[float], digits: int) -> RateSpread:
-        """That of these values, rounded."""
+        """Return the spread of these values, rounded."""
         return cls(
             median=round(median(values), digits),
             lowest=round(min(values), digits),
@@ -112,8 +112,8 @@ class Measured(Document):
     ``rates`` are worlds a second in each round.
     """
 
-    name: Annotated[Text, about("what it is called")]
-    does: Annotated[Text, about("what it does, in words, or its command")]
+    name: Annotated[Text, about("its name")]
+    does: Annotated[Text, about("its work in words, or its command")]
     edges: Annotated[Positive, about("the level that it walks")]
     worlds: Annotated[Positive, about("the rooted maps of that level")]
     seconds: Annotated[Some[Seconds], about("of each round")]
@@ -124,7 +124,7 @@ class Measured(Document):
 
 
 class Ratio(Document):
-    """Two rates side by side."""
+    """The ratio of two rates."""
 
     of: Annotated[Text, about("the kernel on one thread")]
     to: Annotated[Text, about("another contender")]
@@ -148,13 +148,13 @@ class BenchReport(Report):
     )
 
     @property
-    def exit_code(self) -> Exit:
-        """0 measured, 130 interrupted."""
-        return Exit.ANSWERED if self.complete else Exit.INTERRUPTED
+    def facts(self) -> Facts:
+        """Whether every round was measured."""
+        return Facts(interrupted=not self.complete)
 
 
 def _ratios(reference: Measured, *others: Measured) -> tuple[Ratio, ...]:
-    """How many times the rate of each other contender the reference's is, round by round."""
+    """Ratios of the reference's rate to that of each other contender, round by round."""
     return tuple(
         Ratio(
             of=reference.name,
@@ -213,7 +213,7 @@ def bench(
 
 
 def _round(contenders: Sequence[Contender], listener: Listener) -> list[float]:
-    """The seconds that each of them takes for its turn."""
+    """The seconds that each contender takes for its turn."""
     seconds = []
     for contender in contenders:
         start = time.perf_counter()
@@ -224,7 +224,7 @@ def _round(contenders: Sequence[Contender], listener: Listener) -> list[float]:
 
 
 def own_contenders(edges: int) -> list[Contender]:
-    """The engines of this package; the reference comes first."""
+    """The engines of this package, the reference first."""
     less = min(edges, JUDGED_EDGES)
     least = min(edges, PYTHON_EDGES)
     return [

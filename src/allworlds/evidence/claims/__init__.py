@@ -1,4 +1,4 @@
-"""The ledger: the sentences of the paper that can be checked, and our own, each with its check.
+"""The ledger: checkable sentences of the paper, and of this project, each with its check.
 
 ``claims.toml``, ``manifest``
     what is claimed, in words, and which verdict and which numbers must come out;
@@ -17,8 +17,8 @@
     ``CHECKS``: all these functions by the ids of the claims;
 ``ledger``
     found beside expected: the report;
-``claims_text``, ``claims_junit``, ``claims_page``
-    the report as text, JUnit XML and a page.
+``claims_telling``
+    what the report says.
 """
 
 from typing import TYPE_CHECKING

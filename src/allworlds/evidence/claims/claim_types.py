@@ -1,4 +1,4 @@
-"""What the functions of this room take and hand back."""
+"""Arguments and results of the functions that decide claims."""
 
 from __future__ import annotations
 
@@ -7,14 +7,18 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
+from allworlds.engines import EnginesDisagree
+from allworlds.maps import Disagreement
 from allworlds.outcome import Verdict
+from allworlds.studies.ambiguity import SolversDisagree
 from allworlds.studies.check import CheckReport
+from allworlds.studies.worst import WrongTest
 from allworlds.world import World
 
 Truth: TypeAlias = Literal["holds", "refuted"]
 Budget: TypeAlias = Literal["quick", "full"]
 Shown: TypeAlias = int | float | str | Sequence[int | float | str]
-"""What a claim says besides that it holds: a number, a name, or a list of these."""
+"""A figure of a claim: a number, a name, or a list of these."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +31,7 @@ class Picture:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What was found out about a sentence, without a word about what is expected.
+    """The result of checking a sentence, independent of any expectation.
 
     Attributes:
         verdict: whether it holds in the scope that was asked for.
@@ -47,18 +51,29 @@ class Found:
 
 @dataclass(frozen=True, slots=True)
 class NotChecked:
-    """The sentence could not be looked at here, and why."""
+    """The reason why the sentence could not be checked here."""
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramFault:
+    """The reason why no answer counts: two parts of this program disagree, or one has no answer."""
 
     reason: str
 
 
 class Unfinished(RuntimeError):
-    """What a claim asked another part of this program has no answer: a fault of this program."""
+    """Raised where another part of this program gives no answer, which is this program's fault."""
+
+
+FAULTS = (Unfinished, Disagreement, EnginesDisagree, SolversDisagree, WrongTest)
+"""The faults of this program that refute the claim that meets them."""
 
 
 @dataclass(frozen=True, slots=True)
 class Means:
-    """With what claims are checked.
+    """Resources for checking claims.
 
     Attributes:
         workers: processes, or threads.
@@ -76,14 +91,25 @@ Check: TypeAlias = Callable[..., Found | NotChecked]
 
 Checks: TypeAlias = Mapping[str, Check]
 
+Outcome: TypeAlias = Found | NotChecked | ProgramFault
+"""The outcome of a claim, as the ledger keeps it."""
+
 
 def truth(holds: object) -> Truth:
-    """The verdict in its word."""
+    """The verdict for a truth value."""
     return "holds" if holds else "refuted"
 
 
+def found_by(check: Check, means: Means, bounds: Mapping[str, Any]) -> Outcome:
+    """The outcome of a claim's function, or the fault of this program that it met."""
+    try:
+        return check(means, **bounds)
+    except FAULTS as fault:
+        return ProgramFault(str(fault))
+
+
 def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
-    """What an exhaustive check has found; its worlds, its runs and the named events are witnesses.
+    """The outcome of an exhaustive check. Its worlds, runs and named events are witnesses.
 
     Raises:
         Unfinished: where it neither holds nor is refuted.
@@ -106,7 +132,7 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
 
 
 def smallest(report: CheckReport) -> dict[str, Shown]:
-    """The size of the smallest world that refutes; nothing where none does."""
+    """The size of the smallest refuting world; empty if there is none."""
     if not report.findings:
         return {}
     first = report.findings[0].world.map

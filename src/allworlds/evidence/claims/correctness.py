@@ -1,4 +1,4 @@
-"""Section V: the invariant, the bound function, and what follows at the end."""
+"""Section V: the invariant, the bound function, and the consequences at the end."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from allworlds.world import worlds
 
 
 def true_before_the_loop(_: Means, *, edges: int) -> Found:
-    """S = v0 and U = its darts, embedded by the judge, in every run."""
+    """Check in every run that S = v0 and U = its darts, embedded by the judge."""
     runs = kept = 0
     for world in worlds(edges=edges, places="all"):
         before = Algorithm1(world.first, Choices()).s.checkpoint(0)
@@ -31,7 +31,7 @@ def true_before_the_loop(_: Means, *, edges: int) -> Found:
 
 
 def kept_by_the_body(means: Means, *, edges: int) -> Found:
-    """I-1 and I-2 at every checkpoint, after loops and after new vertices."""
+    """Check I-1 and I-2 at every checkpoint, after loops and after new vertices."""
     laws = ("invariant-1", "invariant-2")
     report = check("algorithm1", edges=edges, laws=laws, workers=means.workers)
     found = of_check(report, "loop", "non-loop")
@@ -39,14 +39,14 @@ def kept_by_the_body(means: Means, *, edges: int) -> Found:
 
 
 def variant_falls(means: Means, *, edges: int) -> Found:
-    """T at every checkpoint, and 0 at the end."""
+    """Check that T falls at every checkpoint, and is 0 at the end."""
     report = check("algorithm1", edges=edges, laws=("variant",), workers=means.workers)
     found = of_check(report)
     return Found(found.verdict, {**found.witnesses, "checkpoints": report.tally.checkpoints})
 
 
 def augmentations_change_u(_: Means, *, edges: int) -> Found:
-    """What a pass takes from U and adds to it, by what it shows."""
+    """Check the changes of U in a pass, by the kind of its augmentation."""
     loops = vertices = wrong = 0
     for world in worlds(edges=edges, places="all"):
         episode = run("algorithm1", world).outcome.episode
@@ -64,7 +64,7 @@ def augmentations_change_u(_: Means, *, edges: int) -> Found:
 
 
 def empty_u_is_the_world(_: Means, *, edges: int) -> Found:
-    """The first checkpoint without an open dart: it has all m edges, and it is the last."""
+    """Check that the first checkpoint without an open dart has all m edges, and is the last."""
     runs = right = 0
     for world in worlds(edges=edges, places="all"):
         shown = [c for _, c in run("algorithm1", world).outcome.episode.checkpoints]
@@ -80,7 +80,7 @@ def _open(alpha: Sequence[int]) -> int:
 
 
 def edge_index_condition(_: Means, *, edges: int) -> Found:
-    """Each pair of maps of one size: graph isomorphisms that shift indices, and codes."""
+    """Compare isomorphisms that shift indices with codes, for each pair of maps of one size."""
     pairs = same = agree = 0
     for m in range(1, edges + 1):
         met = list(rooted_maps(m, MapClass.MAPS))

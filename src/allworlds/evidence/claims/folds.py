@@ -1,8 +1,15 @@
-"""Ours: what the log of a robot with a directional lighthouse says by itself."""
+"""Beyond the paper: the information in the log of a robot with a directional lighthouse."""
 
 from __future__ import annotations
 
-from allworlds.evidence.claims.claim_types import Checks, Found, Means, of_check, truth
+from allworlds.evidence.claims.claim_types import (
+    Checks,
+    Found,
+    Means,
+    Unfinished,
+    of_check,
+    truth,
+)
 from allworlds.judging import fold
 from allworlds.maps import CombinatorialMap, from_rotation
 from allworlds.outcome import Verdict
@@ -12,19 +19,19 @@ from allworlds.world import Directional, World, worlds
 
 
 def every_log_folds(means: Means, *, edges: int) -> Found:
-    """The law ``folding`` over all runs of Algorithm 1."""
+    """Check the law ``folding`` over all runs of Algorithm 1."""
     report = check("algorithm1", edges=edges, laws=("folding",), workers=means.workers)
     return of_check(report)
 
 
 def folding_is_an_explorer(means: Means, *, edges: int) -> Found:
-    """Any fair walk and folding, stopped when no dart is open: right."""
+    """Check that any fair walk with folding, stopped when no dart is open, answers rightly."""
     report = check("folding-oldest", edges=edges, laws=("map", "pose"), workers=means.workers)
     return of_check(report, "merged")
 
 
 def folding_too_early(_: Means, *, edges: int) -> Found:
-    """Algorithm 1's log without its last steps: as soon as an edge is missing a dart is open."""
+    """Check Algorithm 1's log without its last steps: if an edge is missing, a dart is open."""
     logs = cut = wrong = 0
     for world in worlds(edges=edges, places="all"):
         transcript = run("algorithm1", world).outcome.episode.transcript
@@ -38,7 +45,7 @@ def folding_too_early(_: Means, *, edges: int) -> Found:
 
 
 def _edges_walked(world: World, transcript: object) -> int:
-    """So many edges of the world were crossed."""
+    """The number of the world's edges that were crossed."""
     state, crossed = world.initial, set()
     for action, _ in transcript.steps:  # type: ignore[attr-defined]
         state, _seen = world.step(state, action)
@@ -47,12 +54,15 @@ def _edges_walked(world: World, transcript: object) -> int:
 
 
 def entries_of_v0(_: Means, *, edges: int, explorers: list[str]) -> Found:
-    """How often v0 is entered, in every run of explorers that are right: m-n+1 at least."""
+    """Check how often right explorers enter v0 in every run: at least m-n+1 times."""
     runs = attained = wrong = 0
     for world in worlds(edges=edges, places="all"):
         needed = world.map.edge_count - world.map.vertex_count + 1
         for name in explorers:
-            steps = run(name, world).outcome.episode.transcript.steps
+            told = run(name, world)
+            if told.verdict is not Verdict.HOLDS:
+                raise Unfinished(f"{name} is not right in {world}")
+            steps = told.outcome.episode.transcript.steps
             entered = sum(percept.marks for _, percept in steps)
             runs += 1
             wrong += entered < needed
@@ -77,7 +87,7 @@ def far_from_the_cycles(_: Means, *, sizes: list[list[int]], explorers: list[str
 
 
 def complete_behind_a_path(vertices: int, length: int) -> CombinatorialMap:
-    """A path of so many edges, from its end v0, and a complete graph at the other end."""
+    """A complete graph behind a path of this many edges, which begins at v0."""
     path = [[v - 1, v + 1] for v in range(length)]
     path[0] = [1]
     knot = range(length, length + vertices)

@@ -1,4 +1,4 @@
-"""The ledger: every claim is checked, and what is found is held against what is expected."""
+"""The ledger: every claim is checked, and the outcome is compared with the expected one."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated, Literal, TypeAlias, cast
 
-from allworlds.document import AllRows, Aside, Positive, Report, about, computed, one_of
+from allworlds.document import EXIT_CODE, AllRows, Aside, Positive, Report, about, computed, one_of
 from allworlds.engines import Listener, Silent
 from allworlds.evidence.claims.claim_types import (
     Budget,
@@ -16,12 +16,15 @@ from allworlds.evidence.claims.claim_types import (
     Found,
     Means,
     NotChecked,
+    Outcome,
+    ProgramFault,
     Shown,
     Truth,
+    found_by,
 )
 from allworlds.evidence.claims.manifest import BUDGETS, Claim, Sentence, manifest
 from allworlds.inputs import InputError, a_path, an_integer, show
-from allworlds.outcome import Exit, until_interrupted
+from allworlds.outcome import Exit, Facts, until_interrupted
 from allworlds.world import World
 
 Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked"]
@@ -29,25 +32,29 @@ Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-check
 
 
 def _verdict(one: CheckedClaim) -> Seen:
-    """What was found in a word; ``vacuous`` where a witness is missing or zero."""
+    """The verdict in a word; ``vacuous`` if a witness is missing or zero."""
     if one.truth is None:
         return "not-checked"
+    if one.disagreement:
+        return "refuted"
     seen = one.witnesses
     met = seen and all(seen.values()) and seen.keys() >= one.expected_witnesses.keys()
     return one.truth if met else "vacuous"
 
 
 def _standing(one: CheckedClaim) -> Standing:
-    """Whether it passes."""
+    """Whether the claim passes, as a word."""
     if one.verdict in ("not-checked", "vacuous"):
         return one.verdict
     return "unexpected" if _differences(one) else "as-expected"
 
 
 def _differences(one: CheckedClaim) -> tuple[str, ...]:
-    """Each thing that is not what is expected; of what was not checked nothing."""
+    """Each difference from the expected outcome. An unchecked claim has none."""
     if one.truth is None:
         return ()
+    if one.disagreement:
+        return (f"a disagreement within this program: {one.disagreement}",)
     told = []
     if one.verdict != one.expected:
         told.append(f"verdict: {one.expected} expected, {one.verdict} found")
@@ -64,60 +71,63 @@ def _differences(one: CheckedClaim) -> tuple[str, ...]:
 
 
 class CheckedClaim(Sentence):
-    """A sentence that can be checked, what is expected of it, and what was found.
+    """A sentence that can be checked, with the expected outcome and the one found.
 
-    ``truth`` is the verdict of its function, None where nothing was checked, which took so many
-    ``seconds``; each of the ``worlds`` has its caption.
+    ``truth`` is the verdict of its function, None if nothing was checked; checking took
+    ``seconds``. Each of the ``worlds`` has its caption. A ``disagreement`` within this program
+    refutes a claim, whatever is expected of it.
     """
 
-    verdict: Annotated[Seen, about("what was found; `vacuous`: a witness was never met")] = (
+    verdict: Annotated[Seen, about("the verdict found; `vacuous`: a witness never occurred")] = (
         computed(_verdict)
     )
     standing: Annotated[
-        Standing, about("whether verdict, witnesses and figures are those that are expected")
+        Standing, about("whether verdict, witnesses and figures are as expected")
     ] = computed(_standing)
     witnesses: Annotated[
-        dict[str, int], about("how often each thing was met that the sentence is about")
+        dict[str, int], about("how often each case occurred that the sentence is about")
     ]
-    expected_witnesses: Annotated[dict[str, Positive], about("how often it must be met")]
+    expected_witnesses: Annotated[dict[str, Positive], about("how often it must occur")]
     figures: Annotated[dict[str, Shown], about("the numbers that the sentence names, as found")]
-    expected_figures: Annotated[dict[str, Shown], about("and as expected")]
-    differences: Annotated[tuple[str, ...], about("what is not as expected, in words")] = computed(
-        _differences
-    )
-    told: Annotated[str, about("what refutes it, what is to be seen, or why it was not checked")]
+    expected_figures: Annotated[dict[str, Shown], about("the expected numbers")]
+    differences: Annotated[
+        tuple[str, ...], about("the differences from the expected outcome, in words")
+    ] = computed(_differences)
+    told: Annotated[str, about("the refutation, an explanation, or why it was not checked")]
     worlds: Annotated[tuple[World, ...], about("worlds that show it")]
     captions: Aside[tuple[str, ...]]
     truth: Aside[Truth | None]
+    disagreement: Aside[str]
     seconds: Aside[float]
-
-
-def _exit_code(report: ClaimsReport) -> Exit:
-    """130 interrupted, 1 a claim is not as expected, 3 a required one unchecked, 4 vacuous."""
-    standings = {one.standing for one in report.claims}
-    if not report.complete:
-        return Exit.INTERRUPTED
-    if "unexpected" in standings:
-        return Exit.REFUTED
-    if report.missed:
-        return Exit.INCONCLUSIVE
-    return Exit.VACUOUS if "vacuous" in standings else Exit.HOLDS
 
 
 class ClaimsReport(Report):
     """Report of 'claims'.
 
-    The ledger as far as it was made.
+    The ledger, as far as it was made.
     """
 
     complete: AllRows
     exit_code: Annotated[
         Exit,
         one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
-    ] = computed(_exit_code)
+    ] = EXIT_CODE
     budget: Annotated[Budget, about("how much was done")]
     required: Annotated[tuple[str, ...], about("the claims that had to be checked")]
-    claims: Annotated[tuple[CheckedClaim, ...], about("in the order of the sections; then ours")]
+    claims: Annotated[
+        tuple[CheckedClaim, ...], about("in the order of the sections; then those beyond the paper")
+    ]
+
+    @property
+    def facts(self) -> Facts:
+        """Whether each claim is as expected, the required ones were checked, and none is empty."""
+        standings = {one.standing for one in self.claims}
+        return Facts(
+            interrupted=not self.complete,
+            refuted="unexpected" in standings,
+            undecided=bool(self.missed),
+            vacuous="vacuous" in standings or standings <= {"not-checked"},
+        )
 
     @property
     def missed(self) -> list[str]:
@@ -138,14 +148,15 @@ def claims(
     workers: int = 1,
     listener: Listener | None = None,
 ) -> ClaimsReport:
-    """Check the sentences of the paper, and our own, each on its scope.
+    """Check sentences of the paper, and further ones of this project, each on its scope.
 
     Args:
         only: ids of claims (default: all of them).
         budget: ``quick`` (below a minute) or ``full`` (below half an hour).
         require: ids of claims that must be checked: one that cannot be is exit code 3.
-        proofs: the folder with the certificates and the proofs in Coq; without it the claims
-            that rest on these alone are not checked.
+        proofs: the folder with the certificates and the proofs in Coq (default: that of the clone
+            from which this runs, or in which one stands); without it the claims that rest on these
+            alone are not checked.
         workers: processes, or threads.
         listener: is told of the progress.
 
@@ -158,7 +169,7 @@ def claims(
         raise InputError(f"workers = {workers}; legal is 1 or more")
     chosen, required = _named("only", only), _named("require", require)
     wanted = [c for c in manifest() if not chosen or c.id in {*chosen, *required}]
-    folder = None if proofs is None else _folder(proofs)
+    folder = proofs_of_clone() if proofs is None else _folder(proofs)
     means = Means(workers, folder, cast("Budget", budget))
     listener = listener or Silent()
     listener.stage("claims", len(wanted), "claims")
@@ -175,18 +186,16 @@ def _entries(wanted: Sequence[Claim], means: Means, listener: Listener) -> Itera
 
 
 def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
-    """The claim, checked."""
+    """Check the claim and return its entry."""
     began = time.monotonic()
-    found = check(means, **claim.scopes[means.budget].bounds)
+    found = found_by(check, means, claim.scopes[means.budget].bounds)
     return entry_with(claim, means.budget, found, time.monotonic() - began)
 
 
-def entry_with(
-    claim: Claim, budget: Budget, found: Found | NotChecked, seconds: float = 0
-) -> CheckedClaim:
-    """The claim, beside what was found on its scope."""
+def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
+    """The claim with the outcome found on its scope."""
     scope = claim.scopes[budget]
-    shown = Found("refuted", {}, told=found.reason) if isinstance(found, NotChecked) else found
+    shown = found if isinstance(found, Found) else Found("refuted", {}, told=found.reason)
     return CheckedClaim(
         id=claim.id,
         section=claim.section,
@@ -202,7 +211,8 @@ def entry_with(
         told=shown.told,
         worlds=tuple(picture.world for picture in shown.pictures),
         captions=tuple(picture.caption for picture in shown.pictures),
-        truth=None if isinstance(found, NotChecked) else found.verdict,
+        truth=None if isinstance(found, NotChecked) else shown.verdict,
+        disagreement=found.reason if isinstance(found, ProgramFault) else "",
         seconds=seconds,
     )
 
@@ -216,6 +226,18 @@ def _named(option: str, names: Iterable[str]) -> tuple[str, ...]:
             hint = f"; near it are {', '.join(near)}" if near else ""
             raise InputError(f"{option} {show(name)} is no claim{hint}")
     return given
+
+
+def proofs_of_clone() -> Path | None:
+    """The folder of the proofs in the clone of the sources that is used here, if there is one.
+
+    That is where this file stands in one, or where the current directory is one.
+    """
+    for clone in (Path(__file__).parents[4], Path.cwd()):
+        sources = clone / "src" / "allworlds" / "evidence" / "claims" / Path(__file__).name
+        if sources.is_file() and (clone / "proofs" / "check.py").is_file():
+            return clone / "proofs"
+    return None
 
 
 def _folder(proofs: str | Path) -> Path:

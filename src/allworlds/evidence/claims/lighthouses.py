@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from collections import defaultdict
 
-from allworlds.evidence.claims.claim_types import Checks, Found, Means, Picture, of_check, truth
+from allworlds.evidence.claims.claim_types import (
+    Checks,
+    Found,
+    Means,
+    Picture,
+    Unfinished,
+    of_check,
+    truth,
+)
+from allworlds.judging import bound_named
 from allworlds.maps import Labelled, project
 from allworlds.studies.ambiguity import twins
 from allworlds.studies.check import check
@@ -23,18 +32,35 @@ def cluster_with_one_edge(means: Means, *, edges: int) -> Found:
 
 
 def cluster_anywhere(_: Means, *, edges: int) -> Found:
-    """Worlds with a cluster: two different ones that no motion tells apart."""
+    """Find two different worlds with a cluster that no motion tells apart."""
     return _twins_under("cluster", "maps", edges)
 
 
 def natural_in_simple_worlds(means: Means, *, edges: int) -> Found:
-    """Algorithm 1 with a unique degree beside a unique degree, that of v1 told."""
-    report = check("algorithm1-natural", edges=edges, map_class="simple", workers=means.workers)
-    return of_check(report, "case-3", "loop", "non-loop")
+    """Algorithm 1 with a unique degree beside a unique degree, that of v1 told; in both engines."""
+    compiled, readable = (
+        of_check(
+            check(
+                "algorithm1-natural",
+                edges=edges,
+                map_class="simple",
+                engine=engine,
+                workers=means.workers,
+            ),
+            "case-3",
+            "loop",
+            "non-loop",
+        )
+        for engine in ("auto", "python")
+    )
+    if compiled.verdict == "holds" and readable.witnesses != compiled.witnesses:
+        raise Unfinished("the engines differ on algorithm1-natural")
+    seen = {**compiled.witnesses, "runs in Python": readable.witnesses["runs"]}
+    return Found(readable.verdict if compiled.verdict == "holds" else "refuted", seen)
 
 
 def natural_in_multigraphs(_: Means, *, edges: int) -> Found:
-    """Worlds with such degrees: two different ones that no motion tells apart."""
+    """Find two different worlds with such degrees that no motion tells apart."""
     return _twins_under("natural", "maps", edges)
 
 
@@ -56,12 +82,10 @@ def _twins_under(kind: str, map_class: str, edges: int) -> Found:
 
 
 def natural_costs_the_same_order(_: Means, *, edges: int) -> Found:
-    """The bound of these explorers beside 4 m^2 n: with two traversals more a test."""
-    from allworlds.judging import bound_named
-
+    """Compare these explorers' bound, with two traversals more a test, with 4 m^2 n."""
     bound = bound_named("two-vertices").value
     points = [(n, m, d) for m in range(1, edges + 1) for n in range(2, m + 2) for d in (1, 2 * m)]
-    over = [p for p in points if (bound(p[0], p[1], p[2], p[2]) or 0) > 4 * p[1] ** 2 * p[0]]
+    over = [p for p in points if (bound(p[0], p[1], p[2], p[2], 0, 0) or 0) > 4 * p[1] ** 2 * p[0]]
     return Found(truth(not over), {"triples of n, m and deg(v0)": len(points)})
 
 

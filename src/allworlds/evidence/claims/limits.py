@@ -1,4 +1,4 @@
-"""Ours: the best that any explorer can do, and explorers that never forget."""
+"""Beyond the paper: the best worst case of any explorer, and explorers that never forget."""
 
 from __future__ import annotations
 
@@ -19,7 +19,10 @@ from allworlds.world import worlds
 
 
 def best_of_all(_: Means, *, edges: int) -> Found:
-    """Minimax over all worlds with m known; each strategy followed in every world."""
+    """Find the optimum by minimax over all worlds with m known.
+
+    Each strategy is followed in each world.
+    """
     report = optimum(edges=edges)
     if not report.complete:
         raise KeyboardInterrupt
@@ -34,7 +37,7 @@ def best_of_all(_: Means, *, edges: int) -> Found:
 
 
 def run_by_run(_: Means, *, edges: int, one: str, other: str) -> Found:
-    """Two explorers, first in, first out, in every run: the one never walks more."""
+    """Compare two explorers, first in, first out, in every run: the one never walks more."""
     runs = less = more = 0
     most_expensive = None
     for world in worlds(edges=edges, places="all"):
@@ -63,7 +66,7 @@ def run_by_run(_: Means, *, edges: int, one: str, other: str) -> Found:
 
 
 def within_the_bound(means: Means, *, edges: int, explorers: list[str]) -> Found:
-    """Explorers that never forget, under all laws, the bound (1)+(2) among them."""
+    """Check explorers that never forget under all laws, including the bound (1)+(2)."""
     seen: dict[str, int] = {}
     holds = True
     for name in explorers:

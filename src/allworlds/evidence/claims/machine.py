@@ -1,7 +1,7 @@
-"""What is proved once and for all: certificates checked from their files, and proofs in Coq.
+"""Proofs for all sizes: certificates checked from their files, and proofs in Coq.
 
-Both stand in a folder of the sources (``proofs``), which an installation does not have: where it
-is not named, or Coq is not there, nothing is checked and nothing is said.
+Both are in a folder of the sources (``proofs``), which an installation does not have. If it is not
+found, or Coq is not installed, the claims are reported as not checked.
 """
 
 from __future__ import annotations
@@ -16,13 +16,16 @@ from tempfile import TemporaryDirectory
 
 from allworlds.evidence.claims.claim_types import Checks, Found, Means, NotChecked, truth
 
-NO_FOLDER = "name the folder of the proofs with --proofs"
+NO_FOLDER = "they are in the folder proofs of a clone of the sources: --proofs DIR"
 COMPILED = shutil.ignore_patterns("*.vo*", "*.glob", ".*.aux", ".depend")
 CLOSED = "Closed under the global context"
 
 
 def certificate(means: Means, *, claim: str) -> Found | NotChecked:
-    """One claim of ``check.py``, from its files alone, by code that shares nothing with ours."""
+    """Check one claim by ``check.py``, from its files alone.
+
+    That code shares nothing with this package.
+    """
     if means.proofs is None:
         return NotChecked(NO_FOLDER)
     command = [sys.executable, str(means.proofs / "check.py"), "--only", claim]
@@ -108,6 +111,8 @@ CHECKS: Checks = {
             "coq-lower-bounds",
             "coq-2m",
             "coq-checker",
+            "coq-shield",
+            "coq-mass-formula",
         ),
         theorem,
     ),

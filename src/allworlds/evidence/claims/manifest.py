@@ -1,4 +1,4 @@
-"""What is claimed and what is expected of it: ``claims.toml``, read and checked.
+"""Claims and expected outcomes: ``claims.toml``, read and checked.
 
 Expected verdicts and numbers stand in that file alone; the functions that find them do not read
 it.
@@ -36,11 +36,11 @@ BUDGETS: tuple[str, ...] = get_args(Budget)
 
 
 class BadManifest(ValueError):
-    """The file of the claims says something that it cannot say."""
+    """Raised for an invalid entry in the file of the claims."""
 
 
 class ClaimScope(Document):
-    """What a claim is checked on under a budget, and what must be found there.
+    """The scope of a claim under a budget, and the numbers that must be found there.
 
     The bounds are the keywords of its function.
     """
@@ -51,7 +51,7 @@ class ClaimScope(Document):
 
 
 class Sentence(Document):
-    """A sentence that can be checked, and what is expected of it."""
+    """A sentence that can be checked, and the expected verdict."""
 
     id: Annotated[Text, about("its name, for `--only` and `--require`")]
     section: Annotated[Section, about("of the paper; `ours`: the sentence is not the paper's")]
@@ -65,7 +65,7 @@ class Sentence(Document):
 
 
 class Claim(Sentence):
-    """A sentence, and what must come out: a table of ``claims.toml``.
+    """A sentence and its expected outcome: a table of ``claims.toml``.
 
     ``{names}`` in the scope are those of the bounds.
     """
@@ -75,11 +75,11 @@ class Claim(Sentence):
 
     @property
     def scopes(self) -> Mapping[Budget, ClaimScope]:
-        """What it is checked on, by budget."""
+        """The scopes of the claim, by budget."""
         return {"quick": self.quick, "full": self.full or self.quick}
 
     def scope_under(self, budget: Budget) -> str:
-        """The same in words."""
+        """The scope under a budget, in words."""
         return self.scope.format(**self.scopes[budget].bounds)
 
 
@@ -94,7 +94,7 @@ def manifest() -> tuple[Claim, ...]:
 
 
 def read(text: str) -> tuple[Claim, ...]:
-    """The claims of a file; raises as :func:`manifest`."""
+    """Read the claims of a file; raises as :func:`manifest`."""
     claims = [_claim(name, table) for name, table in tomllib.loads(text).items()]
     return tuple(sorted(claims, key=lambda claim: SECTIONS.index(claim.section)))
 

@@ -32,7 +32,7 @@ def below_the_bound(_: Means, *, families: list[str], seeds: int, share: float) 
 
 
 def transit_explains_the_gap(_: Means, *, families: list[str], seeds: int, share: float) -> Found:
-    """What is lost if each walk to a known end is charged n_s: as a share of the gap."""
+    """Share of the gap that comes from charging each walk to a known end with n_s."""
     explained: dict[str, float] = {}
     runs = 0
     for family, world in _worlds(families, seeds):

@@ -1,4 +1,4 @@
-"""Section II: the world, motions, and what is sensed."""
+"""Section II: the world, motions and percepts."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def motions_can_be_undone(_: Means, *, edges: int, length: int) -> Found:
 
 
 def walked(map_: CombinatorialMap, dart: Dart, motions: object) -> Dart:
-    """The dart that the motions lead to: sigma, so many times, and then across."""
+    """The dart that the motions lead to: each turns by sigma and then crosses the edge."""
     for k in motions:  # type: ignore[attr-defined]
         dart = map_.alpha[map_.turn(dart, k)]
     return dart

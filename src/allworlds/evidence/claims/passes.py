@@ -1,4 +1,4 @@
-"""Algorithm 1 pass by pass: what each costs, and what the paper allows it.
+"""Algorithm 1 pass by pass: the cost of each, and the bound that the paper gives.
 
 The cost of a pass is taken from the log: the traversals between two checkpoints.  Walk and tests
 are told apart by an Algorithm 1 whose own methods say where it is; what it walks is counted from
@@ -11,11 +11,13 @@ from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from typing_extensions import override
+
 from allworlds.evidence.claims.claim_types import Unfinished
 from allworlds.explorers import Algorithm1
 from allworlds.judging import Answered, Episode, paper_bound, play
 from allworlds.maps import cycles
-from allworlds.protocol import Choices, Estimate, Move, Percept, policy_named
+from allworlds.protocol import Choices, Estimate, Move, Percept, Told, policy_named
 from allworlds.world import World, worlds
 
 
@@ -59,21 +61,21 @@ class Watched(Algorithm1):
         self.steps = 0
         self.begun: list[_BegunPass] = []
 
+    @override
     def take_from_u(self) -> int:
-        """A pass begins."""
         s = self.s
         explored = (len(s.alpha) - len(s.unexplored)) // 2
         self.begun.append(_BegunPass(len(s.first), explored, self.steps))
         return super().take_from_u()
 
+    @override
     def hypotheses(self, goal: int, percept: Percept) -> list[int]:
-        """The robot is at the unknown end."""
         told = super().hypotheses(goal, percept)
         self.begun[-1].walked, self.begun[-1].hypotheses = self.steps, len(told)
         return told
 
+    @override
     def path_to_v0(self, partner: int) -> list[int]:
-        """A test begins, and the one before has ended."""
         self.begun[-1].tests.append(self.steps)
         return super().path_to_v0(partner)
 
@@ -89,7 +91,7 @@ def passes_of(world: World, policy: str = "fifo") -> list[PassWalked]:
     def player(
         first: Percept,
         choices: Choices,
-        told: int | None,  # noqa: ARG001  # nothing is told under this lighthouse
+        told: Told,  # noqa: ARG001  # nothing is told under this lighthouse
     ) -> Generator[Any, Any, Estimate]:
         watched = Watched(first, choices)
         met.append(watched)
@@ -116,7 +118,7 @@ def _counted(watched: Watched) -> Generator[Any, Any, Estimate]:
 
 
 def _passes(watched: Watched, episode: Episode) -> Iterator[PassWalked]:
-    """Each pass with the traversals between the checkpoints before and behind it."""
+    """Passes, each with the traversals between the checkpoints before and after it."""
     if len(watched.begun) != len(episode.checkpoints):
         raise Unfinished("Algorithm 1 has not shown its map after each pass")
     before, known = 0, 1
@@ -145,7 +147,7 @@ def _vertices(sigma: Sequence[int]) -> list[int]:
 
 
 def pass_bound(edges: int, vertices: int, explored: int) -> int:
-    """What a pass may cost with s vertices and p edges known: ``s + 2(s-1)(2m-2p)``."""
+    """The bound on a pass with s vertices and p edges known: ``s + 2(s-1)(2m-2p)``."""
     return vertices + 2 * (vertices - 1) * (2 * edges - 2 * explored)
 
 

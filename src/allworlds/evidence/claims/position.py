@@ -30,10 +30,14 @@ from allworlds.maps import (
 from allworlds.protocol import Action, Drop, Move, Pick
 from allworlds.studies.ambiguity import census, sensed, twins
 from allworlds.studies.check import check
-from allworlds.world import Compass, Movable, Nothing, Position, World, own_corpus
+from allworlds.world import Compass, Directional, Movable, Nothing, Position, World, own_corpus
 
 FIGURE_1 = ("fig1-left", "fig1-right")
 CAPTION = (1, 1, 2, 2, 1)
+SENSED_IN_CAPTION = ("3A", "3A", "3A", "3A", "4P")
+
+SMALLEST = {MapClass.MAPS: 2, MapClass.SIMPLE: 6, MapClass.PLANAR_SIMPLE: 8}
+"""The sizes that the sentences about the smallest worlds name."""
 
 
 def _cycles(lighthouse: Callable[[int], World], length: int) -> Iterator[tuple[World, World]]:
@@ -67,9 +71,35 @@ def _compared(lighthouse: Callable[[int], World], length: int, *, apart: bool) -
     return Found(truth(pairs == as_said), {"pairs": pairs}, {}, pictures)
 
 
+def _walked_together(one: World, other: World) -> tuple[int, bool]:
+    """Pairs of darts reached by equal motions, and whether both always sense the same.
+
+    No partition and no certificate: motions are tried until two percepts differ, or until no
+    new pair of darts comes.
+    """
+    met = {(one.start, other.start)}
+    for x, y in (queue := [(one.start, other.start)]):
+        if one.percepts[x] != other.percepts[y]:
+            return len(met), False
+        for k in range(one.percepts[x].degree):
+            pair = (one.map.alpha[one.map.turn(x, k)], other.map.alpha[other.map.turn(y, k)])
+            if pair not in met:
+                met.add(pair)
+                queue.append(pair)
+    return len(met), True
+
+
 def no_information(_: Means, *, length: int) -> Found:
-    """Two cycles and no marker: no motion tells them apart."""
-    return _compared(_plain, length, apart=False)
+    """Walk all motions at once in two cycles without a marker; as a control with one."""
+    plain = [_walked_together(*pair) for pair in _cycles(_plain, length)]
+    control = [_walked_together(*pair) for pair in _cycles(_marked, length)]
+    witnesses = {
+        "pairs": len(plain),
+        "pairs of darts": sum(met for met, _ in plain),
+        "told apart with a marker": sum(not alike for _, alike in control),
+    }
+    pictures = tuple(Picture(f"the cycle of {n}", _plain(n)) for n in (3, 4) if n <= length)
+    return Found(truth(all(alike for _, alike in plain)), witnesses, {}, pictures)
 
 
 def two_door_rooms(_: Means, *, length: int) -> Found:
@@ -104,14 +134,21 @@ def _figure_1_pictures() -> tuple[Picture, ...]:
 
 
 def figure_1_alike(_: Means) -> Found:
-    """The bisimulation that ``twins`` has checked, from every dart of the marked vertex."""
+    """Walk all motions at once from each dart of v0; as a control with a direction there."""
     one, other = _figure_1()
     starts = [one.map.turn(0, k) for k in range(one.first.degree)]
-    related = sum(
-        not twins(World(one.map, Position(dart), dart), other).distinguishable for dart in starts
-    )
-    witnesses = {"starts": len(starts), "darts": len(one.map.sigma) + len(other.map.sigma)}
-    return Found(truth(related == len(starts)), witnesses, {}, _figure_1_pictures())
+    walked = [_walked_together(World(one.map, Position(dart), dart), other) for dart in starts]
+    pointed = World(other.map, Directional(0))
+    control = [
+        _walked_together(World(one.map, Directional(0), dart), pointed)
+        for dart in one.map.vertices[one.map.vertex_of[0]]
+    ]
+    witnesses = {
+        "starts": len(starts),
+        "pairs of darts": sum(met for met, _ in walked),
+        "told apart with a direction": sum(not alike for _, alike in control),
+    }
+    return Found(truth(all(alike for _, alike in walked)), witnesses, {}, _figure_1_pictures())
 
 
 def figure_1_different(_: Means) -> Found:
@@ -125,7 +162,7 @@ def figure_1_different(_: Means) -> Found:
 
 
 def figure_1_caption(_: Means) -> Found:
-    """What the caption's motions make sensed, on both graphs, from each dart of the start."""
+    """Compare the percepts of the caption's motions with the caption, on both graphs."""
     one, other = _figure_1()
     walks = [
         tuple(
@@ -136,7 +173,7 @@ def figure_1_caption(_: Means) -> Found:
         for dart in (world.map.turn(0, k) for k in range(world.first.degree))
     ]
     return Found(
-        truth(len(set(walks)) == 1),
+        truth(set(walks) == {SENSED_IN_CAPTION}),
         {"walks": len(walks)},
         {"percepts": list(walks[0])},
         _figure_1_pictures(),
@@ -165,8 +202,8 @@ def pair_of_corpus(name: str) -> tuple[World, World]:
     return World.from_json(one), World.from_json(other)
 
 
-def _smallest(map_class: str, edges: int) -> Found:
-    """The first number of edges with two worlds that look alike."""
+def _smallest(map_class: MapClass, edges: int, *pair: World) -> Found:
+    """The first number of edges with two worlds that look alike; a pair that must be among them."""
     report = census(edges=edges, map_class=map_class)
     if report.exit_code:
         raise Unfinished(f"the census of {map_class} ended with exit code {report.exit_code}")
@@ -177,22 +214,29 @@ def _smallest(map_class: str, edges: int) -> Found:
     first = ambiguous[0]
     figures = {"edges": first.edges, "classes": first.classes or 0}
     below = sum(row.marked_worlds for row in report.rows if row.edges < first.edges)
-    return Found("holds", {**seen, "smaller worlds, none ambiguous": below}, figures)
+    as_said = first.edges == SMALLEST[map_class] and (not pair or _of_size(first.edges, *pair))
+    return Found(truth(as_said), {**seen, "smaller worlds, none ambiguous": below}, figures)
+
+
+def _of_size(edges: int, one: World, other: World) -> bool:
+    return one.map.edge_count == edges and twins(one, other).twins
 
 
 def smallest_maps(_: Means, *, edges: int) -> Found:
-    """Of all maps."""
-    return _smallest("maps", edges)
+    """Find the smallest of all maps: one vertex, its two loops side by side and crossed."""
+    names = ("two-loops-plane", "two-loops-torus")
+    one, other = (World(named_map(name), Position(0)) for name in names)
+    return _smallest(MapClass.MAPS, edges, one, other)
 
 
 def smallest_simple(_: Means, *, edges: int) -> Found:
-    """Of simple ones."""
-    return _smallest("simple", edges)
+    """Find the smallest simple ones: K4 in the plane and on the torus."""
+    return _smallest(MapClass.SIMPLE, edges, *pair_of_corpus("pair-k4"))
 
 
 def smallest_planar_simple(_: Means, *, edges: int) -> Found:
-    """Of simple ones in the plane."""
-    return _smallest("planar-simple", edges)
+    """Find the smallest simple ones in the plane."""
+    return _smallest(MapClass.PLANAR_SIMPLE, edges)
 
 
 def cycles_need_information(_: Means, *, edges: int) -> Found:
@@ -256,13 +300,13 @@ def trees_need_none(_: Means, *, edges: int) -> Found:
 
 
 def movable_marker_simple(means: Means, *, edges: int) -> Found:
-    """The explorer of Dudek et al. in every simple world."""
+    """Run the explorer of Dudek et al. in every simple world."""
     report = check("dudek91", edges=edges, map_class="simple", workers=means.workers)
     return of_check(report, "new-vertex", "back-link")
 
 
 def movable_marker_maps(means: Means, *, edges: int) -> Found:
-    """The same explorer where loops and parallel edges are allowed."""
+    """Run that explorer where loops and parallel edges are allowed."""
     report = check("dudek91", edges=edges, workers=means.workers)
     return of_check(report, **smallest(report))
 

@@ -16,7 +16,7 @@ checked (a proof that two worlds are twins, or runs that were judged).  matplotl
     the exact worst cases beside the bound, the optimum and what is known from below;
 ``canvas``
     maps as matplotlib draws them, darts in their cyclic order;
-``figure_text``
+``figure_telling``
     what is told of a figure.
 """
 

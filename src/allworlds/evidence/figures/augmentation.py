@@ -11,7 +11,7 @@ from allworlds.engines import SingleRun
 from allworlds.evidence.figures.canvas import FAINT, INK, PAPER, Canvas
 from allworlds.evidence.figures.drawn import Table
 from allworlds.maps import CombinatorialMap, Dart, Vertex
-from allworlds.outcome import Exit, Verdict
+from allworlds.outcome import Facts
 from allworlds.protocol import Checkpoint, Move
 from allworlds.studies.run import run
 from allworlds.world import world_named
@@ -34,7 +34,7 @@ class KnownDarts:
     open: frozenset[Dart]
 
     def vertices(self, map_: CombinatorialMap) -> set[Vertex]:
-        """The vertices of S."""
+        """The vertices of S in the world."""
         return {map_.vertex_of[dart] for dart in self.explored | self.open}
 
 
@@ -64,7 +64,7 @@ class PassDrawn:
 
     @property
     def is_loop(self) -> bool:
-        """A hypothesis was confirmed: line 19, and not line 21."""
+        """Whether a hypothesis was confirmed, so that line 19 ran and not line 21."""
         return self.added <= self.before.open
 
 
@@ -81,18 +81,15 @@ class Augmentation:
     told: SingleRun
     passes: tuple[PassDrawn, PassDrawn]
 
-    @property
-    def verdict(self) -> Verdict:
-        """Of the run."""
-        return self.told.verdict
+    is_sample = False
 
     @property
-    def exit_code(self) -> Exit:
-        """That of the verdict."""
-        return self.verdict.exit
+    def facts(self) -> Facts:
+        """The facts of the run."""
+        return self.told.facts
 
     def table(self) -> Table:
-        """A line for each of the two passes, darts as the world numbers them."""
+        """Rows for the two passes, darts as the world numbers them."""
         header = ["pass", "augmentation", "e", "arrived_by", "hypotheses", "traversals"]
         header += ["vertices_before", "vertices_after", "open_before", "open_after"]
         map_ = self.told.world.map
@@ -114,7 +111,7 @@ class Augmentation:
         return header, rows
 
     def caption(self) -> Sequence[str]:
-        """What is seen."""
+        """The lines that stand below the figure."""
         new, closing = self.passes
         cost = self.told.outcome.cost
         return [
@@ -138,7 +135,7 @@ class Augmentation:
         ]
 
     def draw(self, figure: Any) -> None:
-        """A line for each pass: before, and after."""
+        """Draw a line for each pass: before, and after."""
         panels = figure.subplots(2, 2)
         figure.set_size_inches(9, 9)
         for line, one in zip(panels, self.passes, strict=True):

@@ -1,4 +1,4 @@
-"""The bound, examined: exact worst cases over all schedules, beside what is known from below."""
+"""The bound examined: exact worst cases over all schedules, beside known lower bounds."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from typing import Any
 from allworlds.engines import Limits, Listener
 from allworlds.evidence.figures.drawn import Table
 from allworlds.judging import paper_bound
-from allworlds.outcome import Exit, Verdict
+from allworlds.outcome import Facts
 from allworlds.studies.optimum import minimax
 from allworlds.studies.worst import WorstReport, worst
-from allworlds.world import worlds
+from allworlds.world import Directional, worlds
 
 MOST_OPTIMAL = 4
 """The largest number of edges for which the optimum is searched for: some seconds."""
@@ -39,7 +39,7 @@ class BoundsCell:
 
     @property
     def bound(self) -> int:
-        """(1) + (2)."""
+        """The bound (1) + (2)."""
         return paper_bound(self.vertices, self.edges)
 
 
@@ -55,24 +55,18 @@ class BoundsFigure:
     report: WorstReport
     cells: tuple[BoundsCell, ...]
 
+    is_sample = False
+
     @property
-    def verdict(self) -> Verdict:
-        """Whether no schedule passes the bound, and nothing is below what is known from below."""
-        if not self.report.gate.agrees:
-            return Verdict.ERROR
-        if not self.report.complete:
-            return Verdict.INCONCLUSIVE
+    def facts(self) -> Facts:
+        """Whether no schedule exceeds the bound, and no cost is below a known lower bound."""
         kept = all(cell.edges <= cell.best <= cell.worst <= cell.bound for cell in self.cells)
         possible = all(cell.optimum is None or cell.optimum <= cell.worst for cell in self.cells)
-        return Verdict.HOLDS if kept and possible else Verdict.REFUTED
-
-    @property
-    def exit_code(self) -> Exit:
-        """That of the search, if it did not come to its end; else that of the verdict."""
-        return self.report.exit_code or self.verdict.exit
+        found = self.report.facts
+        return found._replace(refuted=found.refuted or not (kept and possible))
 
     def table(self) -> Table:
-        """A line for each size."""
+        """Rows, one for each size."""
         header = ["edges", "vertices", "bound_1_plus_2", "worst", "best_schedule"]
         header += ["optimum", "every_edge_once"]
         return header, [
@@ -80,7 +74,7 @@ class BoundsFigure:
         ]
 
     def caption(self) -> Sequence[str]:
-        """What is seen."""
+        """The lines that stand below the figure."""
         if not self.cells:
             return ("Interrupted before anything was known.",)
         tight = [cell for cell in self.cells if cell.worst == cell.bound and cell.vertices > 1]
@@ -107,7 +101,7 @@ class BoundsFigure:
         return shown, optimum, attained
 
     def draw(self, figure: Any) -> None:
-        """A panel for each number of vertices."""
+        """Draw a panel for each number of vertices."""
         by_vertices = defaultdict(list)
         for cell in self.cells:
             by_vertices[cell.vertices].append(cell)
@@ -136,7 +130,7 @@ def _panel(axes: Any, vertices: int, cells: Sequence[BoundsCell]) -> None:
 
 
 def figure_bounds(edges: int, limits: Limits, listener: Listener) -> BoundsFigure:
-    """Worst cases up to so many edges, and optima as far as they are known."""
+    """Compute worst cases for all sizes up to the limit, and optima as far as they are known."""
     report = worst(edges=edges, workers=limits.workers, listener=listener)
     optima = _optima(min(edges, MOST_OPTIMAL))
     cells = [
@@ -150,7 +144,7 @@ def _optima(edges: int) -> dict[tuple[int, int], int]:
     """The optimum of each size, for explorers that know it."""
     given = defaultdict(list)
     for world in worlds(edges=edges, places="all"):
-        (pointed,) = world.lighthouse.references(world.map)
+        assert isinstance(world.lighthouse, Directional)
         size = world.map.edge_count, world.map.vertex_count
-        given[size].append((world.map, world.start, pointed))
+        given[size].append((world.map, world.start, world.lighthouse.dart))
     return {size: minimax(known).at_least for size, known in given.items()}

@@ -11,7 +11,7 @@ from allworlds.maps import CombinatorialMap, Dart
 from allworlds.reports import Layout, layout
 
 INK, FAINT, PAPER = "#1a1a1a", "#c9c9c9", "white"
-"""What is known, what is not, and the ground."""
+"""Colours of known parts, of unknown parts, and of the ground."""
 
 RADIUS = 9.0
 """Of a vertex, in the units of a layout."""
@@ -33,7 +33,7 @@ class Canvas:
 
     @classmethod
     def of(cls, axes: Any, map_: CombinatorialMap, root: Dart) -> Canvas:
-        """Empty axes that have room for the map; y grows downwards, as in a layout."""
+        """Return empty axes with room for the map; y grows downwards, as in a layout."""
         drawn = layout(map_, root)
         left, top, width, height = drawn.box(24)
         axes.set(xlim=(left, left + width), ylim=(top + height, top), aspect="equal")
@@ -41,19 +41,19 @@ class Canvas:
         return cls(axes, map_, drawn)
 
     def edges(self, darts: Iterable[Dart], **style: Any) -> None:
-        """The edges of these darts, each from end to end."""
+        """Draw the edges of these darts, each from end to end."""
         for dart in darts:
             self._path(self.layout.ways[dart], **style)
 
     def stubs(self, darts: Iterable[Dart], **style: Any) -> None:
-        """The beginnings of these darts."""
+        """Draw the beginnings of these darts."""
         for dart in darts:
             start, end = self.layout.ways[dart][0], self.layout.stub(dart)
             xs, ys = zip(*(_xy(point) for point in (start, end)), strict=True)
             self.axes.plot(xs, ys, **style)
 
     def vertices(self, vertices: Iterable[int], *, fill: str, ink: str = INK) -> None:
-        """These vertices with their names."""
+        """Draw these vertices with their names."""
         from matplotlib.patches import Circle
 
         for vertex in vertices:
@@ -65,7 +65,7 @@ class Canvas:
             )
 
     def pointer(self, dart: Dart) -> None:
-        """The arrow of a marker that points along the dart."""
+        """Draw the arrow of a marker that points along the dart."""
         start, end = self.layout.ways[dart][0], self.layout.stub(dart)
         along = (end - start) / abs(end - start)
         tip, tail = _xy(start + along * (RADIUS + 22)), _xy(start + along * RADIUS)
@@ -74,13 +74,13 @@ class Canvas:
         self.axes.annotate("", xy=tip, xytext=tail, arrowprops=arrow, zorder=6)
 
     def note(self, dart: Dart, text: str, **style: Any) -> None:
-        """A short text on the dart's edge, near its vertex."""
+        """Write a short text on the dart's edge, near its vertex."""
         box = {"boxstyle": "round,pad=0.15", "facecolor": PAPER, "edgecolor": "none"}
         at = _xy(self.layout.label(dart))
         self.axes.text(*at, text, ha="center", va="center", fontsize=7, bbox=box, zorder=7, **style)
 
     def _path(self, way: Sequence[complex], **style: Any) -> None:
-        """Straight, then a parabola for each point between, then straight."""
+        """The path of an edge: straight, then a parabola for each point between, then straight."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 

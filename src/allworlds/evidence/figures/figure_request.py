@@ -1,4 +1,4 @@
-"""What ``figure`` is asked for, as a value."""
+"""Request of ``figure``: which one, its numbers and its file."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SUFFIXES = (".svg", ".png", ".pdf")
 
 
 class AskedFigure(AskedListener, Limits):
-    """How a figure is made."""
+    """Options for making a figure."""
 
     answer_timeout: Annotated[float, "as for a check; built-in explorers are never silent"] = (
         ANSWER_TIMEOUT
@@ -29,20 +29,32 @@ class AskedFigure(AskedListener, Limits):
     ] = None
     worlds: Annotated[
         int | None,
-        Option(SCOPE, "K", "Graphs of each size, for 3 [default: 30].", parse=integer_of),
+        Option(
+            SCOPE,
+            "K",
+            "The number of graphs of each size, for figure 3 [default: 30].",
+            parse=integer_of,
+        ),
     ] = None
     seed: Annotated[
         int | None,
-        Option(SCOPE, "S", "Of the first graph of a size, for 3 [default: 1].", parse=integer_of),
+        Option(
+            SCOPE,
+            "S",
+            "The seed of the first graph of a size, for figure 3 [default: 1].",
+            parse=integer_of,
+        ),
     ] = None
     edges: Annotated[
         int | None,
-        Option(SCOPE, "M", "At most M edges, for bounds [default: 6].", parse=integer_of),
+        Option(
+            SCOPE, "M", "At most M edges, for the figure bounds [default: 6].", parse=integer_of
+        ),
     ] = None
 
 
 class FigureRequest(AskedFigure, kw_only=False):
-    """What ``figure`` is asked for."""
+    """Request of ``figure``: which one, its numbers and its file."""
 
     name: Annotated[
         str,

@@ -9,7 +9,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.document import Natural, Report, Some, Text, about, one_of
+from allworlds.document import (
+    EXIT_CODE,
+    Aside,
+    Natural,
+    Report,
+    Some,
+    Text,
+    about,
+    computed,
+    one_of,
+)
 from allworlds.evidence.figures.augmentation import figure_2
 from allworlds.evidence.figures.bounds import figure_bounds
 from allworlds.evidence.figures.drawn import Drawn
@@ -17,17 +27,17 @@ from allworlds.evidence.figures.figure_request import FigureRequest
 from allworlds.evidence.figures.holes import figure_3
 from allworlds.evidence.figures.twins import figure_1
 from allworlds.inputs import InputError, an_integer, answers, ensure_installed, show
-from allworlds.outcome import Exit, Verdict
+from allworlds.outcome import Exit, Facts, Verdict
 
 WORLDS, SEED, EDGES = 30, 1, 6
-"""What is taken where nothing is said: graphs of a size, the first seed, the largest size."""
+"""Defaults: graphs of a size, the first seed, the largest size."""
 
 MOST_EDGES = 7
 
 
 @dataclass(frozen=True, slots=True)
 class FigureNumbers:
-    """The numbers of a figure."""
+    """Numbers that determine a figure: graphs of a size, first seed, largest size."""
 
     worlds: int = WORLDS
     seed: int = SEED
@@ -35,7 +45,7 @@ class FigureNumbers:
 
     @classmethod
     def of(cls, request: FigureRequest, kind: Kind) -> FigureNumbers:
-        """Those of a request.
+        """Return the numbers of a request.
 
         Raises:
             InputError: for one that is out of range, or of no effect.
@@ -89,26 +99,39 @@ FIGURES: Mapping[str, Kind] = {
 """**The** table of the figures."""
 
 
+def _verdict(drawn: Drawn) -> Verdict:
+    """Whether what is drawn is so."""
+    return drawn.facts.sample_verdict if drawn.is_sample else drawn.facts.verdict
+
+
 class Figure(Report):
     """Report of 'figure'.
 
     A figure that was written: the picture, and the CSV beside it.
     """
 
-    verdict: Annotated[Verdict, about("whether what is drawn is so")]
+    verdict: Annotated[Verdict, about("whether the figure's claims were found true")] = computed(
+        lambda figure: _verdict(figure.drawn)
+    )
     exit_code: Annotated[
         Exit,
         one_of(
             *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
             Exit.INTERRUPTED,
         ),
-    ]
+    ] = EXIT_CODE
     figure: Annotated[Text, about("its name")]
     path: Annotated[Path, about("the file of the picture")]
     data: Annotated[Path, about("the file of its data, CSV")]
-    caption: Annotated[Some[Text], about("what is seen, a few sentences each")]
+    caption: Annotated[Some[Text], about("the caption, a few sentences each")]
     columns: Annotated[Some[Text], about("of the data")]
     rows: Annotated[Natural, about("how many there are")]
+    drawn: Aside[Drawn]
+
+    @property
+    def facts(self) -> Facts:
+        """The facts of the figure's content."""
+        return self.drawn.facts
 
 
 @answers(FigureRequest)
@@ -133,8 +156,7 @@ def figure(request: FigureRequest) -> Figure:
     data.write_text(_csv(drawn), encoding="utf-8")
     header, rows = drawn.table()
     return Figure(
-        verdict=drawn.verdict,
-        exit_code=drawn.exit_code,
+        drawn=drawn,
         figure=name,
         path=path,
         data=data,

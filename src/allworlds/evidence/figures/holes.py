@@ -9,10 +9,18 @@ from typing import Any
 
 from allworlds.engines import Limits, Listener, subject_of
 from allworlds.evidence.figures.drawn import Table
+from allworlds.inputs import values_of
 from allworlds.judging import paper_bound, printed_bound
-from allworlds.outcome import Exit, Verdict
-from allworlds.studies.check import ManyRuns
-from allworlds.studies.compare import Climb, Contestant, GrowRow, Growth, Member
+from allworlds.outcome import Facts
+from allworlds.studies.compare import (
+    CompareRequest,
+    Contestant,
+    GrowingWorlds,
+    GrowRow,
+    Growth,
+    Member,
+    first_place,
+)
 
 HOLES = "10%"
 
@@ -41,7 +49,7 @@ TITLES = {
 
 @dataclass(frozen=True, slots=True)
 class Holes:
-    """What the runs have cost.
+    """Costs of the runs.
 
     Attributes:
         growth: of every explorer in every graph.
@@ -53,18 +61,15 @@ class Holes:
     worlds: int
     seed: int
 
-    @property
-    def verdict(self) -> Verdict:
-        """Whether a run broke a law."""
-        return self.growth.verdict
+    is_sample = True
 
     @property
-    def exit_code(self) -> Exit:
-        """Of the runs."""
-        return self.growth.exit_code
+    def facts(self) -> Facts:
+        """Whether a run broke a law."""
+        return self.growth.facts
 
     def table(self) -> Table:
-        """A line for each run."""
+        """Rows, one for each run."""
         header = ["family", "vertices", "edges", "explorer", "world", "traversals"]
         header += ["bound_1_plus_2", "bound_3_as_printed", "twice_the_edges"]
         return header, [
@@ -73,20 +78,21 @@ class Holes:
                 row.vertices,
                 row.edges,
                 row.explorer,
-                member,
+                one.name,
                 cost,
                 paper_bound(row.vertices, row.edges),
                 round(printed_bound(row.vertices, row.edges)),
                 2 * row.edges,
             ]
             for row in self.growth.rows
-            for member, cost in zip(row.members, row.costs, strict=True)
+            for one in row.members
+            for cost in one.costs
         ]
 
     def caption(self) -> Sequence[str]:
-        """What is seen."""
+        """The lines that stand below the figure."""
         last = {row.family: row for row in self.growth.rows if row.explorer == _name(*WHO[0])}
-        runs = sum(len(row.costs) for row in self.growth.rows)
+        runs = sum(row.runs for row in self.growth.rows)
         sentences = [
             (
                 f"Traversals by edges, mean and standard error of {self.worlds} graphs a size, "
@@ -115,12 +121,12 @@ class Holes:
         sentences.append(
             "The paper does not say which edge is explored next: first in, first out (fifo), last "
             "in, first out (lifo) and the nearest are three answers. `dudek91` carries a marker "
-            "that it may drop and pick up, and has a bound of its own."
+            "that it may drop and pick up, and has another bound."
         )
         return sentences
 
     def draw(self, figure: Any) -> None:
-        """For each family linear axes above logarithmic ones."""
+        """Draw, for each family, linear axes above logarithmic ones."""
         families = [family for family in LADDERS if any(self._rows(family))]
         figure.set_size_inches(11, 9)
         panels = figure.subplots(2, max(1, len(families)), squeeze=False)
@@ -142,7 +148,7 @@ class Holes:
             axes.errorbar(
                 [row.edges for row in rows],
                 means,
-                yerr=[standard_error(row.costs) for row in rows],
+                yerr=[standard_error(row.means) for row in rows],
                 label=explorer,
                 marker="o",
                 markersize=3,
@@ -166,7 +172,7 @@ class Holes:
             axes.set(ylim=(0, 1.08 * highest))
 
 
-def standard_error(costs: Sequence[int]) -> float:
+def standard_error(costs: Sequence[float]) -> float:
     """The sample's standard deviation, divided by the root of its size; 0 for a single value."""
     if len(costs) < 2:
         return 0.0
@@ -175,18 +181,20 @@ def standard_error(costs: Sequence[int]) -> float:
 
 
 def figure_3(worlds: int, seed: int, limits: Limits, listener: Listener) -> Holes:
-    """The runs of every explorer in every graph."""
+    """Run every explorer in every graph."""
     ladders = {
         family: [[Member(text, HOLES, seed + number) for number in range(worlds)] for text in texts]
         for family, texts in LADDERS.items()
     }
     contestants = [_contestant(name, policy, limits) for name, policy in WHO]
-    return Holes(Climb(contestants, ladders, limits, listener).growth(), worlds, seed)
+    effort = CompareRequest(listener=listener, **values_of(Limits, limits))
+    sweep = GrowingWorlds(contestants, ladders, effort, first_place)
+    return Holes(sweep.answer(None), worlds, seed)
 
 
 def _contestant(name: str, policy: str, limits: Limits) -> Contestant:
     subject = subject_of(name, limits)
-    request = ManyRuns(policy=policy) if policy else ManyRuns()
+    request = CompareRequest(policy=policy) if policy else CompareRequest()
     return Contestant(subject, request.rules(subject), _name(name, policy))
 
 

@@ -11,7 +11,7 @@ from allworlds.document import UNSET
 from allworlds.evidence.figures.canvas import FAINT, INK, PAPER, Canvas
 from allworlds.evidence.figures.drawn import Table
 from allworlds.maps import Dart
-from allworlds.outcome import Exit, Verdict
+from allworlds.outcome import Facts
 from allworlds.protocol import Move, Percept
 from allworlds.studies.ambiguity import ComparedWorlds, twins
 from allworlds.world import World, world_named
@@ -37,22 +37,19 @@ class TwinsFigure:
     compared: ComparedWorlds
     walks: tuple[Sequence[tuple[Dart, Percept]], Sequence[tuple[Dart, Percept]]]
 
+    is_sample = False
+
     @property
-    def verdict(self) -> Verdict:
-        """Whether the proof stands, the maps differ, and both walks sense what the paper says."""
+    def facts(self) -> Facts:
+        """Whether the proof is right, the maps differ, and both walks sense what the paper says."""
         said = [[(seen.degree, seen.marks) for _, seen in walk[1:]] for walk in self.walks]
         right = all(tuple(senses) == CAPTION for senses in said)
         different = self.compared.relation == "different"
         proved = not self.compared.distinguishable
-        return Verdict.HOLDS if right and different and proved else Verdict.REFUTED
-
-    @property
-    def exit_code(self) -> Exit:
-        """That of the verdict."""
-        return self.verdict.exit
+        return Facts(refuted=not (right and different and proved))
 
     def table(self) -> Table:
-        """A line for each step: the motion, and the dart and the percept in both worlds."""
+        """Rows, one for each step: the motion, and the dart and the percept in both worlds."""
         header = ["step", "motion", "left_dart", "left_degree", "left_marks"]
         header += ["right_dart", "right_degree", "right_marks"]
         rows = []
@@ -63,7 +60,7 @@ class TwinsFigure:
         return header, rows
 
     def caption(self) -> Sequence[str]:
-        """What is seen."""
+        """The lines that stand below the figure."""
         motions = ", ".join(map(str, MOTIONS))
         sensed = " ".join(_sensed(percept) for _, percept in self.walks[0][1:])
         return (
@@ -85,7 +82,7 @@ class TwinsFigure:
         )
 
     def draw(self, figure: Any) -> None:
-        """Both worlds side by side."""
+        """Draw both worlds side by side."""
         panels = figure.subplots(1, 2)
         figure.set_size_inches(10, 5.6)
         for number, panel in enumerate(panels):
@@ -124,7 +121,7 @@ class TwinsFigure:
 
 
 def figure_1() -> TwinsFigure:
-    """The pair of the paper, as the corpus has it."""
+    """The pair of the paper, from the corpus."""
     left, right = (world_named(name, "position") for name in PAIR)
     return TwinsFigure(twins(left, right), (_walk(left), _walk(right)))
 

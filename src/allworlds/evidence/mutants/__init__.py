@@ -2,15 +2,16 @@
 
 They are how a green run is believed: :func:`~allworlds.evidence.mutants.matrix.mutants` tries every
 one of them and says which check kills it, at which smallest world.  A new mutant is a class or a
-function in one of the four lists, and an entry at the end of its module.
+function in one of the five lists, and an entry at the end of its module.
 
-``explorers``, ``learners``, ``judges``, ``enumerators``
-    the four lists: explorers with a direction, explorers with position only, judges, enumerators;
+``explorers``, ``learners``, ``errands``, ``judges``, ``enumerators``
+    the five lists: explorers with a direction, explorers with position only, explorers with other
+    tasks and judges of these, judges, enumerators;
 ``unfair``
     a way of folding explorers that need not end;
 ``matrix``
     which check kills which mutant;
-``mutants_text``
+``mutants_telling``
     the same in words.
 """
 

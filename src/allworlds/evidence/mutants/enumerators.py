@@ -1,4 +1,4 @@
-"""Broken enumerators: levels of rooted maps that are not what they should be."""
+"""Broken enumerators, whose levels of rooted maps are wrong."""
 
 from __future__ import annotations
 
@@ -65,12 +65,12 @@ class BrokenEnumerator:
 
     @property
     def name(self) -> str:
-        """For the kill matrix."""
+        """Name in the kill matrix."""
         return self.enumerate.__name__.replace("_", "-")
 
     @property
     def breaks(self) -> str:
-        """What is wrong with it."""
+        """The fault of the enumerator, in words."""
         return (self.enumerate.__doc__ or "").strip()
 
 

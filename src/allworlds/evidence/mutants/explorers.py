@@ -32,12 +32,12 @@ class BearingIgnored(Algorithm1):
 
 
 def without_bearing(percept: Percept) -> Percept:
-    """What is left of a percept for a robot that senses no direction."""
+    """The percept without its bearing, as a robot that senses no direction has it."""
     return replace(percept, bearing=None)
 
 
 def sensing(walk: Walk[Any], change: Callable[[Percept], Percept]) -> Walk[Any]:
-    """The walk of a robot that senses something else than there is."""
+    """The walk of a robot whose percepts are altered."""
     reply: Any = None
     while True:
         try:
@@ -100,7 +100,7 @@ def partner_open(checkpoint: Checkpoint) -> Checkpoint:
 
 
 def published(walk: Walk[Estimate], change: Callable[[Checkpoint], Checkpoint]) -> Walk[Estimate]:
-    """The same walk with other checkpoints."""
+    """The walk of an explorer with altered checkpoints."""
     reply: Any = None
     while True:
         try:
@@ -315,20 +315,21 @@ class WrongExplorer:
     equivalent: str = ""
 
     lighthouse = "directional"
+    task = "map"
 
     @property
     def name(self) -> str:
-        """The class's name in words: ``no-retracing``."""
+        """The class's name in words, such as ``no-retracing``."""
         words = "".join(f"-{c.lower()}" if c.isupper() else c for c in self.kind.__name__)
         return words.strip("-").replace("-u", "-U") if words.endswith("-u") else words.strip("-")
 
     @property
     def breaks(self) -> str:
-        """What it does wrong."""
+        """The explorer's mistake, in words."""
         return (self.kind.__doc__ or "").strip()
 
     def explorer(self) -> Callable[..., Generator[Any, Any, Estimate]]:
-        """The generator function; it runs in this process."""
+        """The generator function, which runs in this process."""
         kind = self.kind
 
         def explore(
@@ -385,7 +386,7 @@ EQUIVALENT_EXPLORERS = (
 
 
 def __getattr__(name: str) -> Callable[..., Generator[Any, Any, Estimate]]:
-    """A mutant by its name with underscores, as findings name it: ``no_retracing``."""
+    """Find a mutant by its name with underscores, as findings name it: ``no_retracing``."""
     for mutant in (*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS):
         if mutant.name.replace("-", "_") == name:
             return mutant.explorer()

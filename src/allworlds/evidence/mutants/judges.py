@@ -71,7 +71,7 @@ class WeakJudge:
     softer: Check | None = None
 
     def accepts(self, case: Case, laws: Checks) -> bool:
-        """Whether the weakened judge finds nothing wrong, where these laws apply."""
+        """Whether the weakened judge accepts an answer, where these laws apply."""
         checks = {"ambiguity": ambiguity_law, **laws}
         checks.pop(self.law, None)
         if self.softer is not None and self.law in laws:
@@ -91,7 +91,9 @@ WEAK_JUDGES = (
     _softened("bound", retracing_not_counted),
     WeakJudge("map-not-compared", "Any map is accepted.", "map"),
     WeakJudge("pose-not-compared", "The robot's place is not compared.", "pose"),
-    WeakJudge("quotient-not-compared", "Whoever says that it cannot know is right.", "ambiguity"),
+    WeakJudge(
+        "quotient-not-compared", "An answer that names no map is always accepted.", "ambiguity"
+    ),
     WeakJudge("I-1-not-checked", "S need not be a part of the world.", "invariant-1"),
     WeakJudge("I-2-not-checked", "U may hold explored darts.", "invariant-2"),
     WeakJudge("t-not-checked", "A pass need not explore anything.", "variant"),

@@ -1,4 +1,4 @@
-"""Wrong learners: explorers with position only that say wrongly what they cannot know."""
+"""Wrong learners: explorers with position only that make false statements about ambiguity."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from allworlds.protocol import Ambiguous, Answer, Percept
 
 
 def doubtful_for_no_reason(right: Answer) -> Answer:
-    """It doubts where only one world looks so: in place of a map it answers with a quotient."""
+    """Doubts where only one world looks so: in place of a map it answers with a quotient."""
     if isinstance(right, Ambiguous):
         return right
     map_ = right.map
@@ -21,7 +21,7 @@ def doubtful_for_no_reason(right: Answer) -> Answer:
 
 
 def degrees_of_the_quotient(right: Answer) -> Answer:
-    """It counts the darts round a vertex of the quotient, and not those that are sensed there."""
+    """Counts the darts round a vertex of the quotient, and not those that are sensed there."""
     if not isinstance(right, Ambiguous):
         return right
     round_it = {dart: len(cycle) for cycle in cycles(right.sigma) for dart in cycle}
@@ -41,19 +41,20 @@ class WrongLearner:
     equivalent: str = ""
 
     lighthouse = BUILT_IN["quotient"].lighthouse
+    task = "map"
 
     @property
     def name(self) -> str:
-        """The slip's, with hyphens."""
+        """The name of the slip, with hyphens."""
         return self.slip.__name__.replace("_", "-")
 
     @property
     def breaks(self) -> str:
-        """What it does wrong."""
+        """The learner's mistake, in words."""
         return (self.slip.__doc__ or "").strip()
 
     def explorer(self) -> Callable[..., Generator[Any, Any, Answer]]:
-        """The generator function; it runs in this process."""
+        """The generator function, which runs in this process."""
         slip = self.slip
 
         def explore(first: Percept) -> Generator[Any, Any, Answer]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds.document import (
@@ -20,12 +20,18 @@ from allworlds.document import (
 )
 from allworlds.engines import Listener, Silent
 from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
+from allworlds.evidence.mutants.errands import (
+    WEAK_TASK_JUDGES,
+    WRONG_ERRANDS,
+    WeakTaskJudge,
+    WrongErrand,
+)
 from allworlds.evidence.mutants.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
     WrongExplorer,
 )
-from allworlds.evidence.mutants.judges import WEAK_JUDGES
+from allworlds.evidence.mutants.judges import WEAK_JUDGES, WeakJudge
 from allworlds.evidence.mutants.learners import WRONG_LEARNERS, WrongLearner
 from allworlds.explorers import in_process_subject
 from allworlds.inputs import InputError, an_integer, show
@@ -33,14 +39,15 @@ from allworlds.judging import (
     LAWS,
     Answered,
     Case,
-    Checks,
     Setting,
     Undecided,
+    any_ending_of,
     canonical_world,
     default_step_budget,
     judge,
     paper_bound,
     play,
+    task_named,
 )
 from allworlds.maps import (
     CombinatorialMap,
@@ -49,7 +56,7 @@ from allworlds.maps import (
     rooted_maps_by_permutations,
     source_for,
 )
-from allworlds.outcome import Exit, until_interrupted
+from allworlds.outcome import Facts, until_interrupted
 from allworlds.protocol import Choices
 from allworlds.studies.check import check
 from allworlds.world import Directional, World, lighthouse_named
@@ -59,38 +66,38 @@ LARGEST_LEVEL = 4
 
 
 MutantKind: TypeAlias = Literal["explorer", "judge", "enumerator"]
-"""What is wrong on purpose."""
+"""The kinds of mutants."""
 
 
 class Kill(Document):
-    """What became of one mutant.
+    """The fate of one mutant.
 
-    One whose plays differ is without a world: at which it is seen depends on the order in which it
-    meets the worlds.
+    A mutant whose plays differ has no world: the world at which it is seen depends on the order in
+    which it meets the worlds.
     """
 
     mutant: Annotated[Text, about("its name")]
     kind: MutantKind
-    breaks: Annotated[Text, about("what is wrong with it")]
+    breaks: Annotated[Text, about("its mistake")]
     killed_by: Annotated[
-        str | None, about("the law or the check that caught it; null: it lives")
+        str | None, about("the law or the check that killed it; null: it survived")
     ] = None
     world: Annotated[
         World | None,
-        about("the smallest at which it is caught; null: it lives, or any may show it"),
+        about("the smallest world that kills it; null: it survived, or any may kill it"),
     ] = None
-    equivalent: Annotated[str | None, about("why it may live; null: it may not")] = None
+    equivalent: Annotated[str | None, about("why it may survive; null: it may not")] = None
 
     @property
     def as_it_should(self) -> bool:
-        """Killed if it must be, alive if it is equivalent."""
+        """Whether it is killed, or alive and equivalent."""
         return bool(self.killed_by) != bool(self.equivalent)
 
 
 class KillMatrix(Report):
     """Report of 'mutants'.
 
-    What became of every mutant within a bound.
+    The fate of every mutant within a bound.
     """
 
     edges: Annotated[Positive, about("at most so many")]
@@ -100,15 +107,13 @@ class KillMatrix(Report):
     )
     kill_matrix: Annotated[tuple[Kill, ...], about("one a mutant")]
     survivors: Annotated[
-        Different[Text], about("those that live and may not, or may and do not")
+        Different[Text], about("mutants that survive but must not, or should survive but do not")
     ] = computed(lambda matrix: tuple(k.mutant for k in matrix.kill_matrix if not k.as_it_should))
 
     @property
-    def exit_code(self) -> Exit:
-        """1 if a mutant survived, 130 interrupted."""
-        if not self.complete:
-            return Exit.INTERRUPTED
-        return Exit.REFUTED if self.survivors else Exit.HOLDS
+    def facts(self) -> Facts:
+        """Whether a mutant survived that must not."""
+        return Facts(interrupted=not self.complete, refuted=bool(self.survivors))
 
 
 def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> KillMatrix:
@@ -126,14 +131,15 @@ def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> 
     if not 1 <= (edges := an_integer("edges", edges)) <= LARGEST_LEVEL:
         raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
     heard = listener or Silent()
-    tables = (_wrong(), EQUIVALENT_EXPLORERS, WEAK_JUDGES, BROKEN_ENUMERATORS)
+    explorers = (_wrong(), WRONG_ERRANDS, EQUIVALENT_EXPLORERS)
+    tables = (*explorers, WEAK_JUDGES, WEAK_TASK_JUDGES, BROKEN_ENUMERATORS)
     heard.stage("mutants", sum(map(len, tables)), "mutants")
     kills, complete = until_interrupted(_told(_kills(edges), heard))
     return KillMatrix(edges=edges, complete=complete, kill_matrix=kills)
 
 
 def _wrong() -> tuple[WrongExplorer | WrongLearner, ...]:
-    """The explorers that must be killed."""
+    """Explorers of maps that must be killed."""
     return (*WRONG_EXPLORERS, *WRONG_LEARNERS)
 
 
@@ -145,18 +151,21 @@ def _told(kills: Iterable[Kill], listener: Listener) -> Iterator[Kill]:
 
 def _kills(edges: int) -> Iterator[Kill]:
     refuted = []
-    for mutant in (*_wrong(), *EQUIVALENT_EXPLORERS):
+    for mutant in (*_wrong(), *WRONG_ERRANDS, *EQUIVALENT_EXPLORERS):
         kill = _explorer(mutant, edges)
         refuted += [kill.mutant] if kill.killed_by in (*LAWS, "ambiguity") else []
         yield kill
-    yield from _judges(edges, refuted)
+    yield from _judges(WEAK_JUDGES, lambda level: _refused(level, refuted), edges)
+    yield from _judges(WEAK_TASK_JUDGES, _refused_errands, edges)
     for broken in BROKEN_ENUMERATORS:
         yield _enumerator(broken, edges)
 
 
-def _explorer(mutant: WrongExplorer | WrongLearner, edges: int) -> Kill:
-    """Killed by the law that an ordinary check finds broken first."""
-    report = check(mutant.explorer(), edges=edges, lighthouse=mutant.lighthouse).uninterrupted()
+def _explorer(mutant: WrongExplorer | WrongLearner | WrongErrand, edges: int) -> Kill:
+    """Kill an explorer by the law that an ordinary check finds broken first."""
+    explore = mutant.explorer()
+    report = check(explore, edges=edges, lighthouse=mutant.lighthouse, task=mutant.task)
+    report = report.uninterrupted()
     row = Kill(
         mutant=mutant.name,
         kind="explorer",
@@ -170,18 +179,22 @@ def _explorer(mutant: WrongExplorer | WrongLearner, edges: int) -> Kill:
     return replace(row, killed_by=finding.law, world=world)
 
 
-def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:
-    """Each killed by the smallest case that only the sound judge refuses.
+def _judges(
+    judges: Sequence[WeakJudge] | Sequence[WeakTaskJudge],
+    refused: Callable[[int], Iterator[_Refused]],
+    edges: int,
+) -> Iterator[Kill]:
+    """Kill each weak judge by the smallest case that only the sound judge refuses.
 
     Cases come from the explorers that are known to answer wrongly.
     """
-    alive = {weak.name: weak for weak in WEAK_JUDGES}
+    alive: dict[str, Any] = {weak.name: weak for weak in judges}
     killed: dict[str, tuple[str, World]] = {}
     for level in range(1, edges + 1):
         smallest: dict[str, tuple[Any, str, World]] = {}
-        for case, laws, world, name in _refused(level, explorers) if alive else ():
+        for run, world, name in refused(level) if alive else ():
             for weak in alive.values():
-                if weak.accepts(case, laws):
+                if weak.accepts(*run):
                     canonical = canonical_world(world)
                     key = (world.map.vertex_count, *_code(canonical.map), name)
                     if weak.name not in smallest or key < smallest[weak.name][0]:
@@ -189,15 +202,33 @@ def _judges(edges: int, explorers: Collection[str]) -> Iterator[Kill]:
         for weak_name, (_, explorer, world) in smallest.items():
             killed[weak_name] = (f"sound judge on {explorer}", world)
             del alive[weak_name]
-    for weak in WEAK_JUDGES:
+    for weak in judges:
         by, smallest_world = killed.get(weak.name, (None, None))
         yield Kill(
             mutant=weak.name, kind="judge", breaks=weak.breaks, killed_by=by, world=smallest_world
         )
 
 
-def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, Checks, World, str]]:
-    """Every run of those explorers, one a rooted map, whose answer breaks a law that applies."""
+_Refused: TypeAlias = tuple[tuple[Any, ...], World, str]
+"""A run that the sound judge refuses, as weak judges get it; its world, and who was run."""
+
+
+def _refused_errands(level: int) -> Iterator[_Refused]:
+    """Runs of the explorers with other tasks, one a rooted map, that do not do them."""
+    for mutant in WRONG_ERRANDS:
+        kind, task = lighthouse_named(mutant.lighthouse), task_named(mutant.task)
+        player = in_process_subject(mutant.explorer()).player()
+        for map_ in rooted_maps(level):
+            world = World(map_, next(iter(kind.places(map_, 0))), 0)
+            budget = default_step_budget(paper_bound(map_.vertex_count, level))
+            there = task.environment(world)
+            episode = play(there, player, Choices(), budget, ended=any_ending_of)
+            if task.flaw(world, episode.transcript, episode.ending):
+                yield (task, world, episode.transcript), world, mutant.name
+
+
+def _refused(level: int, explorers: Collection[str]) -> Iterator[_Refused]:
+    """Runs of those explorers, one a rooted map, whose answer breaks a law that applies."""
     players = [
         (
             mutant.name,
@@ -225,11 +256,11 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[tuple[Case, Che
                         bound if setting.bounded else None,
                     )
                     if judge(case, laws.values()):
-                        yield case, laws, world, name
+                        yield (case, laws), world, name
 
 
 def _enumerator(mutant: BrokenEnumerator, edges: int) -> Kill:
-    """Killed by the count gate, or else by the dumb enumerator."""
+    """Kill an enumerator by the count gate, or else by comparison with the brute-force one."""
     row = Kill(mutant=mutant.name, kind="enumerator", breaks=mutant.breaks)
     for level in range(1, edges + 1):
         level_maps = list(mutant.enumerate(level))

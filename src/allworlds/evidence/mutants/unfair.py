@@ -1,4 +1,4 @@
-"""A way that is not fair: the explorer on it folds its log rightly, and need not stop."""
+"""An unfair way to walk: its explorer folds the log rightly, but need not stop."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from allworlds.protocol import Choices, Estimate, Percept
 
 
 class NearestOnly(Algorithm1):
-    """Folds its log, but takes the open dart nearest to the robot, from copy to copy for ever."""
+    """An explorer that always takes the nearest open dart, from copy to copy for ever."""
 
     def __init__(self, first: Percept, choices: Choices) -> None:
         super().__init__(first, choices)
         self.first = first
 
     def explore(self) -> Walk[Estimate]:
-        """No test and no way home: only what is nearest."""
+        """Walk without tests, to the nearest open dart each time."""
         return (yield from explore_folding(self.first, to_nearest))
 
 
 def to_nearest(log: FoldedLog, here: int) -> list[int]:
-    """To the open dart that is nearest to the robot."""
+    """The way to the open dart that is nearest to the robot."""
     return way(log, here, lambda dart: log.beyond(dart) == OPEN)

@@ -4,15 +4,15 @@ One function for each group of lines; the paper's names S, U, H, M and P are kep
 docstrings.  Every freedom that the paper leaves is a choice:
 
 ``edge``
-    Which dart leaves U (line 3).  Options: U in the order in which its darts came into S;
+    The dart that leaves U (line 3). Options: U in the order in which its darts came into S;
     cost: the length of the shortest walk in S to the dart's vertex.
 ``transit``
-    Which simple path in S leads to v_k (line 4), one dart at a time.
+    The simple path in S to v_k (line 4), one dart at a time.
 ``hypothesis``
-    Which hypothesis leaves H (line 8).  Options: H in the order of S; cost: the length of
+    The hypothesis that leaves H (line 8).  Options: H in the order of S; cost: the length of
     the shortest path to v0.
 ``path``
-    Which simple path in S leads from v_k' to v0 (line 9), one dart at a time.
+    The simple path in S from v_k' to v0 (line 9), one dart at a time.
 
 Options of ``transit`` and ``path``: the darts from which the goal can still be reached
 without entering a vertex twice, those with the shortest way to go first, equals in the order
@@ -36,7 +36,7 @@ Walk: TypeAlias = Generator[Move | Checkpoint, Percept, R]
 
 
 def nobody(_event: str) -> None:
-    """The listener who is not there."""
+    """Ignore an event."""
 
 
 def algorithm1(
@@ -45,10 +45,10 @@ def algorithm1(
     choices: Choices | None = None,
     notice: Callable[[str], None] = nobody,
 ) -> Walk[Estimate]:
-    """Explore from a directional lighthouse: an estimate that is the same map, pose included.
+    """Explore from a directional lighthouse; return an estimate equal to the world, pose included.
 
     Args:
-        first: what is sensed at v0 before any motion; it has a bearing.
+        first: the percept at v0 before any motion; it has a bearing.
         choices: answers every choice listed above (default: first in, first out).
         notice: told of each event: ``case-1``, ``case-2``, ``case-3`` (a test's outcome),
             ``v0-hypothesis`` (a test without a step, at v0), ``empty-H``, ``loop`` and
@@ -97,7 +97,7 @@ class Algorithm1:
         return self.answer()
 
     def reads(self, percept: Percept) -> Percept:
-        """What is compared of a percept: all of it."""
+        """The part of a percept that is compared: all of it."""
         return percept
 
     def take_from_u(self) -> int:
@@ -115,7 +115,7 @@ class Algorithm1:
         return (yield Move(s.offset(at, goal)))
 
     def hypotheses(self, goal: int, percept: Percept) -> list[int]:
-        """Line 6: H, the other darts in U by which a robot would sense just this.
+        """Line 6: H, the other darts in U by which a robot would get just this percept.
 
         At v0 that includes the direction, which is the whole test of such a hypothesis.
         """
@@ -172,7 +172,7 @@ class Algorithm1:
 
         The run ``k1..kr`` is undone by ``0, -kr, ..., -k2``; the turn by ``-k1`` that is left
         costs nothing and is folded into the next motion.  So is a turn from the dart of entry
-        that is left of the test.
+        that is left from the test.
         """
         back = -self.turned
         for motion in reversed(motions):

@@ -1,4 +1,4 @@
-"""Depth first, where every vertex has a number and a direction: what all others are measured by."""
+"""Depth-first search under labels: the yardstick of all other explorers."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ def dfs(
     """Explore under labels: the number tells the vertex, and the bearing the dart of entry.
 
     Args:
-        first: what is sensed before any motion.
-        choices: answers by which open dart to leave a vertex (``edge``).
+        first: the percept before any motion.
+        choices: answers by which open dart the robot leaves a vertex (``edge``).
         notice: told of ``known`` and ``unknown`` vertices beyond a dart.
 
     Cost: at most 2m traversals: an edge is walked along once, and back once at most.

@@ -1,17 +1,17 @@
 """One movable marker that points nowhere, in simple worlds: Dudek, Jenkin, Milios, Wilkes 1991.
 
 Each pass explores one dart.  At its unknown end the robot drops the marker, comes back, and looks
-for it at the vertices of S that this end could be (place validation).  Where it is not found, the
-end is a new vertex.  Where it is, the robot drops it at the known end of the dart, and tries the
+for it at the vertices of S that this end could be (place validation).  If it is not found, the
+end is a new vertex.  If it is, the robot drops it at the known end of the dart, and tries the
 open darts there until one leads to it (back-link validation).
 
 In a simple world the answer is right.  Where edges are parallel, or a vertex has two loops,
 back-link validation can take a wrong dart for the other end, and no explorer with markers does
 better everywhere.
 
-Left open by the source, and here: which dart leaves U is a choice (``edge``); the candidates are
-visited in the order of a depth-first walk of a spanning tree of S, which the bound needs; the open
-darts there are tried clockwise from the dart of entry.
+The source leaves three points open.  Here the dart that leaves U is a choice (``edge``); the
+candidates are visited in the order of a depth-first walk of a spanning tree of S, which the bound
+needs; the open darts there are tried clockwise from the dart of entry.
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ def dudek91(
     """Explore a simple world with one marker in hand that can be taken up again.
 
     Args:
-        first: what is sensed before any motion.
-        choices: answers which dart to explore next (default: first in, first out).
+        first: the percept before any motion.
+        choices: answers which dart is explored next (default: first in, first out).
         notice: told of ``new-vertex`` and ``back-link``, the two ends of a pass.
 
     Cost: in a simple world at most ``3s`` for the vertex that is found when s are known, and
@@ -50,7 +50,7 @@ def dudek91(
 
 
 class _Dudek:
-    """One exploration: S with U, and the robot's dart in it."""
+    """The state of an exploration: S with U, and the robot's dart in it."""
 
     def __init__(self, first: Percept, choices: Choices, notice: Callable[[str], None]) -> None:
         self.s = PartialMap(first)
@@ -82,7 +82,7 @@ class _Dudek:
         return Estimate(CombinatorialMap(s.sigma, s.alpha), self.here)
 
     def go(self, goal: int) -> Acts[Percept | None]:
-        """Walk to a vertex by a shortest way in S; what is sensed there, None without a step."""
+        """Walk to a vertex by a shortest way in S; return the percept there (no step: None)."""
         s, seen = self.s, None
         lengths = s.distances(goal)
         while (vertex := s.vertex[self.here]) != goal:
@@ -93,11 +93,11 @@ class _Dudek:
         return seen
 
     def leave_by(self, dart: int) -> Acts[Percept]:
-        """Through a dart of the vertex where the robot is; ``here`` stays behind."""
+        """Leave through a dart of the robot's vertex; ``here`` is not changed."""
         return (yield Move(self.s.offset(self.here, dart)))
 
     def candidates(self, explored: int, beyond: Percept) -> list[int]:
-        """The vertices of S that the unknown end can be, as a walk round a tree meets them."""
+        """The vertices of S that the unknown end can be, in the order of a walk round a tree."""
         s = self.s
         possible = {
             s.vertex[dart]
@@ -114,7 +114,7 @@ class _Dudek:
         return [vertex for vertex in order if vertex in possible]
 
     def find_marker(self, candidates: list[int], here: Percept) -> Acts[bool]:
-        """Visit the candidates until the marker is seen: there the robot is then."""
+        """Visit the candidates until the marker is seen; the robot stays there."""
         for vertex in candidates:
             seen = yield from self.go(vertex)
             if (seen or here).marks:
@@ -122,7 +122,7 @@ class _Dudek:
         return False
 
     def close(self, dart: int) -> Acts[None]:
-        """The marker to the known end, then back: which open dart leads to it?"""
+        """Carry the marker to the known end, go back, and find the open dart that leads to it."""
         s = self.s
         vertex = s.vertex[self.here]
         yield Pick()

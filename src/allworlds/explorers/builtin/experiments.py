@@ -1,4 +1,4 @@
-"""Experiments that are never made twice: all that was walked, as a tree, and the robot in it."""
+"""Experiments that are never made twice: the tree of all walks, and the robot in it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class TreeDart(NamedTuple):
 class Experiments:
     """The tree of all walks from the start: each arrival that is not a way back is a new node.
 
-    It knows nothing of which nodes are one vertex.  Node 0 is the start.
+    The tree does not know which nodes are one vertex.  Node 0 is the start.
 
     Attributes:
         start: the dart that the robot faces at the start.
@@ -37,11 +37,11 @@ class Experiments:
         self._from = [self.start]
 
     def sensed(self, place: TreeDart) -> Percept:
-        """What is sensed there."""
+        """The percept of the robot at a dart of the tree."""
         return self._percept[place.node]
 
     def walk(self, word: Sequence[str], place: TreeDart | None = None) -> Walk[TreeDart]:
-        """Where a word of ``s`` (turn) and ``a`` (go through) leads, by default from the start."""
+        """Walk a word of ``s`` (turn) and ``a`` (go through), by default from the start."""
         at = self.start if place is None else place
         for letter in word:
             if letter == "s":

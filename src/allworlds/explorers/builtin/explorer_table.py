@@ -3,13 +3,15 @@
 The modules:
 
 ``algorithm1``, ``undirected``
-    Algorithm 1 of the paper, and as it does without a direction;
+    Algorithm 1 of the paper, and its variant without a direction;
 ``partial_map``, ``paths``
     its S and U, and its ways through S;
 ``unforgetting``, ``remembering``, ``greedy``, ``prudent``
-    what never forgets: all that these have in common, and three of them;
+    the explorers that never forget: their common part, and three of them;
 ``folded_log``, ``folding``
-    all that was ever seen as one map, and explorers that only fold it;
+    all percepts of a run as one map, and explorers that only fold it;
+``shield``
+    the shield that makes any explorer right;
 ``quotient``, ``experiments``
     position alone: the quotient, learnt by experiments that are never made twice;
 ``dudek91``, ``depth_first``
@@ -42,7 +44,7 @@ class BuiltIn:
     Attributes:
         explore: the generator function; it takes ``choices`` and ``notice``, and may take
             ``told``.
-        lighthouse: the one it is written for, as ``KIND[:key=value,...]``.
+        lighthouse: the one that it is written for, as ``KIND[:key=value,...]``.
         witnesses: the events that a complete check must have seen, each with the least known
             (edges, vertices) within which every policy meets it, for classes with loops and
             parallel edges and for simple classes; None where some policy never meets it.
@@ -52,7 +54,7 @@ class BuiltIn:
             the lighthouse's own.
         step_budget: the largest legal number of traversals, where the usual budget is too small
             for it.
-        about: what it is, in a sentence of the page on the protocol.
+        about: a description, for a sentence of the page on the protocol.
     """
 
     explore: Callable[..., Any]
@@ -179,7 +181,7 @@ BUILT_IN: dict[str, BuiltIn] = {
         "with a map where only one looks so, else with `Ambiguous`",
     ),
 }
-"""The built-in explorers by the names they have on the command line."""
+"""The built-in explorers by their names on the command line."""
 
 __all__ = [
     "BUILT_IN",

@@ -1,8 +1,9 @@
-"""The folded log: everything that a robot with a directional lighthouse has ever seen, as one map.
+"""The folded log: all percepts of a robot with a directional lighthouse, as one map.
 
 Every vertex that the robot stood on is a *node*.  Nodes are merged when an arrival at v0 shows that
-they are one vertex, and with them whatever follows, because a dart leads to one dart only.  So the
-folded log is a part of every world that agrees with the log: what contradicts it is refuted.
+they are one vertex, and with them all nodes that follow, because a dart leads to one dart only.  So
+the folded log is a part of every world that agrees with the log: a hypothesis that contradicts the
+folded log is refuted.
 
 Some nodes are *settled*: proved to be pairwise different vertices.  They are never merged into
 others, so their darts keep their numbers.
@@ -15,7 +16,7 @@ from bisect import insort
 from allworlds.protocol import Percept
 
 OPEN = -1
-"""Where a dart leads that nobody has gone through."""
+"""The other end of a dart that the robot has not gone through."""
 
 
 class FoldedLog:
@@ -28,8 +29,8 @@ class FoldedLog:
         node: for each dart its node, as it was when the dart was new.
         base, degree: for each node its first dart and how many it has.
         stands: for each node the dart that its first dart is; its own if it is canonical.
-        known: for each canonical node its darts that lead somewhere, ascending.
-        settled: for each node whether it is.
+        known: for each canonical node its darts whose other end is known, ascending.
+        settled: for each node whether it is settled.
         merges: how many nodes have been merged.
 
     Cost: nearly constant a step, except that a merged node hands over its known darts.
@@ -48,7 +49,7 @@ class FoldedLog:
         self.settled[0] = True
 
     def _add_node(self, degree: int) -> int:
-        """A new node; its first dart."""
+        """Add a node; return its first dart."""
         first = len(self.node)
         self.node.extend([len(self.base)] * degree)
         self.base.append(first)
@@ -75,7 +76,7 @@ class FoldedLog:
         return self.turn(stands[w], dart - base[w])
 
     def turn(self, dart: int, offset: int) -> int:
-        """``sigma^offset(dart)``."""
+        """The dart ``sigma^offset(dart)``."""
         v = self.node[dart]
         first = self.base[v]
         return first + (dart - first + offset) % self.degree[v]
@@ -107,7 +108,7 @@ class FoldedLog:
         return self.canonical(other)
 
     def _merge(self, one: int, another: int) -> None:
-        """Make two darts one, and whatever follows from it."""
+        """Merge two darts, and all darts that are equal in consequence."""
         node, base, degree, settled, link = (
             self.node,
             self.base,
@@ -137,10 +138,10 @@ class FoldedLog:
             self.known[w] = []
 
     def contradicts(self, one: int, another: int) -> bool:
-        """Whether two canonical darts cannot be one: everything that follows is looked at.
+        """Whether two canonical darts cannot be one: all consequences are checked.
 
-        What follows is a contradiction if two degrees differ, if an unmarked node is v0, if two
-        settled nodes are one, or if a node is itself with an offset.  Nothing is changed.
+        A consequence is a contradiction if two degrees differ, if an unmarked node is v0, if two
+        settled nodes are one, or if a node is itself with an offset.  The log is not changed.
 
         Cost: the nodes that would be merged, with their known darts.
         """
@@ -165,7 +166,7 @@ class _Supposed:
         return dart
 
     def contradicts(self, one: int, another: int) -> bool:
-        """See :meth:`FoldedLog.contradicts`."""
+        """Whether two darts cannot be one; see :meth:`FoldedLog.contradicts`."""
         log, stands = self._log, self._stands
         node, base, degree, settled = log.node, log.base, log.degree, log.settled
         # Two darts to be made one, and whether each is what an edge of the two leads to: then
@@ -191,10 +192,10 @@ class _Supposed:
         return False
 
     def _follow(self, a: int, b: int, done: int, equal: list[tuple[int, int, bool]]) -> bool:
-        """What is known of b's node becomes known of a's.
+        """Transfer the known darts of b's node to a's.
 
         Returns:
-            True for a contradiction; else what follows has been added to ``equal``.
+            True for a contradiction; else the consequences have been added to ``equal``.
         """
         log, leads = self._log, self._leads
         node, degree, known, beyond = log.node, log.degree, log.known, log.beyond

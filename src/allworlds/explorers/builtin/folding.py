@@ -1,8 +1,8 @@
-"""Explorers that only fold their log: right if they stop, whatever their way.
+"""Explorers that only fold their log: right if they stop, in whatever way they walk.
 
-Everything that was ever seen is one map, the folded log
+All percepts of a run are one map, the folded log
 (:mod:`allworlds.explorers.builtin.folded_log`); where no dart of it is open it is the world.
-Nothing is tested, and no vertex is taken for another before an arrival at v0 shows that it is.
+Hypotheses are not tested, and two vertices are merged only when an arrival at v0 proves them equal.
 Which open dart is next is left to a *way*, and it must be a fair one: every dart that is open is
 walked through some day, or closed by others.  Then every vertex that was entered is left some day
 by its way home, and merged; so it ends.  The open dart that is nearest to the robot is not fair:
@@ -32,11 +32,11 @@ def folding(
     """Go home to v0, then to the open dart that is nearest to v0.
 
     Args:
-        first: what is sensed at v0 before any motion; it has a bearing.
+        first: the percept at v0 before any motion; it has a bearing.
         choices: is not asked.
         notice: told of ``merged``, an arrival at v0 that makes nodes one.
 
-    Cost: it stops; no bound is known (up to 1,206 traversals for m = 5).
+    Cost: the explorer stops; no bound is known (up to 1,206 traversals for m = 5).
     """
     return (yield from explore_folding(first, by_home, notice))
 
@@ -52,13 +52,13 @@ def folding_oldest(
 
 
 def by_home(log: FoldedLog, here: int) -> list[int]:
-    """To v0, then to the open dart nearest to it, clockwise from the pointed dart."""
+    """The way to v0, then to the open dart nearest to it, clockwise from the pointed dart."""
     home = way(log, here, lambda dart: log.node[dart] == 0)
     return [*home[:-1], *way(log, 0, lambda dart: log.beyond(dart) == OPEN)]
 
 
 def to_oldest(log: FoldedLog, here: int) -> list[int]:
-    """To the open dart with the smallest number, which is the oldest."""
+    """The way to the open dart with the smallest number, which is the oldest."""
     oldest = next(dart for dart in _darts(log) if log.beyond(dart) == OPEN)
     return way(log, here, lambda dart: dart == oldest)
 
@@ -66,17 +66,27 @@ def to_oldest(log: FoldedLog, here: int) -> list[int]:
 def explore_folding(
     first: Percept, next_way: Way, hears: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
-    """Fold what is seen on these ways until no dart is open."""
+    """Walk these ways and fold the percepts until no dart is open."""
     assert first.bearing is not None
     log = FoldedLog(first)
     here = log.turn(0, -first.bearing)
-    while any(log.beyond(dart) == OPEN for dart in _darts(log)):
+    while has_open_dart(log):
         for dart in next_way(log, here):
             seen = yield Move((dart - here) % log.degree[log.node[here]])
             merges = log.merges
             here = log.arrive(dart, seen)
             if log.merges > merges:
                 hears("merged")
+    return estimate(log, here)
+
+
+def has_open_dart(log: FoldedLog) -> bool:
+    """Whether a dart is open, so that the log does not determine the map yet."""
+    return any(log.beyond(dart) == OPEN for dart in _darts(log))
+
+
+def estimate(log: FoldedLog, here: int) -> Estimate:
+    """The folded map, with the robot's dart in it; no dart may be open."""
     darts = [*_darts(log)]
     number = {dart: i for i, dart in enumerate(darts)}
     sigma = [number[log.turn(dart, 1)] for dart in darts]

@@ -1,4 +1,4 @@
-"""Algorithm 1 that never forgets and takes what is nearest: the dart, and the end of a test."""
+"""Algorithm 1 that never forgets and takes the nearest dart, and the test that ends first."""
 
 from __future__ import annotations
 
@@ -12,13 +12,14 @@ from allworlds.protocol import Estimate, Percept
 
 
 def greedy(first: Percept, *, notice: Callable[[str], None] = nobody) -> Walk[Estimate]:
-    """Explore from a directional lighthouse: an estimate that is the same map, pose included.
+    """Explore from a directional lighthouse; return an estimate equal to the world, pose included.
 
     The next dart is the one nearest to the robot, the next test the one that is finished first.
 
     Args:
-        first: what is sensed at v0 before any motion; it has a bearing.
-        notice: told of what :func:`allworlds.explorers.builtin.remembering.remembering` tells.
+        first: the percept at v0 before any motion; it has a bearing.
+        notice: told of the events of
+            :func:`allworlds.explorers.builtin.remembering.remembering`.
 
     Cost: at most (1) + (2) of Section VI traversals.
     """
@@ -26,10 +27,10 @@ def greedy(first: Percept, *, notice: Callable[[str], None] = nobody) -> Walk[Es
 
 
 class Greedy(Unforgetting):
-    """One exploration."""
+    """The state of an exploration that takes the nearest dart and test."""
 
     def next_dart(self, unexplored: list[int]) -> int:
-        """The nearest; equals clockwise from the robot's dart if at its vertex, else by number."""
+        """The nearest dart; equals clockwise from the robot's if at its vertex, else by number."""
         log = self.log
         darts = defaultdict(list)
         for dart in unexplored:
@@ -44,12 +45,12 @@ class Greedy(Unforgetting):
         return min(nearest, key=lambda dart: (dart - log.base[log.node[dart]], dart))
 
     def trial(self, entry: int, suspects: list[int]) -> Hypotheses:
-        """The hypotheses by when they could be decided."""
+        """The hypotheses, sorted by when they could be decided."""
         return FirstDecided(self, entry, suspects)
 
 
 class FirstDecided(Hypotheses):
-    """Hypotheses, sorted by when the robot could have done with their test.
+    """Hypotheses, sorted by when the robot could have finished their test.
 
     They wait at the nodes where their words leave the log, in heaps of
     ``(steps left, distance home, dart, test)``.
@@ -76,7 +77,7 @@ class FirstDecided(Hypotheses):
             heappush(heap, (test.steps, home, test.dart, test))
 
     def next_test(self) -> Test | None:
-        """The one finished first that nothing refutes; equals by way home, then by number."""
+        """The unrefuted test that is finished first; equals by way home, then by number."""
         at, waiting = self._at, self._waiting
         if not waiting:
             return None
@@ -113,7 +114,7 @@ class FirstDecided(Hypotheses):
             del self._waiting[vertex]
 
     def learned(self, done: Test) -> None:
-        """Words that the test has made known further wait further on."""
+        """Move the hypotheses of which the test has made more steps known."""
         at, log = self._at, self._at.log
         if log.merges != self._merges:
             self._merges = log.merges

@@ -42,12 +42,12 @@ class PartialMap:
         return (end - start) % self.expected[start].degree
 
     def turn(self, dart: int, offset: int) -> int:
-        """``sigma^offset(dart)``."""
+        """The dart ``sigma^offset(dart)``."""
         first = self.first[self.vertex[dart]]
         return first + (dart - first + offset) % self.expected[dart].degree
 
     def add_vertex(self, dart: int, percept: Percept) -> int:
-        """Lines 20-21: a new vertex behind the explored ``dart``; its first dart.
+        """Lines 20-21: add a vertex behind the explored ``dart``; return its first dart.
 
         The other darts of the vertex join U.
         """
@@ -56,7 +56,7 @@ class PartialMap:
         return entry
 
     def add_loop(self, dart: int, partner: int) -> None:
-        """Lines 18-19: the explored ``dart`` leads to ``partner``, which leaves U."""
+        """Lines 18-19: join the explored ``dart`` to ``partner``, which leaves U."""
         self._explore(dart, partner)
 
     def ways(self, vertex: int) -> Iterator[tuple[int, int]]:
@@ -82,7 +82,7 @@ class PartialMap:
         return length
 
     def checkpoint(self, here: int) -> Checkpoint:
-        """S and U as a value."""
+        """S and U as a checkpoint, with the robot's dart."""
         return Checkpoint(tuple(self.sigma), tuple(self.alpha), here)
 
     def _add_vertex(self, percept: Percept) -> int:

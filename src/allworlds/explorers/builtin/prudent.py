@@ -1,9 +1,9 @@
-"""Greedy in round worlds, home-loving in long ones.
+"""Greedy in round worlds; in long worlds, near v0 first.
 
 In a world that is as round as a lattice every place is near v0, and the nearest dart is the best.
-In a long one (a thick path, a prism) the nearest dart leads away from v0, where tests are dear, and
-leaves open darts behind, each of which is a hypothesis in every later pass: there darts near v0
-come first.  What has been settled so far shows which of the two it is.
+In a long one (a thick path, a prism) the nearest dart leads away from v0, where tests are
+expensive, and leaves open darts behind, each of which is a hypothesis in every later pass: there
+darts near v0 come first.  The settled part of the map shows which of the two the world is.
 """
 
 from __future__ import annotations
@@ -18,19 +18,20 @@ from allworlds.explorers.builtin.unforgetting import Spread, Walk
 from allworlds.protocol import Estimate, Percept
 
 HOME = 4
-"""A step between a dart and v0 weighs as much as so many steps of the robot, in a long world."""
+"""The weight of a step between a dart and v0 in a long world, in steps of the robot."""
 
 
 def prudent(first: Percept, *, notice: Callable[[str], None] = nobody) -> Walk[Estimate]:
-    """Explore from a directional lighthouse: an estimate that is the same map, pose included.
+    """Explore from a directional lighthouse; return an estimate equal to the world, pose included.
 
     While the settled part is round this is :func:`allworlds.explorers.builtin.greedy.greedy`.
     While it is long, the next dart is the one with the least sum of the robot's way to it and, four
     times, its way to v0.
 
     Args:
-        first: what is sensed at v0 before any motion; it has a bearing.
-        notice: told of what :func:`allworlds.explorers.builtin.remembering.remembering` tells.
+        first: the percept at v0 before any motion; it has a bearing.
+        notice: told of the events of
+            :func:`allworlds.explorers.builtin.remembering.remembering`.
 
     Cost: at most (1) + (2) of Section VI traversals.
     """
@@ -58,7 +59,7 @@ class _Prudent(Greedy):
         return best[2]
 
     def _is_long(self) -> bool:
-        """Whether a settled vertex is further than 3/2 sqrt(s) from v0; s is how many there are."""
+        """Whether one of the s settled vertices is further than 3/2 sqrt(s) from v0."""
         return 4 * max(self.distance.values()) ** 2 > 9 * len(self.distance)
 
 

@@ -1,21 +1,22 @@
-"""What a robot with position only can know: the quotient of its world, learnt by experiments.
+"""The quotient of the world, learnt by experiments: all that a robot with position only can know.
 
-Nothing tells darts of one class apart, so the robot learns the classes: which darts there are, and
-how sigma and alpha lead from class to class.  It can undo whatever it does, so every experiment can
-be made from any dart that it has ever stood at.
+The darts of one class are indistinguishable, so the robot learns the classes: their number, and
+how sigma and alpha lead from class to class.  The robot can undo its motions, so every experiment
+can be made from any dart that it has ever stood at.
 
 * A *word* is a row of letters ``s`` (turn to the next dart) and ``a`` (go through); a dart's *row*
-  is what is sensed after each word of a growing set, which holds every end of its words.
+  consists of the percepts after each word of a growing set, which holds every end of its words.
 * The *table* holds one dart for each row that was seen; it is closed if turning at these darts, and
-  going through them, leads to rows that it has.  Then it predicts what every word shows.
-* A prediction that is not met adds a word that splits a class.
+  going through them, leads to rows that it has.  Then it predicts the percept after every word.
+* A wrong prediction adds a word that splits a class.
 
-It is done when these are met, and then it is right.  Let J be the darts of v0 whose row is that of
-the start, and t_c for each class c a word that leads to it from there.  Met is: the dart reached
-from each dart of J by t_c has the row of c; and going on from it by a letter, which should lead to
-class c', and then back along the word of c', ends at v0 at a dart with the start's row, so at one
-of J.  Hence these darts are closed under both letters: they are all darts of the world.  And each
-has one row, with which the row of the next is given: so the classes are those of the quotient.
+The robot stops when the following predictions are right, and then the table is right.  Let J be the
+darts of v0 whose row is that of the start, and t_c for each class c a word that leads to it from
+there.  The predictions are: the dart reached from each dart of J by t_c has the row of c; and going
+on from it by a letter, which should lead to class c', and then back along the word of c', ends at
+v0 at a dart with the start's row, so at one of J.  Hence these darts are closed under both letters:
+they are all darts of the world.  And each has one row, with which the row of the next is given: so
+the classes are those of the quotient.
 
 Where the class of worlds with this quotient has one member (`its criterion
 <../ambiguity.md>`_), that is the answer; else the quotient is.  Source: Angluin 1987 for the table.
@@ -41,10 +42,10 @@ def quotient(
     choices: Choices | None = None,  # noqa: ARG001  # it has no freedom worth a choice
     notice: Callable[[str], None] = nobody,
 ) -> Walk[Estimate | Ambiguous]:
-    """Learn the quotient under position: a map where only one looks so, else the quotient.
+    """Learn the quotient under position: return a map if only one has it, else the quotient.
 
     Args:
-        first: what is sensed at v0 before any motion.
+        first: the percept at v0 before any motion.
         choices: is not asked.
         notice: told of ``map`` or ``ambiguous``, the kind of the answer.
 
@@ -59,7 +60,7 @@ def quotient(
 
 
 class Table(NamedTuple):
-    """Classes, with what the letters do; class 0 is the start's.
+    """Classes, with the effect of the letters; class 0 is the start's.
 
     Attributes:
         sigma, alpha: of the classes.
@@ -105,7 +106,7 @@ class Table(NamedTuple):
 
     @property
     def sheets(self) -> int:
-        """How many darts of the world lie over each class: those of v0 go round so often."""
+        """The number of darts of the world over each class: those of v0 go round so often."""
         return self.sensed[0].degree // len(self.vertices()[0])
 
     def is_alone(self) -> bool:
@@ -117,11 +118,11 @@ class Table(NamedTuple):
         return self.sheets == 1 or (not cycles and (self.sheets == 2 or rigid))
 
     def turns(self, vertex: list[int]) -> int:
-        """How often a vertex of the world goes round one of the quotient."""
+        """The number of times that a vertex of the world goes round one of the quotient."""
         return self.sensed[vertex[0]].degree // len(vertex)
 
     def only_world(self) -> Estimate:
-        """The world, where there is only one: its sheets are exchanged where they must be."""
+        """The world, if only one has this quotient: its sheets are exchanged where they must be."""
         k = self.sheets
         sigma = [of * k + i for of in self.sigma for i in range(k)]
         alpha = [of * k + i for of in self.alpha for i in range(k)]
@@ -136,7 +137,7 @@ class Table(NamedTuple):
         return Estimate(CombinatorialMap(sigma, alpha), self.here * k)
 
     def ambiguous(self) -> Ambiguous:
-        """The rooted quotient."""
+        """The answer that names the rooted quotient, and no map."""
         degree = tuple(percept.degree for percept in self.sensed)
         marks = tuple(percept.marks for percept in self.sensed)
         return Ambiguous(self.sigma, self.alpha, degree, marks, self.here)
@@ -153,7 +154,7 @@ class _Learner:
         self._rows: list[Row] = []
 
     def learn(self) -> Walk[None]:
-        """Experiments until every prediction that matters is met."""
+        """Make experiments until every prediction that matters is right."""
         wrong: Word | None = ()
         while wrong is not None:
             for i in range(len(wrong) + 1):
@@ -166,7 +167,7 @@ class _Learner:
         self.table = self.table._replace(here=here)
 
     def _close(self) -> Walk[None]:
-        """The table anew, from the start's class on."""
+        """Make the table anew, from the start's class on."""
         self._reached, self._rows = [()], [(yield from self._row(self.world.start))]
         leads: dict[str, list[int]] = {"s": [], "a": []}
         for word in self._reached:
@@ -187,7 +188,7 @@ class _Learner:
         return tuple(row)
 
     def _refuted(self) -> Walk[Word | None]:
-        """The first word whose prediction is not met, with what shows it; None if all are met."""
+        """A word that splits a class, from the first wrong prediction; None if all are right."""
         for word in self._to_be_met():
             place, of = self.world.start, 0
             for i in range(len(word) + 1):
@@ -201,7 +202,7 @@ class _Learner:
         return None
 
     def _to_be_met(self) -> Iterator[Word]:
-        """Words whose predictions, once they are met, leave no doubt."""
+        """The words whose predictions, if they are right, prove the table."""
         table = self.table
         degrees = [percept.degree for percept in table.sensed]
         # The letters have inverses, and v0 has as many classes as there are different rows.
@@ -218,7 +219,7 @@ class _Learner:
                     yield (*"s" * turned, *word, letter, *back)
 
     def _back(self, word: Word, degrees: list[int]) -> Word:
-        """The word that leads back: to turn back is to turn on to where one was."""
+        """The word that leads back: a turn back is a turn on to the dart of before."""
         back: list[str] = []
         for i in range(len(word), 0, -1):
             degree = degrees[self.table.after(word[: i - 1])]

@@ -17,19 +17,19 @@ def remembering(
     choices: Choices | None = None,
     notice: Callable[[str], None] = nobody,
 ) -> Walk[Estimate]:
-    """Explore from a directional lighthouse: an estimate that is the same map, pose included.
+    """Explore from a directional lighthouse; return an estimate equal to the world, pose included.
 
     Args:
-        first: what is sensed at v0 before any motion; it has a bearing.
-        choices: ``edge``: which dart leaves U; cost: the shortest walk to its vertex through all
-            that is known.  ``hypothesis``: which of those that nothing refutes is tested; cost:
+        first: the percept at v0 before any motion; it has a bearing.
+        choices: ``edge``: the dart that leaves U; cost: the shortest walk to its vertex through all
+            known edges.  ``hypothesis``: the unrefuted one that is tested; cost:
             the length of its home word.  Options stand in the order in which they came into S.
             Default: first in, first out.
         notice: told of ``empty-H`` (no dart of U has the degree), ``case-1`` (a test that ends
             short of v0, or does not find it at its end), ``case-2`` (a test that comes to v0),
             ``loop`` and ``non-loop`` (how a pass ends).
 
-    Cost: at most (1) + (2) of Section VI traversals, whatever is chosen.
+    Cost: at most (1) + (2) of Section VI traversals, for all choices.
     """
     return (yield from _Remembering(first, choices or Choices(), notice).explore())
 
@@ -53,7 +53,7 @@ class _Remembering(Unforgetting):
 
 
 class _InOrder(Hypotheses, Sequence[Test]):
-    """Those that nothing refutes, in the order of S; what is refuted is found out when asked."""
+    """The unrefuted hypotheses, in the order of S; each is checked when it is asked for."""
 
     def __init__(self, exploration: _Remembering, entry: int, suspects: list[int]) -> None:
         self._at, self._entry = exploration, entry
@@ -86,7 +86,7 @@ class _InOrder(Hypotheses, Sequence[Test]):
         return self._alive[index]
 
     def _reaches(self, count: int) -> bool:
-        """Whether there are so many."""
+        """Whether there are at least ``count`` unrefuted hypotheses."""
         at = self._at
         entry = at.log.canonical(self._entry)
         while self._left and len(self._alive) < count:

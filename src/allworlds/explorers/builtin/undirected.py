@@ -30,7 +30,7 @@ def algorithm1_cluster(
     """Explore from a marker cluster: one marker lies at v0, two at v1.
 
     Args:
-        first: what is sensed at v0 before any motion.
+        first: the percept at v0 before any motion.
         choices: answers every choice of Algorithm 1 (default: first in, first out).
         notice: told of each event of Algorithm 1.  It changes nothing.
 
@@ -56,7 +56,7 @@ def algorithm1_natural(
     """Explore from a natural lighthouse: no other vertex has the degree of v0, or that of v1.
 
     Args:
-        first: what is sensed at v0 before any motion: its degree.
+        first: the percept at v0 before any motion: its degree.
         choices: answers every choice of Algorithm 1 (default: first in, first out).
         told: the degree of v1.
         notice: told of each event of Algorithm 1.  It changes nothing.
@@ -74,7 +74,7 @@ def algorithm1_natural(
 
 
 class TwoVertices(Algorithm1):
-    """One exploration from v0, whose neighbour v1 is recognised too.
+    """An exploration from v0, whose neighbour v1 is recognised too.
 
     Attributes:
         is_v0, is_v1: whether a percept is that of v0, or of v1.
@@ -94,15 +94,15 @@ class TwoVertices(Algorithm1):
         self.pointed = 0
 
     def explore(self) -> Walk[Estimate]:
-        """The search, then Algorithm 1."""
+        """Search the dart to v1, then explore by Algorithm 1."""
         yield from self.search()
         return (yield from super().explore())
 
     def search(self) -> Walk[None]:
         """Try the darts of v0, from the dart faced on clockwise, until one leads to v1.
 
-        If none does, what was promised is not so.  The last is taken then, and no query will
-        ever be answered by v1.
+        If none does, the promise of the lighthouse is broken.  The last dart is taken then, and no
+        query will ever be answered by v1.
         """
         for dart in list(self.s.unexplored):
             seen = yield Move(dart - self.here)
@@ -112,11 +112,11 @@ class TwoVertices(Algorithm1):
                 return
 
     def reads(self, percept: Percept) -> Percept:
-        """The degree, and whether it is v0's: one mark says so."""
+        """The part of a percept that is compared: the degree, and whether it is v0's."""
         return Percept(percept.degree, int(self.is_v0(percept)))
 
     def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
-        """Lines 10-13, and the query at v0; after it the robot is turned towards v1."""
+        """Lines 10-13, and the query at v0, after which the robot is turned towards v1."""
         motions, matched = yield from super().try_path(partner, path)
         if matched:
             towards = self.s.offset(super().confirmed_at(partner, path), self.pointed)
@@ -127,5 +127,5 @@ class TwoVertices(Algorithm1):
         return motions, matched
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:  # noqa: ARG002  # any path
-        """The query has led back by the pointed dart."""
+        """The pointed dart, by which the query has led back."""
         return self.pointed

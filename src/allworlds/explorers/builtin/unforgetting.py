@@ -1,18 +1,18 @@
-"""Algorithm 1 that never forgets: what its variants have in common.
+"""Algorithm 1 that never forgets: the common part of its variants.
 
 S are the settled vertices of the folded log (:mod:`allworlds.explorers.builtin.folded_log`), U
 their darts without a settled vertex at the other end, as in Algorithm 1.  A pass takes a dart from
 U, goes through it, and asks which vertex lies behind it:
 
 * a *hypothesis* is another dart of U; it is refuted as soon as gluing the two darts in the folded
-  log leads to a contradiction, whenever and wherever what contradicts it was seen;
+  log leads to a contradiction, whenever and wherever the contradicting percept was seen;
 * a *test* of one that is left walks its home word (a shortest way in S to v0), from the first step
   that the log does not know; the robot goes to that step by a shortest way in the log;
 * when all are refuted the vertex is settled: it is a new one.
 
-Right, and never above (1) + (2), whatever dart and whatever hypothesis is taken next: Theorem 1 of
-the page on the theory.  What is left to a variant is just that: :meth:`Unforgetting.next_dart` and
-:meth:`Unforgetting.trial`.
+The answer is right, and the cost never above (1) + (2), for every choice of darts and hypotheses:
+Theorem 1 of the page on the theory.  A variant makes just these choices:
+:meth:`Unforgetting.next_dart` and :meth:`Unforgetting.trial`.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ Walk: TypeAlias = Generator[Move | Checkpoint, Percept, R]
 
 
 class Hypotheses(ABC):
-    """What the vertex behind a dart may be, as far as it is not refuted."""
+    """The unrefuted hypotheses about the vertex behind a dart."""
 
     @abstractmethod
     def next_test(self) -> Test | None:
@@ -40,18 +40,18 @@ class Hypotheses(ABC):
 
     @abstractmethod
     def learned(self, done: Test) -> None:
-        """The log has grown by a test, or nodes have been merged."""
+        """Take note that the log has grown by a test, or that nodes have been merged."""
 
 
 @dataclass(frozen=True, slots=True)
 class Test:
-    """A hypothesis, and how far the log knows the home word of it.
+    """A hypothesis, with the part of its home word that the log does not know.
 
     Attributes:
         dart: of U, the one that the robot's dart of entry may be.
         front: the canonical dart of the log at which the word leaves it.
         stands_for: the dart of S that the robot would have come by to the front's node.
-        steps: how many steps of the word are left.
+        steps: the number of steps of the word that are left.
     """
 
     dart: int
@@ -102,14 +102,15 @@ class Spread:
 
 
 class Unforgetting(ABC):
-    """One exploration.
+    """The state of an exploration.
 
     Attributes:
         log: the folded log.
         here: the canonical dart by which the robot has come; at the start the one it faces.
         home: for each settled vertex the dart by which a shortest way in S to v0 leaves it.
-        distance: for each settled vertex how long that way is.
-        rank, entry: for each settled vertex the how-manieth it was, and its dart of entry.
+        distance: for each settled vertex the length of that way.
+        rank, entry: for each settled vertex its number in the order of settling, and its dart of
+            entry.
     """
 
     def __init__(self, first: Percept, notice: Callable[[str], None]) -> None:
@@ -132,7 +133,7 @@ class Unforgetting(ABC):
         """The hypotheses about the vertex of a dart of entry, of which none has been looked at."""
 
     def explore(self) -> Walk[Estimate]:
-        """Passes until U is empty."""
+        """Make passes until U is empty; return the estimate."""
         while unexplored := self.unexplored():
             if self.log.settled[self.log.node[self.here]]:
                 yield from self._show()
@@ -146,7 +147,7 @@ class Unforgetting(ABC):
         return self._answer()
 
     def is_settled(self, dart: int) -> bool:
-        """Whether the vertex of a dart is."""
+        """Whether the vertex of a dart is settled."""
         return self.log.settled[self.log.node[self.log.canonical(dart)]]
 
     def is_explored(self, dart: int) -> bool:
@@ -155,7 +156,7 @@ class Unforgetting(ABC):
         return other != OPEN and self.log.settled[self.log.node[other]]
 
     def unexplored(self) -> list[int]:
-        """U, ascending."""
+        """The darts of U, ascending."""
         log = self.log
         return [
             dart
@@ -165,13 +166,13 @@ class Unforgetting(ABC):
         ]
 
     def place_in_s(self, dart: int) -> tuple[int, int]:
-        """What sorts settled vertices' darts by when they came into S, then clockwise."""
+        """The key that sorts settled vertices' darts by when they came into S, then clockwise."""
         log = self.log
         v = log.node[dart]
         return self.rank[v], (dart - self.entry[v]) % log.degree[v]
 
     def nearer(self, dart: int, stands_for: int) -> tuple[int, int] | None:
-        """How far the log knows a home word, walked from a dart that may be one of S.
+        """The end of the known part of a home word, walked from a dart that may be one of S.
 
         Returns:
             The dart at which the word leaves the log and the one of S that the robot would have
@@ -194,14 +195,14 @@ class Unforgetting(ABC):
         return None
 
     def test_of(self, dart: int, place: tuple[int, int] | None) -> Test | None:
-        """The test that is left of a hypothesis, from what :meth:`nearer` says."""
+        """The test that is left of a hypothesis, from the result of :meth:`nearer`."""
         if place is None:
             return None
         front, stands_for = place
         return Test(dart, front, stands_for, self.distance[self.log.node[stands_for]])
 
     def _look_home(self) -> None:
-        """A shortest way in S to v0 from each settled vertex, by the first darts that lead one."""
+        """Find for each settled vertex the first dart of a shortest way in S to v0."""
         log = self.log
         self.distance, self.home = {0: 0}, {}
         for v in (queue := [0]):
@@ -241,7 +242,7 @@ class Unforgetting(ABC):
         return OPEN if self.is_explored(dart) else log.beyond(dart)
 
     def _resolve(self, entry: int) -> Walk[None]:
-        """Test what a vertex may be until it is known to be a settled one, or is a new one."""
+        """Test the hypotheses about a vertex until one is confirmed, or the vertex is new."""
         log = self.log
         came_by = log.beyond(entry)
         degree = log.degree[log.node[entry]]
@@ -266,7 +267,7 @@ class Unforgetting(ABC):
         self.rank[vertex], self.entry[vertex] = len(self.rank), entry
 
     def _do(self, test: Test) -> Walk[None]:
-        """Go to where the log ends, and on with the home word until a surprise or v0."""
+        """Go to the end of the log, and on with the home word to a mismatch or v0."""
         log = self.log
         yield from self._go_to(log.node[test.front])
         dart, stands_for = test.front, test.stands_for
@@ -283,7 +284,7 @@ class Unforgetting(ABC):
             dart = log.turn(self.here, self.home[vertex] - stands_for)
 
     def _show(self) -> Walk[None]:
-        """S and U, if there is more of S than was shown last; the robot is at a vertex of S."""
+        """Publish S and U if S has grown since the last time; the robot is at a vertex of S."""
         log = self.log
         unexplored = set(self.unexplored())
         size = sum(log.degree[v] for v in self.rank)

@@ -5,11 +5,11 @@
 ``header``
     the text of it;
 ``guarded_memory``
-    memory that nobody can write beyond;
+    memory with a page behind it that cannot be written;
 ``library``
-    a library, loaded and looked at;
+    a library, loaded and checked;
 ``native``
-    its episodes as an explorer's.
+    the episodes of a library as an explorer's.
 
-Only processes that may run foreign code load a library.
+Only processes that may run users' code load a library.
 """

@@ -22,11 +22,11 @@
  * `start` and `step` set `action`: a motion, a marker, a checkpoint, or ALLWORLDS_ANSWER.  After a
  * motion `step` gets what is sensed at its end, after a marker what is sensed then, after a
  * checkpoint the same percept as before.  ALLWORLDS_ANSWER ends the episode: `answer` is called
- * once, and then a new episode begins with `start`, in the same state, in any world; the same holds
- * of ALLWORLDS_AMBIGUOUS, and of `quotient`.  An episode
- * can also end without an answer (a budget has been spent, or `action` was none): then the next
- * call is `start`, too.  `start` is to forget everything: each world is explored twice, in
- * different processes and in different orders, and both explorations must be the same.
+ * once, and then a new episode begins with `start`, in the same state, in any world.
+ * ALLWORLDS_AMBIGUOUS and `quotient` do the same.  An episode can also end without an answer (the
+ * budget is spent, or the action was not legal): then the next call is `start`, too.  `start` must
+ * forget every earlier episode: each world is explored twice, in different processes and in
+ * different orders, and both explorations must be the same.
  *
  * WHAT MAY BE ASSUMED
  *
@@ -36,22 +36,26 @@
  *    They are never NULL (`cost` below may be), and do not overlap.
  *  - One state is used by one thread at a time, and by one process only.  There can be several
  *    states in a process.
- *  - Before each call of `start` and `step`, `*action` is all zero, which is no action.
- *  - Nothing is to be returned by setjmp, no exception may leave a function, and no thread or
- *    process may be left behind when an episode has ended.
- *  - stdout and stderr are the user's stderr; stdin is empty.
+ *  - Before each call of `start` and `step`, `*action` is all zero, which is no legal action.
+ *  - stdin is empty.  What a run writes to stdout and stderr is shown with that run by `run`, and in
+ *    its finding; of all other runs it is dropped.
+ *
+ * WHAT IS NOT ALLOWED
+ *
+ *  - to leave a function by longjmp or by an exception
+ *  - to leave a thread or a process behind when an episode has ended
  *
  * WHAT BREAKS A LAW
  *
  *  - a signal, abort() or exit(), or a thread that is left behind: `crash`
  *  - a call that takes longer than --answer-timeout seconds: `timeout`
- *  - an action that is none, or a marker where there are none, or ALLWORLDS_AMBIGUOUS without a
+ *  - an action of another kind, or a marker where there are none, or ALLWORLDS_AMBIGUOUS without a
  *    `quotient`: `illegal-action`
  *  - an answer that is no map, or `here` that is no dart of it, or more darts than there is room
  *    for: `no-estimate`
  *  - another walk or answer when the same percepts are met again: `nondeterministic`
  *
- * Foreign code runs in processes of its own; what it does there is a finding in the world that it
+ * Your code runs in processes of its own; what it does there is a finding in the world that it
  * was in, and the check goes on.  Such a process has 2 GB of address space for its library, or
  * what --memory says.
  *
@@ -92,7 +96,7 @@ typedef struct allworlds_action {
     int32_t kind;    /* one of the following */
     int32_t motion;  /* of a move: leave by the dart so many places clockwise of the dart arrived
                         by (at the start: of the dart faced); any integer, modulo the degree.
-                        0 goes back.  Of other actions it means nothing. */
+                        0 goes back.  Other actions ignore it. */
 } allworlds_action;
 
 enum {
@@ -123,7 +127,7 @@ enum {
  * options  how many there are, at least 1, in the order in which they came to be known
  * cost     the walking distance of each, or NULL
  *
- * To be called from within `start` and `step` only.
+ * Call it from within `start` and `step` only.
  */
 typedef int32_t (*allworlds_pick)(void *context, int32_t of, int32_t options, const int32_t *cost);
 
@@ -157,7 +161,8 @@ ALLWORLDS_EXPORT void allworlds_step(void *state, const allworlds_percept *perce
 ALLWORLDS_EXPORT int32_t allworlds_answer(void *state, int32_t capacity, int32_t *sigma,
                                           int32_t *alpha, int32_t *here);
 
-/* Optional: whoever answers the choices of the next episode, called before each `start`.
+/* Optional: gets the function that answers the choices of the next episode; called before each
+ * `start`.
  *
  * With it --policy decides, and --schedules all tries every sequence of answers.
  */

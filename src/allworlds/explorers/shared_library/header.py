@@ -1,4 +1,4 @@
-"""The header of native explorers, as the package has it."""
+"""The header of native explorers, from the package."""
 
 from __future__ import annotations
 

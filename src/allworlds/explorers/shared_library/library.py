@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import ctypes
 import hashlib
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from allworlds.inputs import InputError, a_path, show
+from allworlds.inputs import InputError, existing_file, show
 
 INTERFACE_VERSION = 1
-"""``ALLWORLDS_VERSION``."""
+"""The value of ``ALLWORLDS_VERSION``."""
 
 ROOM = 1 << 18
 """The least capacity of an answer, in darts."""
@@ -27,11 +28,11 @@ KINDS_OF_ACTION = {
 """The kinds of actions by their names in the header."""
 
 NOTHING = -1
-"""No bearing, nothing told."""
+"""The entry for no bearing, and for no number told."""
 
 
 class CPercept(ctypes.Structure):
-    """``struct allworlds_percept``."""
+    """The C type ``struct allworlds_percept``."""
 
     _fields_ = (
         ("degree", ctypes.c_int32),
@@ -41,15 +42,18 @@ class CPercept(ctypes.Structure):
 
 
 class CAction(ctypes.Structure):
-    """``struct allworlds_action``."""
+    """The C type ``struct allworlds_action``."""
 
     _fields_ = (("kind", ctypes.c_int32), ("motion", ctypes.c_int32))
 
 
+_LINES = 1
+"""The value of ``_IOLBF``: buffered until the end of a line."""
+
 _INTEGER, _ADDRESS = ctypes.c_int32, ctypes.c_void_p
 
 Pick = ctypes.CFUNCTYPE(_INTEGER, _ADDRESS, _INTEGER, _INTEGER, ctypes.POINTER(_INTEGER))
-"""``allworlds_pick``."""
+"""The C type ``allworlds_pick``."""
 
 _FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "version": (_INTEGER, ()),
@@ -59,13 +63,13 @@ _FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "step": (None, (_ADDRESS, _ADDRESS, _ADDRESS)),
     "answer": (_INTEGER, (_ADDRESS, _INTEGER, _ADDRESS, _ADDRESS, _ADDRESS)),
 }
-"""What each function returns and takes."""
+"""The types that each function returns and takes."""
 
 _OPTIONAL: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "choose": (None, (_ADDRESS, _ADDRESS, _ADDRESS)),
     "quotient": (_INTEGER, (_ADDRESS, _INTEGER, *(_ADDRESS,) * 5)),
 }
-"""The same of those that a library need not have."""
+"""The types of the functions that a library need not have."""
 
 
 def library_path(path: str) -> Path:
@@ -76,24 +80,20 @@ def library_path(path: str) -> Path:
     """
     if not path:
         raise InputError("--native needs the path of a shared library, not an empty string")
-    file = a_path("--native", path).resolve()
-    try:
-        found = file.is_file()
-    except OSError as error:
-        raise InputError(f"--native {show(path)} cannot be read: {error.strerror}") from None
-    if not found:
+    file = existing_file("--native", path)
+    if file is None:
         raise InputError(f"--native {show(path)}: there is no such file")
     return file
 
 
 class Library:
-    """A library whose functions can be called, and which speaks our version.
+    """A library whose functions can be called, and which has the present version.
 
-    Loading runs foreign code.
+    Loading runs the user's code.
 
     Attributes:
         digest: SHA-256 of the file, in hexadecimal.
-        chooses: it asks where it is free.
+        chooses: whether it takes choices.
 
     Raises:
         InputError: if it cannot be loaded, or is no library of an explorer.
@@ -120,6 +120,13 @@ class Library:
                 f"{INTERFACE_VERSION}"
             )
 
+    def print_line_by_line(self) -> None:
+        """Make stdio write each line of stdout at once: a killed process would lose it."""
+        program = ctypes.CDLL(None)
+        with suppress(ValueError):  # a C library that calls it otherwise
+            stdout = ctypes.c_void_p.in_dll(program, "stdout")
+            program.setvbuf(stdout, None, _LINES, ctypes.c_size_t(0))
+
     def _function(self, name: str, path: str) -> Any:
         try:
             function = getattr(self._loaded, f"allworlds_{name}")
@@ -138,7 +145,7 @@ class Library:
         return function
 
     def addresses(self) -> dict[str, int]:
-        """Where the functions of an episode are, by name; 0 for ``choose`` if there is none."""
+        """The addresses of the functions of an episode, by name; 0 for a missing ``choose``."""
         functions = {name: getattr(self, name) for name in ("start", "step", "answer", "choose")}
         return {
             name: (ctypes.cast(function, _ADDRESS).value or 0) if function else 0

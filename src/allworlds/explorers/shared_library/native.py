@@ -1,4 +1,4 @@
-"""A native explorer as all others are: percepts in, actions out, one step at a time."""
+"""A native explorer as a generator: percepts in, actions out, one step at a time."""
 
 from __future__ import annotations
 
@@ -38,14 +38,15 @@ from allworlds.protocol import (
     Move,
     Percept,
     Pick as PickUp,
+    Told,
 )
 
 THREADS_END = 0.5
-"""Seconds in which a thread that has been joined is gone for good."""
+"""Seconds until a thread that has been joined is no longer listed."""
 
 
 _NoAnswer: TypeAlias = Literal["illegal-action", "no-estimate"]
-"""The law that is broken by what is no list of darts."""
+"""The law that is broken by a value that is no list of darts."""
 
 
 class NativeExplorer:
@@ -67,11 +68,11 @@ class NativeExplorer:
 
     @property
     def keywords(self) -> frozenset[str]:
-        """What it takes besides percepts."""
+        """The keywords that the library takes besides percepts."""
         return frozenset({"told", "choices"} if self.library.chooses else {"told"})
 
     def state(self) -> int:
-        """The state, which is made at the first use.
+        """The library's state, which is made at the first use.
 
         Raises:
             ExplorerFault: if the library makes none.
@@ -94,12 +95,12 @@ class NativeExplorer:
             self.library.delete(state)
 
     def explore(
-        self, first: Percept, *, told: int | None = None, choices: Choices | None = None
+        self, first: Percept, *, told: Told = None, choices: Choices | None = None
     ) -> Generator[Action | Checkpoint, Percept, Answer]:
-        """One episode.
+        """Play one episode.
 
         Raises:
-            ExplorerFault: for an action or an answer that is none, and threads left behind.
+            ExplorerFault: for an illegal action or answer, and for threads left behind.
         """
         threads = threads_now()
         library, action, state = self.library, self._action, self.state()
@@ -110,7 +111,7 @@ class NativeExplorer:
             library.choose(state, self._picks, None)
         sensed = self._sense(first)
         action.kind = action.motion = 0
-        library.start(state, here, NOTHING if told is None else told, there)
+        library.start(state, here, _one_number(told), there)
         while True:
             asked.complain()
             kind = action.kind
@@ -134,7 +135,7 @@ class NativeExplorer:
             library.step(state, here, there)
 
     def _sense(self, percept: Percept) -> int:
-        """Hand the percept over; its degree."""
+        """Write the percept for the library; return its degree."""
         ours = self._percept
         ours.degree, ours.marks = percept.degree, percept.marks
         ours.bearing = NOTHING if percept.bearing is None else percept.bearing
@@ -143,14 +144,14 @@ class NativeExplorer:
     def _published(
         self, state: int, sensed: int, law: _NoAnswer
     ) -> tuple[tuple[int, ...], tuple[int, ...], int]:
-        """Sigma, alpha and ``here``, as the library has them now."""
+        """Sigma, alpha and ``here``, as the library writes them now."""
         sigma, alpha = self._said(self.library.answer, 2, state, sensed, law)
         return sigma, alpha, self._here[0]
 
     def _said(
         self, function: Any, lists: int, state: int, sensed: int, law: _NoAnswer
     ) -> list[tuple[int, ...]]:
-        """So many lists of integers, one for each dart, as the library fills them now."""
+        """Lists of integers, each with one entry for each dart, as the library fills them now."""
         capacity = max(ROOM, sensed)
         if capacity > self._capacity:
             self._lists, self._capacity = [], capacity
@@ -171,7 +172,7 @@ class NativeExplorer:
         try:
             return Estimate(CombinatorialMap(sigma, alpha), here)
         except InvalidMap as error:
-            raise ExplorerFault("no-estimate", f"no map: {error}") from None
+            raise ExplorerFault("no-estimate", f"no map: {error}", error.tried) from None
 
     def _ambiguous(self, state: int, sensed: int) -> Ambiguous:
         quotient = self.library.quotient
@@ -183,15 +184,26 @@ class NativeExplorer:
         return Ambiguous(sigma, alpha, degree, marks, self._here[0])
 
 
+def _one_number(told: Told) -> int:
+    """The one number that a library is told."""
+    if told is None:
+        return NOTHING
+    if isinstance(told, int):
+        return told
+    if len(told) > 1:
+        raise ExplorerFault("illegal-action", f"a library that is told {len(told)} numbers")
+    return next(iter(told.values()), NOTHING)
+
+
 class _Asked:
-    """Who answers the choices of one episode."""
+    """The answering of the choices of one episode."""
 
     def __init__(self, choices: Choices | None) -> None:
         self._choices = choices or Choices()
         self._wrong = ""
 
     def pick(self, _: int | None, of: int, options: int, cost: Any) -> int:
-        """``allworlds_pick``; what is no choice is answered by 0, and complained of later."""
+        """Answer ``allworlds_pick``; an illegal choice is answered by 0, and reported later."""
         try:
             kind = KINDS[of] if 0 <= of < len(KINDS) else str(of)
             costs = cost[: max(options, 0)] if cost else None
@@ -202,7 +214,7 @@ class _Asked:
         return index
 
     def complain(self) -> None:
-        """Raise what was wrong with a choice."""
+        """Raise the error of an illegal choice, if there was one."""
         if self._wrong:
             raise ExplorerFault("crash", f"a choice that is none: {self._wrong}")
 
@@ -215,7 +227,7 @@ def threads_now() -> int:
 
 
 def threads_left(before: int) -> int:
-    """How many more threads there are than before, and stay.
+    """The number of threads that are more than before, and stay.
 
     One that has been joined is listed for some microseconds more.
     """

@@ -1,4 +1,4 @@
-"""The languages of skeletons: the files of each, and how an explorer in it is tried."""
+"""The languages of skeletons: the files of each, and the commands that try an explorer."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ SUFFIX = ".template"
 
 @dataclass(frozen=True, slots=True)
 class Language:
-    """How an explorer in a language is tried, in its folder.
+    """A language, with the commands that try an explorer in its folder.
 
     Attributes:
         explorer: its file.
         check: the command that builds it, if it must be built, and checks it.
-        test: what runs its test.
+        test: the command that runs its test.
         needs: the programs, besides this one, that these commands call.
     """
 
@@ -48,7 +48,7 @@ LANGUAGES = {
         ("rustc", "make"),
     ),
 }
-"""Every language that there is a skeleton for."""
+"""Every language with a skeleton."""
 
 
 def templates(lang: str) -> Iterator[tuple[str, str]]:

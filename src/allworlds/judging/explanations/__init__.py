@@ -1,23 +1,27 @@
-"""A finding in plain words: what the robot believed, what was true, and where they part.
+"""A finding in plain words: the robot's belief, the truth, and the step where they diverge.
 
 ``explanation``
     from a finding to an :class:`~allworlds.judging.Explanation`: the entry;
 ``by_law``
-    **the** table of the laws, and what there is to tell of a run that breaks each of them;
+    **the** table of the laws, each with the explanation of a run that breaks it;
 ``parting``
-    the step where belief and truth part, and what the log leaves open, in sentences;
+    the step where belief and truth diverge, and the open darts of the log, in sentences;
 ``slips``
-    the one slip that makes a right answer a wrong one;
+    the one slip by which a right answer becomes a wrong one;
+``chirality``
+    which way round an explorer writes rotations, where the world of its finding cannot tell;
 ``traceback_line``
-    the line of a traceback that tells;
+    the line of a traceback with the error;
 ``spending``
-    what the traversals were spent on;
+    the purposes of the traversals;
+``whose_bound``
+    the owner of the exceeded bound, and the way to check without it;
 ``rounds``
-    where a walk that comes to no end begins to go round, or finds nothing new;
+    the step where an endless walk begins to go round, or to find no new edge;
 ``another_world``
     another world that agrees with the log;
 ``story``
-    the finding with its walk, and the same walk in a wrong answer: what tellers are told;
+    the finding with its walk, and that walk in a wrong answer: the input of all explanations;
 ``named_walk``
     the walk that a log describes, and the names of the places on it.
 """

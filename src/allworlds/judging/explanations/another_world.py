@@ -1,4 +1,4 @@
-"""Another world in which the robot would have sensed the same: why a log does not tell."""
+"""Another world with the same log, which shows that the log does not determine the world."""
 
 from __future__ import annotations
 
@@ -14,9 +14,8 @@ from allworlds.world import Directional, IllegalAction, World
 def another_world(world: World, transcript: Transcript) -> World | None:
     """A world that is not this one, and agrees with the log; None if the log determines it.
 
-    It is made of what the log proves: the darts of which it does not tell where they lead are
-    joined with each other, or lead to new vertices.  Of these it is one with the fewest edges;
-    it is simple where the world is.
+    The other world extends the folded log: its open darts are joined with each other, or lead to
+    new vertices.  Of these worlds it is one with the fewest edges, and simple if the world is.
 
     Cost: exponential in the number of these darts at the worst; the first try is nearly always
     another world.
@@ -34,7 +33,7 @@ def another_world(world: World, transcript: Transcript) -> World | None:
 
 
 def _agreeing(map_: CombinatorialMap, transcript: Transcript) -> World | None:
-    """The map with the marker where the log has it, if the log is one of this world."""
+    """The world of this map with the marker of the log; None if it does not have this log."""
     bearing = transcript.first.bearing
     assert bearing is not None
     other = World(map_, Directional(map_.turn(0, bearing)), 0)
@@ -56,7 +55,7 @@ def _completions(folded: Folded) -> Iterator[CombinatorialMap]:
 
 
 def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart]]]:
-    """Every way to pair the darts but for so many of them."""
+    """Every way to pair the darts with ``leaves`` of them left over."""
     if not darts:
         yield []
         return
@@ -73,7 +72,7 @@ def _completed(
 ) -> CombinatorialMap:
     """The folded log with these darts joined; the others lead to new vertices of these degrees.
 
-    A vertex of degree 2 leads on to a leaf.
+    From a new vertex of degree 2 an edge leads on to a leaf.
     """
     sigma, alpha = [*folded.sigma], [*folded.alpha]
 

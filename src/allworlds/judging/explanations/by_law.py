@@ -6,41 +6,92 @@
 
 from __future__ import annotations
 
+from typing import assert_never
+
 from allworlds.explorers import is_program
 from allworlds.inputs import InputError, an_integer
+from allworlds.judging.endings import BUILT, NO_MAP
 from allworlds.judging.explanations.another_world import another_world
 from allworlds.judging.explanations.parting import tell_open_darts, tell_parting
 from allworlds.judging.explanations.rounds import tell_rounds
-from allworlds.judging.explanations.slips import the_slip
+from allworlds.judging.explanations.slips import mirror_image, the_slip
 from allworlds.judging.explanations.spending import spending
 from allworlds.judging.explanations.story import Belief, Story, Teller, Telling
 from allworlds.judging.explanations.traceback_line import telling_line
-from allworlds.judging.laws.invariants import at_checkpoint
+from allworlds.judging.explanations.whose_bound import tell_whose_bound
 from allworlds.maps import CombinatorialMap, Dart, carries, numbering
 from allworlds.words import plural, size
 
 GUESSED, TURNED, ELSEWHERE = "guessed", "off by a turn", "another vertex"
-"""What makes all the difference where it is no slip in drawing the map."""
+"""The causes of a wrong answer that are no slips in drawing the map."""
 
-FLUSH = "Does the program flush its output after every line? A line in a buffer is silence."
-"""What is asked of a program that was silent for too long."""
+FLUSH = (
+    "Does the program flush its output after every line? A line in a buffer is silence, and so is "
+    "an endless loop."
+)
+"""The question about a program that was silent for too long."""
+
+NO_JSON, STDOUT = (
+    "a line that is no JSON",
+    ("The program's stdout is for its actions alone: output for debugging goes to stderr."),
+)
+"""What is seen of a program that prints anything else, and the advice."""
+
+KEPT = (
+    "Does it keep something from an earlier run: a global or static variable, or a field that is "
+    "not reset when an episode begins? Does it go by chance, by time or by addresses?"
+)
+"""The questions about an explorer that does not repeat itself."""
 
 # ---------------------------------------------------------------- the run ended too early
 
 
 def ending(how: str) -> Teller:
-    """Tells how the run ended, in that sentence, then its last step and what was seen."""
+    """Tell how the run ended, in that sentence, then its last step and the last percept."""
 
     def tell(story: Story) -> Telling:
         line = telling_line(story.finding.detail)
-        why = [f"What it wrote of it: {line}"] if line not in str(story.finding.seen) else []
-        return Telling([how, _say_last_step(story), story.expected_and_seen(), *why])
+        why = [f"Its last message: {line}"] if line not in str(story.finding.seen) else []
+        return Telling([how, _say_last_step(story), *why])
 
     return tell
 
 
+def tell_crash(story: Story) -> Telling:
+    """Tell the error, then the last step."""
+    return ending(f"The explorer crashed: {story.finding.seen}.")(story)
+
+
+def tell_no_estimate(story: Story) -> Telling:
+    """Tell the ending, and for an answer that is no map the law of maps that it breaks."""
+    seen = str(story.finding.seen)
+    if not seen.startswith(NO_MAP):
+        return ending("The explorer ended without an answer that could be judged.")(story)
+    built = [line for line in story.finding.detail.splitlines() if line.startswith(BUILT)]
+    told = [
+        f"The explorer's answer is no map: {seen.removeprefix(NO_MAP)}.",
+        *(f"The map was {line}." for line in built),
+        _say_last_step(story),
+    ]
+    return Telling(told)
+
+
+def tell_illegal_action(story: Story) -> Telling:
+    """Tell the ending, and for a line that is no JSON what stdout is for."""
+    told = ending("The explorer did what no robot can do here.")(story)
+    if is_program(story.finding.explorer) and NO_JSON in str(story.finding.seen):
+        told.sentences.insert(1, STDOUT)
+    return told
+
+
+def tell_nondeterministic(story: Story) -> Telling:
+    """Tell that two plays differ, and what is mostly the cause."""
+    told = ["Exploring the same world again, the explorer did something else.", KEPT]
+    return Telling([*told, _say_last_step(story)])
+
+
 def tell_timeout(story: Story) -> Telling:
-    """As of every ending; of a program that it may be waiting with its line in a buffer."""
+    """Tell the ending, and that a program may be waiting with its line in a buffer."""
     told = ending("The explorer was silent for too long.")(story)
     if is_program(story.finding.explorer):
         told.sentences.insert(1, FLUSH)
@@ -48,10 +99,10 @@ def tell_timeout(story: Story) -> Telling:
 
 
 def tell_budget(story: Story) -> Telling:
-    """Whether the robot went round, or since when it found nothing new."""
+    """Tell whether the robot went round, or since when it found no new edge."""
     how = "The explorer went on for longer than it may."
     rounds = tell_rounds(story)
-    return Telling([how, *(rounds or [_say_last_step(story)]), story.expected_and_seen()])
+    return Telling([how, *(rounds or [_say_last_step(story)])])
 
 
 def _say_last_step(story: Story) -> str:
@@ -68,7 +119,7 @@ def _say_last_step(story: Story) -> str:
 
 
 def tell_map(story: Story) -> Telling:
-    """How large both maps are, and where the walks in them part."""
+    """Tell the sizes of both maps, and the step where the walks in them diverge."""
     belief = Belief(story)
     slip, parting = the_slip(belief), tell_parting(belief)
     name = slip.name if slip else ""
@@ -92,21 +143,61 @@ def _size(map_: CombinatorialMap) -> str:
 
 
 def tell_pose(story: Story) -> Telling:
-    """Where the robot is and where it believes to be, and where the walks to there part."""
+    """Tell where the robot is, where it believes to be, and where the walks diverge."""
     belief = Belief(story)
     images = _images(belief)
-    slip = the_slip(belief)
+    slip = mirror_image(belief)
     turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
-    right = "This map is its own mirror image, and it may be" if slip else "The map is right, it is"
     alike = len(images) - 1
     symmetry = f" (the map is symmetric: {plural(alike, 'other dart')} would do as well)"
-    sentences = [
-        *([slip.sentence] if slip else []),
-        f"{right} 'here' that is wrong: {_say_where(belief, images)}{symmetry if alike else ''}.",
-        *tell_parting(belief),
-    ]
-    name = slip.name if slip else TURNED if turned else ELSEWHERE
-    return Telling(sentences, belief.step, belief.answer, slip=name)
+    where = f"{_say_where(belief, images)}{symmetry if alike else ''}"
+    turned_over = slip is not None and _turns_the_wrong_way(story)
+    if slip and turned_over:
+        told = [
+            slip.sentence,
+            *_say_chirality(story),
+            f"Its 'here' is wrong for no other reason: {where}.",
+        ]
+    elif slip and story.chirality is None:
+        either = f"Either 'here' is wrong, or the rotations are anticlockwise: {where}."
+        tells = "and cannot tell; 'allworlds explain' decides it in another one"
+        told = [either, f"This world is its own mirror image, {tells}."]
+    else:
+        told = [f"The map is right, it is 'here' that is wrong: {where}."]
+        told += _say_chirality(story) if slip else []
+    name = slip.name if slip and turned_over else TURNED if turned else ELSEWHERE
+    return Telling([*told, *tell_parting(belief)], belief.step, belief.answer, slip=name)
+
+
+def _turns_the_wrong_way(story: Story) -> bool:
+    """Whether the explorer was seen to list rotations anticlockwise."""
+    return story.chirality is not None and story.chirality.rotations == "anticlockwise"
+
+
+def _say_chirality(story: Story) -> list[str]:
+    """Tell which way round the explorer turns, as far as another world has shown it."""
+    same = "This world is its own mirror image"
+    assert story.chirality is not None
+    where = story.chirality.where
+    match story.chirality.rotations:
+        case "clockwise":
+            return [
+                (
+                    f"The rotations are clockwise, as they should be: in {where}, the "
+                    "explorer's map is right."
+                )
+            ]
+        case "anticlockwise":
+            return [f"{same}, but in {where}, the explorer's map is the mirror image, too."]
+        case "unknown":
+            return [
+                (
+                    f"{same}, so rotations that are anticlockwise would give this answer, too; "
+                    f"worlds that would tell do not: {where}."
+                )
+            ]
+        case rotations:
+            assert_never(rotations)
 
 
 def _images(belief: Belief) -> list[Dart]:
@@ -121,7 +212,7 @@ def _images(belief: Belief) -> list[Dart]:
 
 
 def _say_where(belief: Belief, images: list[Dart]) -> str:
-    """Where the robot stands, and where the answer says that it stands."""
+    """Tell where the robot stands, and where the answer says that it stands."""
     story = belief.story
     map_, robot = story.map, story.walked[-1]
     stands = f"the robot stands at {story.place(robot)}, and the answer says"
@@ -134,40 +225,42 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
     else:
         said = meant if meant in near else min(near, key=lambda d: map_.offset(d, robot))
         turned, degree = map_.offset(said, robot), map_.degree_at[robot]
-        told = (
-            f"{stands} dart {said} of the same vertex, off by a turn of {turned} of {degree} darts"
-        )
+        back = degree - turned
+        way = f"{back} of {degree} darts clockwise"
+        if turned < back:
+            way = f"{turned} of {degree} darts anticlockwise"
+        told = f"{stands} dart {said} of the same vertex, off by a turn of {way}"
     far = "; that is the far end of the edge by which it came"
     return told + (far if said == map_.alpha[robot] and len(story.walked) > 1 else "")
 
 
 def tell_ambiguity(story: Story) -> Telling:
-    """The quotient that the answer should have been, or that there should have been a map."""
+    """Tell the quotient that the answer should have been, or that it should have been a map."""
     broken = (
         "The answer says that several worlds look alike, and what they have in common: the "
         "quotient in which darts are one that nothing tells apart, rooted at the robot's."
     )
     stands = f"In the world the robot stands at {story.place(story.walked[-1])}."
-    return Telling([broken, stands, story.expected_and_seen()])
+    return Telling([broken, stands])
 
 
 # ---------------------------------------------------------------- a checkpoint is wrong
 
 
 def tell_invariant_1(story: Story) -> Telling:
-    """The checkpoint that shows a wrong S."""
+    """Tell the checkpoint that shows a wrong S."""
     broken = "What was published as S, the explored part, does not lie so in the world."
     return Telling(_tell_checkpoint(broken, story), story.checkpoint)
 
 
 def tell_invariant_2(story: Story) -> Telling:
-    """The checkpoint that shows a wrong U."""
+    """Tell the checkpoint that shows a wrong U."""
     broken = "What was published as U, the unexplored darts, holds one that is explored."
     return Telling(_tell_checkpoint(broken, story), story.checkpoint)
 
 
 def tell_variant(story: Story) -> Telling:
-    """The checkpoint that shows no progress; what it shows may be true, so nothing parts."""
+    """Tell the checkpoint without progress; its S may be right, so no step of divergence."""
     broken = (
         "A pass brought no progress: from one checkpoint to the next S, the explored part, must "
         "gain an edge, and at the last one it must have them all."
@@ -177,22 +270,20 @@ def tell_variant(story: Story) -> Telling:
 
 def _tell_checkpoint(broken: str, story: Story) -> list[str]:
     sentences = [broken]
-    step, seen = story.checkpoint, str(story.finding.seen)
+    step = story.checkpoint
     if step is not None:
-        when = at_checkpoint(step)
-        seen = seen.removeprefix(f"{when}: ").removesuffix(f" {when}")
         sentences.append(
             f"The checkpoint came after step {step}, where the robot stood at "
             f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
         )
-    return [*sentences, f"Expected was: {story.finding.expected}; seen was: {seen}."]
+    return sentences
 
 
 # ---------------------------------------------------------------- the answer was guessed, or dear
 
 
 def tell_folding(story: Story) -> Telling:
-    """What the log leaves open, and another world that agrees with it."""
+    """Tell the open darts of the log, and another world that agrees with it."""
     guessed = "The log does not determine the map, so the answer, right or not, was guessed."
     other = another_world(story.world, story.transcript)
     assert other is not None
@@ -205,15 +296,14 @@ def tell_folding(story: Story) -> Telling:
 
 
 def tell_bound(story: Story) -> Telling:
-    """What the bound allows, and what the traversals were spent on."""
+    """Tell that the answer is right, whose bound was exceeded, and the uses of the traversals."""
     spent = spending(story, an_integer("expected", story.finding.expected))
-    name = story.finding.rules.the_bound.name
     traversals = plural(spent.cost, "traversal")
     out = spent.cost - spent.back
     told = [
-        f"The world has {_size(story.map)}, for which the bound ({name}) allows {spent.bound}.",
-        f"The robot made {traversals}: {out} out, {spent.back} to take one back.",
-        f"Of those out {len(spent.found)} went along an edge that was new.",
+        *tell_whose_bound(story.finding),
+        f"The robot made {traversals}: {out} forward and {spent.back} back along the way it came.",
+        f"Of those forward {len(spent.found)} found a new edge.",
     ]
     return Telling(told, spent=spent)
 
@@ -222,25 +312,25 @@ def tell_bound(story: Story) -> Telling:
 
 
 TELLERS: dict[str, Teller] = {
-    # A run that ended before it could be judged has one sentence of its own.
-    "crash": ending("The explorer crashed."),
+    "crash": tell_crash,
     "timeout": tell_timeout,
-    "illegal-action": ending("The explorer did what no robot can do here."),
-    "no-estimate": ending("The explorer ended without an answer that could be judged."),
+    "illegal-action": tell_illegal_action,
+    "no-estimate": tell_no_estimate,
     "budget": tell_budget,
-    "nondeterministic": ending("Exploring the same world again, the explorer did something else."),
+    "nondeterministic": tell_nondeterministic,
     "map": tell_map,
     "pose": tell_pose,
     "ambiguity": tell_ambiguity,
+    "task": ending("The explorer did not do what the task asks for."),
     "invariant-1": tell_invariant_1,
     "invariant-2": tell_invariant_2,
     "variant": tell_variant,
     "folding": tell_folding,
     "bound": tell_bound,
 }
-"""What each law of the judge has to tell, in the judge's order."""
+"""The explanation of each law of the judge, in the judge's order."""
 
 
 def teller_of(law: str) -> Teller:
-    """What the law has to tell; of a law that has no entry, no more than its name."""
+    """The explanation of a law; for a law without an entry, no more than its name."""
     return TELLERS.get(law) or ending(f"The law '{law}' is broken.")

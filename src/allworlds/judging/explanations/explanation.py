@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from allworlds.document import Aside, Natural, Report, Some, Text, about, computed
+from allworlds.document import Aside, Natural, Positive, Report, Some, Text, about, computed
 from allworlds.inputs import InputError, show
 from allworlds.judging.explanations.by_law import teller_of
 from allworlds.judging.explanations.spending import Spending
-from allworlds.judging.explanations.story import Story
+from allworlds.judging.explanations.story import Chirality, Story
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import LawName
 from allworlds.maps import Dart
-from allworlds.outcome import Exit
 from allworlds.protocol import Estimate
 from allworlds.world import World
 
@@ -51,24 +50,33 @@ class Explanation(Report):
             "`mirror image`; null: none that is known"
         ),
     ]
+    number: Annotated[Positive, about("the number of the finding in its report; 1: the first")]
+    findings: Annotated[Positive, about("how many findings the report holds")]
     finding: Aside[Finding]
     spent: Aside[Spending | None] = None
 
-    @property
-    def exit_code(self) -> Exit:
-        """0: explained."""
-        return Exit.ANSWERED
 
-
-def explain(finding: Finding) -> Explanation:
+def explain(
+    finding: Finding,
+    *,
+    chirality: Chirality | None = None,
+    number: int = 1,
+    findings: int = 1,
+) -> Explanation:
     """The finding in plain words.
+
+    Args:
+        finding: the one that is explained.
+        chirality: the sense that its explorer has shown in a chiral world; None if not played.
+        number: of the finding in its report, from 1 on.
+        findings: the number of findings in the report.
 
     Raises:
         InputError: if its transcript is no walk in its world, or its answer is none.
     """
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
-    story = Story(finding)
+    story = Story(finding, chirality)
     telling = teller_of(finding.law)(story)
     return Explanation(
         step=telling.step,
@@ -77,6 +85,8 @@ def explain(finding: Finding) -> Explanation:
         answer=telling.answer,
         other=telling.other,
         slip=telling.slip or None,
+        number=number,
+        findings=findings,
         finding=finding,
         spent=telling.spent,
     )

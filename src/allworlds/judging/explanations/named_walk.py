@@ -12,11 +12,11 @@ class Walked:
     """The walk that a log describes, and the names of the places on it.
 
     Attributes:
-        world: where it was.
-        map: the map of that.
+        world: in which it was.
+        map: of the world.
         transcript: the log.
         sensed: the percepts at the start and after each step.
-        walked: the robot's darts in the world, likewise.
+        walked: the robot's darts in the world at the start and after each step.
 
     Raises:
         InputError: if the transcript is no walk in the world.
@@ -41,9 +41,9 @@ class Walked:
         return (*first.values(),)
 
     def vertex(self, dart: Dart) -> str:
-        """The vertex of a dart: ``v1``."""
+        """The name of a dart's vertex: ``v1``."""
         return f"v{self.map.vertex_of[dart]}"
 
     def place(self, dart: Dart) -> str:
-        """A dart with its vertex: ``v1, dart 3``."""
+        """The name of a dart with its vertex: ``v1, dart 3``."""
         return f"{self.vertex(dart)}, dart {dart}"

@@ -1,4 +1,4 @@
-"""Where belief and truth part, and what the log leaves open, in sentences."""
+"""The divergence of belief and truth, and the open darts of the log, in sentences."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from allworlds.words import listed, plural
 
 
 def tell_parting(belief: Belief) -> list[str]:
-    """Where the walk and the same walk in the answer part, and how that could be sensed."""
+    """Tell where the walk and its image in the answer diverge, and how that could be sensed."""
     parting, misfits = belief.parting, belief.misfits
     if parting is None:
         fits = (
@@ -34,7 +34,7 @@ def tell_parting(belief: Belief) -> list[str]:
 
 
 def _say_parting(belief: Belief, parting: Parting) -> str:
-    """The step at which they part, as one sentence."""
+    """The step at which they diverge, as one sentence."""
     story = belief.story
     step, robot, taken_for = parting.step, parting.robot, parting.taken_for
     vertex = story.vertex(robot)
@@ -59,13 +59,13 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
 
 def _say_misfit(belief: Belief, step: int) -> str:
     expected, sensed = belief.expected[step], belief.story.sensed[step]
-    return f"it sensed '{sensed}', where the answer makes expect '{expected}'"
+    return f"it sensed '{sensed}', where the answer predicts '{expected}'"
 
 
 def tell_open_darts(story: Story) -> list[str]:
-    """How much the folded log leaves open, and the vertices that it has several times.
+    """Tell the open darts of the folded log, and the vertices that it has several times.
 
-    Nothing where it leaves none open, or where the lighthouse allows no folding.
+    No sentence if no dart is open, or if the lighthouse allows no folding.
     """
     if not story.world.lighthouse.folds:
         return []
@@ -83,7 +83,11 @@ def tell_open_darts(story: Story) -> list[str]:
     open_ = f"where {plural(len(unsettled), 'dart')} {'lead' if many else 'leads'}"
     copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
     twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
-    told = f"The log does not settle {open_}"
+    told = [f"The log does not settle {open_}."]
     if twice:
-        told += f", and the robot came to {listed(twice)} that may lead to as many places"
-    return [f"{told}."]
+        one = "each of these" if len(twice) > 1 else "this"
+        told.append(
+            f"The robot came to {listed(twice)}, and the log does not show that {one} is one "
+            "vertex."
+        )
+    return told

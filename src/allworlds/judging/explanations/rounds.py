@@ -1,4 +1,4 @@
-"""A walk that comes to no end: where it begins to go round, or since when it finds nothing new."""
+"""An endless walk: the step where it begins to go round, or to find no new edge."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from allworlds.judging.explanations.named_walk import Walked
 from allworlds.words import plural
 
 LONGEST = 200
-"""Steps of the longest round that is looked for."""
+"""The number of steps of the longest round that is looked for."""
 
 TIMES = 3
-"""So often a round must have been gone, to be called one."""
+"""The least number of times that a round is gone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +22,7 @@ class Round:
     Attributes:
         first: the first step of the first round.
         length: steps of a round.
-        times: how often it was gone, the last time perhaps in part.
+        times: the number of times, the last one perhaps in part.
     """
 
     first: int
@@ -33,8 +33,8 @@ class Round:
 def round_at_the_end(steps: Sequence[Hashable]) -> Round | None:
     """The shortest round with which the steps end; steps are numbered from 1.  Cost: O(n LONGEST).
 
-    None, if it is gone less than :data:`TIMES` times, or is not the greater part of the steps:
-    whoever wanders goes round by chance, for a while.
+    None if it is gone less than :data:`TIMES` times, or is not the greater part of the steps: a
+    wandering robot goes round by chance, for a while.
     """
     for length in range(1, min(LONGEST, len(steps) // TIMES) + 1):
         first = len(steps) - length
@@ -46,7 +46,7 @@ def round_at_the_end(steps: Sequence[Hashable]) -> Round | None:
 
 
 def tell_rounds(story: Walked) -> list[str]:
-    """That the robot went round, or since when no edge was new; nothing of a short walk."""
+    """Tell that the robot went round, or since when no edge was new; skip short walks."""
     actions = story.transcript.actions
     found = round_at_the_end([*zip(actions, story.walked[1:], strict=True)])
     if found:
@@ -56,5 +56,8 @@ def tell_rounds(story: Walked) -> list[str]:
     if not found_at:
         return []
     left = story.map.edge_count - len(found_at)
-    rest = f"{plural(left, 'edge')} it never walked" if left else "it had walked every edge"
-    return [f"After step {found_at[-1]} nothing was new to it; {rest}."]
+    step = f"After step {found_at[-1]}"
+    if left:
+        return [f"{step} it met no new edge; {plural(left, 'edge')} it never met."]
+    went_on = "mostly such an explorer takes a vertex or an edge that it knows for a new one"
+    return [f"{step} it had walked every edge of the world, and yet it went on: {went_on}."]

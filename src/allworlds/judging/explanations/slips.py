@@ -1,7 +1,7 @@
-"""The one slip that makes a right answer a wrong one, where there is one.
+"""The one slip by which a right answer becomes a wrong one, if there is one.
 
-``SLIPS`` is **the** table.  Each recogniser undoes its slip and compares what results with the
-world, so what it says is true of the answer, whatever has led to it.
+``SLIPS`` is **the** table.  Each recogniser undoes its slip and compares the result with the
+world, so its sentence is true of the answer, whatever the cause was.
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ LARGEST = 40
 
 @dataclass(frozen=True, slots=True)
 class Slip:
-    """What makes all the difference between an answer and the world.
+    """The one difference between an answer and the world.
 
     Attributes:
         name: in the table.
-        sentence: what it is, with the darts of the world.
+        sentence: a description with the darts of the world.
         mended: the map without the slip.
-        truth: what it is the same map as: the world, or what is left of that without the edge
-            that the slip is about.
-        here: where the robot is in the mended map; None where that is wrong, too, or unknown.
+        truth: the map that the mended one equals: the world's, or that without the edge of the
+            slip.
+        here: the robot's dart in the mended map; None if that is wrong, too, or unknown.
     """
 
     name: str
@@ -47,18 +47,18 @@ class Slip:
 
 
 Recogniser: TypeAlias = Callable[[Belief], Slip | None]
-"""The slip; None if it is another one, or none."""
+"""A recogniser: the slip, or None if it is another one, or none."""
 
 
 def the_slip(belief: Belief) -> Slip | None:
-    """The first slip of the table that makes all the difference, if one does."""
+    """The first slip of the table that accounts for all of the difference; None if none does."""
     if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
         return None
     return next((slip for recognise in SLIPS.values() if (slip := recognise(belief))), None)
 
 
-def _mirrored(belief: Belief) -> Slip | None:
-    """Every rotation is given anticlockwise."""
+def mirror_image(belief: Belief) -> Slip | None:
+    """Recognise an answer in which every rotation is given anticlockwise."""
     answer, world, robot = belief.answer, belief.story.map, belief.story.walked[-1]
     mirrored = answer.map.mirrored()
     if rooted_isomorphism(mirrored, answer.here, world, robot):
@@ -75,7 +75,7 @@ def _mirrored(belief: Belief) -> Slip | None:
 
 
 def _glued_crosswise(belief: Belief) -> Slip | None:
-    """Two edges have one end each exchanged."""
+    """Recognise an answer in which two edges have one end each exchanged."""
     world, robot = belief.story.map, belief.story.walked[-1]
     if isomorphism(belief.answer.map, world):
         return None
@@ -96,7 +96,7 @@ def _glued_crosswise(belief: Belief) -> Slip | None:
 def _reglued(
     map_: CombinatorialMap,
 ) -> Iterator[tuple[CombinatorialMap, tuple[tuple[Dart, Dart], tuple[Dart, Dart]]]]:
-    """The maps with two edges glued otherwise, each with these two edges as they were."""
+    """The maps with two edges glued otherwise, each with the two original edges."""
     for i, (a, b) in enumerate(map_.edges):
         for c, d in map_.edges[i + 1 :]:
             for pairs in (((a, c), (b, d)), ((a, d), (b, c))):
@@ -131,7 +131,7 @@ def _pairs(edges: list[tuple[Dart, Dart]]) -> str:
 
 
 def _edge_misplaced(belief: Belief) -> Slip | None:
-    """One edge has an end, or both, in another place."""
+    """Recognise an answer in which one edge has an end, or both, in another place."""
     world, answer = belief.story.map, belief.answer.map
     if answer.edge_count != world.edge_count or isomorphism(answer, world):
         return None
@@ -149,7 +149,7 @@ def _edge_misplaced(belief: Belief) -> Slip | None:
 
 
 def _edge_missing(belief: Belief) -> Slip | None:
-    """One edge of the world is not in the answer, or is a vertex there."""
+    """Recognise an answer that lacks one edge of the world, or has a vertex in its place."""
     world, answer = belief.story.map, belief.answer.map
     if answer.edge_count != world.edge_count - 1:
         return None
@@ -166,7 +166,7 @@ def _edge_missing(belief: Belief) -> Slip | None:
 
 
 def _edge_too_many(belief: Belief) -> Slip | None:
-    """One edge of the answer is not in the world, or is a vertex there."""
+    """Recognise an answer with one edge that is not in the world, or is a vertex there."""
     world, answer = belief.story.map, belief.answer.map
     if answer.edge_count != world.edge_count + 1:
         return None
@@ -186,7 +186,7 @@ def _same(a: CombinatorialMap | None, b: CombinatorialMap) -> TypeGuard[Combinat
 
 
 SLIPS: dict[str, Recogniser] = {
-    "mirrored": _mirrored,
+    "mirrored": mirror_image,
     "glued crosswise": _glued_crosswise,
     "an edge misplaced": _edge_misplaced,
     "an edge missing": _edge_missing,

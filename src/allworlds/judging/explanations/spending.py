@@ -1,4 +1,4 @@
-"""What the traversals of a walk were spent on."""
+"""The purposes of the traversals of a walk."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from allworlds.protocol import Move
 
 @dataclass(frozen=True, slots=True)
 class Spending:
-    """The traversals of a walk, beside what they found.
+    """The traversals of a walk, and the edges that they found.
 
     Attributes:
         found: for each edge that was walked the traversal that first went along it, ascending.
         back: the traversals that take back the last one not yet taken back.
-        cost: all of them.
-        bound: how many the law allows.
+        cost: the number of all traversals.
+        bound: the largest legal number.
     """
 
     found: tuple[int, ...]
@@ -27,7 +27,7 @@ class Spending:
 
 
 def spending(walked: Walked, bound: int) -> Spending:
-    """What the traversals were spent on; linear in the steps."""
+    """The purposes of the traversals of a walk.  Cost: linear in the steps."""
     back, cost, found = 0, 0, []
     path: list[Dart] = []
     discoveries = set(walked.discoveries)

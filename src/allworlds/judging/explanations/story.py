@@ -1,11 +1,11 @@
-"""What a law is told of a finding, and what it tells: the walk, and the belief about it."""
+"""The input and the output of a law's explanation: the walk, and the belief about it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 from allworlds.inputs import InputError, show
 from allworlds.judging.explanations.named_walk import Walked
@@ -18,20 +18,34 @@ from allworlds.protocol import Estimate, Percept
 from allworlds.world import World
 
 
+@dataclass(frozen=True, slots=True)
+class Chirality:
+    """The result of playing the explorer in a chiral world.
+
+    Attributes:
+        rotations: the order in which the explorer lists the darts round a vertex.
+        where: the chiral world in words, or, where the order is unknown, why it is.
+    """
+
+    rotations: Literal["clockwise", "anticlockwise", "unknown"]
+    where: str
+
+
 class Story(Walked):
     """A finding with the walk that its log describes.
 
     Attributes:
-        finding: what is to be told.
-        checkpoint: the step before the checkpoint that breaks the law; None where none does.
+        finding: the one that is explained.
+        chirality: the explorer's sense of rotation in a chiral world; None if not played in one.
+        checkpoint: the step before the checkpoint that breaks the law; None if none does.
 
     Raises:
         InputError: if the transcript is no walk in the world, or has no such step.
     """
 
-    def __init__(self, finding: Finding) -> None:
+    def __init__(self, finding: Finding, chirality: Chirality | None = None) -> None:
         super().__init__(finding.world, finding.transcript)
-        self.finding = finding
+        self.finding, self.chirality = finding, chirality
         self.checkpoint = finding.step
         if finding.step is not None and finding.step >= len(self.walked):
             raise InputError(
@@ -40,19 +54,15 @@ class Story(Walked):
             )
 
     def last_left(self, dart: Dart, step: int) -> str:
-        """When the robot had been at the dart's vertex before that step."""
+        """A clause about the last time before ``step`` that the robot was at the dart's vertex."""
         vertex = self.vertex(dart)
         last = max(i for i in range(step) if self.vertex(self.walked[i]) == vertex)
         just = last == step - 1
         return "which it had just left" if just else f"which it had left at step {last + 1}"
 
-    def expected_and_seen(self) -> str:
-        """What the law expected and what was seen, as the finding has it."""
-        return f"Expected was: {self.finding.expected}; seen was: {self.finding.seen}."
-
 
 class Belief:
-    """What the answer makes of the walk, under the laws that are about the answer.
+    """The walk as the answer has it, under the laws that are about the answer.
 
     Attributes:
         story: the finding with its walk in the world.
@@ -60,7 +70,7 @@ class Belief:
         believed: the robot's darts in the answer at the start and after each step.
 
     Raises:
-        InputError: if what was seen is no answer.
+        InputError: if the observation is no answer.
     """
 
     def __init__(self, story: Story) -> None:
@@ -71,28 +81,28 @@ class Belief:
 
     @cached_property
     def expected(self) -> Sequence[Percept]:
-        """What the answer makes expect at each step, as far as that can be said."""
+        """The percepts that the answer predicts at each step, as far as they are determined."""
         return self._walk.expected(self.answer.map)
 
     @cached_property
     def misfits(self) -> list[int]:
-        """The steps at which something else was sensed than the answer makes expect."""
+        """The steps at which the percept was not the one that the answer predicts."""
         pairs = zip(self.expected, self.story.sensed, strict=True)
         return [step for step, (expected, sensed) in enumerate(pairs) if expected != sensed]
 
     @property
     def parting(self) -> Parting | None:
-        """Where the walk and the same walk in the answer part; None if they never do."""
+        """The step where the walk and its image in the answer diverge; None if they never do."""
         return self._walk.parting
 
     @property
     def agreement(self) -> int:
-        """The number of steps, the start included, in which both go along with each other."""
+        """The number of steps, the start included, in which both agree."""
         return self._walk.agreement
 
     @property
     def step(self) -> int | None:
-        """The first step at which belief and truth part."""
+        """The first step at which belief and truth diverge."""
         return self.parting.step if self.parting else None
 
 
@@ -104,16 +114,16 @@ def _answer(seen: object) -> Estimate:
 
 @dataclass(frozen=True, slots=True)
 class Telling:
-    """What there is to say of a run that breaks a law.
+    """The explanation of a run that breaks a law.
 
     Attributes:
         sentences: in plain words.
-        step: the first step at which belief and truth part; None where they part at none.
-        answer: the wrong answer; None where the law is not about the answer.
-        other: another world that agrees with the log; None where the law is not about that.
-        slip: the name of what makes all the difference between answer and world; empty where
-            nothing that is known does.
-        spent: what the traversals were spent on; None where the law is not about the cost.
+        step: the first step at which belief and truth diverge; None if they never do.
+        answer: the wrong answer; None if the law is not about the answer.
+        other: another world that agrees with the log; None if the law is not about that.
+        slip: the name of the one difference between answer and world; empty if it is no known
+            slip.
+        spent: the purposes of the traversals; None if the law is not about the cost.
     """
 
     sentences: list[str]
@@ -125,4 +135,4 @@ class Telling:
 
 
 Teller: TypeAlias = Callable[[Story], Telling]
-"""What a law has to tell of a story; it may raise InputError."""
+"""The explanation of a story by a law; may raise InputError."""

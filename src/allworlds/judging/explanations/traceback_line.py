@@ -1,4 +1,4 @@
-"""The one line of a traceback, in whatever language, that tells what went wrong."""
+"""The one line of a traceback, in any language, that names the error."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ TELLING = re.compile(
     """,
     re.VERBOSE | re.IGNORECASE,
 )
-"""What begins, or is in, such a line."""
+"""The words at the beginning of that line, or in it."""
 
 FRAME = re.compile(r"^\s+at\s|^\s*File \"|^note: ")
-"""What stands in a line about where, not about what."""
+"""The words in a line about the place of an error, not about the error."""
 
 
 def telling_line(text: str) -> str:
-    """The line of a traceback, or of what was written to stderr, that tells what went wrong.
+    """The line of a traceback, or of a text on stderr, that names the error.
 
-    Python writes it last, others first, and then where they were, or their version.  Where no
-    line looks like one it is the last; empty where there is none.
+    Python writes this line last, other languages first, followed by places, or a version.  If no
+    line looks like one, it is the last line; empty if there is none.
     """
     lines = [line for line in text.split("\n") if line.strip()]
     if not lines:

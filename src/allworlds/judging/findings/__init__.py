@@ -1,15 +1,17 @@
-"""Findings: a refuting run as a value, and how to read it.
+"""Findings: a refuting run as a value, and its interpretation.
 
 ``rules``
-    how a run is played and judged; a finding records it;
+    the rules by which a run is played and judged; a finding records them;
 ``finding``
-    a world, an explorer, what it did there, and the law that it broke;
+    a world, an explorer, its run there, and the law that it broke;
+``asked_finding``
+    the choice of a finding of a file;
 ``walks``
     the walk of a log in the world, and the same walk in a wrong answer;
 ``divergence``
-    the first step at which these two part;
+    the first step at which these two diverge;
 ``belief``
-    both together, from where in the answer they go along for longest;
+    both together, from the dart of the answer from which they agree for longest;
 ``directory``
     a directory of findings, which outlives the checks that made them.
 """

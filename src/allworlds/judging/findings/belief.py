@@ -1,4 +1,4 @@
-"""The walk of a log in a wrong answer, begun where it goes along with the world for longest."""
+"""The walk of a log in a wrong answer, begun where it agrees with the world for longest."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ class BelievedWalk:
     Attributes:
         trail: the robot's darts in the answer at the start and after each step; the last is
             where the answer says that the robot is.
-        percepts: what the answer makes expect at each; None where it has no place for the
+        percepts: the ones that the answer predicts at each; None if it has no place for the
             lighthouse.
-        parting: where it first says something else than the world; None if it never does.
+        parting: the first step at which it diverges from the world; None if there is none.
     """
 
     trail: Sequence[Dart]
@@ -30,19 +30,19 @@ class BelievedWalk:
 
     @property
     def agreement(self) -> int:
-        """The number of steps, the start included, in which both go along with each other."""
+        """The number of steps, the start included, in which both agree."""
         return self.parting.step if self.parting else len(self.trail)
 
     def expected(self, map_: CombinatorialMap) -> Sequence[Percept]:
-        """The percepts as far as they can be said: without a place for the marker the degrees."""
+        """The predicted percepts; only the degrees if the answer has no place for the marker."""
         return _said(map_, self.trail, self.percepts)
 
 
 def believed_walk(world: World, answer: Estimate, transcript: Transcript) -> BelievedWalk:
-    """The walk in the answer from the dart from which it goes along for longest.
+    """The walk in the answer from the dart from which it agrees for longest.
 
-    Of equals it is the one from which motions lead to ``here``, if it is among them, else the
-    one from the smallest dart: whoever is mistaken at the end only was right before.
+    Of equals it is the one from which the motions lead to ``here``, if it is among them, else the
+    one from the smallest dart: an explorer that errs only at the end was right before.
 
     Cost: the steps, times the darts of the answer from which the degrees agree that long.
     """

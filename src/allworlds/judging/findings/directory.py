@@ -1,4 +1,4 @@
-"""A directory of findings, each in a file that is named by what it holds."""
+"""A directory of findings, each in a file that is named by its content."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class KeptFinding:
 
 
 def kept_findings(directory: Path) -> list[KeptFinding]:
-    """The findings of a directory, smallest first; an empty list where there is none yet.
+    """The findings of a directory, smallest first; an empty list if there is no directory yet.
 
     Raises:
         InputError: naming the file that cannot be read, is no finding, or has been changed
@@ -49,7 +49,7 @@ def kept_findings(directory: Path) -> list[KeptFinding]:
 
 
 def write_finding(directory: Path, finding: Finding) -> str:
-    """Write a finding, unless it stands there already; the name of its file."""
+    """Write a finding, unless it is there already; return the name of its file."""
     directory.mkdir(parents=True, exist_ok=True)
     text = _text(finding)
     name = file_name(finding)
@@ -67,7 +67,7 @@ def write_finding(directory: Path, finding: Finding) -> str:
 
 
 def file_name(finding: Finding) -> str:
-    """``LAW-mMnN-DIGEST.json``."""
+    """The name ``LAW-mMnN-DIGEST.json``."""
     map_ = finding.world.map
     size = f"m{map_.edge_count}n{map_.vertex_count}"
     return f"{finding.law}-{size}-{_digest(_text(finding))}.json"

@@ -1,4 +1,4 @@
-"""The first step at which a walk in the world and the same walk in an answer part."""
+"""The first step at which a walk in the world and its image in an answer diverge."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from allworlds.maps import CombinatorialMap, Dart
 
 @dataclass(frozen=True, slots=True)
 class Parting:
-    """Where the answer first says something else than the world.
+    """The first step at which the answer diverges from the world.
 
     Attributes:
         step: the number of the step; 0 is the start.
         robot: the robot's dart in the world.
-        taken_for: the dart of the world for which the answer takes it; None where the answer
-            has the robot at a vertex where it has not been before.
-        fresh: in the world it is a vertex where the robot has not been before.
+        taken_for: the dart of the world for which the answer takes it; None if the answer has the
+            robot at a vertex where it has not been before.
+        fresh: whether in the world the robot has not been at this vertex before.
     """
 
     step: int
@@ -33,10 +33,10 @@ def find_parting(
     believed: Sequence[Dart],
     fits: Sequence[bool],
 ) -> Parting | None:
-    """The first step at which the two walks part; None if they never do.
+    """The first step at which the two walks diverge; None if they never do.
 
     Every dart that the robot arrives by is tied to the dart by which it arrives in the
-    answer, and with the two darts their whole rotations.  The walks part where a tie would be
+    answer, and with the two darts their whole rotations.  The walks diverge where a tie would be
     contradicted.
 
     Args:
@@ -44,7 +44,7 @@ def find_parting(
         walked: the robot's darts in it, start included.
         answer: the estimated map.
         believed: the robot's darts in that, start included.
-        fits: for each step whether the answer makes expect what was sensed.  Where it does,
+        fits: for each step whether the answer predicts the percept.  Where it does,
             both vertices have one degree.
 
     Cost: linear in the steps and the darts.

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import shlex
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, Final, Literal
 
-from allworlds.document import Document, IfAny, Natural, about, read_by, taken
-from allworlds.explorers import named_on_command_line, own_bound
+from allworlds.document import Document, IfAny, Natural, Paged, about, read_by, taken
+from allworlds.explorers import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs import InputError, parse_json, show
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.case import Value
@@ -23,24 +23,27 @@ VERSION: Final = 1
 
 
 @dataclass(frozen=True)
-class Finding:
-    """A world, an explorer, what it did there, and the law that it broke.
+class Finding(Paged):
+    """A world, an explorer, its run there, and the law that it broke.
 
     Attributes:
         explorer: its name.
         law: the broken law.
         world: in canonical numbering: the start is dart 0.
         place: the lighthouse's place among those of the rooted map.
-        rules: how the run was played and judged.
+        rules: the rules by which the run was played and judged.
         choices: the index taken at each choice.
         transcript: the log, up to the end of the run.
         expected, seen: estimates for map and pose, integers for bound, else a sentence.
-        detail: a traceback or the tail of a program's stderr; may be empty.
+        detail: a traceback, the tail of a program's stderr, or the permutations that are no map;
+            may be empty.
         step: the number of steps before the checkpoint that breaks the law; None where none does.
-        confirmed: a fresh process has repeated it from the recorded percepts alone.
-        minimal: no smaller world of the scope is refuting.
-        machine: what was seen may be the machine's doing.
-        traced: its walk is known; a run that has killed its worker is traced when it is reported.
+        confirmed: whether a fresh process has repeated it from the recorded percepts alone.
+        minimal: whether no smaller world of the scope is refuting.
+        machine: whether the machine may be the cause.
+        output: the explorer's prints when this run alone was played in a fresh process.
+        traced: whether its walk is known; a run that has killed its worker is traced when reported.
+        hash_seed: the ``PYTHONHASHSEED`` that reproduces it, if another makes a difference.
     """
 
     explorer: str
@@ -58,6 +61,8 @@ class Finding:
     minimal: bool = False
     machine: bool = False
     traced: bool = True
+    hash_seed: int | None = None
+    output: str = ""
 
     @cached_property
     def key(self) -> tuple[int, int, Code, int, tuple[int, ...]]:
@@ -68,7 +73,7 @@ class Finding:
 
     @cached_property
     def kind(self) -> tuple[str, Code]:
-        """What findings of one kind share: the law, and the map, whatever its start."""
+        """The kind of the finding: the law, and the map, whatever its start."""
         map_ = self.world.map
         return self.law, min(rooted_code(map_.sigma, map_.alpha, dart) for dart in map_.darts)
 
@@ -77,7 +82,8 @@ class Finding:
         """A shell command that runs the explorer in this world again."""
         command = ["allworlds", "run", *named_on_command_line(self.explorer)]
         command += [json.dumps(self.world.to_json(), separators=(",", ":"))]
-        return shlex.join(command + self.rules.arguments(self.choices))
+        line = shlex.join(command + self.rules.arguments(self.choices))
+        return line if self.hash_seed is None else f"{HASH_SEED}={self.hash_seed} {line}"
 
     def to_json(self) -> dict[str, Any]:
         """The document :class:`FindingDocument`."""
@@ -96,6 +102,8 @@ class Finding:
             reproduce=self.reproduce,
             step=self.step,
             detail=self.detail,
+            hash_seed=self.hash_seed,
+            output=self.output,
         ).to_json()
 
     @classmethod
@@ -109,7 +117,7 @@ class Finding:
         """
         if isinstance(document, str):
             document = parse_json(document)
-        document = _of_report(document)
+        document = findings_of(document)[0]
         if isinstance(document, Mapping) and "sigma" in document:
             raise InputError("this is a world or a map, not a finding; see run")
         if not isinstance(document, Mapping):
@@ -140,6 +148,8 @@ class Finding:
             read.step,
             confirmed=read.confirmed,
             minimal=read.minimal,
+            hash_seed=read.hash_seed,
+            output=read.output,
         )
 
 
@@ -181,7 +191,24 @@ class FindingDocument(Document, forbid_unknown_fields=False):
         IfAny[Natural | None],
         about("how many steps came before the checkpoint that breaks the law"),
     ] = None
-    detail: Annotated[IfAny[str], about("a traceback, or the end of a program's stderr")] = ""
+    detail: Annotated[
+        IfAny[str],
+        about(
+            "a traceback, the end of a program's stderr, two plays that differ, side by side, "
+            "or the permutations that are no map"
+        ),
+    ] = ""
+    hash_seed: Annotated[
+        IfAny[Natural | None],
+        about("the `PYTHONHASHSEED` with which it is so, where another one makes a difference"),
+    ] = None
+    output: Annotated[
+        IfAny[str],
+        about(
+            "what the explorer printed in this run, to stdout and stderr; at most 4 KiB, of more "
+            "the first and the last half, with control characters escaped"
+        ),
+    ] = ""
 
 
 def _transcript(rows: object) -> Transcript:
@@ -192,7 +219,7 @@ def _transcript(rows: object) -> Transcript:
 
 
 def _value(name: str, given: Any) -> Value:
-    """What was expected, or seen, as it was recorded."""
+    """The recorded expectation, or observation, as a value."""
     if isinstance(given, Mapping):
         try:
             return Estimate.from_json(given)
@@ -203,17 +230,22 @@ def _value(name: str, given: Any) -> Value:
     raise InputError(f"{name} is a rooted map, an integer or a text, not {show(given)}")
 
 
-def _of_report(document: Any) -> Any:
-    """The finding inside a report; anything else as it is."""
+def findings_of(document: Any) -> Sequence[Any]:
+    """The documents of the findings of a report; any other document by itself.
+
+    Raises:
+        InputError: if the report holds none.
+    """
     match document:
-        case {"schema": 1, "findings": [first, *_]}:
-            return first
+        case {"schema": 1, "findings": [_, *_]}:
+            findings: Sequence[Any] = document["findings"]
+            return findings
         case {"schema": 1, "finding": {} as finding}:
-            return finding
+            return [finding]
         case {"schema": 1, "verdict": verdict}:
             raise InputError(f"the report, with the verdict {show(verdict)}, holds no finding")
         case _:
-            return document
+            return [document]
 
 
 def place_of(world: World) -> int:
@@ -222,7 +254,7 @@ def place_of(world: World) -> int:
 
 
 def canonical_world(world: World) -> World:
-    """The same world in canonical numbering: its start is dart 0."""
+    """Return the world in canonical numbering: its start is dart 0."""
     names = [0] * len(world.map.sigma)
     for number, dart in enumerate(numbering(world.map.sigma, world.map.alpha, world.start)):
         names[dart] = number

@@ -1,13 +1,14 @@
-"""How a run is played and judged: the rules, which ``check``, ``fuzz`` and ``run`` all take."""
+"""The rules by which a run is played and judged, which ``check``, ``fuzz`` and ``run`` all take."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import field
 from functools import cached_property
+from pathlib import Path
 from typing import Annotated
 
-from allworlds.document import Different, Document, Positive, Text, about
+from allworlds.document import Different, Document, IfAny, Positive, Text, about
 from allworlds.explorers import Subject
 from allworlds.inputs import (
     RULES,
@@ -25,9 +26,18 @@ from allworlds.inputs import (
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.laws.bounds import Bound, bound_named, paper_bound
 from allworlds.judging.laws.law_table import LAWS, JudgedLaw, Setting
+from allworlds.judging.tasks import ENTRY_POINTS, MAP, TASKS, Task, task_named
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
-from allworlds.world import Lighthouse, World, lighthouse_named
+from allworlds.world import (
+    Directional,
+    GivenLighthouse,
+    Lighthouse,
+    LighthouseKind,
+    World,
+    kind_of,
+    lighthouse_kind,
+)
 
 
 def law_names(text: str) -> tuple[str, ...]:
@@ -74,7 +84,17 @@ def _step_budget(given: object) -> int | None:
 
 
 class AskedRules(Request):
-    """How runs are played and judged."""
+    """The part of a request that says how runs are played and judged."""
+
+    task: Annotated[
+        Taken[str | Task, Task],
+        Option(
+            RULES,
+            "TASK",
+            f"What counts as done: {one_of(TASKS)}, or path/to/file.py:judge, a function of the "
+            "world, the transcript and the answer that returns None or what is wrong.",
+        ),
+    ] = Taken(task_named, MAP)
 
     policy: Annotated[
         Taken[str, str],
@@ -90,8 +110,8 @@ class AskedRules(Request):
             RULES,
             "BOUND",
             "Largest number of traversals: paper (the sum of the paper's bounds (1) and (2)), "
-            "two-vertices, none, or an expression over n, m, d0, D with + - * // **, min, max "
-            "(default: the explorer's own, else the lighthouse's).",
+            "two-vertices, none, or an expression over n, m, d0, D, d, g, paper with + - * // **, "
+            "min, max (default: the explorer's own, else the lighthouse's).",
         ),
     ] = Taken(_bound, None)
     laws: Annotated[
@@ -113,7 +133,9 @@ class AskedRules(Request):
         ),
     ] = Taken(_step_budget, None)
 
-    def rules_of(self, subject: Subject, lighthouse: str, *, promised: bool = False) -> Rules:
+    def rules_of(
+        self, subject: Subject, lighthouse: GivenLighthouse, *, promised: bool = False
+    ) -> Rules:
         """The rules under a lighthouse, with the bound and the budget that the explorer brings.
 
         Raises:
@@ -122,26 +144,25 @@ class AskedRules(Request):
         told = values_of(AskedRules, self)
         if self.step_budget is None:
             told["step_budget"] = subject.step_budget
-        own = subject.bound_under(lighthouse)
+        own = subject.bound_under(str(lighthouse_kind(lighthouse)))
         return Rules(lighthouse, promised=promised, own_bound=own, **told)
 
 
 class Rules(AskedRules, kw_only=False):
-    """How one run is played and judged, whatever the world.
+    """The rules by which a run is played and judged, in any world.
 
     Attributes:
         lighthouse: the kind of lighthouse.
-        promised: the worlds keep a promise, such as planarity, that can make an explorer right
-            without folding.
-        own_bound: the bound that the explorer brings for this lighthouse; None if it has none.
+        promised: whether the worlds keep a promise, such as planarity, that can make an explorer
+            right without folding.
+        own_bound: the explorer's own bound for this lighthouse; None if it has none.
     """
 
-    lighthouse: str = "directional"
+    lighthouse: Taken[GivenLighthouse, LighthouseKind] = Taken(lighthouse_kind, Directional.kind)
     promised: bool = field(default=False, kw_only=True)
     own_bound: str | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
-        lighthouse_named(a_text("lighthouse", self.lighthouse))
         for law in self.laws or ():
             if not LAWS[law].applies(self._setting):
                 raise InputError(f"law {law!r} {LAWS[law].idle}")
@@ -154,17 +175,27 @@ class Rules(AskedRules, kw_only=False):
     @property
     def kind(self) -> type[Lighthouse]:
         """The kind of lighthouse as a type."""
-        return lighthouse_named(self.lighthouse)
+        return self.lighthouse.as_class
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The files of the user's from which code is loaded where runs are judged."""
+        judge = self.task.code
+        return (*self.lighthouse.files, *([judge.file(ENTRY_POINTS)] if judge else ()))
 
     @cached_property
     def the_bound(self) -> Bound:
-        """The bound on traversals; none where that law is not checked."""
+        """The bound on traversals; no bound if that law is not checked."""
         return self._named_bound if "bound" in self.applying else bound_named("none")
 
     @property
     def default_bound(self) -> str:
-        """The bound where none is named."""
-        return self.own_bound or self.kind.default_bound
+        """The bound where none is named; those that are known are about the task map."""
+        return (self.own_bound or self.kind.default_bound) if self.task.is_map else "none"
+
+    @cached_property
+    def _brought(self) -> Bound:
+        return bound_named(self.own_bound or "none")
 
     @property
     def _named_bound(self) -> Bound:
@@ -178,7 +209,9 @@ class Rules(AskedRules, kw_only=False):
     @property
     def _setting(self) -> Setting:
         return Setting(
-            folds=self.kind.folds and not self.promised, bounded=self._named_bound.name != "none"
+            folds=self.kind.folds and not self.promised,
+            bounded=self._named_bound.name != "none",
+            maps=self.task.is_map,
         )
 
     @cached_property
@@ -188,19 +221,34 @@ class Rules(AskedRules, kw_only=False):
             return tuple(law for law in LAWS if law in self.laws)
         return tuple(name for name, law in LAWS.items() if law.applies(self._setting))
 
+    @property
+    def judged(self) -> tuple[str, ...]:
+        """The laws that are checked, with the task where it is no law by itself."""
+        return self.applying if self.task.is_map else ("task", *self.applying)
+
     def budget(self, map_: CombinatorialMap) -> int:
         """The largest legal number of traversals in a world."""
+        return self.budget_by_size(map_.vertex_count, map_.edge_count)
+
+    def budget_by_size(self, vertices: int, edges: int) -> int:
+        """The largest legal number of traversals in a world of that size.
+
+        The number is not below the explorer's own bound, if that depends on the size alone.
+        """
         if self.step_budget is not None:
             return self.step_budget
-        return default_step_budget(paper_bound(map_.vertex_count, map_.edge_count))
+        usual = default_step_budget(paper_bound(vertices, edges))
+        if self._brought.variables <= {"n", "m"}:
+            return max(usual, self._brought.value(vertices, edges, 0, 0, 0, 0) or 0)
+        return usual
 
     def choices(self, name: str, script: Sequence[int] = ()) -> Choices:
-        """Fresh choices for the run of that name, which a random policy draws anew for."""
+        """Fresh choices for the run of that name; a random policy draws anew for each name."""
         return Choices(policy_named(self.policy, name), script)
 
     def arguments(self, script: Sequence[int] = ()) -> list[str]:
         """The options of ``run`` that give these rules, and these answers to the first choices."""
-        given: list[str] = []
+        given: list[str] = [] if self.task.is_map else ["--task", self.task.name]
         if self.policy != DEFAULT_POLICY:
             given += ["--policy", self.policy]
         if any(script) or (script and self.policy != DEFAULT_POLICY):
@@ -209,7 +257,7 @@ class Rules(AskedRules, kw_only=False):
             given += ["--bound", self.bound]
         if self.step_budget is not None:
             given += ["--step-budget", str(self.step_budget)]
-        alike = Rules(self.lighthouse, bound=self.bound, own_bound=self.own_bound)
+        alike = Rules(self.lighthouse, task=self.task, bound=self.bound, own_bound=self.own_bound)
         if self.applying != alike.applying:
             given += ["--laws", ",".join(self.applying)]
         return given
@@ -222,6 +270,8 @@ class Rules(AskedRules, kw_only=False):
             bound=self.the_bound.name,
             step_budget=self.step_budget,
             laws=self.applying,
+            task=None if self.task.is_map else self.task.name,
+            task_digest=self.task.code.digest if self.task.code else None,
         )
 
 
@@ -247,6 +297,12 @@ class RecordedRules(Document, forbid_unknown_fields=False):
     laws: Annotated[
         Different[JudgedLaw] | None, about("those that were checked; else all that apply")
     ] = None
+    task: Annotated[
+        IfAny[Text | None], about("what counted as done; where it is left out, the map")
+    ] = None
+    task_digest: Annotated[
+        IfAny[Text | None], about("SHA-256 of the judge's file, where it is the user's")
+    ] = None
 
     def rules(self, world: World, own_bound: str | None = None) -> Rules:
         """The rules in a world; the explorer of a finding may bring a bound of its own.
@@ -254,17 +310,22 @@ class RecordedRules(Document, forbid_unknown_fields=False):
         A bound without its law, or the law without a bound, was not checked: it is left out.
 
         Raises:
-            InputError: naming the option that is none.
+            InputError: naming the offending option.
         """
-        bound, laws = self.bound, self.laws
+        bound, laws, task = self.bound, self.laws, task_named(self.task or MAP)
+        if task.code and self.task_digest not in (None, task.code.digest):
+            raise InputError(f"task {show(task.name)} has another text now than is recorded")
         if laws is not None:
-            default = own_bound or world.lighthouse.default_bound
+            default = (own_bound or world.lighthouse.default_bound) if task.is_map else "none"
             if (default if bound is None else bound) == "none":
                 laws = tuple(law for law in laws if law != "bound")
             elif "bound" not in laws:
                 bound = None
+        if not task.is_map:
+            laws = laws or None
         return Rules(
-            world.lighthouse.kind,
+            kind_of(world.lighthouse),
+            task=task,
             policy=self.policy,
             bound=bound,
             laws=laws,

@@ -1,4 +1,4 @@
-"""What a robot with a wrong answer would have done and sensed if the answer were right."""
+"""The walk and the percepts of a robot if its wrong answer were right."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def true_trail(world: World, transcript: Transcript) -> list[Dart]:
 
 
 def true_walk(world: World, transcript: Transcript) -> list[tuple[State, Percept]]:
-    """The world's state at the start and after each step, and what is sensed in it."""
+    """The world's state at the start and after each step, with the percepts in it."""
     walk = [(world.initial, world.first)]
     for action in transcript.actions:
         walk.append(world.step(walk[-1][0], action))
@@ -25,7 +25,7 @@ def true_walk(world: World, transcript: Transcript) -> list[tuple[State, Percept
 
 
 def recorded_trail(world: World, transcript: Transcript) -> list[Dart]:
-    """The same for a transcript from elsewhere, which may be no walk in the world.
+    """The robot's darts by a transcript from elsewhere, which may be no walk in the world.
 
     Raises:
         InputError: naming the first step that does not fit.
@@ -60,7 +60,7 @@ def trail_to(map_: CombinatorialMap, here: Dart, transcript: Transcript) -> list
 
 
 def trail_from(map_: CombinatorialMap, start: Dart, transcript: Transcript) -> Iterator[Dart]:
-    """The same of the walk that begins at ``start``, dart by dart."""
+    """The robot's dart at the start and after each step of the walk that begins at ``start``."""
     yield (dart := start)
     for action, _ in transcript.steps:
         if type(action) is Move:
@@ -73,7 +73,7 @@ def believed_percepts(
 ) -> list[Percept] | None:
     """The percepts, first one included, of a walk along these darts of the estimated map.
 
-    The lighthouse stands where the robot must believe it; None where the answer has no such place.
+    The lighthouse stands where the robot must believe it; None if the answer has no such place.
     """
     walk = WalkInAnswer(estimate, trail, transcript.percepts)
     lighthouse = world.lighthouse.believed(world.map, world.start, walk)

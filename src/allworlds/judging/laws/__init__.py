@@ -6,11 +6,11 @@ to a :class:`~allworlds.judging.Violation` or None; the table ``LAWS`` names the
 precedence.
 
 ``case``
-    what every law is given: a finished run with the truth beside it;
+    the input of every law: a finished run with the truth beside it;
 ``law_table``
     **the** table of the laws;
 ``invariants``, ``folding``, ``bounds``, ``quotient_answers``
-    what they rest on: S in the world, the folded log, the bounds, the quotient;
+    the parts of laws: S in the world, the folded log, the bounds, the quotient;
 ``second_opinion``
     another judge of answers, by graph isomorphisms, to be compared with.
 """

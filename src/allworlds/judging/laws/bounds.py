@@ -15,12 +15,19 @@ from typing import Any
 from allworlds.inputs import InputError, show
 from allworlds.maps import CombinatorialMap, Dart
 
-VARIABLES = ("n", "m", "d0", "D")
+VARIABLES = ("n", "m", "d0", "D", "d", "g")
+_NAMES = (*VARIABLES, "paper")
+
+
+def paper_bound(vertices: int, edges: int) -> int:
+    """The sum of (1) and (2) of Section VI, exactly."""
+    growing, closing = paper_terms(vertices, edges)
+    return growing + closing
 
 
 @cache
-def paper_bound(vertices: int, edges: int) -> int:
-    """(1) + (2) of Section VI, summed exactly.
+def paper_terms(vertices: int, edges: int) -> tuple[int, int]:
+    """The values of (1) and of (2) of Section VI.
 
     The upper limit of (2) is printed as 'n-n+1'; the text above it says m-n+1.
     """
@@ -29,13 +36,13 @@ def paper_bound(vertices: int, edges: int) -> int:
     closing = sum(
         n + 2 * (n - 1) * (2 * m - 2 * (n - 1) - 2 * (i - 1)) for i in range(1, m - n + 2)
     )
-    return growing + closing
+    return growing, closing
 
 
 def printed_bound(vertices: int, edges: int) -> Fraction:
     """(3) of Section VI as it is printed, without the terms that it does not state.
 
-    It lacks 5mn, which is of the same order as terms that it keeps: it lies below (1) + (2).
+    The formula lacks 5mn, which is of the order of terms that it keeps: it is below (1) + (2).
     """
     n, m = vertices, edges
     return 2 * m**2 * n - 2 * m * n**2 + Fraction(2 * n**3, 3) - 2 * m**2 - Fraction(5 * n**2, 2)
@@ -53,16 +60,16 @@ def two_vertices_bound(vertices: int, edges: int, degree: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """A bound as it was named, with its value for every world.
+    """A bound, with its value for every world.
 
     Attributes:
-        name: as it was named.
-        value: of n, m, d0 and D; None where there is no bound.
-        variables: those of these that the value depends on.
+        name: in the words of the user.
+        value: of n, m, d0, D, d and g; None if there is no bound.
+        variables: the names, of these, on which the value depends.
     """
 
     name: str
-    value: Callable[[int, int, int, int], int | None]
+    value: Callable[[int, int, int, int, int, int], int | None]
     variables: frozenset[str]
 
     def __reduce__(self) -> tuple[Callable[[str], Bound], tuple[str]]:
@@ -71,27 +78,30 @@ class Bound:
 
     def of(self, map_: CombinatorialMap, start: Dart) -> int | None:
         """The largest legal number of traversals in this map from this start."""
-        degrees = map_.degrees
-        return self.value(map_.vertex_count, map_.edge_count, map_.degree_at[start], max(degrees))
+        # Of these two most bounds know nothing, and they take longer than all else.
+        diameter = map_.diameter if "d" in self.variables else 0
+        genus = map_.genus if "g" in self.variables else 0
+        degrees = (map_.degree_at[start], max(map_.degrees))
+        return self.value(map_.vertex_count, map_.edge_count, *degrees, diameter, genus)
 
 
 def bound_named(text: str) -> Bound:
     """The bound ``paper``, ``two-vertices``, ``none`` or an expression.
 
     An expression is built from integers, n (vertices), m (edges), d0 (degree of v0), D (the
-    largest degree), ``+ - * // **``, ``min``, ``max`` and parentheses; it is evaluated
-    exactly.
+    largest degree), d (the diameter), g (the genus), paper, ``+ - * // **``, ``min``, ``max`` and
+    parentheses; it is evaluated exactly.
 
     Raises:
         InputError: naming the part that is none of these.
     """
     if text == "paper":
-        return Bound(text, lambda n, m, _d0, _largest: paper_bound(n, m), frozenset("nm"))
+        return Bound(text, lambda n, m, *_: paper_bound(n, m), frozenset("nm"))
     if text == "two-vertices":
         variables = frozenset({"n", "m", "d0"})
-        return Bound(text, lambda n, m, d0, _largest: two_vertices_bound(n, m, d0), variables)
+        return Bound(text, lambda n, m, d0, *_: two_vertices_bound(n, m, d0), variables)
     if text == "none":
-        return Bound(text, lambda _n, _m, _d0, _largest: None, frozenset())
+        return Bound(text, lambda *_: None, frozenset())
     try:
         # Python would take other letters that look like n and m for n and m, and 1_0 for 10.
         plain = text.isascii() and not re.search("[0-9]_", text)
@@ -108,21 +118,25 @@ def bound_named(text: str) -> Bound:
     except RecursionError:
         raise InputError(f"bound of {len(text)} characters is nested too deeply") from None
 
-    def value(n: int, m: int, d0: int, largest: int) -> int:
+    named = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    if papers := "paper" in named:
+        named |= {"n", "m"}
+
+    def value(n: int, m: int, d0: int, largest: int, d: int, g: int) -> int:
+        told = {"n": n, "m": m, "d0": d0, "D": largest, "d": d, "g": g}
         try:
-            result = evaluate({"n": n, "m": m, "d0": d0, "D": largest})
+            result = evaluate(told | {"paper": paper_bound(n, m)} if papers else told)
         except ZeroDivisionError:
-            raise InputError(
-                f"bound {show(text)} divides by zero at n={n} m={m} d0={d0} D={largest}"
-            ) from None
+            rare = ("d", "g")
+            met = [f"{k}={v}" for k, v in told.items() if k not in rare or k in named]
+            raise InputError(f"bound {show(text)} divides by zero at {' '.join(met)}") from None
         except RecursionError:
             raise InputError(f"bound of {len(text)} characters is nested too deeply") from None
         if result.bit_length() > _LARGEST_BITS:
             raise InputError(f"bound {show(text)} has a value of over {_LARGEST_BITS} bits")
         return result
 
-    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    return Bound(text, value, frozenset(names & set(VARIABLES)))
+    return Bound(text, value, frozenset(named & set(VARIABLES)))
 
 
 _Evaluate = Callable[[dict[str, int]], int]
@@ -143,7 +157,7 @@ def _compile(node: ast.expr, text: str) -> _Evaluate:
             isinstance(number, bool) or number.bit_length() > _LARGEST_BITS
         ):
             return lambda _names: number
-        case ast.Name(id=name) if name in VARIABLES:
+        case ast.Name(id=name) if name in _NAMES:
             return lambda names: names[name]
         case ast.UnaryOp(op=ast.USub(), operand=operand):
             inner = _compile(operand, text)
@@ -158,7 +172,7 @@ def _compile(node: ast.expr, text: str) -> _Evaluate:
             return lambda names: function(part(names) for part in parts)
     part = ast.get_source_segment(text, node) or text
     raise InputError(
-        f"{show(part)} in bound {show(text)} is not one of integers, {', '.join(VARIABLES)}, "
+        f"{show(part)} in bound {show(text)} is not one of integers, {', '.join(_NAMES)}, "
         "+ - * // **, min(,), max(,) and parentheses"
     )
 

@@ -1,4 +1,4 @@
-"""A finished run beside the truth: whether its answer is right, and what else laws are given."""
+"""A finished run beside the truth: the value of its answer, and the other inputs of laws."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Literal, TypeAlias
 
 from allworlds.maps import CombinatorialMap, Dart, carries, numbering
-from allworlds.protocol import Ambiguous, Answer, Checkpoint, Estimate, Move, Transcript
+from allworlds.protocol import Answer, Checkpoint, Estimate, Move, Transcript
 
 
 @dataclass(frozen=True)
@@ -17,9 +17,9 @@ class Case:
     Attributes:
         map, start: the true map and the dart that the robot faced at the start.
         transcript: the log.
-        checkpoints: what the explorer has published, each with the number of steps before it.
+        checkpoints: the published S and U, each with the number of steps before it.
         estimate: the answer: its map is valid, or its permutations are, and ``here`` is one
-            of its darts.
+            of its darts; None where a task asks for something else.
         bound: the largest legal number of traversals, or None.
     """
 
@@ -27,7 +27,7 @@ class Case:
     start: Dart
     transcript: Transcript
     checkpoints: tuple[tuple[int, Checkpoint], ...]
-    estimate: Answer
+    estimate: Answer | None
     bound: int | None = None
 
     @cached_property
@@ -55,12 +55,12 @@ class Case:
 
     @cached_property
     def answer(self) -> Literal["right", "pose", "map", "open"]:
-        """What the estimate is worth: right, or which of its two parts is wrong.
+        """The value of the estimate: right, or the one of its two parts that is wrong.
 
         ``pose``: the map is the same, but no isomorphism takes ``here`` to the robot's dart.
-        ``open``: it names no map.
+        ``open``: the answer names no map.
         """
-        if isinstance(self.estimate, Ambiguous):
+        if not isinstance(self.estimate, Estimate):
             return "open"
         estimate, truth = self.estimate.map, self.map
         if len(estimate.sigma) != len(truth.sigma):
@@ -76,7 +76,7 @@ class Case:
 
 
 Value: TypeAlias = Estimate | int | str
-"""What was expected, or seen: estimates for map and pose, integers for bound, else a sentence."""
+"""An expectation, or an observation: estimates for map and pose, integers for bound, or texts."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +86,7 @@ class Violation:
     Attributes:
         law: its name.
         expected, seen: estimates for map and pose, integers for bound, else a sentence.
-        step: the number of steps before the checkpoint that breaks it; None where none does.
+        step: the number of steps before the checkpoint that breaks it; None if none does.
     """
 
     law: str

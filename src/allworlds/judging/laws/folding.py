@@ -1,9 +1,9 @@
-"""The log, folded: all that a directional log proves, without trusting any explorer.
+"""The folded log: everything that a directional log proves, without trusting any explorer.
 
 Walk the log along a tree of fresh nodes.  A robot that arrives at v0 knows where it is and
 how it is turned, so each such node is merged with v0, aligned by the bearing.  Merging goes
-on where one dart would lead to two places.  What results is part of every world that agrees
-with the log; without an open dart it *is* the world.
+on where one dart would lead to two places.  The result is part of every world that agrees
+with the log; without an open dart the result *is* the world.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from allworlds.protocol import Move, Percept, Transcript
 
 
 class Contradiction(ValueError):
-    """No world with a directional lighthouse has this log."""
+    """Raised if no world with a directional lighthouse has this log."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,12 +33,12 @@ class Folded:
 
     @property
     def open_darts(self) -> int:
-        """The number of darts of which the log does not tell where they lead."""
+        """The number of darts whose other end the log does not tell."""
         return sum(d == e for d, e in enumerate(self.alpha))
 
 
 def fold(transcript: Transcript) -> Folded:
-    """Everything that the log proves.
+    """Fold the log: return everything that it proves.
 
     Raises:
         Contradiction: if no world has this log.
@@ -75,7 +75,7 @@ class _Folding:
         self._add(first.degree)
 
     def walk(self, dart: int, k: int, percept: Percept) -> int:
-        """Leave by ``sigma^k(dart)``, a root's dart; arrive with the percept: by which root's."""
+        """Leave by ``sigma^k(dart)``, a root's dart; return the root's dart of arrival."""
         _check(percept)
         first, degree = self._span(dart)
         leaving = first + (dart - first + k) % degree
@@ -117,7 +117,7 @@ class _Folding:
         return Folded(tuple(sigma), tuple(alpha), number[self._root(dart)])
 
     def _add(self, degree: int) -> int:
-        """A fresh node; its first dart."""
+        """Add a fresh node; return its first dart."""
         start, v = len(self.node), len(self.first)
         self.node.extend([v] * degree)
         self.link.extend([-1] * degree)
@@ -142,7 +142,7 @@ class _Folding:
         return dart
 
     def _merge(self, a: int, b: int) -> None:
-        """Dart ``a`` is dart ``b``; so are their vertices, and where their darts lead to."""
+        """Merge dart ``a`` with dart ``b``, their vertices, and the other ends of their darts."""
         todo = [(a, b)]
         while todo:
             a, b = todo.pop()
@@ -169,7 +169,7 @@ class _Folding:
 
 
 def _check(percept: Percept) -> None:
-    """A vertex has a dart, and exactly the marked one has a bearing, below its degree."""
+    """Raise Contradiction unless there is a dart, and a bearing below the degree exactly at v0."""
     degree, bearing = percept.degree, percept.bearing
     sensed = bearing is not None and 0 <= bearing < degree
     legal = sensed if percept.marks else bearing is None

@@ -19,7 +19,7 @@ from allworlds.protocol import Checkpoint
 
 @dataclass(frozen=True, slots=True)
 class BrokenInvariant:
-    """Why a published S cannot be embedded."""
+    """The reason why a published S cannot be embedded."""
 
     reason: str
 
@@ -88,7 +88,7 @@ def variant(case: Case) -> Violation | None:
 
 
 def embed(case: Case, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | BrokenInvariant:
-    """The dart of the world for each dart of S, or why there is none.
+    """The dart of the world for each dart of S, or the reason why there is none.
 
     A dart in U whose partner claims it (the fault of I-2) is embedded by its partner.
     Cost: O(|S|).

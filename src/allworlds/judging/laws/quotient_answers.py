@@ -8,9 +8,9 @@ from allworlds.protocol import Ambiguous
 
 
 def ambiguity_law(case: Case) -> Violation | None:
-    """An answer that names no map is the rooted quotient of a world that has lookalikes.
+    """Require that an answer without a map is the rooted quotient of a world that has lookalikes.
 
-    What is sensed is one mark at the start's vertex, and the degree; lookalikes are counted
+    The percepts are one mark at the start's vertex, and the degree; lookalikes are counted
     among all maps, whatever the class that is checked.
     Cost: O(m log m).
     """
@@ -39,7 +39,7 @@ def _of(quotient: Quotient) -> Ambiguous:
 
 
 def _canonical(answer: Ambiguous) -> Ambiguous:
-    """The same, its darts numbered from ``here``."""
+    """The quotient with its darts numbered from ``here``."""
     order = numbering(answer.sigma, answer.alpha, answer.here)
     number = {q: i for i, q in enumerate(order)}
     return Ambiguous(

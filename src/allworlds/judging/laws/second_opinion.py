@@ -6,11 +6,11 @@ a relabelling, a cyclic shift that depends on v alone.  So all graph isomorphism
 by networkx, and each is tested for the edge-index condition.
 
 An isomorphism of graphs with loops and parallel edges says also which edge goes to which, and
-which way round.  To have that said by an isomorphism of plain graphs, each edge is divided by
+which way round.  To express that by an isomorphism of plain graphs, each edge is divided by
 two nodes, its darts, coloured so that they are not taken for vertices.
 
-This shares nothing with a search that walks two maps from a pair of darts; it is there to be
-compared with one, on small maps.
+This module shares no code with the search that walks two maps from a pair of darts; it is
+compared with that search, on small maps.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def verdict(
     estimate_map: CombinatorialMap,
     estimate_here: Dart,
 ) -> Literal["right", "map", "pose"]:
-    """``right``, or what is wrong: the ``map``, or in the right map the ``pose``.
+    """The verdict: ``right``, or the wrong part: the ``map``, or in the right map the ``pose``.
 
     Raises:
         ValueError: if one of the darts is none of its map.
@@ -69,7 +69,7 @@ def verdict(
 
 
 def _graph_isomorphisms(a: CombinatorialMap, b: CombinatorialMap) -> Iterator[dict[Dart, Dart]]:
-    """Each isomorphism of the two graphs without their rotations, as what it does to darts."""
+    """Each isomorphism of the two graphs without their rotations, as a map of the darts."""
     from networkx.algorithms.isomorphism import GraphMatcher
 
     # Graph isomorphisms keep degrees; most pairs need no search.

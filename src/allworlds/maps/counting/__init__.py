@@ -1,8 +1,8 @@
-"""How many rooted maps there are: the count gate, computed without making a single map.
+"""The numbers of rooted maps: the count gate, computed without making a single map.
 
-An enumeration is exhaustive if its counts equal counts from somewhere else.  Here is the
-somewhere else: generating functions, recurrences and sums over graphs from the literature.
-Nothing is shared with the code that enumerates maps, nor with that of the maps themselves.
+An enumeration is exhaustive if its counts equal counts from an independent source.  The
+sources here are generating functions, recurrences and sums over graphs from the literature.
+They share no code with the enumeration of maps, nor with the maps themselves.
 
 All functions return exact integers by number of vertices (or genus) for one number of edges
 ``m >= 1``.  A connected map with m edges has ``1..m+1`` vertices; a key in that range with
@@ -16,6 +16,10 @@ simple maps                   degree sequences; for up to 7 vertices the graph a
 simple planar maps            substitution into planar maps; for up to 7 vertices and few
                               rotations the graph atlas
 trees (one class in all)      Catalan numbers
+cubic, regular, eulerian      the same log-series and recurrence at these degrees; in simple
+                              maps their degree sequences
+triangulation, quadrangu-     the recurrence at the degrees of the dual maps; simple planar
+lation                        triangulations by Tutte's formula
 ============================  ===========================================================
 
 A polynomial is a tuple of integer coefficients, lowest power first.  In the comments z marks
@@ -25,6 +29,8 @@ edges and x vertices.
     **the** table of the sources, by the class of maps;
 ``any_genus``, ``degrees``, ``substitution``, ``atlas``
     generating functions and recurrences, degree sequences, substitution, and the graph atlas;
+``narrowed``
+    **the** table of the sources under a condition with a name;
 ``arithmetic``
     integers and polynomials.
 """

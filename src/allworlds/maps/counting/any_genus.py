@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from functools import cache
 from itertools import combinations
 from math import comb, factorial, perm, prod
+from typing import TypeAlias
 
 from allworlds.maps.counting.arithmetic import (
     Polynomial,
@@ -21,6 +23,9 @@ from allworlds.maps.counting.arithmetic import (
     vertex_counts,
 )
 
+Degrees: TypeAlias = frozenset[int]
+"""The legal degrees of the vertices of a map."""
+
 
 def catalan(n: int) -> int:
     """The Catalan number ``C(2n, n) / (n+1)``: rooted plane trees with n edges.
@@ -33,22 +38,61 @@ def catalan(n: int) -> int:
 def rooted_maps(edges: int) -> dict[int, int]:
     """``{vertices: rooted maps}`` with that many edges, of any orientable genus.
 
-    It is ``2m [z^m x^n] log sum_k (2k-1)!! x(x+1)...(x+2k-1) z^k / (2k)!``: all sigma by
+    The number is ``2m [z^m x^n] log sum_k (2k-1)!! x(x+1)...(x+2k-1) z^k / (2k)!``: all sigma by
     cycles, times all alpha, on labelled darts; log keeps the connected pairs, and a rooted
     map has ``(2m-1)!`` labellings.  Raises: ValueError for edges < 1.
     """
     return cells(edges, _rooted_by_permutations(edges))
 
 
+def rooted_of_degrees(edges: int, degrees: Degrees) -> dict[int, int]:
+    """``{vertices: rooted maps}`` with that many edges and legal degrees alone, of any genus.
+
+    As :func:`rooted_maps`, but with those sigma alone whose cycles have legal lengths.
+    Raises: ValueError for edges < 1.
+    """
+    return cells(edges, _rooted_of_degrees(edges, degrees))
+
+
 @cache
 def _rooted_by_permutations(edges: int) -> Polynomial:
-    # With b_k = x(x+1)...(x+2k-1) the sum is A = sum b_k z^k / (2^k k!), and R = 2 z A' / A.
-    numerator = scaled(2 * edges, _rising(2 * edges))
+    return _connected(edges, lambda k: _rising(2 * k), _rooted_by_permutations)
+
+
+@cache
+def _rooted_of_degrees(edges: int, degrees: Degrees) -> Polynomial:
+    return _connected(
+        edges,
+        lambda k: _with_cycles(2 * k, degrees),
+        lambda k: _rooted_of_degrees(k, degrees),
+    )
+
+
+def _connected(
+    edges: int,
+    permutations: Callable[[int], Polynomial],
+    smaller: Callable[[int], Polynomial],
+) -> Polynomial:
+    # With b_k the permutations of 2k darts the sum is A = sum b_k z^k / (2^k k!), and R = 2 z A'/A.
+    numerator = scaled(2 * edges, permutations(edges))
     for k in range(1, edges):
         weight = 2**k * perm(edges, k)
-        term = times(_rooted_by_permutations(k), _rising(2 * (edges - k)))
+        term = times(smaller(k), permutations(edges - k))
         numerator = plus(numerator, scaled(-weight, term))
     return divided(numerator, 2**edges * factorial(edges))
+
+
+@cache
+def _with_cycles(length: int, degrees: Degrees) -> Polynomial:
+    """Permutations of that many darts with cycles of legal lengths alone, by their cycles."""
+    if length == 0:
+        return (1,)
+    result: Polynomial = ()
+    for degree in degrees:
+        if degree <= length:
+            rest = _with_cycles(length - degree, degrees)
+            result = plus(result, scaled(perm(length - 1, degree - 1), (0, *rest)))
+    return result
 
 
 @cache
@@ -110,13 +154,25 @@ def rooted_of_genus_by_contraction(edges: int, genus: int) -> dict[int, int]:
     """
     check_edges(edges)
     check_genus(genus)
-    return {n: _rooted_by_contraction(edges, n, genus) for n in vertex_counts(edges)}
+    every = frozenset(range(1, 2 * edges + 1))
+    return {n: _rooted_by_contraction(edges, n, genus, every) for n in vertex_counts(edges)}
 
 
-def _rooted_by_contraction(edges: int, vertices: int, genus: int) -> int:
+def rooted_of_degrees_by_contraction(edges: int, genus: int, legal: Degrees) -> dict[int, int]:
+    """``{vertices: rooted maps}`` of one genus with legal degrees alone.
+
+    Raises, Cost, Source: as :func:`rooted_of_genus_by_contraction`.
+    """
+    check_genus(genus)
+    return {n: _rooted_by_contraction(edges, n, genus, legal) for n in vertex_counts(edges)}
+
+
+def _rooted_by_contraction(edges: int, vertices: int, genus: int, legal: Degrees) -> int:
     # Each degree of the partition takes the root in turn: sum d / 2m of the orders do.
     scaled = 0
     for degrees in partitions(2 * edges, vertices, 2 * edges):
+        if not legal.issuperset(degrees):
+            continue
         orders = factorial(vertices) // prod(map(factorial, Counter(degrees).values()))
         weight = 2 * edges * factorial(2 * edges) // prod(degrees)
         scaled += orders * weight * _dotted(degrees[::-1], genus)

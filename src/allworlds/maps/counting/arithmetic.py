@@ -15,19 +15,19 @@ Series: TypeAlias = list[Polynomial]
 
 
 def check_edges(edges: int) -> None:
-    """Nothing, if there is such a number of edges; else raises ValueError."""
+    """Raise ValueError unless the number of edges is at least 1."""
     if edges < 1:
         raise ValueError(f"a map has at least 1 edge, not {edges}")
 
 
 def check_genus(genus: int) -> None:
-    """Nothing, if there is such a genus; else raises ValueError."""
+    """Raise ValueError if the genus is negative."""
     if genus < 0:
         raise ValueError(f"a genus is at least 0, not {genus}")
 
 
 def vertex_counts(edges: int) -> range:
-    """The numbers of vertices that connected maps with so many edges have."""
+    """The numbers of vertices that connected maps with ``edges`` edges have."""
     check_edges(edges)
     return range(1, edges + 2)
 
@@ -38,7 +38,7 @@ def cells(edges: int, polynomial: Polynomial) -> dict[int, int]:
 
 
 def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]]:
-    """The partitions into so many positive parts, none larger than ``largest``, falling."""
+    """The partitions into ``parts`` positive parts, none larger than ``largest``, falling."""
     if parts == 0:
         if total == 0:
             yield ()
@@ -51,7 +51,7 @@ def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]
 
 
 def exactly(numerator: int, denominator: int) -> int:
-    """The quotient of two integers that divide; else raises ArithmeticError."""
+    """The quotient of two integers; raise ArithmeticError if there is a remainder."""
     quotient, remainder = divmod(numerator, denominator)
     if remainder:
         raise ArithmeticError(f"{numerator} / {denominator} should be a count, but is no integer")

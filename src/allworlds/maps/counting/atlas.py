@@ -62,7 +62,7 @@ def _with_trees(counts: dict[int, int], edges: int) -> dict[int, int]:
 
 
 def _rooted(weighed: Iterable[tuple[int, Graph]], edges: int) -> int:
-    """Rooted maps on graphs that have so many rotation systems each."""
+    """The number of rooted maps on graphs, each given with its number of rotation systems."""
     scale = factorial(ATLAS_VERTICES)  # a multiple of each |Aut|
     total = sum(weight * (scale // _automorphisms(graph)) for weight, graph in weighed)
     return exactly(2 * edges * total, scale)
@@ -111,7 +111,7 @@ def _rotation_count(graph: Graph) -> int:
 
 
 def _spherical_rotations(graph: Graph) -> int:
-    """How many rotation systems of a connected graph satisfy ``n - m + f = 2``."""
+    """The number of rotation systems of a connected graph that satisfy ``n - m + f = 2``."""
     faces = 2 - len(graph) + sum(map(len, graph)) // 2
     return sum(_face_count(turn) == faces for turn in _rotation_systems(graph))
 

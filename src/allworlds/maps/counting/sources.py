@@ -42,7 +42,7 @@ __all__ = [
 
 @dataclass(frozen=True, slots=True)
 class CountSource:
-    """Where counts come from: ``cells(m)`` is ``{vertices: rooted maps}`` with m edges."""
+    """A source of counts: ``cells(m)`` is ``{vertices: rooted maps}`` with m edges."""
 
     name: str
     cells: Callable[[int], dict[int, int]]

@@ -7,6 +7,8 @@
     the scene in characters, exact for every genus: an arc diagram, or a table;
 ``svg``
     the scene as a drawing in a page;
+``standalone``
+    a map or a world as a drawing that stands alone, with its own style;
 ``layout``, ``mesh``, ``planar``, ``rays``, ``edge_points``
     where its vertices, darts and edges lie: the edges that have to cross, a triangulation that
     gives every dart room, the drawing in pixels, the directions in which edges leave a point,

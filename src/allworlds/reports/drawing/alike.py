@@ -12,7 +12,7 @@ from allworlds.reports.drawing.scene import Names
 def extended(
     tied: Mapping[Dart, Dart], map_: CombinatorialMap, other: CombinatorialMap
 ) -> dict[Dart, Dart]:
-    """The darts of a map with those of another one, as far as sigma and alpha lead on alike.
+    """Match darts of two maps by following sigma and alpha from the tied pairs.
 
     Where they do not, a dart keeps the one that it has first: no dart of the other is used twice.
 
@@ -39,7 +39,7 @@ def extended(
 
 
 def names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: CombinatorialMap) -> Names:
-    """The darts and vertices of a map by the numbers of another one's; new ones for the rest."""
+    """Names for a map's darts and vertices from another map; unmatched ones get new names."""
     fresh = iter(range(len(other.sigma), len(other.sigma) + len(map_.sigma)))
     darts = tuple(str(ties[d] if d in ties else next(fresh)) for d in map_.darts)
     new = iter(range(other.vertex_count, other.vertex_count + map_.vertex_count))
@@ -55,7 +55,7 @@ def names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: Combina
 
 
 def mirror_of(map_: CombinatorialMap, other: CombinatorialMap) -> dict[Dart, Dart]:
-    """Each dart with the one whose mirror image it is; empty if the map is not the mirror image.
+    """Each dart with its mirror image; empty if the map is not the mirror image of the other.
 
     A map that is the other one is no mirror image here, even if it is its own.
     """
@@ -72,7 +72,7 @@ def layout_like(
     other: CombinatorialMap,
     drawn: Layout,
 ) -> Layout:
-    """The map as the other one is drawn, if it is that or its mirror image; else turned like it.
+    """Draw a map like another one if it is that map or its mirror image; else turn it likewise.
 
     Args:
         ties: darts with those of the other map that they belong to.
@@ -103,7 +103,7 @@ def _mirrored(drawn: Layout) -> Layout:
 
 
 def _turned(own: Layout, pairs: Sequence[tuple[Dart, Dart]], drawn: Layout) -> Layout:
-    """The drawing turned and moved so that what belongs together lies as near as it can.
+    """The drawing turned and moved so that tied darts lie as near to each other as possible.
 
     The best turn has the angle of the sum of products of places, taken from their middles.
     """

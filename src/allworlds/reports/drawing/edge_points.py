@@ -1,4 +1,4 @@
-"""The curve of an edge from the points that it is drawn towards, and how near two of them come."""
+"""Points on the curves of edges, and the distance between two curves."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ ROUND_VERTEX, ROUND_CROSSING = 40.0, 30.0
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:
-    """Points of the curve: its ends, and the tops of its parabolas with where they meet."""
+    """Points of the curve: its ends, the tops of its parabolas, and the points where these meet."""
     points = [way[0], (way[0] + way[1]) / 2]
     for a, b, c in zip(way, way[1:], way[2:], strict=False):
         points += [(a + 6 * b + c) / 8, (b + c) / 2]
@@ -18,7 +18,7 @@ def points_of(way: Sequence[complex]) -> list[complex]:
 
 
 def crossings_of(way: Sequence[complex]) -> Sequence[complex]:
-    """Where the edge crosses another one, or itself: every fifth point between its ends."""
+    """The points where the edge crosses an edge: every fifth point between its ends."""
     return way[5:-1:5]
 
 
@@ -29,7 +29,7 @@ def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
 
 
 def least_distance(ways: Sequence[Sequence[complex]]) -> float:
-    """How near two edges come to each other, in pixels, but for round vertices and crossings.
+    """The smallest distance of two edges in pixels, apart from vertices and crossings.
 
     Args:
         ways: for each dart the points that its edge is drawn towards.

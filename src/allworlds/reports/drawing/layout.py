@@ -18,7 +18,7 @@ MOST_DARTS = 200
 """Larger drawings, ends at crossings counted, are made in the plain way."""
 
 CANDIDATES = 3
-"""So many drawings are made at most where edges come near each other."""
+"""The most drawings that are made where edges come near each other."""
 
 APART = 12.0
 """In pixels: so far apart no two edges are said to come near each other."""
@@ -46,7 +46,7 @@ class Layout:
     ways: tuple[tuple[complex, ...], ...]
 
     def stub(self, dart: Dart) -> complex:
-        """Where the straight beginning of the dart ends."""
+        """The end of the straight beginning of the dart."""
         start, towards, *_ = self.ways[dart]
         return (start + towards) / 2
 
@@ -69,7 +69,7 @@ class Layout:
 
 
 def rim(here: complex, others: Iterable[complex], wide: float) -> float:
-    """How far from its vertex the middle of a dart's number stands, in pixels.
+    """The distance in pixels from a vertex to the middle of a dart's number.
 
     A number so wide touches neither the vertex nor, if there is room, a number beside it.
 
@@ -104,7 +104,7 @@ def layout(map_: CombinatorialMap, root: Dart) -> Layout:
 
 @lru_cache(maxsize=256)
 def _best(map_: CombinatorialMap) -> Sequence[Sequence[complex]]:
-    """For each dart the points that its edge is drawn towards; none of a map that is too large.
+    """For each dart the points that its edge is drawn towards; empty for a map that is too large.
 
     Of the first few drawings it is the first in which no two edges come near each other, else
     the one in which they come least near.
@@ -159,7 +159,7 @@ def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
 
 
 def _finished(map_: CombinatorialMap, root: Dart, ways: Sequence[Sequence[complex]]) -> Layout:
-    """The drawing turned, and as large as the numbers of the darts need."""
+    """The drawing, turned, and scaled so that the numbers of the darts fit."""
     rough = Layout(tuple(ways[v[0]][0] for v in map_.vertices), tuple(map(tuple, ways)))
     origin = ways[root][0]
     stubs = [rough.stub(d) for d in map_.darts]

@@ -95,7 +95,7 @@ def mesh(drawn: PlanarMap) -> Mesh:
 
 
 def place(net: Mesh) -> list[complex]:
-    """Where each point lies; no triangle is turned over.
+    """Coordinates of each point, such that no triangle is turned over.
 
     The plane has y downwards, so clockwise is the sense of growing angles.  The unit is about
     the side of a triangle.
@@ -119,7 +119,7 @@ def place(net: Mesh) -> list[complex]:
 
 
 def _move(i: int, net: Mesh, points: list[complex]) -> None:
-    """Move a point to where the triangles round it are less strained."""
+    """Move a point to a place where the triangles around it are less strained."""
     here = points[i]
     strain, step = _strain(here, i, net, points)
     step *= FURTHER
@@ -131,7 +131,7 @@ def _move(i: int, net: Mesh, points: list[complex]) -> None:
 
 
 def _strain(centre: complex, i: int, net: Mesh, points: Sequence[complex]) -> tuple[float, complex]:
-    """How far the triangles round a point are from being alike, and the step that is to help.
+    """The strain of the triangles around a point, and the step that should lower it.
 
     The strain of a triangle with area A/2, squares of sides of sum S and wanted area R/2 is
     S/A + R/A + A/R: infinite for one that is turned over.

@@ -1,4 +1,4 @@
-"""A map of any genus as a planar one: where edges have to cross, crossings become vertices.
+"""Planar drawings of maps of any genus: where edges must cross, the crossing becomes a vertex.
 
 A spanning tree is drawn first, then every edge that crosses nothing, then the others, each by
 a way through the faces that crosses as few edges as possible.  The darts of a vertex keep their
@@ -33,7 +33,7 @@ class PlanarMap:
 
     @property
     def crossings(self) -> int:
-        """How often two edges cross."""
+        """The number of crossings of edges."""
         return (len(self.sigma) - self.own) // 4
 
     def way(self, dart: Dart) -> list[Dart]:
@@ -54,7 +54,7 @@ def planar(map_: CombinatorialMap) -> PlanarMap:
 
 
 def drawings(map_: CombinatorialMap) -> list[PlanarMap]:
-    """The different drawings with the fewest crossings that were found; :func:`planar` first."""
+    """The different drawings with the fewest crossings found, that of :func:`planar` first."""
     edges = map_.edges
     orders = [edges[i:] + edges[:i] for i in range(min(len(edges), TRIES))]
     if map_.genus == 0:
@@ -100,7 +100,7 @@ def _spanning_tree(
 
 
 class _Plane:
-    """What is drawn so far: a planar map with some of the darts, and crossings."""
+    """The part of the drawing made so far: some of the darts, and crossings, as a planar map."""
 
     def __init__(self, map_: CombinatorialMap) -> None:
         self.map = map_

@@ -40,7 +40,7 @@ class Polygon:
 
     @property
     def radius(self) -> float:
-        """How far the corners are from the middle, which is 0."""
+        """Distance of the corners from the middle, which is 0."""
         return abs(self.corners[0])
 
     def side(self, place: int) -> tuple[complex, complex]:
@@ -100,7 +100,7 @@ def _ways(
     within: Sequence[Sequence[Dart]],
     radius: float,
 ) -> dict[Dart, tuple[complex, ...]]:
-    """The edges inside, which do not cross.
+    """Points that the edges inside are drawn towards. These edges do not cross.
 
     Each has a point of its own on a circle, in the order of the corners, and between two of
     these it is bent inwards, as a straight line of the hyperbolic plane is.
@@ -132,9 +132,9 @@ def _ways(
 
 
 def _bent(near: float) -> float:
-    """How far inwards a line of the hyperbolic plane is bent.
+    """The nearest point of a line of the hyperbolic plane to the centre of the unit circle.
 
-    Its two ends have their middle at the distance ``near`` from that of the circle of radius 1;
-    the line comes nearest to it at so many times that distance.
+    The middle of its two ends is at the distance ``near`` from the centre; the result is a factor
+    of this distance.
     """
     return (1 - sqrt(1 - near**2)) / near**2 if near > 1e-6 else 0.5

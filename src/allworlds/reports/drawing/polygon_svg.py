@@ -41,7 +41,7 @@ ASIDE = 17.0
 
 
 def has_polygon(scene: Scene) -> bool:
-    """The surface is no sphere, and its polygon has not too many sides to be read."""
+    """Whether the surface is no sphere and its polygon has few enough sides to be read."""
     map_ = scene.map
     return map_.genus > 0 and 2 * (map_.edge_count - len(map_.faces) + 1) <= MOST_SIDES
 
@@ -75,7 +75,7 @@ def polygon_picture(scene: Scene, name: str, title: str) -> ET.Element:
 
 
 def _letters(scene: Scene, cut: Polygon) -> dict[Dart, str]:
-    """The letter of each side, by its dart: that of its edge, in the order of the sides."""
+    """The letter of each side, by its dart. Both sides of an edge have the same letter."""
     named: dict[Dart, str] = {}
     letters = iter(LETTERS)
     for dart in cut.sides:
@@ -85,7 +85,7 @@ def _letters(scene: Scene, cut: Polygon) -> dict[Dart, str]:
 
 
 def _round_it(scene: Scene, cut: Polygon, letters: Mapping[Dart, str]) -> str:
-    """The word round the polygon for those who do not see it."""
+    """The sides around the polygon in words, for readers who cannot see it."""
     names = scene.dart_names
     word = ", ".join(
         f"{letters[d]} {'' if _forwards(scene, d) else 'backwards '}from dart {names[d]}"
@@ -95,7 +95,7 @@ def _round_it(scene: Scene, cut: Polygon, letters: Mapping[Dart, str]) -> str:
 
 
 def _forwards(scene: Scene, dart: Dart) -> bool:
-    """Whether the arrow of its edge leads away from the dart: that is so for the smaller one."""
+    """Whether the arrow of the side leads away from the dart; true for the edge's smaller dart."""
     return dart < scene.map.alpha[dart]
 
 

@@ -22,7 +22,7 @@ EVEN = 0.75
 """The angle between two darts at a vertex, at least, as a part of what it is on the average."""
 
 BEND = pi / 3
-"""By so much at most a dart is turned for that."""
+"""The largest angle by which a dart is turned for that."""
 
 REACH = 0.8
 """How far the straight beginnings of darts reach, as a part of the shortest of them."""

@@ -1,4 +1,4 @@
-"""What a picture shows: a map with all that is to be seen in it, whatever the lighthouse."""
+"""Scenes: a map with everything that a picture shows, whatever the lighthouse."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from allworlds.world import World
 
 @dataclass(frozen=True, slots=True)
 class Names:
-    """What darts and vertices are called in a picture, in their order."""
+    """Names of darts and vertices in a picture, in their order."""
 
     darts: tuple[str, ...]
     vertices: tuple[str, ...]
@@ -21,7 +21,7 @@ class Names:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """What a picture shows; each form of picture draws of it what it can.
+    """Content of a picture; each form of picture draws as much of it as it can.
 
     Attributes:
         map: the map.
@@ -101,7 +101,7 @@ class Scene:
         labels: Sequence[str] | None = None,
         walked: Collection[Dart] = (),
     ) -> Scene:
-        """A map of which it is known what is sensed by a robot that arrives by some darts.
+        """Return the scene of a map in which percepts are known for arrival at some darts.
 
         The dart at bearing 0 is pointed along, and a vertex with marks is marked.
         """
@@ -121,7 +121,7 @@ def scene_of(
     labels: Sequence[str] | None = None,
     walked: Collection[Dart] = (),
 ) -> Scene:
-    """A world with all that can be sensed in it.
+    """The scene of a world, with everything that can be sensed in it.
 
     ``dropped`` holds the vertices at which the robot has dropped markers, one entry a marker.
     """

@@ -55,7 +55,7 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
 
 
 def in_words(scene: Scene) -> str:
-    """The scene for those who do not see it."""
+    """The scene in words, for readers who cannot see it."""
     map_, dart_names, vertex_names = scene.map, scene.dart_names, scene.vertex_names
     sentences = []
     for vertex, darts in enumerate(map_.vertices):
@@ -91,7 +91,7 @@ def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
 
 
 def _vertex(scene: Scene, drawn: Layout, vertex: int) -> ET.Element:
-    """The vertex with its darts' numbers round it, and all that is to be seen there."""
+    """The vertex with the numbers of its darts, its markers and the robot."""
     darts = scene.map.vertices[vertex]
     along = {dart: drawn.along(dart) for dart in darts}
     arrow = _clockwise([*along.values()])

@@ -1,4 +1,4 @@
-"""What pictures of a scene are made of, whatever form they have."""
+"""Parts of scene pictures that every form shares."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ FLAG = 12.0
 """The length of the head of the arrow that stands for a marker's direction, in pixels."""
 
 COLOURS = 12
-"""So many classes of darts have colours of their own, one after the other."""
+"""The number of classes of darts that have distinct colours."""
 
 
 def curve(way: Sequence[complex]) -> str:
-    """From the first point to the last: straight, then a parabola for each point between."""
+    """A curve through these points: straight, then a parabola for each point between."""
     path = f"M{at(way[0])} L{at((way[0] + way[1]) / 2)}"
     for towards, after in pairwise(way[1:]):
         path += f" Q{at(towards)} {at((towards + after) / 2)}"
@@ -35,7 +35,7 @@ def edge_along(scene: Scene, dart: Dart, path: str) -> ET.Element:
 
 
 def stub(dart: Dart, start: complex, end: complex) -> ET.Element:
-    """The straight beginning of a dart."""
+    """The straight beginning of a dart, as a path."""
     return tag("path", class_="stub", data_stub=dart, d=f"M{at(start)} L{at(end)}")
 
 
@@ -46,7 +46,7 @@ def vertex_with(
     along: Mapping[Dart, complex],
     below: Sequence[ET.Element] = (),
 ) -> ET.Element:
-    """A vertex with its name, all that is to be seen there, and the numbers of some darts.
+    """A vertex with its name, everything that is shown there, and the numbers of some darts.
 
     Args:
         scene: what is shown.
@@ -113,17 +113,17 @@ def number(scene: Scene, dart: Dart, place: complex) -> ET.Element:
 
 
 def _width(scene: Scene, dart: Dart) -> float:
-    """Of the dart's number with its letter, in pixels."""
+    """Width in pixels of the dart's number with its letter."""
     letters = "" if scene.labels is None else scene.labels[dart]
     return 4.0 + 7.0 * len(scene.dart_names[dart] + letters)
 
 
 def at(point: complex) -> str:
-    """A point as it stands in a path."""
+    """A point, as written in a path."""
     return f"{rounded(point.real)} {rounded(point.imag)}"
 
 
 def rounded(value: float) -> str:
-    """A coordinate, to a tenth of a pixel."""
+    """A coordinate, rounded to a tenth of a pixel."""
     # Adding 0 turns -0 into 0.
     return f"{round(value, 1) + 0.0:.1f}"

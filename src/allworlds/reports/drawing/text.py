@@ -112,7 +112,7 @@ def rotation_table(scene: Scene, width: int = 80, *, most: int = LONGEST_ROW) ->
 
 
 def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
-    """The signs of single darts, with the darts that have them."""
+    """The signs of single darts, each with its darts."""
     robot = () if scene.robot is None else (scene.robot,)
     return {"▲": tuple(scene.pointed), "S": (scene.start,), "R": robot}
 

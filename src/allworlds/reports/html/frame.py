@@ -1,9 +1,9 @@
-"""The frame of every page: what it may load, its style and script, and its data."""
+"""The frame of every page: its security policy, style, script and data."""
 
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from importlib.resources import files
@@ -15,7 +15,7 @@ from allworlds.version import __version__
 
 
 class Own(NamedTuple):
-    """What a page has of its own: a style beside that of all, a script instead of that of walks."""
+    """Style and script of one page: its style is added, its script replaces that of walks."""
 
     style: str
     script: str
@@ -23,12 +23,13 @@ class Own(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """What a page says; its frame is the same for all.
+    """Content of a page; the frame is the same for all.
 
     Attributes:
         title: what was done.
         subject: to whom.
-        verdict: in a word, in a sentence, and as its name, by which it has its colour.
+        verdict: in a word, in a sentence, and as its name, by which it has its colour;
+            None without one.
         sections: the page.
         summary: the document of the report, which the page holds too.
         own: what the page has of its own; without it, keys step along its walks.
@@ -36,7 +37,7 @@ class Page:
 
     title: str
     subject: str
-    verdict: tuple[str, str, str]
+    verdict: tuple[str, str, str] | None
     sections: Sequence[ET.Element]
     summary: Mapping[str, Any]
     own: Own | None = None
@@ -47,7 +48,7 @@ LARGEST = 1_000_000
 
 
 def framed(page: Page) -> str:
-    """The page as an HTML document that refers to nothing outside of it.
+    """The page as an HTML document that refers to no other file.
 
     Its own style and script are allowed by their hashes, and nothing else is.
     """
@@ -58,7 +59,11 @@ def framed(page: Page) -> str:
 def _framed(page: Page, summary: Mapping[str, Any] | None) -> str:
     style = _own("style.css") + (page.own.style if page.own else "")
     script = _own("fit.js") + (page.own.script if page.own else _own("script.js"))
-    word, text, name = page.verdict
+    title, said = f"{page.title}: {page.subject}", []
+    if page.verdict:
+        word, text, name = page.verdict
+        title = f"{page.title}: {word}, {page.subject}"
+        said = [tag("p", tag("b", word), " ", tag("span", text), class_=f"verdict {name}")]
     policy = f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}"
     head = tag(
         "head",
@@ -67,36 +72,22 @@ def _framed(page: Page, summary: Mapping[str, Any] | None) -> str:
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
         tag("meta", name="color-scheme", content="light dark"),
         tag("meta", name="referrer", content="no-referrer"),
-        tag("title", f"{page.title}: {word}, {page.subject}"),
+        tag("title", title),
         raw("style", style),
     )
-    said = tag("p", tag("b", word), " ", tag("span", text), class_=f"verdict {name}")
     records, held = [], "is too large to hold its report: --json prints it"
     if summary is not None:
         records = [record(summary, class_="report", id="report-json")]
         held = "holds its data as JSON"
     body = tag(
         "body",
-        tag("header", tag("h1", page.title, ": ", tag("bdi", page.subject)), said),
+        tag("header", tag("h1", page.title, ": ", tag("bdi", page.subject)), *said),
         tag("main", *page.sections),
         tag("footer", tag("p", f"{_MADE} This page needs no network, and {held}.")),
         *records,
         raw("script", script),
     )
     return document(tag("html", head, body, lang="en"))
-
-
-def counts(header: list[str], rows: list[list[str]], caption: str) -> Iterator[ET.Element]:
-    """A table that can be scrolled; nothing where there are no rows."""
-    if rows:
-        yield tag(
-            "div",
-            _table(header, rows, caption),
-            class_="frame",
-            tabindex="0",
-            role="group",
-            aria_label="Counts",
-        )
 
 
 _MADE = f"Made by allworlds {__version__}."
@@ -109,33 +100,3 @@ def _own(name: str) -> str:
 
 def _hash(text: str) -> str:
     return f"'sha256-{b64encode(sha256(text.encode()).digest()).decode()}'"
-
-
-LONGEST_WORDS = 30
-"""A cell with a longer text may be broken into lines."""
-
-
-def _table(header: list[str], rows: list[list[str]], caption: str) -> ET.Element:
-    kinds = [_kind([row[i] for row in rows]) for i in range(len(header))]
-    names = zip(header, kinds, strict=True)
-    return tag(
-        "table",
-        tag("caption", caption),
-        tag(
-            "thead", tag("tr", *(tag("th", name, scope="col", class_=kind) for name, kind in names))
-        ),
-        tag(
-            "tbody",
-            *(
-                tag("tr", *(tag("td", cell, class_=k) for cell, k in zip(row, kinds, strict=True)))
-                for row in rows
-            ),
-        ),
-    )
-
-
-def _kind(cells: Sequence[str]) -> str | None:
-    """The class of a column: words are flushed left, sentences are broken too; None of numbers."""
-    if not any(letter.isalpha() for cell in cells for letter in cell):
-        return None
-    return "sentence" if max(map(len, cells)) > LONGEST_WORDS else "words"

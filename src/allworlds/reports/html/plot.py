@@ -3,34 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import groupby
 from xml.etree import ElementTree as ET
 
 from allworlds.reports.markup import tag
+from allworlds.reports.telling import SizeCost
 from allworlds.words import number, plural, size
 
 COLUMN, BAR, HEIGHT, LEFT, TOP, FOOT = 30, 18, 180, 56, 24, 52
 """In pixels: from column to column, the width of a bar, and the room that the bars have."""
 
 
-@dataclass(frozen=True, slots=True)
-class PlotCell:
-    """What runs cost in the worlds of one size.
-
-    Attributes:
-        edges, vertices: the size.
-        cost: the largest cost.
-        bound: the largest bound; None without a bound.
-    """
-
-    edges: int
-    vertices: int
-    cost: int
-    bound: int | None
-
-
-def plot(cells: Sequence[PlotCell], name: str) -> ET.Element:
+def plot(cells: Sequence[SizeCost], name: str) -> ET.Element:
     """The largest cost of each size as a bar, and its bound as a line above; ``name`` is its id."""
     top = max((max(cell.cost, cell.bound or 0) for cell in cells), default=0) or 1
     width = LEFT + COLUMN * len(cells) + 8
@@ -69,7 +53,7 @@ def plot(cells: Sequence[PlotCell], name: str) -> ET.Element:
     )
 
 
-def _column(cell: PlotCell, middle: int, y: Callable[[float], str]) -> list[ET.Element]:
+def _column(cell: SizeCost, middle: int, y: Callable[[float], str]) -> list[ET.Element]:
     left, foot = middle - BAR // 2, TOP + HEIGHT
     parts = [
         tag("path", class_="cost", d=f"M{left} {foot} V{y(cell.cost)} h{BAR} V{foot} Z"),
@@ -88,6 +72,6 @@ def _ticks(top: int) -> list[int]:
     return [*range(0, top + 1, step)]
 
 
-def _in_words(cell: PlotCell) -> str:
+def _in_words(cell: SizeCost) -> str:
     most = "" if cell.bound is None else f" of at most {number(cell.bound)}"
     return f"{size(cell.edges, cell.vertices)}: {plural(cell.cost, 'traversal')}{most}."

@@ -94,8 +94,6 @@ function makeViewer(viewer) {
   const speed = viewer.querySelector(".speed");
   const last = items.length - 1;
   const pictures = [...viewer.querySelectorAll("[data-follows]")].map(makePicture);
-  const camel = (name) => name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
-  for (const { frame } of pictures) frame.dataset.follows = camel(frame.dataset.follows);
   let current = 0;
   let timer = 0;
   let zoom = 1;

@@ -31,7 +31,7 @@ SPEEDS = {"slow": 1600, "medium": 800, "fast": 250}
 def viewer(
     figures: Sequence[ET.Element], steps: ET.Element, title: str, *about: ET.Element
 ) -> ET.Element:
-    """Pictures and a walk along which keys step in all of them.
+    """Pictures with the walk along which keys step in all of them.
 
     What is told about them stands before the pictures, and on a phone behind them.
     """
@@ -52,7 +52,7 @@ def viewer(
 
 
 def _controls() -> ET.Element:
-    """Buttons, a slider, and where the walk is; without a script there are none."""
+    """Buttons, a slider, and the position in the walk. Without a script there are none."""
     go = {"first": "|◀", "back": "◀", "next": "▶", "last": "▶|"}
     step = [
         tag("button", sign, type="button", data_go=where, aria_label=where.capitalize())
@@ -85,24 +85,29 @@ def _controls() -> ET.Element:
 
 
 def figure(
-    title: str, scene: Scene, name: str, follows: str, drawn: Layout | None = None
+    title: str,
+    scene: Scene,
+    name: str,
+    follows: str,
+    drawn: Layout | None = None,
+    *,
+    moves: bool = True,
 ) -> ET.Element:
     """A picture with its caption and its legend.
 
-    The robot in it is that of ``follows``; where that is empty there is none.
+    The robot in it is that of ``follows``; where that is empty there is none.  It ``moves``, unless
+    its walk has no motion.
     """
     legend = [tag("span", "clockwise: the order of darts", class_="key turn-key")]
     if follows:
         legend += [
             tag("span", "robot, at the dart by which it came", class_="key robot-key"),
+        ]
+    if follows and moves:
+        legend += [
             tag("span", "walked", class_="key walked-key"),
             tag("span", "walked just before", class_="key trail-key", hidden="hidden"),
-            tag(
-                "span",
-                "walked just now, with its step",
-                class_="key last-key",
-                hidden="hidden",
-            ),
+            tag("span", "walked just now, with its step", class_="key last-key", hidden="hidden"),
         ]
     if scene.marks:
         legend.append(tag("span", "marked", class_="key marked-key"))

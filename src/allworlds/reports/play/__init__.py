@@ -1,7 +1,9 @@
-"""A page in which the reader is the robot: percepts come, motions go, and a map is drawn of them.
+"""A page in which the reader is the robot and draws a map from the percepts.
 
 ``page``
     the document: the entry;
+``costs``
+    the costs of others in the world that is played;
 ``robot.js``
     what a robot does and senses, and what it concludes: it knows nothing of pages, and is held
     against the worlds in Python;

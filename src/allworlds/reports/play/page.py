@@ -1,4 +1,4 @@
-"""The page of ``play``."""
+"""The page of ``play``, in which the reader is the robot."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ from xml.etree import ElementTree as ET
 from allworlds.judging import bound_named
 from allworlds.protocol import Pick
 from allworlds.reports.drawing.scene import scene_of
-from allworlds.reports.html.frame import Own, Page
+from allworlds.reports.html.frame import Own, Page, framed
 from allworlds.reports.html.viewer import figure
 from allworlds.reports.markup import record, tag
+from allworlds.reports.play.costs import costs_beside, in_words
 from allworlds.studies.play import Play
 from allworlds.world import World
 
@@ -26,26 +27,27 @@ CONCLUDE = (
 )
 
 
-def play_page(play: Play) -> Page:
-    """The game; it does not show the world at once."""
+def game(play: Play) -> str:
+    """The page of the game, which hides the world at first."""
     world = play.world
     lighthouse = f"{world.lighthouse.kind} lighthouse"
     told = "" if world.told is None else f" You are told: {world.told}."
-    return Page(
+    page = Page(
         "allworlds play",
         "you are the robot",
         ("EXPLORE", f"Which world is this, and where in it are you? A {lighthouse}.{told}", "open"),
         [
             tag("noscript", tag("p", "This page needs JavaScript: it is played.")),
-            _game(world),
+            _board(world),
         ],
         play.to_json(),
         Own(_read("play.css"), _read("robot.js") + _read("view.js")),
     )
+    return framed(page)
 
 
 def world_data(world: World) -> dict[str, Any]:
-    """What the script knows of the world, whatever its lighthouse; see ``robot.js``."""
+    """Data of the world for the script, whatever the lighthouse; see ``robot.js``."""
     map_ = world.map
     return {
         "sigma": list(map_.sigma),
@@ -59,7 +61,7 @@ def world_data(world: World) -> dict[str, Any]:
     }
 
 
-def _game(world: World) -> ET.Element:
+def _board(world: World) -> ET.Element:
     return tag(
         "div",
         tag("div", _senses(), _notes(), class_="game"),
@@ -71,7 +73,10 @@ def _game(world: World) -> ET.Element:
             _buttons(("uncover", "Uncover the world"), ("restart", "Begin again")),
             tag("div", figure("The world", scene_of(world), "played", "robot"), id="world"),
         ),
-        record(world_data(world), id="play-json"),
+        record(
+            {**world_data(world), "beside": in_words(costs_beside(world))},
+            id="play-json",
+        ),
         id="game",
         hidden="hidden",
     )

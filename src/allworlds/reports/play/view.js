@@ -93,8 +93,8 @@ const known = () => notes(log.first, log, conclusions, movable);
 
 // Each place on a circle, its darts clockwise, turned so that they look where they lead.
 function laidOut({ places }) {
-  const side = Math.max(300, 110 + 70 * places.length);
-  const ring = places.length > 1 ? side / 2 - 62 : 0;
+  const side = Math.max(420, 130 + 90 * places.length);
+  const ring = places.length > 1 ? side / 2 - 72 : 0;
   const spots = new Map();
   places.forEach(({ name }, i) => {
     const angle = -Math.PI / 2 + (2 * Math.PI * i) / places.length;
@@ -178,6 +178,7 @@ function drawNotes() {
   const drawn = { viewBox: `0 0 ${side} ${side}`, width: side, height: side, class: "map notes" };
   const svg = element("svg", { ...drawn, role: "group", "aria-label": "Your notes" }, ...parts);
   at("notes").replaceChildren(svg);
+  follow(seats.get(map.here));
   const left = openDarts(map).length;
   const open = left === 1 ? "1 dart is open" : `${left} darts are open`;
   at("notes-words").textContent = map.wrong
@@ -189,6 +190,13 @@ function drawNotes() {
         : "No dart is open: your map is complete. Is it the world?";
   at("undo").disabled = !conclusions.length;
   at("claim").disabled = !estimate(map);
+}
+
+// The notes are as large as they must be, and scroll so that the robot is in the middle.
+function follow({ x, y }) {
+  const frame = at("notes");
+  frame.scrollLeft = x - frame.clientWidth / 2;
+  frame.scrollTop = y - frame.clientHeight / 2;
 }
 
 function choose(name) {
@@ -215,7 +223,8 @@ function claim() {
 function cost() {
   const moves = log.filter(({ action }) => action.move !== undefined).length;
   const many = moves === 1 ? "1 traversal" : `${moves} traversals`;
-  return world.bound === null ? `${many}.` : `${many}; the bound of this world is ${world.bound}.`;
+  const told = world.bound === null ? `${many}.` : `${many}; the bound of this world is ${world.bound}.`;
+  return world.beside ? `${told} ${world.beside}` : told;
 }
 
 function drawLog() {

@@ -1,4 +1,4 @@
-"""What no robot can tell apart: ambiguity classes, twins and their certificates.
+"""Ambiguity: worlds that no robot can tell apart, their classes, twins and certificates.
 
 Glossary
 --------
@@ -24,8 +24,8 @@ Modules
     two worlds: a bisimulation or a separation;
 ``members``, ``lifting``, ``marked_code``
     the class of a world: its members, how they are made from the quotient, and their codes;
-``marked_worlds``
-    the census: every map with a marked vertex;
+``marked_worlds``, ``sensed_worlds``
+    the census: every map with a marked vertex, or with any other lighthouse;
 ``smt``
     the search by solvers for worlds that no motion tells apart.
 """
@@ -45,8 +45,8 @@ if TYPE_CHECKING:
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,
         CensusRow as CensusRow,
+        CensusSweep as CensusSweep,
         census as census,
-        merged_census as merged_census,
     )
     from allworlds.studies.ambiguity.members import (
         AmbiguityClass as AmbiguityClass,
@@ -54,6 +54,7 @@ if TYPE_CHECKING:
         projection_of as projection_of,
     )
     from allworlds.studies.ambiguity.smt.result import SearchResult as SearchResult
+    from allworlds.studies.ambiguity.smt.solvers import SolversDisagree as SolversDisagree
     from allworlds.studies.ambiguity.smt.twin_search import search as search
     from allworlds.studies.ambiguity.telling_apart import (
         ComparedWorlds as ComparedWorlds,

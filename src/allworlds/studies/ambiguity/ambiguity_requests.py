@@ -1,4 +1,4 @@
-"""What ``ambiguity census``, ``class`` and ``search`` are asked for, as values."""
+"""Requests of ``ambiguity census``, ``class`` and ``search``."""
 
 from __future__ import annotations
 
@@ -7,21 +7,48 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.engines import AskedCluster, AskedDirectory, AskedListener, AskedShard
-from allworlds.inputs import EFFORT, OUTPUT, SCOPE, InputError, Option, integer_of, seconds_of, show
+from allworlds.engines import AskedCluster, AskedDirectory, AskedListener, AskedShard, AskedTime
+from allworlds.inputs import (
+    EFFORT,
+    OUTPUT,
+    SCOPE,
+    InputError,
+    Option,
+    Taken,
+    integer_of,
+    one_of,
+    seconds_of,
+    show,
+)
 from allworlds.maps import AskedClass, AskedExtent
-from allworlds.world import World
+from allworlds.world import (
+    LIGHTHOUSES,
+    OWN,
+    AskedWhere,
+    GivenLighthouse,
+    LighthouseKind,
+    Position,
+    World,
+    lighthouse_kind,
+)
 
 DEFAULT_LIMIT = 1000
 """The largest class whose members are all made, unless another limit is named."""
 
 
-class CensusRequest(AskedListener, AskedCluster, AskedDirectory, AskedShard, AskedExtent):
-    """What ``ambiguity census`` is asked for."""
+class CensusRequest(
+    AskedListener, AskedCluster, AskedDirectory, AskedTime, AskedShard, AskedWhere, AskedExtent
+):
+    """Request of ``ambiguity census``: a class, its bounds and the effort."""
+
+    lighthouse: Annotated[
+        Taken[GivenLighthouse, LighthouseKind],
+        Option(SCOPE, "KIND", f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}."),
+    ] = Taken(lighthouse_kind, Position.kind)
 
 
 class AskedMembers(AskedClass):
-    """Which members of an ambiguity class are meant."""
+    """Options that select members of an ambiguity class."""
 
     limit: Annotated[
         int,
@@ -35,25 +62,27 @@ class AskedMembers(AskedClass):
 
 
 class ClassRequest(AskedMembers, kw_only=False):
-    """What ``ambiguity class`` is asked for."""
+    """Request of ``ambiguity class``: a world, and how many members are listed."""
 
     world: Annotated[World, "with a position lighthouse, or a directional one (then it is alone)"]
 
 
 def motion_list(text: str) -> tuple[int, ...]:
-    """Motions with commas, negative ones too."""
+    """The motions of a text, integers with commas between; negative ones too."""
     if not re.fullmatch(r"-?[0-9]{1,3}(,-?[0-9]{1,3})*", text):
         raise InputError(f"motions {show(text)} are not integers of up to 3 digits with commas")
     return tuple(int(part) for part in text.split(","))
 
 
 class SearchRequest(AskedListener, AskedClass):
-    """What ``ambiguity search`` is asked for."""
+    """Request of ``ambiguity search``: the properties of the twins, and the solver."""
 
     lighthouse: Annotated[
         str,
         Option(
-            SCOPE, "KIND", "What is sensed besides degrees: none, position, compass or directional."
+            SCOPE,
+            "KIND",
+            "The lighthouse, sensed besides degrees: none, position, compass or directional.",
         ),
     ]
     vertices: Annotated[int, Option(SCOPE, "N", "At most N vertices.", parse=integer_of)]
@@ -72,7 +101,7 @@ class SearchRequest(AskedListener, AskedClass):
         Option(
             SCOPE,
             "P,P,...",
-            "What it senses after each motion: 3A (degree 3, marker absent) or 4P (present).",
+            "Percepts after each motion: 3A (degree 3, marker absent) or 4P (present).",
             parse=lambda text: tuple(text.split(",")),
         ),
     ] = ()
@@ -81,20 +110,26 @@ class SearchRequest(AskedListener, AskedClass):
         Option(
             EFFORT,
             "PATH",
-            "A CaDiCaL 2 or later, in place of z3; it writes the proofs too.",
+            "The program CaDiCaL, version 2 or later, in place of z3; it also writes the proofs.",
             apart=True,
         ),
     ] = None
     time_limit: Annotated[
         float | None,
-        Option(EFFORT, "S", "Seconds for everything.", parse=seconds_of, apart=True),
+        Option(
+            EFFORT,
+            "S",
+            "The time limit in seconds for the whole search.",
+            parse=seconds_of,
+            apart=True,
+        ),
     ] = None
     out: Annotated[
         str | Path | None,
         Option(
             OUTPUT,
             "DIR",
-            "For formulas and proofs (default: a new temporary directory).",
+            "The directory for formulas and proofs (default: a new temporary directory).",
             apart=True,
         ),
     ] = None

@@ -1,4 +1,4 @@
-"""Every cover of a quotient in which one vertex lies over the root's vertex."""
+"""Covers of a quotient in which exactly one vertex lies over the root's vertex: all of them."""
 
 from __future__ import annotations
 
@@ -89,7 +89,9 @@ def _any(k: int, _before: object) -> Iterator[Permutation]:
 
 
 def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
-    """One of each kind, in lexicographic order; a kind is told what was chosen before it.
+    """Every combination with one option of each kind, in lexicographic order.
+
+    Each kind is given the options chosen before.
 
     Unlike a product nothing is stored, and unlike a recursion the kinds may be thousands.
     """

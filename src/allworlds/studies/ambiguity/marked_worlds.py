@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any
+
+from typing_extensions import override
 
 from allworlds.document import (
     AllRows,
@@ -14,10 +15,13 @@ from allworlds.document import (
     Bounded,
     Document,
     Gate,
+    IfAny,
     Natural,
     Positive,
     Report,
+    Text,
     WhichShard,
+    Why,
     about,
     computed,
     key,
@@ -25,27 +29,16 @@ from allworlds.document import (
     taken,
 )
 from allworlds.engines import (
-    ENDED,
-    UNMERGEABLE,
     WHOLE,
-    Dask,
-    Identity,
+    Form,
     LevelUnit,
-    Listener,
-    Portion,
-    Records,
-    Shard,
-    ThisThread,
-    Transport,
-    gather,
-    level_size,
-    records_in,
-    shards_of,
-    shelf,
-    tell_of_size,
-    units_of_level,
+    ReadyEngine,
+    Sweep,
+    SweptLevel,
+    from_kept,
+    here_or,
 )
-from allworlds.inputs import answers, meant, remembered
+from allworlds.inputs import answers
 from allworlds.maps import (
     CombinatorialMap,
     Disagreement,
@@ -54,17 +47,16 @@ from allworlds.maps import (
     Quotient,
     class_size,
     is_ambiguous,
-    source_for,
+    source_name,
 )
-from allworlds.outcome import Exit, until_interrupted
+from allworlds.outcome import Completed, Ending, Facts
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.ambiguity_requests import CensusRequest
 from allworlds.studies.ambiguity.marked_code import is_least_rooting
 from allworlds.studies.ambiguity.members import SensedQuotient, projection_of
-from allworlds.world import Position, World
-
-CORES = os.cpu_count() or 1
-"""So many processes a cluster of this machine alone has."""
+from allworlds.studies.ambiguity.sensed_worlds import PartBySensing, SensedParts, ensure_stands
+from allworlds.studies.ambiguity.telling_apart import ComparedWorlds
+from allworlds.world import LighthouseKind, Position, World
 
 BATCH = 200
 """Maps after which a part of a unit is handed over."""
@@ -73,28 +65,31 @@ BATCH = 200
 class CensusRow(Document):
     """The marked maps with one number of edges.
 
-    So many ``rooted`` maps were met, and the independent source ``counted``.  A shard may hold some
-    members of a class and not others.
+    ``rooted`` is the number of rooted maps found, ``counted`` the number according to the
+    independent source. A shard may hold some members of a class and not others.
     """
 
     edges: Positive
     marked_worlds: Annotated[Natural, about("maps with one marked vertex, up to isomorphism")]
     ambiguous_worlds: Annotated[
-        Natural | None, about("those with a twin inside the class of maps; null: of a shard")
+        Natural | None, about("marked maps with a twin in the class of maps; null: of a shard")
     ] = None
     classes: Annotated[
         Natural | None,
-        about("ambiguity classes with two members there, or more; null: of a shard"),
+        about("ambiguity classes with two or more members in the class; null: of a shard"),
     ] = None
     largest_class: Annotated[
-        Natural | None, about("the members of the largest; 0: there is none, null: of a shard")
+        Natural | None,
+        about("the size of the largest of these classes; 0: there is none, null: of a shard"),
     ] = None
     rooted: Aside[int]
     counted: Aside[int]
 
 
-def _gate(census: AmbiguityCensus) -> Gate:
+def _gate(census: AmbiguityCensus) -> Gate | None:
     """Whether as many rooted maps were met as the source counts; of a shard no more than these."""
+    if not census.source:
+        return None
     if census.whole:
         agrees = all(row.rooted == row.counted for row in census.rows)
     else:
@@ -111,132 +106,136 @@ class AmbiguityCensus(Report):
     map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
     edges: Bounded
     vertices: Bounded
-    lighthouse: Literal["position"] = "position"
+    where: Annotated[IfAny[Text | None], about("what besides is true of the maps")] = None
+    lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")] = Position.kind
     shard: WhichShard = str(WHOLE)
-    gate: Annotated[Gate, about("the comparison of the rooted maps with an independent source")] = (
-        computed(_gate)
-    )
+    gate: Annotated[
+        Gate | None,
+        about("the comparison of the rooted maps with an independent source; null: there is none"),
+    ] = computed(_gate)
     complete: AllRows = True
+    stopped: Why = None
     rows: Annotated[tuple[CensusRow, ...], about("one a number of edges, ascending")]
+    pair: Annotated[
+        IfAny[tuple[World, ...]],
+        about("under other lighthouses than position: the smallest that are not told apart"),
+    ] = ()
+    bisimulation: Annotated[
+        IfAny[tuple[tuple[Natural, ...], ...]],
+        about("of that pair: for each world the class of each dart"),
+    ] = ()
     source: Aside[str]
 
     @property
     def whole(self) -> bool:
-        """It is not of a shard."""
+        """Whether this is the whole census, and no shard of one."""
         return self.shard == str(WHOLE)
 
     @property
-    def exit_code(self) -> Exit:
-        """0 counted, 4 nothing to count, 70 the source disagrees, 130 interrupted."""
-        if not self.gate.agrees:
-            return Exit.DISAGREES
-        if not self.complete:
-            return Exit.INTERRUPTED
-        met = not self.whole or any(row.marked_worlds for row in self.rows)
-        return Exit.ANSWERED if met else Exit.VACUOUS
+    def facts(self) -> Facts:
+        """Whether the source agrees, and there was anything to be counted."""
+        return Facts.of_rows(
+            self.complete,
+            self.stopped,
+            disagrees=self.gate is not None and not self.gate.agrees,
+            vacuous=self.whole and not any(row.marked_worlds for row in self.rows),
+        )
 
 
 @answers(CensusRequest)
 def census(request: CensusRequest) -> AmbiguityCensus:
-    """Every map of a class with every choice of a marked vertex, up to isomorphism.
+    """Classify every map of a class with every choice of a marked vertex, up to isomorphism.
 
     Raises:
         InputError: naming the offending option and what would be legal.
 
     Cost: some 100 microseconds a rooted map; memory for the ambiguous quotients of a level.
     """
-    task = _CensusTask(request.extent, request.shard)
-    run, dask, heard = request.run, request.dask, request.listener
-    tell_of_size(task.extent, heard, shards_of(task.portion))
-    if run is None and isinstance(task.portion, Shard):
-        heard.notice(UNMERGEABLE)
-    transport = ThisThread() if dask is None else Dask(dask, CORES)
-    with records_in(run, lambda: _identity(request), heard.notice) as records, transport as there:
-        return task.census(there, Classify(task.extent), records, heard)
+    return CensusSweep(request).answer(request.run)
 
 
-def _identity(request: CensusRequest) -> Identity:
-    return Identity(
-        verb="ambiguity census",
-        parameters=meant(request),
-        explorer={"name": ""},
-        shard=str(request.shard),
-    )
+class CensusSweep(Sweep["Met | SensedParts", AmbiguityCensus]):
+    """A census on its way."""
 
-
-def merged_census(identity: Identity, records: Records, listener: Listener) -> AmbiguityCensus:
-    """The census that others have made, from what they have kept.
-
-    Raises:
-        Gap: if something is missing.
-    """
-    request = CensusRequest(**remembered(CensusRequest, identity.parameters))
-    with ThisThread() as here:
-        return _CensusTask(request.extent, WHOLE).census(here, None, records, listener)
-
-
-@dataclass(frozen=True, slots=True)
-class _CensusTask:
-    """What is classified."""
-
+    verb, asked = "ambiguity census", CensusRequest
     extent: Extent
-    portion: Portion
 
-    def census(
-        self, transport: Transport[Any], engine: Any, records: Records, listener: Listener
-    ) -> AmbiguityCensus:
-        extent = self.extent
-        kept = shelf(records, Met.from_json)
+    def __init__(self, request: CensusRequest) -> None:
+        super().__init__(request, request.extent)
+        self._rows: list[CensusRow] = []
+        self._smallest: ComparedWorlds | None = None
+        self.kind: LighthouseKind = request.lighthouse
+        ensure_stands(self.kind)
+        # Maps with a marked vertex have quotients that are counted faster.
+        self._marked = self.kind.name == Position.kind
 
-        def level(edges: int) -> CensusRow:
-            size = level_size(extent, edges)
-            listener.level(edges, size // shards_of(self.portion))
-            met = Met()
-            units = units_of_level(extent, edges, self.portion)
-            gather(transport, engine, units, met, listener, kept)
-            row = CensusRow(
-                edges=edges, marked_worlds=met.marked_worlds, rooted=met.worlds, counted=size
-            )
-            if isinstance(self.portion, Shard):
-                return row
-            if extent.map_class is MapClass.MAPS:
-                _check_sizes(met)
-            sizes = [members for members in met.ambiguous.values() if members > 1]
-            return replace(
+    @override
+    def ready(self) -> ReadyEngine:
+        marked, kind = Classify(self.extent), self.kind
+        engine = marked if self._marked else PartBySensing(self.extent, kind)
+        return ReadyEngine(here_or(self.request.cluster, self.deadline), engine)
+
+    @override
+    def empty(self) -> Met | SensedParts:
+        return Met() if self._marked else SensedParts.none()
+
+    @override
+    def read(self, kept: Any) -> Met | SensedParts:
+        return from_kept(kept, Met) if self._marked else from_kept(kept, SensedParts)
+
+    @override
+    def finish(self, level: SweptLevel, total: Met | SensedParts) -> None:
+        row = CensusRow(
+            edges=level.edges,
+            marked_worlds=total.marked_worlds,
+            rooted=total.worlds,
+            counted=level.worlds,
+        )
+        if self.portion == WHOLE:
+            plain = self.extent.map_class is MapClass.MAPS and self.extent.where is None
+            if isinstance(total, Met) and plain:
+                _check_sizes(total)
+            self._smallest = self._smallest or total.smallest_pair()
+            sizes = [members for members in total.sizes if members > 1]
+            row = replace(
                 row,
                 ambiguous_worlds=sum(sizes),
                 classes=len(sizes),
                 largest_class=max(sizes, default=0),
             )
+        self._rows.append(row)
 
-        rows, complete = until_interrupted(level(edges) for edges in extent.levels)
-        if complete:
-            records.note("ended", ENDED)
+    @override
+    def report(self, ending: Ending) -> AmbiguityCensus:
+        extent = self.extent
         return AmbiguityCensus(
             map_class=extent.map_class,
             edges=extent.edges,
             vertices=extent.vertices,
             shard=str(self.portion),
-            complete=complete,
-            rows=rows,
-            source=source_for(extent.map_class).name,
+            complete=isinstance(ending, Completed),
+            stopped=ending.stopped,
+            rows=tuple(self._rows),
+            where=extent.where.name if extent.where else None,
+            lighthouse=str(self.kind),
+            pair=self._smallest.worlds if self._smallest else (),
+            bisimulation=(self._smallest and self._smallest.bisimulation) or (),
+            source=source_name(extent),
         )
 
 
-class KeptMet(Document):
-    """What a run directory keeps of a part of a level."""
+def _to_kept(quotient: Quotient) -> Any:
+    return [SensedQuotient.of(quotient).to_json(), quotient.sheets]
 
-    worlds: Natural
-    marked_worlds: Natural
-    ambiguous: Annotated[
-        tuple[tuple[SensedQuotient, Positive, Positive], ...],
-        about("the quotients, each with its sheets and with how many worlds were met of it"),
-    ]
+
+def _from_kept(told: object) -> Quotient:
+    q, sheets = taken(told, tuple[SensedQuotient, Positive], "a quotient")
+    return Quotient(q.sigma, q.alpha, q.degree, tuple(map(Percept, q.degree, q.marks)), sheets)
 
 
 @dataclass(slots=True)
 class Met:
-    """What a part of a level holds.
+    """Counts and quotients of a part of a level.
 
     Attributes:
         worlds: rooted maps.
@@ -244,37 +243,29 @@ class Met:
         ambiguous: how many of these are ambiguous, by their quotient: see :func:`_least`.
     """
 
-    worlds: int = 0
-    marked_worlds: int = 0
-    ambiguous: Counter[Quotient] = field(default_factory=Counter)
+    worlds: Natural = 0
+    marked_worlds: Natural = 0
+    ambiguous: Counter[Annotated[Quotient, Form(_to_kept, _from_kept)]] = field(
+        default_factory=Counter
+    )
 
     def add(self, other: Met) -> None:
-        """Take in another part."""
+        """Add the counts of another part."""
         self.worlds += other.worlds
         self.marked_worlds += other.marked_worlds
         self.ambiguous.update(other.ambiguous)
 
-    def to_json(self) -> dict[str, Any]:
-        """All of it, as it is kept in a run directory."""
-        met = sorted(self.ambiguous.items(), key=lambda entry: _code(entry[0]))
-        return KeptMet(
-            worlds=self.worlds,
-            marked_worlds=self.marked_worlds,
-            ambiguous=tuple((SensedQuotient.of(q), q.sheets, members) for q, members in met),
-        ).to_json()
+    @property
+    def sizes(self) -> list[int]:
+        """How many members each class of the ambiguous has."""
+        return [*self.ambiguous.values()]
 
-    @classmethod
-    def from_json(cls, document: object) -> Self:
-        """The part of :meth:`to_json`'s document."""
-        kept = taken(document, KeptMet, "a unit of a census")
-        met = cls(kept.worlds, kept.marked_worlds)
-        for q, sheets, members in kept.ambiguous:
-            labels = tuple(map(Percept, q.degree, q.marks))
-            met.ambiguous[_least(Quotient(q.sigma, q.alpha, q.degree, labels, sheets))] = members
-        return met
+    def smallest_pair(self) -> ComparedWorlds | None:
+        """Return None, because ``ambiguity class`` lists the members."""
+        return None
 
     def meet(self, map_: CombinatorialMap) -> None:
-        """Take in one rooted map; of those that differ in the root at v0 alone only one counts."""
+        """Count one rooted map. Of the maps that differ only in the root at v0 one is counted."""
         self.worlds += 1
         if not is_least_rooting(map_):
             return
@@ -293,7 +284,7 @@ class Classify:
     extent: Extent
 
     def parts(self, unit: LevelUnit) -> Iterator[Met]:
-        """The maps of the unit, classified, some at a time."""
+        """Classify the maps of the unit, and yield results from time to time."""
         met = Met()
         for map_ in unit.maps(self.extent):
             met.meet(map_)
@@ -304,7 +295,7 @@ class Classify:
 
 
 def _least(quotient: Quotient) -> Quotient:
-    """The quotient, rooted so at its marked vertex that its code is least."""
+    """The quotient rooted at the marked vertex, where its code is least."""
     return min((quotient.rerooted(q) for q in quotient.vertices[0]), key=_code)
 
 
@@ -313,7 +304,7 @@ def _code(quotient: Quotient) -> tuple[tuple[int, ...], tuple[int, ...], tuple[i
 
 
 def _check_sizes(met: Met) -> None:
-    """Nothing, if as many worlds were met of each class as Burnside's count says."""
+    """Raise Disagreement unless each class has as many worlds as Burnside's count says."""
     for quotient, members in met.ambiguous.items():
         if members != class_size(quotient):
             raise Disagreement(

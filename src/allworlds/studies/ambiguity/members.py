@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Self
+from typing import Annotated, Self
 
 from allworlds.document import (
     Document,
@@ -30,7 +30,6 @@ from allworlds.maps import (
     project,
     rooted_code,
 )
-from allworlds.outcome import Exit
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.ambiguity_requests import ClassRequest
 from allworlds.studies.ambiguity.lifting import lifts
@@ -43,14 +42,14 @@ class SensedQuotient(Document):
 
     sigma: Annotated[Some[Natural], about("for each class of darts the next one clockwise")]
     alpha: Annotated[
-        Some[Natural], about("for each class the one at the other end; itself for a semi-edge")
+        Some[Natural], about("for each class the class at the other end; itself for a semi-edge")
     ]
-    degree: Annotated[Some[Positive], about("what is sensed at each class")]
-    marks: Annotated[Some[Natural], about("what is sensed at each class")]
+    degree: Annotated[Some[Positive], about("the degree at each class")]
+    marks: Annotated[Some[Natural], about("the number of position markers at each class")]
 
     @classmethod
     def of(cls, quotient: Quotient) -> Self:
-        """That of a quotient whose labels are percepts."""
+        """Return a quotient whose labels are percepts as part of a document."""
         marks = tuple(label.marks for label in quotient.labels if isinstance(label, Percept))
         return cls(sigma=quotient.sigma, alpha=quotient.alpha, degree=quotient.degree, marks=marks)
 
@@ -72,20 +71,18 @@ class AmbiguityClass(Report):
     automorphisms.
     """
 
-    exit_code: ClassVar[Exit] = Exit.ANSWERED
-
     world: Annotated[World, about("as it was understood")]
     map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    ambiguous: Annotated[bool, about("whether there is another one that looks alike")] = computed(
+    ambiguous: Annotated[bool, about("whether another world looks the same")] = computed(
         lambda found: found.size > 1
     )
-    size: Annotated[Positive, about("how many worlds there are in the ambiguity class")]
+    size: Annotated[Positive, about("the number of worlds in the ambiguity class")]
     poses: Annotated[Positive, about("how many pairs of a world and a dart where the robot can be")]
     sheets: Annotated[Positive, about("of the world as a cover of its quotient")]
-    listed: Annotated[Positive, about("how many worlds are listed")] = computed(
+    listed: Annotated[Positive, about("the number of worlds listed")] = computed(
         lambda found: len(found.worlds)
     )
-    notice: Annotated[Text | None, about("what is left out, where anything is")] = computed(_notice)
+    notice: Annotated[Text | None, about("a remark on worlds left out, if any")] = computed(_notice)
     worlds: Annotated[
         Some[World], about("the given one first; each with start 0, where the robot could be")
     ]
@@ -93,7 +90,7 @@ class AmbiguityClass(Report):
 
 
 def projection_of(world: World) -> Projection:
-    """The world onto its quotient, rooted at the start: what is sensed are the labels."""
+    """The projection of the world to its quotient, rooted at the start; labels are the percepts."""
     return project(Labelled(world.map, world.percepts, world.start))
 
 
@@ -161,7 +158,7 @@ def _checked(world: World, limit: int, universe: MapClass) -> None:
 
 
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:
-    """The members by code; of more than the limit the given one and the first others."""
+    """The members by code. Beyond the limit, only the given world and the first others."""
     alike = range(quotient.sheets)  # the darts of a lift that lie over class 0
     found: dict[Code, LeastRooting] = {}
     for lift in lifts(quotient):
@@ -176,7 +173,7 @@ def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, Le
 
 
 def _check_complete(quotient: Quotient, found: dict[Code, LeastRooting], own: LeastRooting) -> None:
-    """Nothing, if three counts of the class agree and the world is in it."""
+    """Raise Disagreement unless three counts of the class agree and the world is a member."""
     size, poses, weighed = class_size(quotient), pose_count(quotient), _poses(quotient, found)
     if len(found) != size or poses != weighed or own.code not in found:
         raise Disagreement(
@@ -186,7 +183,7 @@ def _check_complete(quotient: Quotient, found: dict[Code, LeastRooting], own: Le
 
 
 def _poses(quotient: Quotient, found: dict[Code, LeastRooting]) -> int:
-    """The mass formula: the sum of k / |Aut(world, v0)|."""
+    """Number of poses by the mass formula: the sum of k / |Aut(world, v0)|."""
     return sum(quotient.sheets // rooting.times for rooting in found.values())
 
 

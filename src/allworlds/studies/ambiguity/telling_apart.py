@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple, TypeAlias
+from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
 
 from allworlds.document import (
     UNSET,
@@ -17,9 +17,8 @@ from allworlds.document import (
 )
 from allworlds.inputs import InputError, show
 from allworlds.maps import Dart, Disagreement, Labelled, carries, classes_of_union, numbering
-from allworlds.outcome import Exit
 from allworlds.protocol import Move, Percept
-from allworlds.world import World, flaw
+from allworlds.world import World, flaw, kind_of
 
 Relation: TypeAlias = Literal["same", "same-map", "different"]
 """``different``: two maps, or two places of the lighthouse."""
@@ -44,8 +43,6 @@ class ComparedWorlds(Report):
     Two worlds, how they are related, and the proof that they can be told apart, or cannot.
     """
 
-    exit_code: ClassVar[Exit] = Exit.ANSWERED
-
     worlds: Annotated[Pair[World], about("the two, as they were understood")]
     relation: Annotated[
         Relation,
@@ -63,7 +60,7 @@ class ComparedWorlds(Report):
     ] = UNSET
     percepts: Annotated[
         Pair[Some[Percept]] | UnsetType,
-        about("with them: for each world what is sensed at the start and after each motion"),
+        about("with the motions: for each world the percepts at the start and after each of them"),
     ] = UNSET
     bisimulation: Annotated[
         Pair[Annotated[tuple[Natural, ...], narrowed(minItems=2)]] | UnsetType,
@@ -72,7 +69,7 @@ class ComparedWorlds(Report):
 
 
 def twins(a: World, b: World) -> ComparedWorlds:
-    """Whether any motion can tell the worlds apart, with a proof that has been checked.
+    """Decide whether any motion can tell the worlds apart, with a proof that has been checked.
 
     Raises:
         InputError: if the lighthouses are of different kinds: what is sensed is then no
@@ -89,10 +86,10 @@ def twins(a: World, b: World) -> ComparedWorlds:
             f"the worlds have the lighthouses {kinds[0]} and {kinds[1]}; two worlds are compared "
             "under one lighthouse"
         )
-    if a.lighthouse.in_hand or b.lighthouse.in_hand:
+    if kind_of(a.lighthouse).as_class.leaves_marks:
         raise InputError(
-            f"the lighthouse {kinds[0]} is in the robot's hand, and twins are compared by motions "
-            "alone; legal are lighthouses that stand where they are"
+            f"under the lighthouse {kinds[0]} the robot leaves marks itself, and twins are "
+            "compared by motions alone; legal are lighthouses that stand where they are"
         )
     if a.told != b.told:
         raise InputError(
@@ -139,7 +136,7 @@ def _along(world: World, dart: Dart, k: int) -> Dart:
 def _way(
     came: dict[tuple[Dart, Dart], tuple[tuple[Dart, Dart], int] | None], pair: tuple[Dart, Dart]
 ) -> list[int]:
-    """The motions by which a pair was reached."""
+    """The motions that lead to a pair."""
     motions = []
     while (step := came[pair]) is not None:
         pair, k = step
@@ -152,7 +149,7 @@ def _told(a: World, b: World, motions: list[int]) -> Separation:
 
 
 def sensed(world: World, motions: list[int] | tuple[int, ...]) -> tuple[Percept, ...]:
-    """What is sensed at the start and after each of the motions."""
+    """The percepts at the start and after each of the motions."""
     state, percepts = world.initial, [world.first]
     for k in motions:
         state, percept = world.step(state, Move(k))
@@ -161,7 +158,7 @@ def sensed(world: World, motions: list[int] | tuple[int, ...]) -> tuple[Percept,
 
 
 def replayed(a: World, b: World, told: Separation) -> str | None:
-    """Why the motions do not tell the worlds apart when they are walked again, if so."""
+    """Why walking the motions again does not tell the worlds apart; None if it does."""
     seen = (sensed(a, told.motions), sensed(b, told.motions))
     if seen != told.percepts:
         return "the walk shows other percepts"

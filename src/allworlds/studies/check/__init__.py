@@ -6,14 +6,20 @@
     level by level to a report;
 ``time_estimate``
     how long it will take;
+``shielding``
+    any explorer, made right;
+``given_worlds``
+    worlds of the user's own, in place of all;
 ``gate``
     what a complete check must have met: every world, and certain events;
+``tally_sweep``
+    what it shares with other studies of one explorer in many worlds;
 ``run_identity``
-    a check as a run directory knows it;
+    explorers and rules as a run directory knows them;
 ``known_findings``
     findings of earlier checks, which are tried first;
-``ending``
-    how a job comes to its end;
+``confirmation``
+    findings, played again in fresh processes;
 ``report``
     the verdict with its scope;
 ``most_expensive``
@@ -25,18 +31,11 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.check.ending import (
-        Completed as Completed,
-        Disagreed as Disagreed,
-        Ending as Ending,
-        Interrupted as Interrupted,
-        Stopped as Stopped,
-        ending_of as ending_of,
-    )
+    from allworlds.studies.check.confirmation import Confirmation as Confirmation
     from allworlds.studies.check.exhaustive import (
+        CheckSweep as CheckSweep,
         check as check,
         estimate as estimate,
-        merged_check as merged_check,
     )
     from allworlds.studies.check.gate import GateCell as GateCell, count_gate as count_gate
     from allworlds.studies.check.known_findings import UserCorpus as UserCorpus
@@ -51,6 +50,14 @@ if TYPE_CHECKING:
         ManyRuns as ManyRuns,
         ManyWorlds as ManyWorlds,
     )
+    from allworlds.studies.check.run_identity import (
+        record_of as record_of,
+        rules_known as rules_known,
+        rules_record as rules_record,
+        subject_of_record as subject_of_record,
+    )
+    from allworlds.studies.check.shielding import shield as shield
+    from allworlds.studies.check.tally_sweep import TallySweep as TallySweep
     from allworlds.studies.check.time_estimate import Guess as Guess, TimeEstimate as TimeEstimate
 else:
     open_door(__name__)

@@ -1,4 +1,4 @@
-"""What a complete check must have met: every world that there is, and certain events."""
+"""Completeness of a check: every world that exists was visited, and certain events occurred."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from typing import Annotated
 from allworlds.document import Document, Natural, Positive, Text, about
 from allworlds.engines import Tally
 from allworlds.explorers import Subject
-from allworlds.maps import Extent, named_map, source_for
+from allworlds.judging import Task
+from allworlds.maps import Extent, named_map, source_of
 
 
 class GateCell(Document):
@@ -22,13 +23,18 @@ class GateCell(Document):
 
     @property
     def agrees(self) -> bool:
-        """Nothing speaks against the enumeration."""
+        """Whether the enumeration and the source give the same count."""
         return self.counted == self.enumerated
 
 
 def count_gate(extent: Extent, edges: int, tally: Tally) -> list[GateCell]:
-    """What was enumerated on a level beside what an independent source counts."""
-    source = source_for(extent.map_class)
+    """Counts of the enumerated maps of a level, beside those of an independent source.
+
+    There are none under a condition that has no source.
+    """
+    source = source_of(extent)
+    if source is None:
+        return []
     counted = source.cells(edges)
     cells: list[GateCell] = []
     for vertices in range(1, extent.vertex_limit(edges) + 1):
@@ -52,11 +58,17 @@ SMALLEST = {"loop-edge": "loop", "parallel-edge": "dipole-2"}
 """For each event that needs no explorer the smallest map in which it occurs."""
 
 
-def missing_witnesses(extent: Extent, subject: Subject, seen: Mapping[str, int]) -> tuple[str, ...]:
-    """The events that a check of the whole extent must have seen and has not."""
+def missing_witnesses(
+    extent: Extent, subject: Subject, task: Task, seen: Mapping[str, int]
+) -> tuple[str, ...]:
+    """The events that a check of the whole extent must have seen and has not.
+
+    Those of the explorer itself are about maps: with another task a run may be over before, and
+    under a condition they may not occur.
+    """
     simple, last = extent.map_class.simple, extent.levels[-1]
     required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}
-    for event, least in subject.witnesses.items():
+    for event, least in subject.witnesses.items() if task.is_map and extent.where is None else ():
         match least[simple]:
             case (edges, vertices) if edges <= last and vertices <= extent.vertex_limit(last):
                 required.add(event)

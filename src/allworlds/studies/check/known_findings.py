@@ -1,4 +1,4 @@
-"""The findings of earlier checks, tried again before anything else."""
+"""Findings of earlier checks, tried again before anything else."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class UserCorpus:
     _standing: list[Finding] = field(default_factory=list)
 
     def retry(self, subject: Subject, limits: Limits, scope: Scope) -> list[Finding]:
-        """Run the explorer in every recorded world under its rules: what refutes it in the scope.
+        """Run the explorer in every recorded world. Return the findings within the scope.
 
         Each finding is tried by itself, so that one that is lost does no harm to others.
         """
@@ -51,7 +51,7 @@ class UserCorpus:
 
     @property
     def report(self) -> CorpusReport:
-        """The part of the check's report that tells of it."""
+        """The part of the check's report about past findings."""
         return CorpusReport(
             directory=str(self.directory),
             reproduced=tuple(self.reproduced),
@@ -61,11 +61,11 @@ class UserCorpus:
         )
 
     def holds(self, finding: Finding) -> bool:
-        """The finding is one of the past that still stands, and has been confirmed."""
+        """Whether this is a past finding that was reproduced and confirmed."""
         return finding in self._standing
 
     def write(self, findings: Iterable[Finding]) -> Iterator[str]:
-        """Add the findings that are new; in words those that there was no room for."""
+        """Write the new findings, and yield a line for each that could not be written."""
         for finding in findings:
             if not self.holds(finding):
                 try:
@@ -75,22 +75,22 @@ class UserCorpus:
 
 
 class CorpusReport(Document):
-    """What became of the findings of a corpus."""
+    """Findings of a corpus after a check: reproduced, fixed or written."""
 
-    directory: Annotated[Text, about("where it is")]
+    directory: Annotated[Text, about("the path of the corpus")]
     reproduced: Annotated[tuple[Text, ...], about("the files whose findings still stand")]
     beyond_scope: Annotated[
         tuple[Text, ...],
-        about("of these the ones that this check could not have come upon; they refute nothing"),
+        about("findings that still stand but lie outside this check's scope; they refute nothing"),
     ]
     fixed: Annotated[
-        tuple[Text, ...], about("those whose worlds are no longer refuting; they are kept")
+        tuple[Text, ...], about("the files whose worlds no longer refute; they are kept")
     ]
-    written: Annotated[tuple[Text, ...], about("those that this check has added")]
+    written: Annotated[tuple[Text, ...], about("the files that this check has added")]
 
 
 def is_inside(finding: Finding, scope: Scope) -> bool:
-    """Whether a check of that scope could have come upon the finding itself."""
+    """Whether a check of that scope could have found this itself."""
     rules, own, world = scope.rules, finding.rules, finding.world
     return (
         scope.extent.include(world.map)

@@ -1,4 +1,4 @@
-"""The most expensive run of every size that a check has met, played again."""
+"""The most expensive runs of a check, one for each size, played again."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from allworlds.world import World
 
 
 def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
-    """The most expensive run of each size, ascending; nothing if the explorer has no name.
+    """The most expensive run of each size, ascending; empty if the explorer has no name.
 
     Of several it is the least.
 
@@ -31,6 +31,6 @@ def most_expensive_runs(report: CheckReport) -> Iterator[SingleRun]:
 
 
 def world_at(run: AtRun, rules: Rules) -> World:
-    """The world in which it was run under these rules."""
+    """The world of the run under these rules."""
     map_ = CombinatorialMap(run.sigma, run.alpha)
     return World(map_, [*rules.kind.places(map_, 0)][run.place], 0)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Literal, TypeAlias, assert_never
+from typing import Annotated, Literal, TypeAlias
 
 from allworlds.document import (
+    EXIT_CODE,
     Aside,
     Bounded,
     Different,
     Document,
+    IfAny,
     Natural,
     Positive,
     Report,
@@ -20,13 +22,23 @@ from allworlds.document import (
     key,
     one_of,
 )
-from allworlds.engines import EngineName, Sample, Scope, Shard, Tally, Whole
+from allworlds.engines import EngineName, Given, Sample, Scope, Shard, Tally
+from allworlds.explorers import files_of_explorer
 from allworlds.judging import Finding, JudgedLaw
-from allworlds.maps import MapClass
-from allworlds.outcome import Exit, Verdict
-from allworlds.studies.check.ending import Completed, Disagreed, Ending, Interrupted, Stopped
+from allworlds.maps import MapClass, source_of
+from allworlds.outcome import (
+    Completed,
+    Disagreed,
+    Ending,
+    Exit,
+    Facts,
+    Interrupted,
+    Stopped,
+    Verdict,
+)
 from allworlds.studies.check.gate import GateCell
 from allworlds.studies.check.known_findings import CorpusReport, UserCorpus
+from allworlds.world import files_of_condition
 
 
 class SampleReport(Document):
@@ -39,7 +51,7 @@ class SampleReport(Document):
 
 
 Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the merge of all shards"]
-"""What has become of the count gate."""
+"""The state of the count gate."""
 
 
 class CheckedScope(Document):
@@ -48,10 +60,17 @@ class CheckedScope(Document):
     map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
     edges: Bounded
     vertices: Bounded
+    where: Annotated[IfAny[Text | None], about("what besides is true of the maps")]
     lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")]
+    task: Annotated[
+        IfAny[Text | None], about("what counted as done; where it is left out, the map")
+    ]
+    shared_file: Annotated[
+        IfAny[str], about("the explorer's file, where judges load code from it, too: see trust")
+    ]
     policy: Annotated[Text, about("who answered the explorer's choices")]
     schedules: Annotated[Literal["one", "all"], about("the policy's, or every sequence of choices")]
-    laws: Annotated[Different[JudgedLaw], about("those that were checked")]
+    laws: Annotated[Different[JudgedLaw], about("the laws that were checked")]
     bound: Annotated[
         Text, about("the bound on the traversals; `none` where the law was not checked")
     ]
@@ -60,18 +79,21 @@ class CheckedScope(Document):
     ]
     shard: WhichShard
     sample: Annotated[SampleReport | None, about("of `fuzz`: how the worlds were drawn")]
-    symmetry: Annotated[str | None, about("why one run was counted for several, where it was")]
+    given: Annotated[
+        IfAny[Positive | None], about("how many worlds were given; where it is left out, none")
+    ]
+    symmetry: Annotated[str | None, about("why one run was counted for several, if it was")]
     gate: Annotated[
         Gated,
         about("the count gate: one comparison for each (edges, vertices) of the finished levels"),
     ]
-    complete: Annotated[bool, about("every world of the scope was tried")]
-    finished_levels: Annotated[Different[Positive], about("the numbers of edges that are done")]
+    complete: Annotated[bool, about("whether every world of the scope was tried")]
+    finished_levels: Annotated[Different[Positive], about("the finished numbers of edges")]
     stopped: Annotated[str | None, about("why it is not complete; null: it is, or it is a sample")]
 
 
 class CheckRow(Document):
-    """What was seen in the worlds of one size."""
+    """Counts and costs of the worlds of one size."""
 
     edges: Positive
     vertices: Positive
@@ -96,8 +118,8 @@ class CheckReport(Report):
     comparisons of the count gate.
     """
 
-    verdict: Annotated[Verdict, about("about the scope, and nothing else")] = computed(
-        lambda report: report.judged()
+    verdict: Annotated[Verdict, about("about this scope alone")] = computed(
+        lambda report: report.judged
     )
     exit_code: Annotated[
         Exit,
@@ -105,15 +127,9 @@ class CheckReport(Report):
             *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
             Exit.INTERRUPTED,
         ),
-    ] = computed(
-        lambda report: (
-            Exit.INTERRUPTED
-            if report.interrupted and report.verdict is not Verdict.ERROR
-            else report.verdict.exit
-        )
-    )
+    ] = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
-    engine: Annotated[EngineName, about("whichever did it")]
+    engine: Annotated[EngineName, about("the engine that ran")]
     scope: Annotated[CheckedScope, about("what was checked")] = computed(
         lambda report: report.checked_scope()
     )
@@ -130,7 +146,7 @@ class CheckReport(Report):
     traversals: Annotated[Natural, about("summed over the episodes")] = computed(
         lambda report: report.tally.traversals
     )
-    checkpoints: Annotated[Natural, about("how many were published")] = computed(
+    checkpoints: Annotated[Natural, about("the number of checkpoints")] = computed(
         lambda report: report.tally.checkpoints
     )
     rows: Annotated[tuple[CheckRow, ...], about("one for each (edges, vertices), ascending")] = (
@@ -141,13 +157,13 @@ class CheckReport(Report):
         about("how often each [event](verdicts.md#witnesses) occurred"),
     ] = computed(lambda report: dict(sorted(report.tally.witnesses.items())))
     missing_witnesses: Annotated[
-        Different[Text], about("those that must have occurred and have not")
+        Different[Text], about("witnesses that must occur and did not")
     ] = computed(
         lambda report: report.ending.missing if isinstance(report.ending, Completed) else ()
     )
     remarks: Annotated[
         tuple[Text, ...],
-        about("what happened to processes and refutes nothing, each said once"),
+        about("remarks about processes, which refute nothing, each once"),
     ] = computed(lambda report: tuple(_remarks(report.tally)))
     corpus: Annotated[CorpusReport | None, about("null without `--corpus`")] = computed(
         lambda report: report.past.report if report.past else None
@@ -166,48 +182,37 @@ class CheckReport(Report):
 
     @property
     def complete(self) -> bool:
-        """Every world of the scope was tried; a sample is never complete."""
+        """Whether every world of the scope was tried. A sample is never complete."""
         return isinstance(self.ending, Completed) and not isinstance(self.asked.coverage, Sample)
 
     @property
-    def ended(self) -> bool:
-        """The same check again would do no more."""
-        match self.ending:
-            case Completed() | Disagreed():
-                return True
-            case Stopped(enough=enough):
-                return enough
-            case Interrupted():
-                return False
-            case ending:
-                assert_never(ending)
-
-    @property
     def interrupted(self) -> bool:
-        """By the user."""
+        """Whether the user interrupted the check."""
         return isinstance(self.ending, Interrupted)
 
+    @property
+    def facts(self) -> Facts:
+        """The facts that decide the exit code and the verdict."""
+        ending, coverage = self.ending, self.asked.coverage
+        nothing = not self.tally.runs and not isinstance(self.asked.portion, Shard)
+        empty_sample = isinstance(coverage, Sample) and nothing
+        lacking = isinstance(ending, Completed) and bool(ending.missing)
+        return Facts(
+            disagrees=isinstance(ending, Disagreed) or not all(c.agrees for c in self.cells),
+            interrupted=self.interrupted,
+            refuted=bool(self.tally.findings),
+            undecided=isinstance(ending, Stopped) or empty_sample,
+            vacuous=nothing or lacking,
+        )
+
+    @property
     def judged(self) -> Verdict:
-        """The verdict, about the scope and nothing else."""
-        if isinstance(self.ending, Disagreed) or not all(cell.agrees for cell in self.cells):
-            return Verdict.ERROR
-        if self.tally.findings:
-            return Verdict.REFUTED
-        if not isinstance(self.ending, Completed):
-            return Verdict.INCONCLUSIVE
-        match self.asked.coverage:
-            case Sample():
-                return Verdict.NOT_REFUTED if self.tally.runs else Verdict.INCONCLUSIVE
-            case Shard():
-                return Verdict.HOLDS
-            case Whole():
-                vacuous = self.ending.missing or not self.tally.runs
-                return Verdict.VACUOUS if vacuous else Verdict.HOLDS
-            case coverage:
-                assert_never(coverage)
+        """The verdict; for a sample it is never 'holds'."""
+        sampled = isinstance(self.asked.coverage, Sample)
+        return self.facts.sample_verdict if sampled else self.facts.verdict
 
     def uninterrupted(self) -> CheckReport:
-        """This report, for callers to whom half a check says nothing.
+        """This report, for callers that can do nothing with half a check.
 
         Raises:
             KeyboardInterrupt: if it was interrupted; ``check`` has kept that to itself.
@@ -217,10 +222,12 @@ class CheckReport(Report):
         return self
 
     def checked_scope(self) -> CheckedScope:
-        """What was checked, and how much of it."""
+        """The scope of the check, and how much of it was done."""
         extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
         sample: SampleReport | None = None
         gate: Gated = self.cells
+        if source_of(extent) is None:
+            gate = "absent"
         match coverage:
             case Sample():
                 gate = "absent"
@@ -230,26 +237,44 @@ class CheckReport(Report):
                     runs=coverage.runs,
                     seed=coverage.seed,
                 )
-            case Shard():
+            case Given():
+                gate = "absent"
+            case Shard() if source_of(extent) is not None:
                 gate = "deferred to the merge of all shards"
         return CheckedScope(
             map_class=extent.map_class,
             edges=extent.edges,
             vertices=extent.vertices,
-            lighthouse=rules.lighthouse,
+            where=extent.where.name if extent.where else None,
+            lighthouse=str(rules.lighthouse),
+            task=None if rules.task.is_map else rules.task.name,
+            shared_file=shared_file(self.explorer, self.asked),
             policy=rules.policy,
             schedules=self.asked.schedules,
             laws=rules.applying,
             bound=rules.the_bound.name,
             step_budget=rules.step_budget,
-            shard=str(coverage) if isinstance(coverage, Shard) else "0/1",
+            shard=str(self.asked.portion),
             sample=sample,
+            given=len(coverage.worlds) if isinstance(coverage, Given) else None,
             symmetry=self.symmetry or None,
             gate=gate,
             complete=self.complete,
             finished_levels=self.levels,
             stopped=self.ending.reason or None,
         )
+
+
+def shared_file(explorer: str, scope: Scope) -> str:
+    """The name of the explorer's file where code that judges it stands there, too; else empty.
+
+    Such code runs where verdicts are made, and could make one.
+    """
+    files = (*scope.rules.files, *files_of_condition(scope.extent.where))
+    if not files:
+        return ""
+    theirs = {file.resolve() for file in files_of_explorer(explorer)}
+    return next((file.name for file in files if file in theirs), "")
 
 
 def _rows(tally: Tally) -> Iterator[CheckRow]:

@@ -1,7 +1,8 @@
-"""What ``check`` and its like are asked for, as values."""
+"""Requests of ``check`` and of similar verbs."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated
 
@@ -17,7 +18,7 @@ from allworlds.inputs import EFFORT, RULES, InputError, Option, Taken, an_intege
 from allworlds.judging import AskedRules, Rules
 from allworlds.maps import DEFAULT_EDGES, AskedClass, AskedExtent, Extent
 from allworlds.protocol import Schedule, a_schedule
-from allworlds.world import AskedLighthouse
+from allworlds.world import AskedLighthouse, AskedWhere, World
 
 
 class ManyWorlds(AskedListener, Limits, AskedRules, AskedLighthouse, AskedClass):
@@ -29,12 +30,12 @@ class ManyWorlds(AskedListener, Limits, AskedRules, AskedLighthouse, AskedClass)
         Raises:
             InputError: naming the offending option and what would be legal.
         """
-        lighthouse = subject.lighthouse if self.lighthouse is None else self.lighthouse
+        lighthouse = self.lighthouse or subject.lighthouse
         return self.rules_of(subject, lighthouse, promised=self.map_class.promises)
 
 
 class ManyRuns(ManyWorlds, AskedExplorer):
-    """An explorer that is run in many worlds."""
+    """Options for an explorer that is run in many worlds."""
 
 
 def _max_findings(given: object) -> int:
@@ -44,7 +45,7 @@ def _max_findings(given: object) -> int:
     return number
 
 
-class EstimateRequest(AskedCluster, ManyRuns, AskedShard, AskedExtent):
+class EstimateRequest(AskedCluster, ManyRuns, AskedShard, AskedWhere, AskedExtent):
     """Which check is meant, and with what effort: that is done, or its time guessed."""
 
     schedules: Annotated[
@@ -63,11 +64,18 @@ class EstimateRequest(AskedCluster, ManyRuns, AskedShard, AskedExtent):
             InputError: naming the offending bound and what would be legal.
         """
         unbounded = self.edges is None and self.vertices is None
-        return Extent(self.map_class, DEFAULT_EDGES if unbounded else self.edges, self.vertices)
+        edges = DEFAULT_EDGES if unbounded else self.edges
+        return Extent(self.map_class, edges, self.vertices, self.where)
 
 
 class CheckRequest(AskedDirectory, EstimateRequest):
-    """What ``check`` is asked for."""
+    """Request of ``check``: an explorer, worlds, rules and effort."""
+
+    worlds: Annotated[
+        Iterable[World] | None,
+        "Worlds to be tried, each once with its own lighthouse, in place of every world of the "
+        "class; they are counted by no source.",
+    ] = None
 
     max_findings: Annotated[
         Taken[int, int],
@@ -83,7 +91,7 @@ class CheckRequest(AskedDirectory, EstimateRequest):
         Option(
             EFFORT,
             "DIR",
-            "A directory of findings: tried first, and new ones are written to it.",
+            "A directory of findings, which are tried first; new ones are added to it.",
             apart=True,
         ),
     ] = None

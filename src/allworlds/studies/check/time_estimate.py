@@ -1,4 +1,4 @@
-"""How long a check will take, from a short sample of its last level."""
+"""Estimated duration of a check, from a short sample of its last level."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import islice
 from random import Random
-from typing import Annotated, Any, ClassVar, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 from allworlds.document import (
     Document,
@@ -25,6 +25,7 @@ from allworlds.engines import (
     EngineKind,
     EngineName,
     EnginesDisagree,
+    Given,
     Job,
     LevelRuns,
     TimeIsUp,
@@ -33,23 +34,26 @@ from allworlds.engines import (
     level_size,
     shards_of,
 )
-from allworlds.maps import Extent
-from allworlds.outcome import Exit
+from allworlds.maps import Extent, source_of
 
-SECONDS = 3.0
-"""So long a sample takes from its first piece on."""
+SECONDS = 2.0
+"""Seconds that a sample takes from its first piece on."""
 
-MOST_SECONDS = 120.0
-"""So long it takes at most, compiling and all; where no piece is done by then there is no guess."""
+MOST_SECONDS = 4.0
+"""Seconds that it takes at most, besides compiling, once on a machine; samples are at most two.
+Where no piece is done by then there is no guess."""
 
 PIECE = {"python": 200, "compiled": 200_000}
-"""So many worlds at most stand in a piece of the sample, by what plays in them."""
+"""The most worlds in a piece of the sample, by the player."""
 
 MANY = {"python": 20_000, "compiled": 100_000_000}
 """Checks of more worlds begin with an estimate."""
 
 LONG = 60.0
 """Seconds; of longer checks it is said how long they will take."""
+
+LONGEST = 1e300
+"""Seconds; what takes longer is said to take as long."""
 
 PIECES = 2000
 
@@ -58,7 +62,7 @@ COUNTABLE = 16
 
 
 Largest: TypeAlias = Annotated[Positive, about("of the largest worlds")]
-Doer: TypeAlias = Annotated[EngineName, about("which would do it")]
+Doer: TypeAlias = Annotated[EngineName, about("the engine that would run it")]
 ToBeTried: TypeAlias = Annotated[Natural, about("rooted maps that are to be tried")]
 Sampled: TypeAlias = Annotated[
     Natural,
@@ -71,12 +75,16 @@ Takes: TypeAlias = Annotated[Seconds | None, about("for all: a guess; null where
 
 
 def _seconds(guess: Guess | TimeEstimate) -> float | None:
-    """For all worlds at this rate; smaller ones take less."""
-    return round(guess.worlds / guess.rate, 1) if guess.rate else None
+    """Duration for all worlds at this rate. Smaller worlds take less."""
+    if not guess.rate:
+        return None
+    if guess.worlds > LONGEST * guess.rate:
+        return LONGEST
+    return round(guess.worlds / guess.rate, 1)
 
 
 class Guess(Document):
-    """How long a check with so many edges will take."""
+    """Estimated duration of a check with this number of edges."""
 
     edges: Largest
     engine: Doer
@@ -92,8 +100,6 @@ class TimeEstimate(Report):
     How long a check will take: what `check --estimate` writes.
     """
 
-    exit_code: ClassVar[Exit] = Exit.ANSWERED
-
     explorer: Annotated[Text, about("its name")]
     edges: Largest
     engine: Doer
@@ -105,13 +111,13 @@ class TimeEstimate(Report):
 
 
 def _plays(job: Job, engine: EngineKind) -> str:
-    """What plays: compiled code, or, whoever judges it, an explorer in Python or behind a pipe."""
+    """``compiled`` if compiled code plays the runs; else ``python``, for programs too."""
     slow = job.subject.from_user and not job.subject.compiled
     return "python" if slow or engine.name == "python" else "compiled"
 
 
 def worlds_of(job: Job) -> int:
-    """How many worlds are to be tried; of a shard about so many."""
+    """The number of worlds to be tried; for a shard an estimate."""
     extent = job.scope.extent
     worlds = sum(level_size(extent, edges) for edges in extent.levels)
     return worlds // shards_of(job.scope.coverage)
@@ -119,6 +125,9 @@ def worlds_of(job: Job) -> int:
 
 def is_worth_a_guess(job: Job, engine: EngineKind) -> bool:
     """Whether a check may be long, and has no limit of time; its worlds are soon counted."""
+    extent = job.scope.extent
+    if source_of(extent) is None or isinstance(job.scope.coverage, Given):
+        return False  # how many worlds there are is not known
     soon = job.limits.time_limit is None and job.scope.extent.levels[-1] <= COUNTABLE
     return soon and worlds_of(job) > MANY[_plays(job, engine)]
 
@@ -128,8 +137,8 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
 
     What starts workers and compiles is not counted; the sample takes some seconds.
     """
-    hurried = replace(job, deadline=time.monotonic() + MOST_SECONDS)
-    ready = engine.ready(hurried)
+    engine.ready(job)  # compiles, where that is still to be done
+    ready = engine.ready(replace(job, deadline=time.monotonic() + MOST_SECONDS))
     sampled, began, ended = 0, 0.0, 0.0
     try:
         with ready.transport as transport:
@@ -164,7 +173,7 @@ def one_larger(job: Job) -> Extent | None:
 
 
 def extrapolated(job: Job, guesses: tuple[Guess, Guess]) -> tuple[Guess, ...]:
-    """A guess of the job with one edge more, of which nothing was tried; none if there is none.
+    """Extrapolate to one edge more, of which nothing was tried; None if there are no such worlds.
 
     A world is thought to take longer by as much as from the first guess to the second.
 

@@ -1,19 +1,23 @@
-"""Explorers side by side on the same worlds, and as the worlds grow.
+"""Comparison of explorers in the same worlds, and in worlds that grow.
 
 Each explorer is run under its own lighthouse unless one is named, and every run is judged.  In a
 rooted map an explorer's cost is the mean over the places of its lighthouse; a map in which one of
 the explorers has no place is left out for all.  Of a growing family a few members of each size are
-drawn from seeds; every member has a name that gives it back (``allworlds run greedy --family
-torus:6x6 --seed 1``).
+drawn from seeds, and isomorphic ones count once; every member has a name that gives it back
+(``allworlds run greedy --family torus:6x6 --seed 1``).
 
 ``compare_request``
     what is asked for;
-``contestants``
-    explorers that are run in the same worlds;
+``contestants``, ``side_by_side``
+    explorers that are run in the same worlds, and how they share the units of a job;
 ``contest``, ``comparison``
     the runs in every world of a class, and what they have shown;
 ``growing_families``, ``climb``, ``growth``
-    families and their members, the runs in them, and cost by size with fitted exponents.
+    families and their members, the runs in them, and cost by size with fitted exponents;
+``intervals``
+    intervals of means, ratios and exponents, by a bootstrap over the worlds;
+``in_world``
+    costs in one world, as rows for programs have them.
 """
 
 from typing import TYPE_CHECKING
@@ -21,15 +25,32 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.compare.climb import Climb as Climb
-    from allworlds.studies.compare.compare_request import CompareRequest as CompareRequest
+    from allworlds.studies.compare.climb import (
+        GrowingWorlds as GrowingWorlds,
+        first_place as first_place,
+    )
+    from allworlds.studies.compare.compare_request import (
+        By as By,
+        CompareRequest as CompareRequest,
+    )
     from allworlds.studies.compare.comparison import (
         ComparedRow as ComparedRow,
         Comparison as Comparison,
     )
-    from allworlds.studies.compare.contest import compare as compare, compared as compared
+    from allworlds.studies.compare.contest import (
+        SameWorlds as SameWorlds,
+        compare as compare,
+        compared as compared,
+    )
     from allworlds.studies.compare.contestants import Contestant as Contestant
     from allworlds.studies.compare.growing_families import Member as Member
-    from allworlds.studies.compare.growth import GrowRow as GrowRow, Growth as Growth
+    from allworlds.studies.compare.growth import (
+        Exponent as Exponent,
+        GrowRow as GrowRow,
+        Growth as Growth,
+        Shape as Shape,
+    )
+    from allworlds.studies.compare.in_world import InWorld as InWorld
+    from allworlds.studies.compare.intervals import LEVEL as LEVEL
 else:
     open_door(__name__)

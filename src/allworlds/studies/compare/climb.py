@@ -1,145 +1,225 @@
-"""Explorers are run in larger and larger worlds."""
+"""Runs of explorers in larger and larger worlds."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from random import Random
 
-from allworlds.engines import CostTally, GivenWorlds, Limits, Listener, key_of, workers_for
+from typing_extensions import override
+
+from allworlds.document import UNSET
+from allworlds.engines import (
+    WHOLE,
+    CostTally,
+    GivenWorlds,
+    Shard,
+    SweptLevel,
+    dealt,
+    key_of,
+)
 from allworlds.inputs import InputError, an_integer, show
-from allworlds.judging import Finding, Rules
-from allworlds.maps import CombinatorialMap, Extent, MapClass
-from allworlds.studies.check import Completed, Stopped, ending_of
-from allworlds.studies.compare.contestants import Contestant
-from allworlds.studies.compare.growing_families import LEAST, Member, members_of
-from allworlds.studies.compare.growth import GrowRow, Growth
-from allworlds.world import World
+from allworlds.maps import CombinatorialMap, Extent, MapClass, edges_of
+from allworlds.outcome import Completed, Disagreed, Ending
+from allworlds.studies.compare.compare_request import CompareRequest
+from allworlds.studies.compare.contestants import Contest, Contestant
+from allworlds.studies.compare.growing_families import FORMS, LEAST, Member, distinct, members_of
+from allworlds.studies.compare.growth import GrownWorld, GrowRow, Growth
+from allworlds.studies.compare.side_by_side import CostsOfAll, UnitOfOne
+from allworlds.world import Lighthouse, World
 
-WORLDS, SEED = 3, 1
-"""What is taken where nothing is said: members of a size, and a seed."""
+WORLDS, PLACES, SEED = 10, 8, 1
+"""Defaults: seeds of a size, places in a world, and the first seed."""
 
 
-def growth_of(
-    contestants: Sequence[Contestant],
-    families: Sequence[str],
-    numbers: Mapping[str, int],
-    limits: Limits,
-    listener: Listener,
-) -> Growth:
-    """Run explorers in larger and larger worlds, judge every run, and fit how the cost grows.
+def growing(contestants: Sequence[Contestant], request: CompareRequest, to: int) -> GrowingWorlds:
+    """Run explorers in larger and larger worlds: of each family some members of each size.
+
+    Every run is judged, and how the cost grows is fitted.
 
     Args:
         contestants: the explorers.
-        families: names of :data:`~allworlds.studies.compare.growing_families.GROWING`, with a
-            degree where they have one: ``regular:6``.
-        numbers: ``to``, the largest number of edges; ``worlds``, how many members of each size;
-            ``seed``, of the first of them: the others have the next ones.
-        limits: of the effort.
-        listener: is told of the progress.
+        request: for families of :data:`~allworlds.studies.compare.growing_families.GROWING`, with
+            a degree where they have one: ``regular:6``.
+        to: the largest number of edges.
 
     Raises:
         InputError: naming the offending option and what would be legal.
 
     Cost: that of the walks, which grow with the square of the edges and more.
     """
-    for option, least in (("to", LEAST), ("worlds", 1), ("seed", 0)):
-        if an_integer(option, numbers[option]) < least:
-            raise InputError(f"{option} = {show(numbers[option])} is less than {least}")
-    ladders = {family: members_of(family, **numbers) for family in dict.fromkeys(families)}
-    return Climb(contestants, ladders, limits, listener).growth()
+    for name in ("edges", "vertices", "holes"):
+        if (given := getattr(request, name)) is not None:
+            raise InputError(f"{name} = {show(given)} has no effect on worlds that grow")
+    if request.where is not None:
+        raise InputError(f"where {show(request.where.name)} has no effect on worlds that grow")
+    if request.map_class is not MapClass.MAPS:
+        raise InputError(f"class {show(request.map_class.value)} has no effect on worlds that grow")
+    if not contestants:
+        raise InputError("compare with to takes an explorer at least, not none")
+    families = request.family
+    if not families:
+        raise InputError(f"compare with to takes a family at least: {FORMS}")
+    numbers = {
+        "to": to,
+        "worlds": WORLDS if request.worlds is None else request.worlds,
+        "seed": SEED if request.seed is None else request.seed,
+    }
+    places = PLACES if request.places is None else request.places
+    for option, least in (("to", LEAST), ("worlds", 1), ("places", 1), ("seed", 0)):
+        given = {**numbers, "places": places}[option]
+        if an_integer(option, given) < least:
+            raise InputError(f"{option} = {show(given)} is less than {least}")
+    named = families.split(",") if isinstance(families, str) else families
+    ladders = {family: members_of(family, **numbers) for family in dict.fromkeys(named)}
+    return GrowingWorlds(contestants, ladders, request, partial(drawn_places, most=places))
 
 
-@dataclass(slots=True)
-class Climb:
-    """Explorers on their way through worlds that grow, family by family.
+def drawn_places(member: Member, places: int, most: int) -> Sequence[int]:
+    """The numbers of all places, or of that many of them, drawn by the name of the world."""
+    if places <= most:
+        return range(places)
+    return sorted(Random(f"places/{member.name}").sample(range(places), most))  # noqa: S311  # reproducible, not secret
+
+
+def first_place(_: Member, __: int) -> Sequence[int]:
+    """The number of the first place alone."""
+    return (0,)
+
+
+@dataclass(frozen=True, slots=True)
+class _Size:
+    """The members of a family of one size.
 
     Attributes:
-        contestants: who walks.
-        ladders: of each family the worlds of each size, ascending.
-        limits: of the effort.
-        listener: is told of the progress.
-        rows: of finished families.
-        findings: the smallest of each explorer in each family.
-        left_out: members in which a lighthouse has no place.
+        number: of the family.
+        family: its name.
+        seeds: the number of members that were drawn.
+        maps: those of the different members that are walked in.
     """
 
-    contestants: Sequence[Contestant]
-    ladders: Mapping[str, list[list[Member]]]
-    limits: Limits
-    listener: Listener
-    rows: list[GrowRow] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
-    left_out: int = 0
+    number: int
+    family: str
+    seeds: int
+    maps: Mapping[Member, CombinatorialMap]
 
-    def growth(self) -> Growth:
-        """What it has cost, as far as it has come."""
-        ending = ending_of(self._run, self.limits)
+
+class GrowingWorlds(Contest[Growth]):
+    """The sweep of explorers through growing worlds, family by family and size by size.
+
+    Args:
+        contestants: who walks.
+        ladders: of each family the worlds of each size, ascending.
+        request: for the effort.
+        choose: the numbers of the places that are run, ascending, from the world and how many
+            places it has.
+    """
+
+    def __init__(
+        self,
+        contestants: Sequence[Contestant],
+        ladders: Mapping[str, list[list[Member]]],
+        request: CompareRequest,
+        choose: Callable[[Member, int], Sequence[int]],
+    ) -> None:
+        self._families, self._choose = tuple(ladders), choose
+        self._sizes = [
+            _Size(number, family, len(members), distinct(members))
+            for number, (family, ladder) in enumerate(ladders.items())
+            for members in ladder
+        ]
+        edges = [edges_of(member.text) for size in self._sizes for member in size.maps]
+        super().__init__(contestants, request, Extent(MapClass.MAPS, max(edges)))
+        self._mine = set(range(len(edges)))
+        if isinstance(self.portion, Shard):
+            self._mine = set(dealt([m * m for m in edges], self.portion))
+        self._rows: list[GrowRow] = []
+        self._left_out = 0
+
+    @override
+    def levels(self) -> Iterator[SweptLevel]:
+        number = 0
+        for size in self._sizes:
+            numbered = enumerate(size.maps.items(), number)
+            mine = replace(size, maps=dict(one for n, one in numbered if n in self._mine))
+            number += len(size.maps)
+            edges = max((m.edge_count for m in mine.maps.values()), default=1)
+            worlds = len(mine.maps) * len(self.contestants)
+            yield SweptLevel(edges, worlds, self._units(mine), mine)
+
+    def _units(self, size: _Size) -> Iterator[UnitOfOne]:
+        """A unit for each contestant and world, with the places of the lighthouse that are run."""
+        for number, one in enumerate(self.contestants):
+            for member, map_ in size.maps.items():
+                _, ran = self._chosen(one, member, map_)
+                if ran:
+                    given = tuple((World(map_, lighthouse, 0), i) for i, lighthouse in ran)
+                    unit = GivenWorlds(given, f"{size.family}/{member.name}")
+                    yield UnitOfOne(number, unit)
+
+    def _chosen(
+        self, one: Contestant, member: Member, map_: CombinatorialMap
+    ) -> tuple[int, list[tuple[int, Lighthouse]]]:
+        """The number of places of a lighthouse in a world, and those that are run, numbered."""
+        places = list(one.rules.kind.places(map_, 0))
+        ran = self._choose(member, len(places)) if places else ()
+        return len(places), [(i, places[i]) for i in ran]
+
+    @override
+    def group(self, level: SweptLevel) -> int:
+        """The number of the family to which a level belongs."""
+        size: _Size = level.of
+        return size.number
+
+    @override
+    def finish(self, level: SweptLevel, total: CostsOfAll) -> None:
+        for number, one in enumerate(self.contestants):
+            self._rows += self._row(one, level.of, total.one(number))
+        self.leave(level, total)
+
+    @override
+    def report(self, ending: Ending) -> Growth:
         return Growth(
-            complete=isinstance(ending, Completed),
-            explorers=tuple(one.name for one in self.contestants),
-            families=tuple(self.ladders),
-            rows=tuple(self.rows),
-            left_out=self.left_out,
-            stopped=ending.reason if isinstance(ending, Stopped) else None,
+            complete=isinstance(ending, Completed | Disagreed),
+            explorers=tuple(self.names),
+            families=self._families,
+            shard=UNSET if self.portion == WHOLE else str(self.portion),
+            rows=tuple(self._rows),
+            left_out=self._left_out,
+            stopped=ending.stopped,
             findings=tuple(self.findings),
+            by=self.request.by or "run",
+            disagreement=ending.reason if isinstance(ending, Disagreed) else "",
         )
 
-    def _run(self) -> None:
-        deadline = self.limits.deadline()
-        for family, ladder in self.ladders.items():
-            maps = {member: member.map() for size in ladder for member in size}
-            found: dict[tuple[int, str], GrowRow] = {}
-            for one in self.contestants:
-                self.listener.level(max(m.edge_count for m in maps.values()), len(maps))
-                tally = self._costs(one, maps, deadline)
-                for i, size in enumerate(ladder):
-                    for row in self._rows(family, one, size, maps, tally):
-                        found[i, one.name] = row
-            names = [one.name for one in self.contestants]
-            self.rows += (
-                found[i, name] for i in range(len(ladder)) for name in names if (i, name) in found
+    def _row(self, one: Contestant, size: _Size, tally: CostTally) -> Iterator[GrowRow]:
+        """The row of a size, if the lighthouse has a place in one of its members."""
+        members = []
+        for member, map_ in size.maps.items():
+            places, ran = self._chosen(one, member, map_)
+            if not ran:
+                self._left_out += 1
+                continue
+            costs = [tally.costs[key_of(map_), i].most_expensive for i, _ in ran]
+            bound = one.rules.the_bound.of(map_, 0)
+            members.append(
+                GrownWorld(
+                    name=member.name,
+                    edges=map_.edge_count,
+                    places=places,
+                    ran=tuple(i for i, _ in ran),
+                    costs=tuple(costs),
+                    bound=bound,
+                )
             )
-
-    def _costs(
-        self, one: Contestant, maps: Mapping[Member, CombinatorialMap], deadline: float | None
-    ) -> CostTally:
-        extent = Extent(MapClass.MAPS, max(map_.edge_count for map_ in maps.values()))
-        with workers_for(one.subject, self.limits, deadline) as transport:
-            units = list(_units(one.rules, maps))
-            self.left_out += len(maps) - len(units)
-            # The largest take the longest: who begins with them waits least for the last.
-            tally = one.costs(extent, units[::-1], transport, self.listener)
-        self.findings += one.confirmed(tally, self.limits)
-        return tally
-
-    @staticmethod
-    def _rows(
-        family: str,
-        one: Contestant,
-        size: Sequence[Member],
-        maps: Mapping[Member, CombinatorialMap],
-        tally: CostTally,
-    ) -> Iterator[GrowRow]:
-        """The row of a size, if there is a member in which the lighthouse has a place."""
-        placed = [member for member in size if (key_of(maps[member]), 0) in tally.costs]
-        if placed:
-            first = maps[placed[0]]
-            bounds = [one.rules.the_bound.of(maps[member], 0) for member in placed]
-            costs = (tally.costs[key_of(maps[member]), 0] for member in placed)
+        if members:
+            first = next(map_ for m, map_ in size.maps.items() if m.name == members[0].name)
             yield GrowRow(
-                family=family,
+                family=size.family,
                 edges=first.edge_count,
                 vertices=first.vertex_count,
                 explorer=one.name,
-                bound=max((bound for bound in bounds if bound is not None), default=None),
-                members=tuple(member.name for member in placed),
-                costs=tuple(cost.most_expensive for cost in costs),
+                seeds=size.seeds,
+                members=tuple(members),
             )
-
-
-def _units(rules: Rules, maps: Mapping[Member, CombinatorialMap]) -> Iterator[GivenWorlds]:
-    """A unit for each world, with the first place of the lighthouse."""
-    for member, map_ in maps.items():
-        lighthouse = next(iter(rules.kind.places(map_, 0)), None)
-        if lighthouse is not None:
-            yield GivenWorlds(((World(map_, lighthouse, 0), 0),), member.name)

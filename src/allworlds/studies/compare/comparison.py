@@ -1,4 +1,4 @@
-"""What a comparison of explorers has shown: rows, the world that parts them most, findings."""
+"""Result of a comparison: rows, the world in which explorers differ most, findings."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ from fractions import Fraction
 from typing import Annotated
 
 from allworlds.document import (
+    EXIT_CODE,
+    UNSET,
     AllRows,
+    AnyShard,
     Aside,
     Document,
     Figure,
@@ -25,14 +28,16 @@ from allworlds.document import (
 from allworlds.engines import Limits, SingleRun, single_run
 from allworlds.judging import Finding
 from allworlds.maps import MapClass
-from allworlds.outcome import Exit, Verdict
+from allworlds.outcome import Exit, Facts, Verdict
+from allworlds.studies.compare.compare_request import By
 from allworlds.studies.compare.contestants import Contestant
+from allworlds.studies.compare.in_world import InWorld
 from allworlds.world import World
 
 
 @dataclass(frozen=True, slots=True)
 class InMap:
-    """What an explorer costs in one rooted map, over the places of its lighthouse."""
+    """An explorer's cost in one rooted map, over the places of its lighthouse."""
 
     runs: int
     total: int
@@ -40,12 +45,12 @@ class InMap:
 
     @property
     def mean(self) -> Fraction:
-        """Traversals a run."""
+        """Mean number of traversals per run."""
         return Fraction(self.total, self.runs)
 
 
 class Compared(Document):
-    """An explorer of a comparison, and how it was run."""
+    """An explorer of a comparison, with the rules of its runs."""
 
     name: Annotated[Text, about("the explorer's")]
     lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")]
@@ -59,14 +64,14 @@ def _compared(contestant: Contestant) -> Compared:
     rules = contestant.rules
     return Compared(
         name=contestant.name,
-        lighthouse=rules.lighthouse,
+        lighthouse=str(rules.lighthouse),
         policy=rules.policy,
         bound=rules.the_bound.name,
     )
 
 
 class ComparedRow(Document):
-    """What explorers walk in the worlds of one size; the first is compared with each other one."""
+    """Costs in the worlds of one size. The first explorer is compared with each other one."""
 
     edges: Positive
     vertices: Positive
@@ -97,35 +102,18 @@ class DifferMost(Document):
     costs: Annotated[dict[str, Figure], about("for each explorer its mean over the places")]
 
 
-def _verdict(report: Comparison) -> Verdict:
-    if not report.all_counted:
-        return Verdict.ERROR
-    if report.findings:
-        return Verdict.REFUTED
-    if not report.complete:
-        return Verdict.INCONCLUSIVE
-    return Verdict.HOLDS if report.rows else Verdict.VACUOUS
-
-
-def _exit_code(report: Comparison) -> Exit:
-    """That of the verdict; 130 where it was interrupted, whatever was found till then."""
-    by_user = not report.complete and report.stopped is None
-    if by_user and report.verdict is not Verdict.ERROR:
-        return Exit.INTERRUPTED
-    return report.verdict.exit
-
-
 class Comparison(Report):
     """Report of 'compare'.
 
     Explorers side by side in the same worlds.
 
     ``all_counted`` tells that an independent source counts the worlds that were enumerated; the
-    contestants were run under ``limits``.
+    contestants were run under ``limits``; ``in_worlds`` holds the runs in each world if rows
+    are wanted ``by`` them.
     """
 
     verdict: Annotated[Verdict, about("whether a run of any explorer broke a law")] = computed(
-        _verdict
+        lambda report: report.facts.verdict
     )
     exit_code: Annotated[
         Exit,
@@ -133,7 +121,7 @@ class Comparison(Report):
             *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
             Exit.INTERRUPTED,
         ),
-    ] = computed(_exit_code)
+    ] = EXIT_CODE
     complete: AllRows
     explorers: Annotated[Some[Compared], about("in the order in which they were named")] = computed(
         lambda report: tuple(map(_compared, report.contestants))
@@ -142,6 +130,7 @@ class Comparison(Report):
     map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
     edges: Annotated[Positive | None, about("at most so many; null: not bounded, or a family")]
     vertices: Annotated[Positive | None, about("at most so many; null: not bounded, or a family")]
+    shard: AnyShard = UNSET
     rows: Annotated[
         tuple[ComparedRow, ...], about("one for each (edges, vertices) of the finished levels")
     ]
@@ -154,11 +143,24 @@ class Comparison(Report):
     ]
     all_counted: Aside[bool]
     contestants: Aside[tuple[Contestant, ...]]
+    by: Aside[By | None] = None
+    in_worlds: Aside[tuple[InWorld, ...]] = ()
     limits: Aside[Limits]
 
     @property
+    def facts(self) -> Facts:
+        """Whether the source counts these worlds, and a run breaks a law."""
+        return Facts.of_rows(
+            self.complete,
+            self.stopped,
+            disagrees=not self.all_counted,
+            refuted=bool(self.findings),
+            vacuous=self.shard is UNSET and not self.rows,
+        )
+
+    @property
     def names(self) -> list[str]:
-        """Those of the explorers."""
+        """The names of the explorers."""
         return [explorer.name for explorer in self.explorers]
 
     def walks(self) -> Iterator[SingleRun]:
@@ -171,12 +173,12 @@ class Comparison(Report):
 
 
 def rounded(value: Fraction) -> float:
-    """As documents have it, with six digits behind the point."""
+    """The number rounded to six decimal places, as documents have it."""
     return round(float(value), 6)
 
 
 def row_of(edges: int, vertices: int, maps: Sequence[Mapping[str, InMap]]) -> ComparedRow:
-    """The row of rooted maps of one size, each with what every explorer costs there."""
+    """The row of one size, from what each explorer costs in each rooted map."""
     first, *others = maps[0]
 
     def times(holds: Callable[[Fraction, Fraction], bool]) -> dict[str, int]:

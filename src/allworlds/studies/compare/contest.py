@@ -1,37 +1,37 @@
-"""Explorers are run in the same worlds, level by level."""
+"""Runs of explorers in the same worlds, level by level."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import ExitStack
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from inspect import signature
 from itertools import groupby
+from pathlib import Path
 from typing import Any, TypedDict, Unpack, overload
 
+from typing_extensions import override
+
+from allworlds.document import UNSET
 from allworlds.engines import (
+    WHOLE,
     CostTally,
     GivenWorlds,
-    Limits,
+    Identity,
     Listener,
     MapKey,
-    Transport,
+    Portion,
+    Shard,
+    SweptLevel,
     UnitOfRuns,
     level_size,
-    workers_for,
 )
 from allworlds.inputs import InputError, ensure_takes, show
-from allworlds.judging import Finding
-from allworlds.maps import CombinatorialMap, Extent, MapClass
-from allworlds.studies.check import (
-    Completed,
-    GateCell,
-    Stopped,
-    count_gate,
-    ending_of,
-)
-from allworlds.studies.compare.climb import SEED, WORLDS, growth_of
+from allworlds.judging import Task
+from allworlds.maps import CombinatorialMap, Condition, Extent
+from allworlds.outcome import Completed, Disagreed, Ending, Stopped
+from allworlds.studies.check import GateCell, count_gate
+from allworlds.studies.compare.climb import GrowingWorlds, growing
 from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.comparison import (
     ComparedRow,
@@ -41,41 +41,58 @@ from allworlds.studies.compare.comparison import (
     rounded,
     row_of,
 )
-from allworlds.studies.compare.contestants import Contestant, contestants_of
-from allworlds.studies.compare.growing_families import FORMS, form_of
+from allworlds.studies.compare.contestants import (
+    Contest,
+    Contestant,
+    contestants_known,
+    contestants_of,
+)
+from allworlds.studies.compare.growing_families import Member, form_of
 from allworlds.studies.compare.growth import Growth
-from allworlds.world import World, map_of_family
+from allworlds.studies.compare.in_world import InWorld
+from allworlds.studies.compare.side_by_side import CostsOfAll, UnitOfOne
+from allworlds.world import GivenLighthouse, World
 
 
 class SameWorldsOptions(TypedDict, total=False):
-    """The fields of :class:`CompareRequest`, in worlds that do not grow.
+    """The fields of :class:`CompareRequest` for worlds that do not grow.
 
-    They stand here once more: a list of explorers of any length cannot be said otherwise.
+    They are listed again here, because types have no other way to describe a list of explorers of
+    any length.
     """
 
     edges: int | None
     vertices: int | None
     map_class: str
+    where: str | Condition | None
     family: str | Sequence[str] | None
     holes: str | None
     seed: int | None
-    lighthouse: str | None
+    lighthouse: GivenLighthouse | None
+    task: str | Task
     policy: str
     bound: str | int | None
     laws: Iterable[str] | None
     step_budget: int | None
     answer_timeout: float
+    start_timeout: float
     workers: int
     time_limit: float | None
     memory: int | None
+    shard: tuple[int, int] | Portion | None
+    run: str | Path | None
+    dask: str | None
+    dask_timeout: float
     listener: Listener | None
+    by: str | None
 
 
 class CompareOptions(SameWorldsOptions, total=False):
-    """All of them."""
+    """All fields of :class:`CompareRequest` but the explorers."""
 
     to: int | None
     worlds: int | None
+    places: int | None
 
 
 @overload
@@ -83,6 +100,7 @@ def compare(
     *explorers: str | Callable[..., Any],
     to: int,
     worlds: int | None = ...,
+    places: int | None = ...,
     **options: Unpack[SameWorldsOptions],
 ) -> Growth: ...
 @overload
@@ -114,168 +132,181 @@ def compare(
 
 
 def compared(request: CompareRequest) -> Comparison | Growth:
-    """The same of a request."""
-    limits = request.limits
-    contestants = contestants_of(request)
-    if request.to is not None:
-        return _growing(contestants, request, request.to)
-    if request.worlds is not None:
-        raise InputError(f"worlds = {show(request.worlds)} has no effect without to")
-    if len(contestants) < 2:
-        only = show(contestants[0].name) if contestants else "none"
-        raise InputError(f"compare takes two explorers at least, not {only}")
-    return _contest(contestants, request, limits).run()
-
-
-def _growing(contestants: tuple[Contestant, ...], request: CompareRequest, to: int) -> Growth:
-    """Explorers in families that grow."""
-    for name in ("edges", "vertices", "holes"):
-        if (given := getattr(request, name)) is not None:
-            raise InputError(f"{name} = {show(given)} has no effect on worlds that grow")
-    if request.map_class is not MapClass.MAPS:
-        raise InputError(f"class {show(request.map_class.value)} has no effect on worlds that grow")
-    if not contestants:
-        raise InputError("compare with to takes an explorer at least, not none")
-    families = request.family
-    if not families:
-        raise InputError(f"compare with to takes a family at least: {FORMS}")
-    numbers = {
-        "to": to,
-        "worlds": WORLDS if request.worlds is None else request.worlds,
-        "seed": SEED if request.seed is None else request.seed,
-    }
-    named = families.split(",") if isinstance(families, str) else [*families]
-    return growth_of(contestants, named, numbers, request.limits, request.listener)
+    """Answer a request of ``compare``."""
+    return _contest(contestants_of(request), request).answer(request.run)
 
 
 def _contest(
-    contestants: tuple[Contestant, ...], request: CompareRequest, limits: Limits
-) -> _Contest:
-    """Explorers in every world of a class, or in one of a family."""
+    contestants: tuple[Contestant, ...], request: CompareRequest
+) -> SameWorlds | GrowingWorlds:
+    """The sweep for a request."""
+    if request.to is not None:
+        return growing(contestants, request, request.to)
+    for name in ("worlds", "places"):
+        if (given := getattr(request, name)) is not None:
+            raise InputError(f"{name} = {show(given)} has no effect without to")
+    if len(contestants) < 2:
+        only = show(contestants[0].name) if contestants else "none"
+        raise InputError(f"compare takes two explorers at least, not {only}")
     edges, vertices = request.edges, request.vertices
-    family, holes, heard = request.family, request.holes, request.listener
+    family, holes = request.family, request.holes
     if family is not None:
         if not isinstance(family, str) or all(form_of(each) for each in family.split(",")):
             raise InputError(
                 f"family {show(family)} names no world: give a size, as in lattice:3x4, for one "
-                "world, or to (--to M) for worlds that grow up to M edges"
+                "world, or --to M for worlds that grow up to M edges"
             )
         if edges is not None or vertices is not None:
             raise InputError(f"family {show(family)} is one world; it takes no edges or vertices")
-        seed = request.seed or 0
-        map_ = map_of_family(family, holes, seed)
-        extent = Extent(request.map_class, map_.edge_count)
-        text = f"{family}{f' with holes {holes}' if holes else ''}, seed {seed}"
-        return _Contest(contestants, extent, limits, heard, text, map_)
+        if request.where is not None:
+            raise InputError(f"family {show(family)} is one world; where has no effect on it")
+        return SameWorlds(contestants, request, Member(family, holes, request.seed or 0))
     if holes is not None:
         raise InputError(f"holes {holes} has no effect without a family")
     if edges is None and vertices is None:
         raise InputError("compare takes edges, vertices or a family")
-    return _Contest(contestants, request.extent, limits, heard)
+    return SameWorlds(contestants, request)
 
 
 @dataclass(frozen=True, slots=True)
 class _Apart:
-    """A rooted map, and for each explorer its mean there."""
+    """A rooted map, and each explorer's mean cost there."""
 
     map: CombinatorialMap
     costs: Mapping[str, Fraction]
 
     @property
     def by(self) -> Fraction:
-        """The largest difference between the first explorer and another."""
+        """The largest difference between the first explorer and another one."""
         first, *others = self.costs.values()
         return max(abs(other - first) for other in others)
 
 
-@dataclass(slots=True)
-class _Contest:
-    """A comparison on its way."""
+class SameWorlds(Contest[Comparison]):
+    """The sweep of a comparison through every world of a class, or through one of a family.
 
-    contestants: tuple[Contestant, ...]
-    extent: Extent
-    limits: Limits
-    listener: Listener
-    family: str = ""
-    map: CombinatorialMap | None = None
-    rows: list[ComparedRow] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
-    gate: list[GateCell] = field(default_factory=list)
-    most: _Apart | None = None
+    Args:
+        contestants: who walks.
+        request: what is asked for.
+        member: the one world; None for every world of a class.
+    """
 
-    def run(self) -> Comparison:
-        ending = ending_of(self._levels, self.limits)
+    def __init__(
+        self,
+        contestants: Sequence[Contestant],
+        request: CompareRequest,
+        member: Member | None = None,
+    ) -> None:
+        map_ = member.map() if member else None
+        extent = Extent(request.map_class, map_.edge_count) if map_ else request.extent
+        super().__init__(contestants, request, extent, every=map_ is None)
+        self._family, self._map = (member.told if member else ""), map_
+        self._member = member.name if member else ""
+        self._rows: list[ComparedRow] = []
+        self._gate: list[GateCell] = []
+        self._most: _Apart | None = None
+        self._in_worlds: list[InWorld] = []
+
+    @override
+    @classmethod
+    def known(
+        cls, identity: Identity, portion: Portion, listener: Listener
+    ) -> SameWorlds | GrowingWorlds:
+        request = cls.asked_then(identity, portion, listener)
+        return _contest(contestants_known(request, identity.explorer["explorers"]), request)
+
+    @override
+    def levels(self) -> Iterator[SweptLevel]:
+        map_, levels = self._map, self.bounds.levels
+        for edges in levels[-1:] if map_ else levels:
+            size = 1 if map_ else level_size(self.bounds, edges)
+            yield SweptLevel(edges, size * len(self.contestants), self._units(edges))
+
+    def _units(self, edges: int) -> Iterator[UnitOfOne]:
+        for number, one in enumerate(self.contestants):
+            for unit in self._units_of(one, edges):
+                yield UnitOfOne(number, unit)
+
+    def _units_of(self, one: Contestant, edges: int) -> Iterable[UnitOfRuns]:
+        if self._map is None:
+            return one.scope(self.bounds, self.portion).units(edges)
+        mine = not isinstance(self.portion, Shard) or self.portion.index == 0
+        places = enumerate(one.rules.kind.places(self._map, 0))
+        given = tuple((World(self._map, lighthouse, 0), place) for place, lighthouse in places)
+        return [GivenWorlds(given)] if given and mine else []
+
+    @override
+    def finish(self, level: SweptLevel, total: CostsOfAll) -> Ending | None:
+        if self._map is None and self.portion == WHOLE:
+            self._gate += count_gate(self.bounds, level.edges, total.one(0))
+        tallies = [total.one(number) for number in range(len(self.contestants))]
+        shared = self._compare([in_maps(tally) for tally in tallies])
+        if self.request.by is not None:
+            self._in_worlds += self._runs(tallies, shared)
+        self.leave(level, total)
+        return Stopped("a law is broken", final=True) if total.findings else None
+
+    @override
+    def report(self, ending: Ending) -> Comparison:
+        bounds = (None, None) if self._map else (self.bounds.edges, self.bounds.vertices)
+        agree = not isinstance(ending, Disagreed) and all(cell.agrees for cell in self._gate)
         return Comparison(
-            complete=isinstance(ending, Completed),
-            family=self.family or None,
-            map_class=self.extent.map_class,
-            edges=None if self.family else self.extent.edges,
-            vertices=None if self.family else self.extent.vertices,
-            rows=tuple(self.rows),
+            complete=isinstance(ending, Completed | Disagreed),
+            family=self._family or None,
+            map_class=self.bounds.map_class,
+            edges=bounds[0],
+            vertices=bounds[1],
+            shard=UNSET if self.portion == WHOLE else str(self.portion),
+            rows=tuple(self._rows),
             differ_most=self._differ_most(),
-            stopped=ending.reason if isinstance(ending, Stopped) else None,
+            stopped=ending.stopped,
             findings=tuple(self.findings),
-            all_counted=all(cell.agrees for cell in self.gate),
+            all_counted=agree,
             contestants=self.contestants,
-            limits=self.limits,
+            by=self.request.by,
+            in_worlds=tuple(self._in_worlds),
+            limits=self.request.limits,
         )
 
     def _differ_most(self) -> DifferMost | None:
-        if self.most is None or not self.most.by:
+        if self._most is None or not self._most.by:
             return None
         return DifferMost(
-            world=self.contestants[0].first_world(self.most.map),
-            costs={name: rounded(cost) for name, cost in self.most.costs.items()},
+            world=self.contestants[0].first_world(self._most.map),
+            costs={name: rounded(cost) for name, cost in self._most.costs.items()},
         )
 
-    def _levels(self) -> None:
-        deadline = self.limits.deadline()
-        with ExitStack() as stack:
-            transports = [
-                stack.enter_context(workers_for(one.subject, self.limits, deadline))
-                for one in self.contestants
-            ]
-            levels = [self.extent.levels[-1]] if self.map else self.extent.levels
-            for level in levels:
-                if self.findings:
-                    return
-                self._level(level, transports)
+    def _runs(self, tallies: Sequence[CostTally], shared: Sequence[MapKey]) -> Iterator[InWorld]:
+        """The runs of each explorer in these worlds."""
+        found: list[dict[MapKey, dict[int, int]]] = [{} for _ in tallies]
+        for costs, tally in zip(found, tallies, strict=True):
+            for (key, place), cost in sorted(tally.costs.items()):
+                costs.setdefault(key, {})[place] = cost.most_expensive
+        for key in shared:
+            map_ = CombinatorialMap(key[2], key[3])
+            for one, costs in zip(self.contestants, found, strict=True):
+                bound = one.rules.the_bound.of(map_, 0)
+                places = costs[key]
+                yield InWorld(map_, self._member, one.name, places, len(places), bound)
 
-    def _level(self, level: int, transports: Sequence[Transport[Any]]) -> None:
-        size = 1 if self.map else level_size(self.extent, level)
-        self.listener.level(level, size * len(self.contestants))
-        costs = []
-        for contestant, transport in zip(self.contestants, transports, strict=True):
-            units = self._units(contestant, level)
-            tally = contestant.costs(self.extent, units, transport, self.listener)
-            costs.append(in_maps(tally))
-            if self.map is None and not any(cell.edges == level for cell in self.gate):
-                self.gate += count_gate(self.extent, level, tally)
-            self.findings += contestant.confirmed(tally, self.limits)
-        self._compare(costs)
-
-    def _units(self, contestant: Contestant, level: int) -> Iterable[UnitOfRuns]:
-        if self.map is None:
-            return contestant.scope(self.extent).units(level)
-        places = enumerate(contestant.rules.kind.places(self.map, 0))
-        given = tuple((World(self.map, lighthouse, 0), place) for place, lighthouse in places)
-        return [GivenWorlds(given)] if given else []
-
-    def _compare(self, costs: Sequence[Mapping[MapKey, InMap]]) -> None:
-        names = [contestant.name for contestant in self.contestants]
+    def _compare(self, costs: Sequence[Mapping[MapKey, InMap]]) -> list[MapKey]:
+        """Add the rows of a level, and return the worlds in which every explorer has a place."""
         shared = sorted(set(costs[0]).intersection(*costs[1:]))
         for (edges, vertices), keys in groupby(shared, key=lambda key: key[:2]):
-            maps = [{n: cost[key] for n, cost in zip(names, costs, strict=True)} for key in keys]
-            self.rows.append(row_of(edges, vertices, maps))
+            maps = [
+                {n: cost[key] for n, cost in zip(self.names, costs, strict=True)} for key in keys
+            ]
+            self._rows.append(row_of(edges, vertices, maps))
         for key in shared:
-            means = {n: cost[key].mean for n, cost in zip(names, costs, strict=True)}
+            means = {n: cost[key].mean for n, cost in zip(self.names, costs, strict=True)}
             candidate = _Apart(CombinatorialMap(key[2], key[3]), means)
-            if self.most is None or candidate.by > self.most.by:
-                self.most = candidate
+            if self._most is None or candidate.by > self._most.by:
+                self._most = candidate
+        return shared
 
 
 def in_maps(tally: CostTally) -> dict[MapKey, InMap]:
-    """What the runs of each rooted map cost together."""
+    """The total costs of the runs in each rooted map."""
     found: dict[MapKey, InMap] = {}
     for (key, _), cost in tally.costs.items():
         known = found.get(key, InMap(0, 0, 0))

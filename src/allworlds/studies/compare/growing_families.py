@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from allworlds.inputs import InputError, show
-from allworlds.maps import CombinatorialMap, edges_of
+from allworlds.maps import Code, CombinatorialMap, edges_of, rooted_code
 from allworlds.world import map_of_family
 
 LEAST, SIZES = 12, 6
@@ -19,7 +19,7 @@ HOLES = "10%"
 
 @dataclass(frozen=True, slots=True)
 class Growing:
-    """A family as it is asked for, and its members by a number that grows with them.
+    """A family by its name on the command line, with its members numbered by size.
 
     Attributes:
         form: how it is written; ``:D`` stands for a degree.
@@ -49,6 +49,7 @@ GROWING = {
         Growing("prism", lambda p, _: f"prism:{p + 2}"),
         Growing("thick:D", lambda p, d: f"thick:{d}x{p}", 6),
         Growing("cover", lambda p, _: f"cover:{p}"),
+        Growing("corridor", lambda p, _: f"corridor:{p}"),
     )
 }
 """Every family that grows, by its name."""
@@ -58,7 +59,7 @@ FORMS = ", ".join(growing.form for growing in GROWING.values())
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """One world of a family: what gives it back on the command line."""
+    """One world of a family, with the words that name it on the command line."""
 
     text: str
     holes: str | None
@@ -66,17 +67,38 @@ class Member:
 
     @property
     def name(self) -> str:
-        """``torus:6x6 --seed 1``."""
+        """Words that name the world: ``torus:6x6 --seed 1``."""
         holes = f" --holes {self.holes}" if self.holes else ""
         return f"{self.text}{holes} --seed {self.seed}"
 
+    @property
+    def told(self) -> str:
+        """Words for a reader: ``torus:6x6, seed 1``."""
+        return f"{self.text}{f' with holes {self.holes}' if self.holes else ''}, seed {self.seed}"
+
     def map(self) -> CombinatorialMap:
-        """Its map; a robot starts at dart 0."""
+        """The map; a robot starts at dart 0."""
         return map_of_family(self.text, self.holes, self.seed)
 
 
+def member_named(name: str) -> Member:
+    """The member of :attr:`Member.name`."""
+    words, _, seed = name.partition(" --seed ")
+    text, _, holes = words.partition(" --holes ")
+    return Member(text, holes or None, int(seed))
+
+
+def distinct(members: Iterable[Member]) -> dict[Member, CombinatorialMap]:
+    """The members with their maps; of those that are isomorphic as rooted maps the first."""
+    seen: dict[Code, Member] = {}
+    maps = {member: member.map() for member in members}
+    for member, map_ in maps.items():
+        seen.setdefault(rooted_code(map_.sigma, map_.alpha, 0), member)
+    return {member: maps[member] for member in seen.values()}
+
+
 def form_of(family: str) -> tuple[Growing, int] | None:
-    """The growing family of that text, and the degree; None if there is none."""
+    """The growing family that the text names, and the degree; None if there is none."""
     name, colon, degree = family.partition(":")
     growing = GROWING.get(name)
     if growing is None or (colon and growing.degree is None):
@@ -87,7 +109,7 @@ def form_of(family: str) -> tuple[Growing, int] | None:
 
 
 def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member]]:
-    """The members of a family, ascending; those of one size together.
+    """The members of a family, ascending, grouped by size.
 
     The sizes are the largest members with at most ``to``, ``to / 2``, ``to / 4``, ... edges.
 
@@ -108,7 +130,7 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 
 
 def _largest(growing: Growing, degree: int, edges: int) -> str:
-    """The largest member with at most so many edges, counted without holes; empty if too small."""
+    """The largest member with at most ``edges`` edges before holes are made; empty if too small."""
     number = 1
     while edges_of(growing.member(number + 1, degree)) <= edges:
         number += 1

@@ -1,17 +1,22 @@
-"""What larger and larger worlds have cost, and the exponents that are fitted to it."""
+"""Costs in larger and larger worlds, and the exponents fitted to them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from math import log
-from typing import Annotated
+from collections.abc import Iterator
+from enum import StrEnum
+from math import fsum
+from typing import Annotated, TypeAlias
 
 from allworlds.document import (
+    EXIT_CODE,
+    UNSET,
     AllRows,
+    AnyShard,
     Aside,
     Document,
     Figure,
     Natural,
+    Pair,
     Positive,
     Report,
     Some,
@@ -21,54 +26,145 @@ from allworlds.document import (
     one_of,
 )
 from allworlds.judging import Finding
-from allworlds.outcome import Exit, Verdict
+from allworlds.maps import CombinatorialMap
+from allworlds.outcome import Exit, Facts, Verdict
+from allworlds.studies.compare.compare_request import By
+from allworlds.studies.compare.growing_families import member_named
+from allworlds.studies.compare.in_world import InWorld
+from allworlds.studies.compare.intervals import (
+    LEAST_WORLDS,
+    LEVEL,
+    NEAR,
+    Interval,
+    PowerLaw,
+    geometric_mean,
+    mean_interval,
+    power_law,
+)
+
+Range: TypeAlias = Annotated[
+    Pair[Figure] | None,
+    about(
+        f"by a bootstrap over the worlds, at {LEVEL:.0%}; null: fewer than {LEAST_WORLDS} worlds"
+    ),
+]
+"""An interval of a row."""
+
+
+class GrownWorld(Document):
+    """One world of a family, and an explorer's runs in it."""
+
+    name: Annotated[Text, about("as `run --family` takes it")]
+    edges: Annotated[Positive, about("of the map")]
+    places: Annotated[Positive, about("places that the lighthouse has in this world")]
+    ran: Annotated[Some[Natural], about("the numbers of those in which it was run")]
+    costs: Annotated[Some[Natural], about("of these runs, in traversals")]
+    bound: Annotated[int | None, about("the largest of these runs; null without a bound")]
+
+    @property
+    def mean(self) -> float:
+        """The mean cost of the runs."""
+        return sum(self.costs) / len(self.costs)
+
+    def map(self) -> CombinatorialMap:
+        """The map; the robot starts at dart 0."""
+        return member_named(self.name).map()
 
 
 class GrowRow(Document):
-    """What an explorer walks in the members of a family of one size."""
+    """Costs of an explorer in the members of a family of one size."""
 
     family: Annotated[Text, about("as it was asked for")]
-    edges: Annotated[Positive, about("of each member")]
+    edges: Annotated[Positive, about("of the first member")]
     vertices: Annotated[Positive, about("of the first member")]
     explorer: Annotated[Text, about("its name")]
-    mean: Annotated[Figure, about("traversals")] = computed(lambda row: round(_mean(row), 6))
-    least: Annotated[Natural, about("traversals")] = computed(lambda row: min(row.costs))
-    worst: Annotated[Natural, about("traversals")] = computed(lambda row: max(row.costs))
-    bound: Annotated[int | None, about("the largest bound of a run; null without a bound")]
-    members: Annotated[Some[Text], about("the worlds, as `run --family` takes them")]
-    costs: Annotated[Some[Natural], about("of the runs in them")]
+    seeds: Annotated[Positive, about("members that were drawn; isomorphic ones count once")]
+    worlds: Annotated[Positive, about("different rooted maps among them")] = computed(
+        lambda row: len(row.members)
+    )
+    places: Annotated[Positive, about("places of the lighthouse in these worlds")] = computed(
+        lambda row: sum(one.places for one in row.members)
+    )
+    runs: Annotated[Positive, about("places in which it was run")] = computed(
+        lambda row: sum(len(one.costs) for one in row.members)
+    )
+    mean: Annotated[
+        Figure, about("traversals: over the worlds, in each over the places of its runs")
+    ] = computed(lambda row: round(_mean(row), 6))
+    interval: Annotated[Range, about("of the mean")] = computed(
+        lambda row: _rounded(mean_interval(row.means))
+    )
+    least: Annotated[Natural, about("traversals of a run")] = computed(
+        lambda row: min(min(one.costs) for one in row.members)
+    )
+    worst: Annotated[
+        Natural, about("the most traversals of a run; of all, if `runs` = `places`")
+    ] = computed(lambda row: max(max(one.costs) for one in row.members))
+    bound: Annotated[int | None, about("the largest of a run; null without a bound")] = computed(
+        lambda row: max((m.bound for m in row.members if m.bound is not None), default=None)
+    )
+    members: Annotated[Some[GrownWorld], about("the worlds, by seed")]
+
+    @property
+    def means(self) -> list[float]:
+        """The mean cost in each world."""
+        return [one.mean for one in self.members]
+
+
+class CostRatio(Document):
+    """Costs of an explorer divided by those of the first one, in the same worlds."""
+
+    family: Annotated[Text, about("as it was asked for")]
+    edges: Annotated[Positive, about("of the first member")]
+    explorer: Annotated[Text, about("its name")]
+    worlds: Annotated[Positive, about("in which both were run")]
+    ratio: Annotated[Figure, about("the geometric mean of the ratios in these worlds")]
+    interval: Annotated[Range, about("of the ratio")]
+
+
+class Shape(StrEnum):
+    """How costs differ from the power law that fits them best."""
+
+    POWER = "power"
+    STEEPER = "steeper"
+    FLATTER = "flatter"
+    UNEVEN = "uneven"
+    UNTESTED = "untested"
 
 
 class Exponent(Document):
-    """How an explorer's cost grows in a family: like the edges to this power.
+    """How an explorer's cost grows in a family: like this power of the number of edges.
 
-    The slopes are the same, not rounded.
+    ``fit`` holds the numbers before rounding.
     """
 
     family: Annotated[Text, about("as it was asked for")]
     explorer: Annotated[Text, about("its name")]
     exponent: Annotated[
-        float, about("fitted to the means of all sizes, by least squares of logarithms")
-    ] = computed(lambda one: round(one.slope, 3))
-    last: Annotated[float, about("the same of the last two sizes")] = computed(
-        lambda one: round(one.last_slope, 3)
+        float, about("fitted to all worlds of all sizes, by least squares of logarithms")
+    ] = computed(lambda one: round(one.fit.exponent, 3))
+    interval: Annotated[
+        Pair[float] | None,
+        about(f"by a bootstrap over the worlds of each size, at {LEVEL:.0%}; null: too few worlds"),
+    ] = computed(lambda one: _rounded(one.fit.interval, 3))
+    residual: Annotated[
+        Figure, about("standard deviation of the logarithm of the cost about the law")
+    ] = computed(lambda one: round(one.fit.residual, 3))
+    shape: Annotated[
+        Shape,
+        about(
+            f"power: each size is within {NEAR:.0%} of the law, or the law within its interval; "
+            "steeper: not so, costs grow faster than any power; flatter: more slowly; uneven: "
+            "neither; untested: two sizes fit any law"
+        ),
+    ] = computed(lambda one: Shape(one.fit.shape) if len(one.fit.distances) > 2 else Shape.UNTESTED)
+    farthest: Annotated[Positive, about("edges of the size that is farthest from the law")] = (
+        computed(lambda one: one.fit.farthest)
     )
-    slope: Aside[float]
-    last_slope: Aside[float]
-
-
-def _verdict(report: Growth) -> Verdict:
-    if report.findings:
-        return Verdict.REFUTED
-    if not report.complete:
-        return Verdict.INCONCLUSIVE
-    return Verdict.NOT_REFUTED if report.rows else Verdict.VACUOUS
-
-
-def _exit_code(report: Growth) -> Exit:
-    """That of the verdict; 130 where it was interrupted, whatever was found till then."""
-    by_user = not report.complete and report.stopped is None
-    return Exit.INTERRUPTED if by_user else report.verdict.exit
+    distance: Annotated[float, about("of that size: 0.1 is a tenth above the law")] = computed(
+        lambda one: round(one.fit.distances[one.fit.farthest], 3)
+    )
+    fit: Aside[PowerLaw]
 
 
 class Growth(Report):
@@ -77,18 +173,27 @@ class Growth(Report):
     Explorers in worlds that grow.
     """
 
-    verdict: Annotated[Verdict, about("whether a run broke a law")] = computed(_verdict)
+    verdict: Annotated[Verdict, about("whether a run broke a law")] = computed(
+        lambda report: report.facts.sample_verdict
+    )
     exit_code: Annotated[
         Exit,
-        one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
-    ] = computed(_exit_code)
+        one_of(
+            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
+            Exit.INTERRUPTED,
+        ),
+    ] = EXIT_CODE
     complete: AllRows
     explorers: Annotated[Some[Text], about("in the order in which they were named")]
     families: Annotated[Some[Text], about("likewise")]
+    shard: AnyShard = UNSET
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
     exponents: Annotated[
         tuple[Exponent, ...], about("one for each family and explorer with two sizes or more")
     ] = computed(lambda report: tuple(_exponents(report)))
+    ratios: Annotated[
+        tuple[CostRatio, ...], about("one for each family, size and explorer but the first")
+    ] = computed(lambda report: tuple(_ratios(report)))
     left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
     stopped: Annotated[str | None, about("why it is not complete; null: it is, or by the user")] = (
         None
@@ -96,29 +201,64 @@ class Growth(Report):
     findings: Annotated[
         tuple[Finding, ...], about("the smallest of each explorer in each family")
     ] = ()
+    disagreement: Aside[str] = ""
+    by: Aside[By] = "run"
+
+    @property
+    def facts(self) -> Facts:
+        """Whether a run breaks a law."""
+        return Facts.of_rows(
+            self.complete,
+            self.stopped,
+            disagrees=bool(self.disagreement),
+            refuted=bool(self.findings),
+            vacuous=self.shard is UNSET and not self.rows,
+        )
+
+    def in_worlds(self) -> Iterator[InWorld]:
+        """The runs in each world, row by row.
+
+        Cost: each world is built once again.
+        """
+        named = {one.name: one for row in self.rows for one in row.members}
+        built = {name: one.map() for name, one in named.items()}
+        for row in self.rows:
+            for one in row.members:
+                costs = dict(zip(one.ran, one.costs, strict=True))
+                yield InWorld(built[one.name], one.name, row.explorer, costs, one.places, one.bound)
 
 
 def _exponents(report: Growth) -> Iterator[Exponent]:
     for family in report.families:
         for name in report.explorers:
             rows = [r for r in report.rows if (r.family, r.explorer) == (family, name)]
-            if len(rows) > 1:
-                yield Exponent(
-                    family=family,
-                    explorer=name,
-                    slope=_slope(rows),
-                    last_slope=_slope(rows[-2:]),
-                )
+            fit = power_law({row.edges: row.means for row in rows})
+            if fit is not None:
+                yield Exponent(family=family, explorer=name, fit=fit)
+
+
+def _ratios(report: Growth) -> Iterator[CostRatio]:
+    first = {(r.family, r.edges): r for r in report.rows if r.explorer == report.explorers[0]}
+    for row in report.rows:
+        beside = first.get((row.family, row.edges))
+        if beside is None or beside is row:
+            continue
+        costs = {one.name: one.mean for one in beside.members}
+        ratios = [one.mean / costs[one.name] for one in row.members if costs.get(one.name)]
+        if ratios and (mean := geometric_mean(ratios)) is not None:
+            yield CostRatio(
+                family=row.family,
+                edges=row.edges,
+                explorer=row.explorer,
+                worlds=len(ratios),
+                ratio=round(mean[0], 6),
+                interval=_rounded(mean[1]),
+            )
 
 
 def _mean(row: GrowRow) -> float:
-    return sum(row.costs) / len(row.costs)
+    return fsum(row.means) / len(row.members)
 
 
-def _slope(rows: Sequence[GrowRow]) -> float:
-    """Of the straight line through log mean over log edges, by least squares."""
-    from numpy import polyfit
-
-    points = [(log(row.edges), log(_mean(row))) for row in rows]
-    slope, _ = polyfit([x for x, _ in points], [y for _, y in points], 1)
-    return float(slope)
+def _rounded(interval: Interval | None, digits: int = 6) -> Interval | None:
+    return interval and (round(interval[0], digits), round(interval[1], digits))

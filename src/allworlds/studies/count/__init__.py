@@ -1,4 +1,4 @@
-"""How many maps there are, counted twice: ``counter``."""
+"""Counts of maps, each made twice: ``counter``."""
 
 from typing import TYPE_CHECKING
 
@@ -6,6 +6,10 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.studies.count.count_request import CountRequest as CountRequest
-    from allworlds.studies.count.counter import Census as Census, count as count
+    from allworlds.studies.count.counter import (
+        Census as Census,
+        CountSweep as CountSweep,
+        count as count,
+    )
 else:
     open_door(__name__)

@@ -1,40 +1,46 @@
-"""Enumerating a class and counting what is there, beside what independent sources say."""
+"""Enumeration of a class with its counts, beside those of independent sources."""
 
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from math import factorial
 from typing import Annotated
+
+from typing_extensions import override
 
 from allworlds.document import (
     UNSET,
     AllRows,
+    AnyShard,
     Aside,
     Bounded,
     Document,
     Gate,
+    IfAny,
     Natural,
     Positive,
     Report,
+    Text,
     UnsetType,
+    Why,
     about,
     computed,
     key,
 )
-from allworlds.engines import Listener, Silent, level_size, tell_of_size
-from allworlds.inputs import answers
-from allworlds.maps import (
-    Extent,
-    MapClass,
-    automorphisms,
-    prefixes,
-    rooted_maps,
-    source_for,
+from allworlds.engines import (
+    WHOLE,
+    LevelUnit,
+    ReadyEngine,
+    Sweep,
+    SweptLevel,
+    here_or,
 )
-from allworlds.outcome import Exit, until_interrupted
+from allworlds.inputs import answers
+from allworlds.maps import Extent, MapClass, automorphisms, source_name, source_of
+from allworlds.outcome import Completed, Ending, Facts
 from allworlds.studies.count.count_request import CountRequest
-
-SILENT = Silent()
 
 TOLD_EVERY = 1000
 """Maps after which the listener is told."""
@@ -53,7 +59,7 @@ class CountRow(Document):
     rooted: Annotated[Natural, about("rooted maps")]
     unrooted: Annotated[
         Natural | None,
-        about("maps up to orientation-preserving isomorphism; null beyond 6 edges"),
+        about("maps up to orientation-preserving isomorphism; null beyond 6 edges, or of a shard"),
     ]
     by_vertices: Annotated[dict[int, Natural], about("rooted maps by vertices")]
     by_genus: Annotated[dict[int, Natural], about("rooted maps by genus")]
@@ -61,11 +67,20 @@ class CountRow(Document):
         dict[int, Natural] | UnsetType,
         about("in simple classes: rotation systems on labelled vertices, by vertices"),
     ] = UNSET
-    counted: Aside[dict[int, int]]
+    counted: Aside[dict[int, int] | None]
+
+    whole: Aside[bool] = True
 
     @property
     def agrees(self) -> bool:
-        """The enumeration and its source give the same count for every number of vertices."""
+        """Whether enumeration and source agree for every number of vertices.
+
+        In a shard: whether the enumeration counts no more than the source.
+        """
+        if self.counted is None:
+            return True
+        if not self.whole:
+            return all(met <= self.counted.get(n, 0) for n, met in self.by_vertices.items())
         return self.by_vertices == {n: count for n, count in self.counted.items() if count}
 
 
@@ -78,26 +93,35 @@ class Census(Report):
     map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
     edges: Bounded
     vertices: Bounded
-    gate: Annotated[Gate, about("the comparison of every row with an independent source")] = (
-        computed(lambda c: Gate(source=c.source, agrees=all(row.agrees for row in c.rows)))
+    shard: AnyShard = UNSET
+    where: Annotated[IfAny[Text | None], about("what besides is true of the maps")]
+    gate: Annotated[
+        Gate | None,
+        about("the comparison of every row with an independent source; null: there is none"),
+    ] = computed(
+        lambda c: (
+            Gate(source=c.source, agrees=all(row.agrees for row in c.rows)) if c.source else None
+        )
     )
     complete: AllRows
+    stopped: Why = None
     rows: Annotated[tuple[CountRow, ...], about("one a number of edges, ascending")]
     source: Aside[str]
 
     @property
-    def exit_code(self) -> Exit:
-        """0 counted, 4 nothing to count, 70 the source disagrees, 130 interrupted."""
-        if not self.gate.agrees:
-            return Exit.DISAGREES
-        if not self.complete:
-            return Exit.INTERRUPTED
-        return Exit.ANSWERED if any(row.rooted for row in self.rows) else Exit.VACUOUS
+    def facts(self) -> Facts:
+        """Whether the source agrees, and there was anything to be counted."""
+        return Facts.of_rows(
+            self.complete,
+            self.stopped,
+            disagrees=self.gate is not None and not self.gate.agrees,
+            vacuous=self.shard is UNSET and not any(row.rooted for row in self.rows),
+        )
 
 
 @answers(CountRequest)
 def count(request: CountRequest) -> Census:
-    """Enumerate every rooted map of a class and count.
+    """Enumerate every rooted map of a class and count them.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -105,79 +129,133 @@ def count(request: CountRequest) -> Census:
     Cost: some microseconds a rooted map, in the class ``maps`` from 7 edges on less than
     100 ns; constant memory.
     """
-    extent, heard = request.extent, request.listener
-    tell_of_size(extent, heard)
-    rows, complete = until_interrupted(
-        _count_level(extent, level, heard) for level in extent.levels
-    )
-    return Census(
-        map_class=extent.map_class,
-        edges=extent.edges,
-        vertices=extent.vertices,
-        complete=complete,
-        rows=rows,
-        source=source_for(extent.map_class).name,
-    )
+    return CountSweep(request).answer(request.run)
 
 
-def _count_level(extent: Extent, edges: int, listener: Listener) -> CountRow:
-    listener.level(edges, level_size(extent, edges))
-    if extent.map_class is MapClass.MAPS and edges > UNROOTED_LIMIT:
-        return count_compiled(extent, edges, listener)
-    return count_one_by_one(extent, edges, listener)
+class CountSweep(Sweep["Counted", Census]):
+    """The sweep of a count."""
+
+    verb, asked = "count", CountRequest
+    extent: Extent
+
+    def __init__(self, request: CountRequest) -> None:
+        super().__init__(request, request.extent)
+        self._rows: list[CountRow] = []
+
+    @override
+    def ready(self) -> ReadyEngine:
+        return ReadyEngine(here_or(self.request.cluster, self.deadline), Enumerate(self.extent))
+
+    @override
+    def finish(self, level: SweptLevel, total: Counted) -> None:
+        self._rows.append(row_of(self.extent, level.edges, total, whole=self.portion == WHOLE))
+
+    @override
+    def report(self, ending: Ending) -> Census:
+        extent = self.extent
+        return Census(
+            map_class=extent.map_class,
+            edges=extent.edges,
+            vertices=extent.vertices,
+            shard=UNSET if self.portion == WHOLE else str(self.portion),
+            complete=isinstance(ending, Completed),
+            stopped=ending.stopped,
+            rows=tuple(self._rows),
+            source=source_name(extent),
+            where=extent.where.name if extent.where else None,
+        )
 
 
-def count_compiled(extent: Extent, edges: int, listener: Listener = SILENT) -> CountRow:
-    """A level of the class ``maps``, counted by the compiled enumeration.
+@dataclass(slots=True)
+class Counted:
+    """Counts of the maps of a part of a level.
+
+    Attributes:
+        cells: rooted maps by vertices and genus.
+        fixed: the sum of their numbers of automorphisms, where these are counted.
+    """
+
+    cells: Counter[tuple[int, int]] = field(default_factory=Counter)
+    fixed: int = 0
+
+    @property
+    def worlds(self) -> int:
+        """The number of rooted maps."""
+        return self.cells.total()
+
+    def add(self, other: Counted) -> None:
+        """Add the counts of another part."""
+        self.cells.update(other.cells)
+        self.fixed += other.fixed
+
+
+CountSweep.result = Counted
+
+
+@dataclass(frozen=True, slots=True)
+class Enumerate:
+    """The engine that counts by enumeration."""
+
+    extent: Extent
+
+    def parts(self, unit: LevelUnit) -> Iterator[Counted]:
+        """Count the maps of the unit, and yield results from time to time."""
+        extent = self.extent
+        plain = extent.map_class is MapClass.MAPS and extent.where is None
+        if plain and unit.edges > UNROOTED_LIMIT:
+            yield count_compiled(extent, unit)
+        else:
+            yield from count_one_by_one(extent, unit)
+
+
+def count_compiled(extent: Extent, unit: LevelUnit) -> Counted:
+    """Count a unit of the class ``maps`` by the compiled enumeration.
 
     Cost: less than 100 ns a rooted map, after some seconds of compiling at the first use.
     """
     from allworlds.engines import by_vertices_and_faces
 
-    cells: Counter[tuple[int, int]] = Counter()
-    limit = extent.vertex_limit(edges)
-    for prefix in prefixes(edges, vertices=limit):
-        before = cells.total()
-        for (vertices, faces), maps in by_vertices_and_faces(edges, limit, prefix).items():
-            cells[vertices, (2 - vertices + edges - faces) // 2] += maps
-        listener.progress(cells.total() - before)
-    return _row(extent, edges, cells)
+    edges, counted = unit.edges, Counted()
+    found = by_vertices_and_faces(edges, extent.vertex_limit(edges), unit.prefix)
+    for (vertices, faces), maps in found.items():
+        counted.cells[vertices, (2 - vertices + edges - faces) // 2] += maps
+    return counted
 
 
-def count_one_by_one(extent: Extent, edges: int, listener: Listener = SILENT) -> CountRow:
-    """A level of any class, each map made, and each looked at."""
-    cells: Counter[tuple[int, int]] = Counter()
-    rooted = darts_fixed = 0
-    for map_ in rooted_maps(edges, extent.map_class, extent.vertices):
-        rooted += 1
-        cells[map_.vertex_count, map_.genus] += 1
-        if edges <= UNROOTED_LIMIT:
-            darts_fixed += automorphisms(map_)
-        if rooted % TOLD_EVERY == 0:
-            listener.progress(TOLD_EVERY)
-    listener.progress(rooted % TOLD_EVERY)
-    # A map has 2m / |Aut| rootings, so its rootings weigh |Aut| / 2m each.
-    unrooted = darts_fixed // (2 * edges) if edges <= UNROOTED_LIMIT else None
-    return _row(extent, edges, cells, unrooted)
+def count_one_by_one(extent: Extent, unit: LevelUnit) -> Iterator[Counted]:
+    """Count a unit of any class map by map. Results are yielded from time to time."""
+    counted = Counted()
+    for met, map_ in enumerate(unit.maps(extent), 1):
+        counted.cells[map_.vertex_count, map_.genus] += 1
+        if unit.edges <= UNROOTED_LIMIT:
+            counted.fixed += automorphisms(map_)
+        if met % TOLD_EVERY == 0:
+            yield counted
+            counted = Counted()
+    yield counted
 
 
-def _row(
-    extent: Extent, edges: int, cells: Counter[tuple[int, int]], unrooted: int | None = None
-) -> CountRow:
-    """The row of rooted maps by vertices and genus, beside what the source says."""
+def row_of(extent: Extent, edges: int, total: Counted, *, whole: bool) -> CountRow:
+    """The row of a level, or of a shard of it, beside the source's counts."""
     by_vertices: Counter[int] = Counter()
     by_genus: Counter[int] = Counter()
-    for (vertices, genus), maps in sorted(cells.items()):
+    for (vertices, genus), maps in sorted(total.cells.items()):
         by_vertices[vertices] += maps
         by_genus[genus] += maps
+    # A map has 2m / |Aut| rootings, so its rootings weigh |Aut| / 2m each.
+    known = whole and edges <= UNROOTED_LIMIT
     labelled = {n: maps * factorial(n) // (2 * edges) for n, maps in by_vertices.items()}
-    counted = source_for(extent.map_class).cells(edges)
+    counted = None
+    if (counts := source_of(extent)) is not None:
+        source = counts.cells(edges)
+        counted = {n: source.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
     return CountRow(
         edges=edges,
-        rooted=cells.total(),
-        unrooted=unrooted,
+        rooted=total.worlds,
+        unrooted=total.fixed // (2 * edges) if known else None,
         by_vertices=dict(by_vertices),
         by_genus=dict(sorted(by_genus.items())),
-        labelled=labelled if extent.map_class.simple else UNSET,
-        counted={n: counted.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)},
+        labelled=labelled if whole and extent.map_class.simple else UNSET,
+        counted=counted,
+        whole=whole,
     )

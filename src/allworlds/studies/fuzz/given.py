@@ -1,4 +1,4 @@
-"""Maps that somebody has chosen, from the explorer's first run in them to the smallest finding."""
+"""Fuzzing in given maps, from the explorer's first run to the smallest finding."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from allworlds.engines import (
     workers_for,
 )
 from allworlds.judging import Finding
-from allworlds.maps import CombinatorialMap, Extent, MapClass
-from allworlds.studies.check import ManyRuns
-from allworlds.studies.fuzz.drive import shrink_found
+from allworlds.maps import CombinatorialMap, Extent
+from allworlds.studies.fuzz.drive import smallest_from
+from allworlds.studies.fuzz.fuzz_request import MapsRequest
 from allworlds.studies.fuzz.shrink import in_chunks, rootings
-from allworlds.world import Lighthouse, World
+from allworlds.world import World
 
 
-def refuted_in(maps: Iterable[CombinatorialMap], request: ManyRuns) -> Finding | None:
+def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Finding | None:
     """The smallest finding that the shrinker reaches from these maps; None where no law is broken.
 
     The explorer starts at every dart of each map, with every place of the lighthouse.  Maps
-    that are not of the class are left out.
+    that are not of the class, or of which the condition is not true, are left out.
 
     Args:
         maps: of any size.
-        request: for an explorer, the class, rules and limits.
+        request: for an explorer, the class, a condition, rules and limits.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -39,28 +39,27 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: ManyRuns) -> Finding |
 
     Cost: O(m) runs for each map with m edges.
     """
-    limits, map_class = request.limits, request.map_class
+    limits = request.limits
     subject = subject_of(request.explore, limits)
     rules = request.rules(subject)
-    given = [*_rooted(maps, map_class, rules.kind)]
+    met = [*maps]
+    most = max((map_.edge_count for map_ in met), default=1)
+    scope = Scope(Extent(request.map_class, most, where=request.where), rules)
+    given = [*_rooted(met, scope)]
     if not given:
         return None
-    largest = max(world.map.edge_count for world, _ in given)
-    scope = Scope(Extent(map_class, largest), rules)
     tally = Tally(keep=1)
     with workers_for(subject, limits, limits.deadline()) as workers:
         gather(workers, PythonEngine(scope, tally.keep), in_chunks(given), tally, Silent())
-        shrink_found(workers, scope, tally)
-    for found in tally.findings:
-        return confirmed(found, subject, limits, scope.schedules)
+        for found in tally.findings:
+            smallest = smallest_from(found, workers, scope)
+            return confirmed(smallest, subject, limits, scope.schedules)
     return None
 
 
-def _rooted(
-    maps: Iterable[CombinatorialMap], map_class: MapClass, kind: type[Lighthouse]
-) -> Iterator[tuple[World, int]]:
-    """Each rooted map once, smallest first, with every place."""
-    for *_, code in rootings(maps, map_class):
+def _rooted(maps: Iterable[CombinatorialMap], scope: Scope) -> Iterator[tuple[World, int]]:
+    """Rooted maps with every place, each once, smallest first."""
+    for *_, code in rootings(maps, scope.extent):
         map_ = CombinatorialMap.trusted(*code)
-        for place, lighthouse in enumerate(kind.places(map_, 0)):
+        for place, lighthouse in enumerate(scope.rules.kind.places(map_, 0)):
             yield World(map_, lighthouse), place

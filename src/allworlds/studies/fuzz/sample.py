@@ -1,17 +1,21 @@
-"""Which worlds a fuzzing run visits: a function of its seed alone."""
+"""Selection of the worlds of a fuzzing run, by its seed alone."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import count
 from random import Random
 
-from allworlds.engines import Placed, Sample
+from allworlds.engines import Placed, Sample, Shard
+from allworlds.inputs import InputError, show
 from allworlds.maps import (
     CombinatorialMap,
+    Condition,
     Extent,
     Gluing,
     MapClass,
+    NamedCondition,
     lattice,
     random_map,
     rooted_code,
@@ -22,14 +26,27 @@ BATCH = 64
 """The runs that one worker does at a time."""
 
 PATIENCE = 1000
-"""So many maps of a generator are looked at before another is asked."""
+"""The number of maps of one generator that are rejected before another one is used."""
+
+LONGEST = 2 * PATIENCE
+"""The number of maps that are rejected before a condition is refused."""
+
+DEAD_ENDS = 5
+"""The number of histories under a condition that may come to nothing."""
 
 
 def batches(sample: Sample) -> Iterator[Batch]:
-    """The sample in pieces; the same for any number of workers."""
-    for first in range(0, sample.runs, BATCH):
-        last = min(first + BATCH, sample.runs)
-        yield Batch(sample.seed, first, last, sample.min_edges)
+    """The sample in pieces, or a range of them for a shard.
+
+    They do not depend on the number of workers.
+    """
+    pieces, first = -(-sample.runs // BATCH), 0
+    if isinstance(sample.portion, Shard):
+        index, count = sample.portion.index, sample.portion.count
+        first, pieces = index * pieces // count, (index + 1) * pieces // count
+    for piece in range(first, pieces):
+        last = min((piece + 1) * BATCH, sample.runs)
+        yield Batch(sample.seed, piece * BATCH, last, sample.min_edges)
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +60,7 @@ class Batch:
 
     @property
     def key(self) -> str:
-        """``SEED/FIRST``."""
+        """Key of the batch in a run directory: ``SEED/FIRST``."""
         return f"{self.seed}/{self.first}"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
@@ -52,22 +69,49 @@ class Batch:
         Under a class every map that is none of it, or is too small, is drawn again; a generator
         that brings none for long gives way to the first, whose maps have the size that is asked.
         """
-        map_class, edges = extent.map_class, extent.levels[-1]
-        generators = GENERATORS.get(map_class, (glued(map_class),))
+        generators = _generators(extent)
         for run in range(self.first, self.last):
             random = Random(f"{self.seed}/{run}")  # noqa: S311  # reproducible, not secret
-            generator = generators[run % len(generators)]
-            size = random.randint(self.min_edges, edges)
-            map_, tries = generator(size, random), 1
-            while map_.edge_count < self.min_edges or not map_class.includes(map_):
-                if tries == PATIENCE:
-                    generator = generators[0]
-                map_, tries = generator(size, random), tries + 1
+            in_turn = generators[run % len(generators)], generators[0]
+            map_ = self._drawn(extent, in_turn, random)
             places = list(enumerate(kind.places(map_, 0)))
             yield map_, [random.choice(places)] if places else []
 
+    def _drawn(
+        self, extent: Extent, generators: tuple[Generator, Generator], random: Random
+    ) -> CombinatorialMap:
+        """A map of the extent; by the second generator where the first one brings none for long.
+
+        Raises:
+            InputError: if the second one brings none for long that the condition admits.
+        """
+        size = random.randint(self.min_edges, extent.levels[-1])
+        for tries in count():
+            map_ = generators[tries >= PATIENCE](size, random)
+            large = map_.edge_count >= self.min_edges
+            if large and extent.map_class.includes(map_) and extent.admits(map_):
+                return map_
+            if extent.where is not None:
+                if tries == LONGEST:
+                    break
+                size = random.randint(self.min_edges, extent.levels[-1])
+        assert extent.where is not None
+        raise InputError(
+            f"where {show(extent.where.name)}: {tries + 1} maps of the class {extent.map_class} "
+            f"with {self.min_edges} to {extent.levels[-1]} edges were drawn, and it is true of "
+            "none; legal is one that is true of more of them"
+        )
+
 
 Generator = Callable[[int, Random], CombinatorialMap]
+
+
+def _generators(extent: Extent) -> tuple[Generator, ...]:
+    """The generators of an extent; of a condition with a name its own histories alone."""
+    map_class, where = extent.map_class, extent.where
+    if isinstance(where, NamedCondition):
+        return (glued(map_class, where),)
+    return GENERATORS.get(map_class, (glued(map_class),))
 
 
 def _rerooted(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
@@ -76,12 +120,15 @@ def _rerooted(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
     return CombinatorialMap.trusted(*code)
 
 
-def glued(map_class: MapClass) -> Generator:
-    """Random histories of gluing, every decision uniform: any class, not a uniform map."""
+def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
+    """Draw a random sequence of gluings, every decision uniform: any class, not a uniform map.
+
+    Where a condition lets no map with that many edges begin, it is another map of the class.
+    """
 
     def generate(edges: int, random: Random) -> CombinatorialMap:
-        while True:
-            gluing = Gluing(edges, map_class)
+        for tries in count():
+            gluing = Gluing(edges, map_class, where=where if tries < DEAD_ENDS else None)
             while not gluing.finished:
                 following = list(gluing.successors())
                 if not following:
@@ -89,12 +136,13 @@ def glued(map_class: MapClass) -> Generator:
                 gluing = random.choice(following)[1]
             else:
                 return gluing.finish()
+        raise AssertionError  # it goes on for ever
 
     return generate
 
 
 def a_lattice(edges: int, random: Random) -> CombinatorialMap:
-    """A lattice with holes, with at most that many edges."""
+    """Draw a lattice with holes, with at most that many edges."""
 
     def size(rows: int, columns: int) -> int:
         return rows * (columns - 1) + columns * (rows - 1)
@@ -113,7 +161,7 @@ def a_lattice(edges: int, random: Random) -> CombinatorialMap:
 
 
 def dense(edges: int, random: Random) -> CombinatorialMap:
-    """Few vertices with many darts each: a random gluing with at most three vertices."""
+    """Draw a gluing with at most three vertices, which have many darts each."""
     vertices = random.randint(1, 3)
     while True:
         map_ = random_map(edges, random)
@@ -122,7 +170,7 @@ def dense(edges: int, random: Random) -> CombinatorialMap:
 
 
 def looped_tree(edges: int, random: Random) -> CombinatorialMap:
-    """A random plane tree some of whose edges are loops instead, at random corners."""
+    """Draw a random plane tree in which some edges are loops instead, at random corners."""
     rotations: list[list[int]] = [[]]
     alpha: list[int] = []
     for _ in range(edges):

@@ -1,4 +1,4 @@
-"""From a large refuting world down to one that no small change makes smaller."""
+"""Shrinking a large refuting world until no small change makes it smaller."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from allworlds.engines import GivenWorlds, Scope
 from allworlds.judging import Finding
-from allworlds.maps import Code, CombinatorialMap, MapClass, contracted, deleted, moved, rooted_code
+from allworlds.maps import Code, CombinatorialMap, Extent, contracted, deleted, moved, rooted_code
 from allworlds.world import World
 
 Refute = Callable[[Sequence[GivenWorlds]], Finding | None]
@@ -20,7 +20,7 @@ WAVE = 8
 
 
 def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
-    """Ever smaller refuting worlds; no neighbour in the size order of the last one refutes.
+    """Yield ever smaller refuting worlds, until no neighbour in the size order refutes.
 
     First an edge is deleted or contracted as long as that is possible; then, with as many
     edges, a dart may move and the start and the marker may turn, towards fewer vertices and
@@ -53,10 +53,10 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 
 
 def _picked(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
-    """Every rooting and place of these maps that is smaller than the finding, ascending."""
+    """Rootings and places of these maps that are smaller than the finding, ascending."""
     kind, size = scope.rules.kind, finding.key[:4]
     ordered = []
-    for key in rootings(maps, scope.extent.map_class):
+    for key in rootings(maps, scope.extent):
         if key > size[:3]:
             break
         map_ = CombinatorialMap.trusted(*key[2])
@@ -66,13 +66,16 @@ def _picked(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) ->
     return in_chunks(ordered)
 
 
-def rootings(maps: Iterable[CombinatorialMap], map_class: MapClass) -> list[tuple[int, int, Code]]:
-    """Every rooted map of these that is of the class, once: edges, vertices, code; ascending."""
+def rootings(maps: Iterable[CombinatorialMap], extent: Extent) -> list[tuple[int, int, Code]]:
+    """Rootings of these maps of the class, each once; ordered by edges, vertices and code.
+
+    A condition of the extent must be true of them; its bounds do not matter.
+    """
     return sorted(
         {
             (map_.edge_count, map_.vertex_count, rooted_code(map_.sigma, map_.alpha, start))
             for map_ in maps
-            if map_class.includes(map_)
+            if extent.map_class.includes(map_) and extent.admits(map_)
             for start in map_.darts
         }
     )

@@ -1,4 +1,4 @@
-"""The files to begin an explorer with, ``beginning``: a skeleton, or the C header."""
+"""Files for the beginning of an explorer, ``beginning``: a skeleton, or the C header."""
 
 from typing import TYPE_CHECKING
 

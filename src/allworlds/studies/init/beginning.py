@@ -1,15 +1,14 @@
-"""A skeleton that was written, or the C header: what an explorer begins with."""
+"""Skeletons of explorers, and the C header."""
 
 from __future__ import annotations
 
 import shlex
 from pathlib import Path
-from typing import Annotated, ClassVar, Literal, overload
+from typing import Annotated, Literal, overload
 
 from allworlds.document import Positive, Report, Text, about, computed, one_of
 from allworlds.explorers import INTERFACE_VERSION, LANGUAGES, Language, header_text, templates
 from allworlds.inputs import InputError, a_path, show
-from allworlds.outcome import Exit
 
 
 class Skeleton(Report):
@@ -18,14 +17,12 @@ class Skeleton(Report):
     A skeleton that has been written; `/` stands in the names of its files.
     """
 
-    exit_code: ClassVar[Exit] = Exit.ANSWERED
-
     directory: Annotated[Path, about("as it was named")]
     lang: Annotated[str, about("of the explorer"), one_of(*LANGUAGES)]
     files: Annotated[
         tuple[Text, ...], about("that were written, relative to the directory, sorted")
     ]
-    explorer: Annotated[Text, about("the file to be filled in")] = computed(
+    explorer: Annotated[Text, about("the file of the explorer, to be completed")] = computed(
         lambda skeleton: skeleton.language.explorer
     )
     check: Annotated[Text, about("a shell command that checks it")] = computed(
@@ -37,7 +34,7 @@ class Skeleton(Report):
 
     @property
     def language(self) -> Language:
-        """How its explorer is tried."""
+        """The language of the explorer, with the commands that try it."""
         return LANGUAGES[self.lang]
 
 
@@ -46,8 +43,6 @@ class Header(Report):
 
     The C header.
     """
-
-    exit_code: ClassVar[Exit] = Exit.ANSWERED
 
     version: Annotated[Positive, about("of the interface: `ALLWORLDS_VERSION`")] = INTERFACE_VERSION
     header: Annotated[Text, about("`allworlds.h`")]

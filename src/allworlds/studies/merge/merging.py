@@ -1,4 +1,4 @@
-"""The report of all shards of a job, made from what their run directories hold."""
+"""The report of a job from the run directories of all its shards."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from allworlds.engines import Listener, Silent, merged
+from allworlds.engines import WHOLE, Listener, Silent, merged
 from allworlds.inputs import InputError, show
-from allworlds.verbs import BY_NAME, loaded
+from allworlds.lazy import loaded
+from allworlds.verbs import BY_NAME
 from allworlds.version import __version__
 
 
@@ -26,18 +27,18 @@ class MergedReport:
 
     @property
     def exit_code(self) -> int:
-        """That of the verb."""
+        """The exit code of the verb's report."""
         code: int = self.report.exit_code
         return code
 
     def to_json(self) -> dict[str, Any]:
-        """The verb's document."""
+        """The document of the verb's report."""
         document: dict[str, Any] = self.report.to_json()
         return document
 
 
 def merge(*runs: str | Path, listener: Listener | None = None) -> MergedReport:
-    """The report of a whole job whose shards were kept in run directories.
+    """Merge the shards of a job, which were kept in run directories, into one report.
 
     Counts are compared with their source, and witnesses looked for, as if it had been one job.
     No explorer is needed, and none is run: findings were confirmed by those who found them.
@@ -56,5 +57,6 @@ def merge(*runs: str | Path, listener: Listener | None = None) -> MergedReport:
                 f"run directory {show(str(runs[0]))} is of version {show(identity.version)}, not "
                 f"{show(__version__)}"
             )
-        report = loaded(BY_NAME[identity.verb].merged)(identity, records, listener or Silent())
+        kind = loaded(BY_NAME[identity.verb].sweep)
+        report = kind.known(identity, WHOLE, listener or Silent()).merged(records)
     return MergedReport(identity.verb, report)

@@ -1,4 +1,4 @@
-"""The best that any explorer can do: minimax over all worlds with a known number of edges.
+"""The best worst case of any explorer: minimax over all worlds with a known number of edges.
 
 ``knowledge``
     what a robot can still believe, as a value, and what a motion makes of it;
@@ -19,12 +19,15 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds.studies.optimum.in_every_world import most_expensive as most_expensive
     from allworlds.studies.optimum.optimum_request import OptimumRequest as OptimumRequest
     from allworlds.studies.optimum.optimum_table import (
         OptimumReport as OptimumReport,
         OptimumRow as OptimumRow,
+        OptimumSweep as OptimumSweep,
         minimax as minimax,
         optimum as optimum,
     )
+    from allworlds.studies.optimum.strategy import Strategy as Strategy
 else:
     open_door(__name__)

@@ -1,7 +1,7 @@
-"""Minimax over what a robot can know: the fewest traversals that are enough in every world.
+"""Minimax over a robot's knowledge: the fewest traversals that suffice in every world.
 
-Iterative deepening: whether t traversals are enough, for t = 0, 1, ...  What has once been found
-out about a state of knowledge, that so many are enough or that so many are not, is kept.
+Iterative deepening: whether t traversals are enough, for t = 0, 1, ... Bounds found for a state of
+knowledge, from above and from below, are kept.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from allworlds.studies.optimum.strategy import Branch, Strategy, StrategyLeaf, S
 
 
 class Search:
-    """What is known of the values of states of knowledge.
+    """Known values of states of knowledge, and the search for more.
 
     Attributes:
         places: the places that states are made of.
@@ -35,14 +35,14 @@ class Search:
         self._ways: dict[Known, list[tuple[int, list[SensedKnowledge]]]] = {}
 
     def value(self, known: Known) -> int:
-        """The fewest traversals after which the robot knows map and place, whatever they are."""
+        """The fewest traversals after which the robot knows map and place in every case."""
         most = self.at_least(known)
         while not self.within(known, most):
             most += 1
         return most
 
     def at_least(self, known: Known) -> int:
-        """A number of traversals such that none less is enough: the largest found so far."""
+        """The largest lower bound found so far for the number of traversals."""
         found = self._at_least.get(known)
         if found is None:
             found = self._at_least[known] = int(not self.places.settled(known))
@@ -68,9 +68,10 @@ class Search:
         return False
 
     def _ways_from(self, known: Known) -> list[tuple[int, list[SensedKnowledge]]]:
-        """The motions with what can be known after them: what leaves most open first in each.
+        """The motions, each with the possible states of knowledge after it.
 
-        The motion after which the most that is left open is least comes first.
+        The states of a motion are ordered from most possible answers to fewest; the motions by the
+        number of answers left in their first state, fewest first.
         """
         ways = self._ways.get(known)
         if ways is None:
@@ -85,7 +86,7 @@ class Search:
         return ways
 
     def strategy(self, starts: Sequence[SensedKnowledge]) -> Strategy:
-        """What to do from these states on, whose values have been found."""
+        """A strategy from these states on, whose values have been found."""
         nodes: list[StrategyStep | StrategyLeaf] = []
         numbers: dict[tuple[Known, int], int] = {}
 

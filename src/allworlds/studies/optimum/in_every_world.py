@@ -1,4 +1,4 @@
-"""A strategy followed in every world: the checker of what the search has found.
+"""A check of the strategy that the search has found: it is followed in every world.
 
 It shares nothing with the search but the strategy: it walks in worlds, and compares codes.
 """

@@ -1,4 +1,4 @@
-"""What a robot can still believe: the places that agree with all that it has sensed.
+"""Knowledge of a robot: the places that agree with everything it has sensed.
 
 A *place* is a world seen from the robot: a map rooted at the robot's dart, in canonical
 numbering, with the pointed dart in it.  Where it has come from is nothing to it.  What a robot
@@ -20,7 +20,7 @@ Known: TypeAlias = tuple[int, ...]
 
 
 class Place(NamedTuple):
-    """A world seen from the robot, who stands at dart 0.
+    """A world seen from the robot, which stands at dart 0.
 
     Attributes:
         code: the map rooted there, in canonical numbering.
@@ -32,7 +32,7 @@ class Place(NamedTuple):
 
 
 class SensedKnowledge(NamedTuple):
-    """What is known after something was sensed.
+    """Knowledge after a percept.
 
     Attributes:
         percept: what.
@@ -82,11 +82,11 @@ class Places:
         return number
 
     def degree(self, known: Known) -> int:
-        """That of the robot's vertex."""
+        """The degree of the robot's vertex."""
         return self._percepts[known[0]].degree
 
     def parted(self, numbers: Iterable[int]) -> list[SensedKnowledge]:
-        """What can be known when something is sensed in these places; by degree, then bearing."""
+        """The states of knowledge possible after sensing here; by degree, then bearing."""
         parts: dict[Percept, list[int]] = {}
         for number in numbers:
             parts.setdefault(self._percepts[number], []).append(number)
@@ -98,7 +98,7 @@ class Places:
         return sorted(found, key=_by_percept)
 
     def moved(self, known: Known, k: int) -> list[SensedKnowledge]:
-        """What can be known after motion ``k``."""
+        """The possible states of knowledge after motion ``k``."""
         after = self._after
         reached = []
         for number in known:
@@ -120,7 +120,7 @@ class Places:
         return CombinatorialMap.trusted(*self.places[number].code)
 
     def answers(self, known: Known) -> int:
-        """How many answers are possible."""
+        """The number of possible answers."""
         answer = self.answer
         return len({answer[number] for number in known})
 
@@ -131,7 +131,7 @@ class Places:
 
 
 def _by_percept(part: SensedKnowledge) -> tuple[int, int]:
-    """By degree, then bearing; where none is sensed first."""
+    """Sort key: degree, then bearing; a missing bearing comes first."""
     degree, bearing = part.percept.degree, part.percept.bearing
     return degree, -1 if bearing is None else bearing
 

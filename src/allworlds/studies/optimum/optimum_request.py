@@ -1,17 +1,17 @@
-"""What ``optimum`` is asked for, as a value."""
+"""Request of ``optimum``: the number of edges and the effort."""
 
 from __future__ import annotations
 
 from typing import Annotated
 
-from allworlds.engines import AskedListener
-from allworlds.inputs import EFFORT, SCOPE, Option, integer_of, seconds_of
+from allworlds.engines import AskedDirectory, AskedListener, AskedTime
+from allworlds.inputs import SCOPE, Option, integer_of
 
 DEFAULT_EDGES, MOST_EDGES = 3, 6
 
 
-class OptimumRequest(AskedListener):
-    """What ``optimum`` is asked for."""
+class OptimumRequest(AskedListener, AskedDirectory, AskedTime):
+    """Request of ``optimum``: the number of edges and the effort."""
 
     edges: Annotated[
         int,
@@ -22,7 +22,3 @@ class OptimumRequest(AskedListener):
             parse=integer_of,
         ),
     ] = DEFAULT_EDGES
-    time_limit: Annotated[
-        float | None,
-        Option(EFFORT, "S", "Seconds for the search of each row.", parse=seconds_of, apart=True),
-    ] = None

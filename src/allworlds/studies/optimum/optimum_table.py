@@ -1,23 +1,38 @@
-"""The best that any explorer can do, beside what the built-in ones do at their worst."""
+"""The best worst case of any explorer, beside the worst cases of the built-in ones."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cache
 from typing import Annotated
 
-from allworlds.document import AllRows, Document, Natural, Positive, Report, about, computed
-from allworlds.engines import Listener
-from allworlds.explorers import BUILT_IN
-from allworlds.inputs import (
-    InputError,
-    an_integer,
-    answers,
-    show,
+from typing_extensions import override
+
+from allworlds.document import (
+    AllRows,
+    Document,
+    Natural,
+    Positive,
+    Report,
+    Why,
+    about,
+    computed,
 )
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.outcome import Exit, until_interrupted
+from allworlds.engines import (
+    LevelUnit,
+    ReadyEngine,
+    Sweep,
+    SweptLevel,
+    ThisThread,
+    TimeIsUp,
+    level_size,
+)
+from allworlds.explorers import BUILT_IN
+from allworlds.inputs import InputError, an_integer, answers, show
+from allworlds.maps import CombinatorialMap, Dart, Extent, MapClass
+from allworlds.outcome import Completed, Ending, Facts
 from allworlds.studies.check import check
 from allworlds.studies.optimum.fewest_traversals import Search
 from allworlds.studies.optimum.in_every_world import most_expensive
@@ -34,7 +49,7 @@ class Solved:
     Attributes:
         at_least: no explorer needs less at its worst.
         strategy: one that needs no more; None where the time was up before it was found.
-        states: how many states of knowledge were looked into.
+        states: the number of states of knowledge that were examined.
     """
 
     at_least: int
@@ -45,7 +60,7 @@ class Solved:
 def minimax(
     given: Iterable[tuple[CombinatorialMap, Dart, Dart]], deadline: float | None = None
 ) -> Solved:
-    """The fewest traversals that are enough in all these worlds, and how.
+    """Find the fewest traversals that suffice in all these worlds, and a strategy for them.
 
     The explorer knows which worlds there are.
 
@@ -73,7 +88,7 @@ def minimax(
 
 
 class _Late(Exception):
-    """The time is up."""
+    """Raised when the time is up."""
 
 
 class OptimumRow(Document):
@@ -83,83 +98,152 @@ class OptimumRow(Document):
     runs: Annotated[Positive, about("worlds with every bearing")]
     optimum: Annotated[
         Natural | None,
-        about("the fewest traversals that are enough in every world; null: the time was up"),
+        about("the fewest traversals that suffice in every world; null: the time was up"),
     ] = computed(lambda row: row.at_least if row.strategy else None)
     at_least: Annotated[Natural, about("no explorer needs less in its worst world")]
     replayed: Annotated[
         Natural | None,
         about(
-            "what the strategy costs at its worst, followed in every world; null: there is none, "
+            "the strategy's worst cost, followed in every world; null: there is no strategy, "
             "or it is wrong"
         ),
     ]
-    states: Annotated[Natural, about("how many states of knowledge were looked into")]
+    states: Annotated[Natural, about("the number of states of knowledge that were examined")]
     explorers: Annotated[dict[str, Natural], about("the worst cost of each built-in explorer")]
-    strategy: Annotated[Strategy | None, about("one that attains the optimum")]
+    strategy: Annotated[Strategy | None, about("a strategy that attains the optimum")]
 
     @property
     def agrees(self) -> bool:
-        """The strategy does what the search says that it does."""
+        """Whether the strategy costs exactly as much as the search says."""
         return self.replayed == self.optimum
 
 
 class OptimumReport(Report):
-    """Report of 'optimum'."""
+    """Report of 'optimum'.
+
+    The optimum by the number of edges, beside the worst costs of the built-in explorers.
+    """
 
     complete: AllRows
+    stopped: Why = None
     rows: Annotated[tuple[OptimumRow, ...], about("by the number of edges")]
 
     @property
-    def exit_code(self) -> Exit:
-        """70 where a replay disagrees, 130 interrupted, 3 where an optimum was not found."""
-        if not all(row.agrees for row in self.rows):
-            return Exit.DISAGREES
-        if not self.complete:
-            return Exit.INTERRUPTED
-        found = all(row.optimum is not None for row in self.rows)
-        return Exit.ANSWERED if found else Exit.INCONCLUSIVE
+    def facts(self) -> Facts:
+        """Whether each strategy does what the search says, and every optimum was found."""
+        return Facts.of_rows(
+            self.complete,
+            self.stopped,
+            disagrees=not all(row.agrees for row in self.rows),
+        )
 
 
 @answers(OptimumRequest)
 def optimum(request: OptimumRequest) -> OptimumReport:
-    """The best that any explorer can do in the worst world with so many edges.
+    """Find the best worst case of any explorer in worlds with this number of edges.
 
-    The explorer has a directional lighthouse, and knows the number of edges.  A row that is not
-    found in time tells a lower bound.
+    The explorer has a directional lighthouse, and knows the number of edges.  Of the row in which
+    the time is up a lower bound is told.
 
     Raises:
         InputError: for a number of edges, or a limit, that is not legal.
     """
-    edges, time_limit = request.edges, request.time_limit
+    edges = request.edges
     if not 1 <= an_integer("edges", edges) <= MOST_EDGES:
         raise InputError(f"edges = {show(edges)}; the optimum is searched for 1..{MOST_EDGES}")
-    if time_limit is not None and not (
-        isinstance(time_limit, int | float) and 0 < time_limit < float("inf")
-    ):
-        raise InputError(f"time limit {show(time_limit)} is not a positive number of seconds")
-    rows, complete = until_interrupted(_rows(edges, time_limit, request.listener))
-    return OptimumReport(complete=complete, rows=rows)
+    return OptimumSweep(request).answer(request.run)
 
 
-def _rows(most: int, time_limit: float | None, listener: Listener) -> Iterator[OptimumRow]:
-    explorers = [name for name, own in BUILT_IN.items() if own.lighthouse == Directional.kind]
-    costs = {name: _worst(name, most) for name in explorers}
-    for edges in range(1, most + 1):
+class OptimumSweep(Sweep["OptimumRows", OptimumReport]):
+    """The sweep of the search. Each level is one unit."""
+
+    verb, asked = "optimum", OptimumRequest
+
+    def __init__(self, request: OptimumRequest) -> None:
+        super().__init__(request)
+        self._rows = OptimumRows()
+
+    @override
+    def levels(self) -> Iterator[SweptLevel]:
+        for edges in range(1, self.request.edges + 1):
+            size = level_size(Extent(MapClass.MAPS, edges), edges)
+            yield SweptLevel(edges, size, [LevelUnit(edges, ())])
+
+    @override
+    def ready(self) -> ReadyEngine:
+        return ReadyEngine(ThisThread(), _Minimax(self.request.edges, self.deadline))
+
+    @override
+    def finish(self, level: SweptLevel, total: OptimumRows) -> None:
+        self._rows.add(total)
+
+    leave = finish
+
+    @override
+    def report(self, ending: Ending) -> OptimumReport:
+        return OptimumReport(
+            complete=isinstance(ending, Completed),
+            stopped=ending.stopped,
+            rows=tuple(self._rows.rows),
+        )
+
+
+@dataclass(slots=True)
+class OptimumRows:
+    """The rows of some levels."""
+
+    rows: list[OptimumRow] = field(default_factory=list)
+
+    @property
+    def worlds(self) -> int:
+        """The number of rooted maps."""
+        extents = (Extent(MapClass.MAPS, row.edges) for row in self.rows)
+        return sum(level_size(extent, extent.levels[-1]) for extent in extents)
+
+    def add(self, other: OptimumRows) -> None:
+        """Add the rows of another part."""
+        self.rows += other.rows
+
+
+OptimumSweep.result = OptimumRows
+
+
+@dataclass(frozen=True, slots=True)
+class _Minimax:
+    """The engine, which solves a whole level.
+
+    Up to a number of edges it runs other explorers too.
+    """
+
+    edges: int
+    deadline: float | None
+
+    def parts(self, unit: LevelUnit) -> Iterator[OptimumRows]:
+        """The row of the level.
+
+        Raises:
+            TimeIsUp: after a row that holds a lower bound alone.
+        """
+        edges = unit.edges
         every = [world for world in worlds(edges=edges, places="all") if _size(world) == edges]
-        deadline = None if time_limit is None else time.monotonic() + time_limit
-        listener.level(edges, len(every))
-        solved = minimax(map(_given, every), deadline)
-        replayed = most_expensive(solved.strategy, every) if solved.strategy else None
-        listener.progress(len(every))
-        yield OptimumRow(
+        solved = minimax(map(_given, every), self.deadline)
+        row = OptimumRow(
             edges=edges,
             runs=len(every),
             at_least=solved.at_least,
-            replayed=replayed,
+            replayed=most_expensive(solved.strategy, every) if solved.strategy else None,
             states=solved.states,
-            explorers={name: of[edges] for name, of in costs.items()},
+            explorers={name: _worst(name, self.edges)[edges] for name in _explorers()},
             strategy=solved.strategy,
         )
+        yield OptimumRows([row])
+        if solved.strategy is None:
+            yield OptimumRows()  # so that the one before is handed over
+            raise TimeIsUp
+
+
+def _explorers() -> list[str]:
+    return [name for name, own in BUILT_IN.items() if own.lighthouse == Directional.kind]
 
 
 def _size(world: World) -> int:
@@ -171,8 +255,9 @@ def _given(world: World) -> tuple[CombinatorialMap, Dart, Dart]:
     return world.map, world.start, world.lighthouse.dart
 
 
+@cache
 def _worst(name: str, most: int) -> Mapping[int, int]:
-    """By the number of edges the largest cost of an explorer in any world; first in, first out."""
+    """The largest cost of an explorer, first in, first out, in any world, by number of edges."""
     worst: dict[int, int] = {}
     for row in check(name, edges=most).uninterrupted().to_json()["rows"]:
         worst[row["edges"]] = max(worst.get(row["edges"], 0), row["max_cost"])

@@ -1,4 +1,4 @@
-"""A strategy: what to do after whatever is sensed, and what to answer in the end."""
+"""Strategies: a motion for every percept, and an answer at the end."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from allworlds.protocol import Estimate, Percept
 
 
 class Branch(Document):
-    """What to do after a percept."""
+    """The next node after a percept."""
 
-    percept: Annotated[Percept, about("what is sensed")]
+    percept: Annotated[Percept, about("the percept")]
     node: Annotated[Natural, about("the node to go on with, by its place in `nodes`")]
 
 
@@ -20,7 +20,7 @@ class StrategyStep(Document):
     """A node of a strategy: a motion."""
 
     move: Annotated[Natural, about("by how many darts clockwise the robot turns before it leaves")]
-    then: Annotated[Some[Branch], about("where to go on")]
+    then: Annotated[Some[Branch], about("the next node, by the percept")]
 
 
 class StrategyLeaf(Document):
@@ -30,10 +30,10 @@ class StrategyLeaf(Document):
 
 
 class Strategy(Document):
-    """A strategy; each of its nodes may be come to in several ways."""
+    """A strategy. Several branches may lead to one node."""
 
-    start: Annotated[Some[Branch], about("where to begin after the first percept")]
-    nodes: Annotated[Some[StrategyStep | StrategyLeaf], about("what to do")]
+    start: Annotated[Some[Branch], about("the first node, by the first percept")]
+    nodes: Annotated[Some[StrategyStep | StrategyLeaf], about("the motions and answers")]
 
 
 def node_after(percept: Percept, branches: Sequence[Branch]) -> int | None:

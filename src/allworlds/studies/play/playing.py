@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, ClassVar, TypeAlias
+from typing import Annotated, TypeAlias
 
 from allworlds.document import Report, about
 from allworlds.inputs import InputError, show
-from allworlds.outcome import Exit
 from allworlds.protocol import Action, Percept, Transcript
-from allworlds.world import IllegalAction, World, world_named
+from allworlds.world import GivenLighthouse, IllegalAction, World, world_named
 
 Player: TypeAlias = Callable[[Percept, str], Action | None]
-"""Whoever plays: told what is sensed, and what was wrong with the last action (empty: nothing),
-it says what to do; None ends the game."""
+"""A player: given the percept, and the fault of the last action (empty if there is none),
+it returns the next action; None ends the game."""
 
 
 class Play(Report):
@@ -22,30 +21,33 @@ class Play(Report):
     A world and a walk in it.
     """
 
-    exit_code: ClassVar[Exit] = Exit.ANSWERED
-
-    path: Annotated[
-        str | None, about("the page in which it is played; null where it was played here")
-    ] = None
+    path: Annotated[str | None, about("the page for playing; null: played in the terminal")] = None
     world: World
-    transcript: Annotated[Transcript, about("what was done and sensed; of a page the start alone")]
+    transcript: Annotated[Transcript, about("the actions and percepts; for a page only the start")]
 
 
 def play(
-    world: World | str, *, lighthouse: str = "directional", player: Player = lambda *_: None
+    world: World | str,
+    *,
+    lighthouse: GivenLighthouse = "directional",
+    seed: int | None = None,
+    player: Player = lambda *_: None,
 ) -> Play:
-    """A walk in the world, action by action as the player wants it.
+    """Let a player walk in the world, action by action.
 
     Args:
         world: map, lighthouse and start; or what a WORLD may be on the command line.
         lighthouse: the kind of a world that is given as a text and names none.
+        seed: of a world of a family, by default 0: ``play("random:8", seed=3)``.
         player: by default it ends the game at once.
 
     Raises:
         InputError: if there is no such world.
     """
     if isinstance(world, str):
-        world = world_named(world, lighthouse)
+        world = world_named(world, lighthouse, seed)
+    elif seed is not None:
+        raise InputError(f"seed = {show(seed)} has no effect on a world that is given")
     if not isinstance(world, World):
         raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
     state, percept, steps, refused = world.initial, world.first, [], ""

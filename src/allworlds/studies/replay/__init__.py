@@ -1,4 +1,4 @@
-"""A finding run again: ``replaying`` says whether it still stands."""
+"""Replay of a finding: ``replaying`` says whether it still stands."""
 
 from typing import TYPE_CHECKING
 
@@ -6,7 +6,6 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.studies.replay.replay_request import (
-        AskedFinding as AskedFinding,
         ReplayRequest as ReplayRequest,
     )
     from allworlds.studies.replay.replaying import Replay as Replay, replay as replay

@@ -1,4 +1,4 @@
-"""What ``replay`` is asked for, as a value."""
+"""Request of ``replay``: a finding, and another explorer if wanted."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from typing import Annotated, Any
 
 from allworlds.engines import AskedPatience
 from allworlds.explorers import ProgramWords
-from allworlds.inputs import SCOPE, Argument, Named, Option, Request, read_text
-from allworlds.judging import Finding
+from allworlds.inputs import SCOPE, Named, Option, Request
+from allworlds.judging import AskedFinding
 
 
 class AnotherExplorer(Request):
@@ -35,31 +35,12 @@ class AnotherExplorer(Request):
     ] = None
 
     def value(self) -> str | None:
-        """Its name, if one is given."""
+        """The name of the explorer, if one is given."""
         return ProgramWords(command=self.command, native=self.native).named(self.explorer)
 
 
-def finding_in(path: str) -> Finding:
-    """The finding in a file; in stdin for ``-``."""
-    return Finding.from_json(read_text(path))
-
-
-class AskedFinding(Request, kw_only=False):
-    """Which finding is meant."""
-
-    finding: Annotated[
-        Finding,
-        Argument(
-            "",
-            "FILE",
-            "A finding, or a check's report; - for stdin.",
-            parse=finding_in,
-        ),
-    ]
-
-
 class ReplayRequest(AskedPatience, AskedFinding, kw_only=False):
-    """What ``replay`` is asked for."""
+    """Request of ``replay``: a finding, and another explorer if wanted."""
 
     explore: Annotated[
         str | Callable[..., Any] | None,

@@ -1,13 +1,12 @@
-"""``replay``: a finding run again, and whether it still stands."""
+"""``replay``: running a finding again, to see whether it still stands."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from typing import Annotated, Literal
 
-from allworlds.document import Aside, Report, Text, about, computed, key, one_of
+from allworlds.document import EXIT_CODE, Aside, Report, Text, about, computed, key, one_of
 from allworlds.engines import (
-    Limits,
     SingleRun,
     single_run,
     subject_of,
@@ -19,38 +18,58 @@ from allworlds.inputs import (
     show,
 )
 from allworlds.judging import Finding, LawName, recorded_trail
-from allworlds.outcome import Exit
+from allworlds.outcome import Exit, Facts
 from allworlds.studies.replay.replay_request import ReplayRequest
+
+TRIES = 8
+"""The number of runs, each in two fresh processes, before ``not-reproduced`` is said."""
 
 
 class Replay(Report):
     """Report of 'replay'.
 
-    What became of a finding.
+    The result of running a finding again.
 
-    ``notice`` tells the first recorded choice that this run has not taken; it is empty if the run
-    took all, or if another explorer was to answer by itself.
+    ``notice`` names the first recorded choice that this run did not take. It is empty if the run
+    took all, or if another explorer made its own choices. ``users`` says that a user's explorer
+    ran, not a built-in one.
     """
 
     outcome: Annotated[
-        Literal["reproduced", "fixed"],
-        about("`reproduced`: a law is broken again; `fixed`: none is"),
-    ] = computed(lambda replay: "reproduced" if replay.again.finding else "fixed")
-    exit_code: Annotated[Exit, one_of(Exit.ANSWERED, Exit.FIXED)] = computed(
-        lambda replay: Exit.FIXED if replay.outcome == "fixed" else Exit.ANSWERED
-    )
-    explorer: Annotated[Text, about("the one that ran")] = computed(
+        Literal["reproduced", "fixed", "not-reproduced"],
+        about(
+            "`reproduced`: a law is broken again; `fixed`: none is; `not-reproduced`: none is, "
+            "but single runs cannot show that a `nondeterministic` explorer was mended"
+        ),
+    ] = computed(lambda replay: replay.outcome_now)
+    exit_code: Annotated[Exit, one_of(Exit.ANSWERED, Exit.FIXED, Exit.INCONCLUSIVE)] = EXIT_CODE
+    explorer: Annotated[Text, about("the explorer that ran")] = computed(
         lambda replay: replay.again.explorer
     )
     law: Annotated[LawName, about("the recorded one")] = computed(
         lambda replay: replay.recorded.law
     )
-    law_now: Annotated[LawName | None, about("the one that is broken now; null: none")] = computed(
+    law_now: Annotated[LawName | None, about("the law that is broken now; null: none")] = computed(
         lambda replay: replay.again.finding.law if replay.again.finding else None
     )
     again: Annotated[SingleRun, about("the run of today")] = key(name="run")
     recorded: Aside[Finding]
     notice: Aside[str] = ""
+    users: Aside[bool] = False
+
+    @property
+    def outcome_now(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
+        """The outcome, by what was recorded and what is broken now."""
+        if self.again.finding:
+            return "reproduced"
+        open_ = self.users and self.recorded.law == "nondeterministic"
+        return "not-reproduced" if open_ else "fixed"
+
+    @property
+    def facts(self) -> Facts:
+        """Whether no law is broken any more, or whether that is open."""
+        outcome = self.outcome_now
+        return Facts(fixed=outcome == "fixed", undecided=outcome == "not-reproduced")
 
 
 @answers(ReplayRequest)
@@ -58,7 +77,8 @@ def replay(request: ReplayRequest) -> Replay:
     """Run a finding's world again under its rules, with ``explore`` in place of its explorer.
 
     The recorded choices are repeated for the recorded explorer, as far as they fit: it may have
-    been changed since.  Another one answers to the recorded policy.
+    been changed since.  Another one answers to the recorded policy.  After a finding of the law
+    ``nondeterministic`` the run is made up to :data:`TRIES` times.
 
     Raises:
         InputError: if the explorer is not to be found, the finding's transcript is no walk in
@@ -68,7 +88,7 @@ def replay(request: ReplayRequest) -> Replay:
     finding, explore = request.finding, request.explore
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
-    limits = Limits(answer_timeout=request.answer_timeout)
+    limits = request.patience
     recorded_trail(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
     subject = subject_of(finding.explorer if explore is None else explore, limits)
@@ -79,14 +99,13 @@ def replay(request: ReplayRequest) -> Replay:
             "explorer, too"
         )
     kind = finding.world.lighthouse.kind
-    again = single_run(
-        subject,
-        finding.world,
-        replace(finding.rules, own_bound=subject.bound_under(kind)),
-        finding.choices if same else (),
-        limits,
-    )
+    rules = replace(finding.rules, own_bound=subject.bound_under(kind))
+    script = finding.choices if same else ()
+    for _ in range(TRIES if finding.law == "nondeterministic" else 1):
+        again = single_run(subject, finding.world, rules, script, limits, finding.hash_seed)
+        if again.finding:
+            break
     notice = unused_choice(finding.choices, again) if same else ""
     if notice:
-        notice = f"the recorded {notice}; they count as far as they fit"
-    return Replay(again=again, recorded=finding, notice=notice)
+        notice = f"the recorded {notice}; choices are repeated as far as they fit"
+    return Replay(again=again, recorded=finding, notice=notice, users=subject.from_user)

@@ -4,6 +4,8 @@
     what is asked for;
 ``single``
     the verb;
+``world_names``
+    the names that a WORLD can have;
 ``hypotheses``
     the hypotheses that Algorithm 1 tests in a run, heard while it is played once more.
 """
@@ -20,5 +22,6 @@ if TYPE_CHECKING:
     )
     from allworlds.studies.run.run_request import AskedRun as AskedRun, RunRequest as RunRequest
     from allworlds.studies.run.single import run as run
+    from allworlds.studies.run.world_names import WorldNames as WorldNames
 else:
     open_door(__name__)

@@ -1,4 +1,4 @@
-"""The hypotheses that Algorithm 1 tests in a run: heard while the run is played once more.
+"""The hypotheses that Algorithm 1 tests in a run, observed while the run is played once more.
 
 No explorer says what it supposes: the protocol has no word for it, and none is needed.  The
 built-in ones ask for every choice, and tell a listener how each test ends.  So the same explorer
@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from allworlds.engines import SingleRun
-from allworlds.explorers import BUILT_IN
+from allworlds.explorers import BUILT_IN, built_in
 from allworlds.judging import Environment, play, true_trail
 from allworlds.maps import Dart
-from allworlds.protocol import Action, Checkpoint, Choices, Kind, Percept
+from allworlds.protocol import Action, Checkpoint, Choices, Kind, Percept, Told
 from allworlds.world import World
 
 T = TypeVar("T")
@@ -46,12 +46,14 @@ class Hypothesis:
 
     @property
     def last(self) -> int:
-        """The number of steps when it was decided."""
+        """The number of steps at which it was decided."""
         return self.first + len(self.supposed) - 1
 
 
 def hypotheses_in(run: SingleRun) -> tuple[Hypothesis, ...]:
-    """Every test of a run, in order; none of an explorer that does not tell, or walks otherwise.
+    """Every test of a run, in order.
+
+    Empty for an explorer that reports no tests or walks differently.
 
     Cost: that of the run.
     """
@@ -60,10 +62,10 @@ def hypotheses_in(run: SingleRun) -> tuple[Hypothesis, ...]:
         return ()
     stage = _Replayed(world.told, episode.transcript.percepts)
     heard = _Heard(stage, run.outcome.choices)
-    explore = BUILT_IN[run.explorer].explore
+    explore, keywords = BUILT_IN[run.explorer].explore, built_in(run.explorer).keywords
 
-    def player(first: Percept, choices: Choices, told: int | None) -> Generator[Any, Any, Any]:
-        tells = {} if told is None else {"told": told}
+    def player(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
+        tells = {"told": told} if "told" in keywords else {}
         listened: Generator[Any, Any, Any]
         listened = explore(first, choices=choices, notice=heard.notice, **tells)
         return listened
@@ -94,9 +96,9 @@ def embedded(checkpoint: Checkpoint, world: World, robot: Dart) -> dict[Dart, Da
 
 
 class _Replayed(Environment):
-    """In place of the world: the recorded percepts, and how many steps were made."""
+    """A stand-in for the world: it returns the recorded percepts and counts the steps."""
 
-    def __init__(self, told: int | None, percepts: Sequence[Percept]) -> None:
+    def __init__(self, told: Told, percepts: Sequence[Percept]) -> None:
         self._told, self._percepts = told, percepts
         self.steps = 0
 
@@ -109,7 +111,12 @@ class _Replayed(Environment):
         return self._percepts[0]
 
     @property
-    def told(self) -> int | None:
+    def over(self) -> bool:
+        """A replay ends where the log does."""
+        return False
+
+    @property
+    def told(self) -> Told:
         return self._told
 
     def step(self, _state: None, _action: Action) -> tuple[None, Percept]:
@@ -119,7 +126,7 @@ class _Replayed(Environment):
 
 @dataclass(slots=True)
 class _Taken:
-    """A hypothesis as it was heard: the steps at arrival, when it was taken up, and at its end."""
+    """A hypothesis as observed: the steps at arrival, and at the start and end of its test."""
 
     dart: Dart
     arrived: int
@@ -129,7 +136,7 @@ class _Taken:
 
 
 class _Heard(Choices):
-    """The recorded choices, and what is heard of the tests."""
+    """A listener that answers with the recorded choices and records the tests."""
 
     def __init__(self, stage: _Replayed, script: Sequence[int]) -> None:
         super().__init__(script=script)
@@ -149,7 +156,7 @@ class _Heard(Choices):
         return picked
 
     def notice(self, event: str) -> None:
-        """How the test ends that was taken up last."""
+        """Record how the test ended that was begun last."""
         if event in DECIDED:
             test = self.tests[-1]
             test.last, test.right = self._stage.steps, DECIDED[event]
@@ -161,7 +168,7 @@ def _test(
     checkpoints: Sequence[tuple[int, Checkpoint]],
     heard: _Taken,
 ) -> Hypothesis | None:
-    """The test in the world's darts; None where S, gone wrong, does not lie in the world.
+    """The test in the world's darts; None if S, gone wrong, is not embedded in the world.
 
     Whatever is supposed, the same motions are made: where the robot then were is found along
     the world's own map, in which S lies.

@@ -1,4 +1,4 @@
-"""What ``run`` is asked for, as a value."""
+"""Request of ``run``: an explorer, a world and the rules."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from typing import Annotated, Any
 from allworlds.engines import AskedPatience
 from allworlds.inputs import RULES, InputError, Option, Taken, an_integer, show
 from allworlds.judging import AskedRules
-from allworlds.world import World
+from allworlds.world import Adversary, World
 
 
 def index_list(text: str) -> tuple[int, ...]:
-    """Integers from 0 on with commas."""
+    """The indices of a text, integers from 0 on with commas between."""
     if not re.fullmatch(r"[0-9]{1,9}(,[0-9]{1,9})*", text):
         raise InputError(f"choices {show(text)} are not indices from 0 on with commas")
     return tuple(int(part) for part in text.split(","))
@@ -26,7 +26,7 @@ def _indices(choices: object) -> tuple[int, ...]:
 
 
 class AskedRun(AskedPatience, AskedRules):
-    """How one run is played and judged."""
+    """Options for playing and judging one run."""
 
     choices: Annotated[
         Taken[Sequence[int], tuple[int, ...]],
@@ -40,11 +40,12 @@ class AskedRun(AskedPatience, AskedRules):
 
 
 class RunRequest(AskedRun, kw_only=False):
-    """What ``run`` is asked for."""
+    """Request of ``run``: an explorer, a world and the rules."""
 
     explore: Annotated[str | Callable[..., Any], "a name or a generator function"]
     world: Annotated[
-        World | str,
+        World | Adversary | str,
         "map, lighthouse and start; or what :func:`allworlds.world.named.world_named` reads, under "
-        "the explorer's own lighthouse where none is named",
+        "the explorer's own lighthouse where none is named; or ``adversary:corridor:F``, which "
+        "makes a world that is bad for this explorer",
     ]

@@ -1,38 +1,77 @@
-"""``run``: one episode, judged and told."""
+"""``run``: one episode, judged and reported."""
 
 from __future__ import annotations
 
+import os
+import re
+
 from allworlds.engines import (
-    Limits,
     SingleRun,
+    adversarial_run,
     single_run,
     subject_of,
     unused_choice,
 )
+from allworlds.explorers import HASH_SEED, Subject
 from allworlds.inputs import InputError, answers, show
 from allworlds.studies.run.run_request import RunRequest
-from allworlds.world import World, world_named
+from allworlds.world import (
+    PREFIX,
+    Adversary,
+    Directional,
+    World,
+    adversary_named,
+    kind_of,
+    world_named,
+)
 
 
 @answers(RunRequest)
 def run(request: RunRequest) -> SingleRun:
-    """One episode, judged.
+    """Run an explorer once, and judge the run.
 
-    An explorer that is not ours and that another process can import is played in one of its
-    own, as in a check; any other in this process.
+    A user's explorer that another process can import is played in a process of its own, as in a
+    check; any other one in this process. Its hash seed is the one in the environment variable
+    ``PYTHONHASHSEED``, if it is set.
 
     Raises:
         InputError: naming the offending option and what would be legal, or the first choice
             that was not taken.
     """
-    limits, world = Limits(answer_timeout=request.answer_timeout), request.world
+    limits, world = request.patience, request.world
     subject = subject_of(request.explore, limits)
+    if isinstance(world, str) and world.startswith(PREFIX):
+        world = adversary_named(world)
+    if isinstance(world, Adversary):
+        return _against(request, subject, world)
     if isinstance(world, str):
         world = world_named(world, subject.lighthouse)
     if not isinstance(world, World):
         raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
-    rules = request.rules_of(subject, world.lighthouse.kind)
-    told = single_run(subject, world, rules, request.choices, limits)
+    rules = request.rules_of(subject, kind_of(world.lighthouse))
+    told = single_run(subject, world, rules, request.choices, limits, asked_hash_seed())
     if unused := unused_choice(request.choices, told):
         raise InputError(unused)
     return told
+
+
+def _against(request: RunRequest, subject: Subject, adversary: Adversary) -> SingleRun:
+    """The run in the world that the adversary makes."""
+    if str(subject.lighthouse) != Directional.kind:
+        raise InputError(
+            f"{adversary} is under the lighthouse directional; {subject.name} needs "
+            f"{subject.lighthouse}"
+        )
+    rules = request.rules_of(subject, kind_of(Directional(0)))
+    told = adversarial_run(
+        subject, adversary, rules, request.choices, request.patience, asked_hash_seed()
+    )
+    if unused := unused_choice(request.choices, told):
+        raise InputError(unused)
+    return told
+
+
+def asked_hash_seed() -> int | None:
+    """The hash seed that the environment names; None if it names none."""
+    seed = os.environ.get(HASH_SEED, "")
+    return int(seed) if re.fullmatch("[0-9]{1,9}", seed) else None

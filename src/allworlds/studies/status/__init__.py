@@ -1,4 +1,4 @@
-"""How far a run directory is: ``run_status``, also while it grows."""
+"""Progress of a run directory: ``run_status``, also while it grows."""
 
 from typing import TYPE_CHECKING
 

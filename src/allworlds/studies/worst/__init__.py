@@ -20,10 +20,14 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.studies.worst.all_worlds import (
-        merged_worst as merged_worst,
+        SchedulesSweep as SchedulesSweep,
         worst as worst,
     )
-    from allworlds.studies.worst.every_schedule import EverySchedule as EverySchedule
+    from allworlds.studies.worst.every_schedule import (
+        EverySchedule as EverySchedule,
+        Planned as Planned,
+        WrongTest as WrongTest,
+    )
     from allworlds.studies.worst.worst_report import WorstReport as WorstReport
     from allworlds.studies.worst.worst_request import WorstRequest as WorstRequest
 else:

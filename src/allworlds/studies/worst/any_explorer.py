@@ -1,70 +1,54 @@
-"""The worst of any explorer: every run is played, under every schedule where it takes choices."""
+"""Worst cases of any explorer: every run is played, under every schedule if it takes choices."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import Any
+
+from typing_extensions import override
 
 from allworlds.engines import (
+    WHOLE,
     AtRun,
     CostEngine,
     CostTally,
-    EnginesDisagree,
-    Job,
-    Limits,
+    Identity,
     Listener,
+    Portion,
     ReadyEngine,
     Row,
     Scope,
+    SweptLevel,
     Tally,
+    canonical,
     cells_of_level,
-    confirmed,
     engine_for,
-    gather,
+    from_kept,
+    players_for,
     subject_of,
     why_not_compiled,
-    workers_for,
 )
 from allworlds.explorers import Subject
-from allworlds.judging import Finding, Rules
-from allworlds.maps import Extent, source_for
-from allworlds.outcome import until_interrupted
-from allworlds.studies.check import ManyRuns, world_at
+from allworlds.judging import Finding
+from allworlds.maps import Extent, source_name, source_of
+from allworlds.outcome import Completed, Disagreed, Ending, Stopped
+from allworlds.protocol import Schedule
+from allworlds.studies.check import (
+    ManyWorlds,
+    TallySweep,
+    rules_known,
+    subject_of_record,
+    world_at,
+)
 from allworlds.studies.worst.worst_report import WorstReport, WorstRow, replayed_cost
 from allworlds.studies.worst.worst_request import WorstRequest
+from allworlds.world import World
 
 PLAYED = (
     "compiled code tries every schedule of algorithm1 alone; this library takes choices, and is "
     "played by the python engine, far slower"
 )
 """The notice for libraries that are played so, where ``check`` judges them in compiled code."""
-
-
-def worst_of_runs(request: WorstRequest, extent: Extent) -> WorstReport:
-    """The worst and best cost of any explorer over its runs, in the worlds of an extent.
-
-    Raises:
-        InputError: for an explorer or a lighthouse that is none.
-    """
-    limits = Limits(workers=request.workers)
-    subject = subject_of(request.explore, limits)
-    asked = ManyRuns(map_class=request.map_class, lighthouse=request.lighthouse)
-    rules = asked.rules(subject)
-    scope = Scope(extent, rules, "all" if subject.takes_choices else "one")
-    search = _RunsSearch(subject, rules, scope, limits, request.listener)
-    finished, complete = until_interrupted(search.levels())
-    return WorstReport(
-        map_class=extent.map_class,
-        edges=extent.levels[-1],
-        schedules=scope.schedules,
-        complete=complete,
-        rows=tuple(row for level in finished for row in level),
-        findings=tuple(search.findings),
-        source=source_for(extent.map_class).name,
-        disagreement=search.disagreement,
-        subject=subject,
-        rules=rules,
-    )
 
 
 @dataclass(slots=True)
@@ -79,85 +63,151 @@ class _MostExpensive(Tally):
     best: dict[int, int] = field(default_factory=dict)
 
     def add(self, other: Tally) -> None:
-        """Take in another part."""
+        """Add the costs of another part."""
         Tally.add(self, other)
         if isinstance(other, CostTally):
             for ((_, vertices, *_), _), cost in other.costs.items():
                 self.best[vertices] = max(self.best.get(vertices, 0), cost.cheapest)
 
 
-@dataclass(slots=True)
-class _RunsSearch:
-    """On its way."""
+class RunsSweep(TallySweep[WorstReport]):
+    """The sweep through the runs of any explorer. A level with a finding is the last.
 
-    subject: Subject
-    rules: Rules
-    scope: Scope
-    limits: Limits
-    listener: Listener
-    findings: list[Finding] = field(default_factory=list)
-    disagreement: str = ""
+    Args:
+        request: what was asked for.
+        scope: the worlds, the rules and the schedules.
+        subject: the explorer.
+    """
 
-    def levels(self) -> Iterator[list[WorstRow]]:
-        """The rows of each level; one with a finding is the last."""
-        try:
-            ready = self._ready()
-            with ready.transport:
-                for level in self.scope.extent.levels:
-                    yield self._level(level, ready)
-                    if self.findings:
-                        return
-        except EnginesDisagree as error:
-            self.disagreement = str(error)
-            self.listener.notice(self.disagreement)
+    verb, asked = "worst", WorstRequest
 
-    def _ready(self) -> ReadyEngine:
-        """That of a check of one schedule; of all of them every run must be told apart."""
-        subject, scope, limits = self.subject, self.scope, self.limits
-        notice = self.listener.notice
+    def __init__(self, request: WorstRequest, scope: Scope, subject: Subject) -> None:
+        super().__init__(request, scope, subject, extent=scope.extent)
+        self._rows: list[WorstRow] = []
+        self._findings: list[Finding] = []
+
+    @override
+    @classmethod
+    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> RunsSweep:
+        told, request = identity.parameters, cls.asked_then(identity, portion, listener)
+        extent = Extent(request.map_class, told["edges"], where=request.where)
+        scope = Scope(extent, rules_known(request, told), told["schedules"], portion)
+        return cls(request, scope, subject_of_record(identity.explorer))
+
+    @override
+    def parameters(self) -> dict[str, Any]:
+        scope = self.scope
+        more = {"edges": scope.extent.edges, "schedules": scope.schedules}
+        return {**super().parameters(), **more}
+
+    @override
+    def ready(self) -> ReadyEngine:
+        """The engine of a check for one schedule. For all schedules every run is told apart."""
+        subject, scope = self.job.subject, self.scope
         if scope.schedules == "all":
             if subject.compiled:
-                notice(PLAYED)
-            return ReadyEngine(workers_for(subject, limits), CostEngine(scope, 1))
+                self.listener.notice(PLAYED)
+            return ReadyEngine(players_for(self.job), CostEngine(scope, 1))
         if why := why_not_compiled(scope, subject):
-            notice(why)
-        job = Job(scope, subject, limits, 1, None, notice)
-        return engine_for("auto", scope, subject).ready(job)
+            self.listener.notice(why)
+        return engine_for("auto", scope, subject).ready(self.job)
 
-    def _level(self, level: int, ready: ReadyEngine) -> list[WorstRow]:
-        cells = cells_of_level(self.scope.extent, level)
-        self.listener.level(level, sum(cells.values()))
-        found = _MostExpensive(keep=1)
-        gather(ready.transport, ready.engine, self.scope.units(level), found, self.listener)
-        self.findings += [
-            confirmed(finding, self.subject, self.limits, self.scope.schedules)
-            for finding in found.findings
-        ]
-        return [
-            self._row(level, vertices, row, row.most_expensive, found.best, cells.get(vertices, 0))
-            for (_, vertices), row in sorted(found.rows.items())
+    @override
+    def empty(self) -> _MostExpensive:
+        return _MostExpensive(keep=1)
+
+    @override
+    def read(self, kept: Any) -> Tally:
+        kind = CostTally if self.scope.schedules == "all" else Tally
+        return from_kept(kept, kind).under(self.scope.rules)
+
+    @override
+    def finish(self, level: SweptLevel, total: Tally) -> Ending | None:
+        extent = self.scope.extent
+        cells = cells_of_level(extent, level.edges)
+        whole = self.portion == WHOLE and source_of(extent) is not None
+        assert isinstance(total, _MostExpensive)
+        self._rows += [
+            self._row(level.edges, vertices, row, total, cells.get(vertices, 0) if whole else None)
+            for (_, vertices), row in sorted(total.rows.items())
             if row.most_expensive
         ]
+        self.leave(level, total)
+        return Stopped("a law is broken", final=True) if self._findings else None
+
+    @override
+    def leave(self, level: SweptLevel, total: Tally) -> None:
+        """Store findings, of an unfinished level too."""
+        self._findings += total.findings
+
+    @override
+    def conclude(self, ending: Ending) -> Ending:
+        """Confirm the findings. No level after the first one with a finding is done."""
+        self._findings = self.confirmation.confirmed(self._findings)
+        return Completed() if ending.final and self._findings else ending
+
+    @override
+    def report(self, ending: Ending) -> WorstReport:
+        extent, scope = self.scope.extent, self.scope
+        disagreement = ending.reason if isinstance(ending, Disagreed) else ""
+        if disagreement:
+            self.listener.notice(disagreement)
+        return WorstReport(
+            map_class=extent.map_class,
+            edges=extent.levels[-1],
+            schedules=scope.schedules,
+            shard=str(self.portion),
+            complete=isinstance(ending, Completed | Disagreed),
+            stopped=ending.stopped,
+            rows=tuple(self._rows),
+            findings=tuple(self._findings),
+            where=extent.where.name if extent.where else None,
+            source=source_name(extent),
+            disagreement=disagreement,
+            subject=self.job.subject,
+            rules=self.scope.rules,
+        )
 
     def _row(
-        self,
-        edges: int,
-        vertices: int,
-        row: Row,
-        most_expensive: AtRun,
-        best: Mapping[int, int],
-        counted: int,
+        self, edges: int, vertices: int, row: Row, total: _MostExpensive, counted: int | None
     ) -> WorstRow:
-        world, choices = world_at(most_expensive, self.rules), most_expensive.choices
+        assert row.most_expensive is not None
+        world, choices = world_at(row.most_expensive, self.scope.rules), row.most_expensive.choices
         return WorstRow(
             edges=edges,
             vertices=vertices,
             worlds=row.worlds,
             worst=row.max_cost,
-            best=best.get(vertices, row.max_cost),
+            best=total.best.get(vertices, row.max_cost),
             bound=row.bound,
             world=world,
             choices=choices,
-            replayed=replayed_cost(self.subject, world, self.rules, choices, self.limits),
+            replayed=self._replayed(row.most_expensive, world),
             counted=counted,
         )
+
+    def _replayed(self, run: AtRun, world: World) -> int | None:
+        """The cost of a run that is played again; kept on record, so played only once."""
+        name = f"replayed {canonical(run)}"
+        told: Any = self.records.recall(name)
+        if told is None:
+            cost = replayed_cost(
+                self.job.subject, world, self.scope.rules, run.choices, self.job.limits
+            )
+            told = {"cost": cost}
+            self.records.note(name, told)
+        cost_again: int | None = told["cost"]
+        return cost_again
+
+
+def runs_asked(request: WorstRequest, extent: Extent) -> RunsSweep:
+    """The search for a request, with its explorer loaded.
+
+    Raises:
+        InputError: for an explorer or a lighthouse that is none.
+    """
+    subject = subject_of(request.explore, request.limits)
+    asked = ManyWorlds(map_class=request.map_class, lighthouse=request.lighthouse)
+    schedules: Schedule = "all" if subject.takes_choices else "one"
+    scope = Scope(extent, asked.rules(subject), schedules, request.shard)
+    return RunsSweep(request, scope, subject)

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
-from allworlds.document import taken
 from allworlds.engines import (
     LevelUnit,
     ScheduleCosts,
@@ -21,13 +20,13 @@ from allworlds.studies.worst.every_schedule import Transit
 
 @dataclass(slots=True)
 class ScheduleCostsBySize:
-    """What every schedule can cost, by the number of vertices; adds up in any order."""
+    """Costs over every schedule, by the number of vertices. They add up in any order."""
 
     by_vertices: dict[int, ScheduleCosts] = field(default_factory=dict)
 
     @classmethod
     def of(cls, rows: Iterable[ScheduleCosts]) -> ScheduleCostsBySize:
-        """The rows of a part."""
+        """Return the costs of a part's rows."""
         return cls({row.vertices: row for row in rows})
 
     def __contains__(self, vertices: object) -> bool:
@@ -35,23 +34,14 @@ class ScheduleCostsBySize:
 
     @property
     def worlds(self) -> int:
-        """Rooted maps."""
+        """The number of rooted maps."""
         return sum(row.rooted for row in self.by_vertices.values())
 
     def add(self, other: ScheduleCostsBySize) -> None:
-        """Take in another part."""
+        """Add the costs of another part."""
         for vertices, row in other.by_vertices.items():
             mine = self.by_vertices.get(vertices)
             self.by_vertices[vertices] = _joined(mine, row) if mine else row
-
-    def to_json(self) -> list[ScheduleCosts]:
-        """One row for each number of vertices, ascending, as it is kept in a run directory."""
-        return [row for _, row in sorted(self.by_vertices.items())]
-
-    @classmethod
-    def from_json(cls, rows: object) -> ScheduleCostsBySize:
-        """What has those rows."""
-        return cls.of(taken(rows, list[ScheduleCosts], "what is kept of a unit"))
 
 
 def _joined(a: ScheduleCosts, b: ScheduleCosts) -> ScheduleCosts:
@@ -69,18 +59,18 @@ def _joined(a: ScheduleCosts, b: ScheduleCosts) -> ScheduleCosts:
 
 @dataclass(frozen=True, slots=True)
 class ScheduleSearch:
-    """The engine."""
+    """The engine that searches all schedules."""
 
     extent: Extent
     transit: Transit
     flag: Any = field(default_factory=flag)
 
     def halt(self) -> None:
-        """Give up."""
+        """Set the flag that ends the compiled search."""
         self.flag[0] = 1
 
     def is_compiled(self) -> bool:
-        """An earlier use has left the compiled code behind."""
+        """Whether an earlier use has left the compiled code behind."""
         return is_compiled(search)
 
     def parts(self, unit: LevelUnit) -> Iterator[ScheduleCostsBySize]:

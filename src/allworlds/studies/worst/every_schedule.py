@@ -31,7 +31,7 @@ Path: TypeAlias = tuple[Dart, ...]
 
 
 class WrongTest(Exception):
-    """A false hypothesis has been confirmed: Algorithm 1 would be refuted."""
+    """Raised when a false hypothesis was confirmed, which would refute Algorithm 1."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,7 @@ class PassCosts:
 
 @dataclass(frozen=True, slots=True)
 class PassCost:
-    """What a pass can cost at most.
+    """The largest cost of a pass.
 
     Attributes:
         vertices, explored: of S when it begins; the explored edges.
@@ -173,7 +173,7 @@ class EverySchedule:
         return ways if self._transit == "simple" else ways[:1]
 
     def _find_passes(self, explored: Explored) -> tuple[PassCosts, ...]:
-        """What can be done next where these edges are explored."""
+        """Find the passes that are possible after exploring these edges."""
         known = {self._v0} | {self._owner[d] for d in explored}
         unexplored = [d for d in self._map.darts if self._owner[d] in known and d not in explored]
         return tuple(self._pass(explored, known, unexplored, dart) for dart in unexplored)
@@ -223,7 +223,7 @@ class EverySchedule:
         return tests
 
     def _mismatch(self, hypothesis: Dart, path: Path, robot: Dart) -> int | None:
-        """After how many steps a percept is not the expected one, or None if all match."""
+        """The number of steps until a percept differs from the expected one; None if all match."""
         turn, alpha = self._map.turn, self._map.alpha
         at = hypothesis
         for steps, dart in enumerate(path, 1):
@@ -253,14 +253,14 @@ class EverySchedule:
 
 
 class Planned(Choices):
-    """Choices that have been made beforehand, as darts of S."""
+    """An answerer with prepared choices, given as darts of S."""
 
     def __init__(self, darts: Sequence[Dart]) -> None:
         super().__init__()
         self._darts = iter(darts)
 
     def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:  # noqa: ARG002
-        """The next dart of the plan."""
+        """Pick the next dart of the plan."""
         index = list(options).index(next(self._darts))  # type: ignore[arg-type]  # S's darts
         self.record.append(index)
         return options[index]

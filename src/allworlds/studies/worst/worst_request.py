@@ -1,4 +1,4 @@
-"""What ``worst`` is asked for, as a value."""
+"""Request of ``worst``: an explorer, the worlds and the reading of line 4."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from allworlds.engines import (
     AskedDirectory,
     AskedListener,
     AskedShard,
-    AskedWorkers,
+    Limits,
 )
 from allworlds.explorers import AskedExplorer
 from allworlds.inputs import RULES, SCOPE, InputError, Option, Taken, integer_of, show
 from allworlds.maps import AskedClass
 from allworlds.studies.worst.every_schedule import Transit
-from allworlds.world import AskedLighthouse
+from allworlds.world import AskedLighthouse, AskedWhere
 
 DEFAULT_EDGES, OTHERS_EDGES = 5, 3
 
@@ -30,13 +30,14 @@ class WorstRequest(
     AskedListener,
     AskedCluster,
     AskedDirectory,
-    AskedWorkers,
+    Limits,
     AskedShard,
+    AskedWhere,
     AskedLighthouse,
     AskedClass,
     AskedExplorer,
 ):
-    """What ``worst`` is asked for."""
+    """Request of ``worst``: an explorer, the worlds and the effort."""
 
     edges: Annotated[
         int | None,

@@ -1,6 +1,6 @@
-"""Lighthouses: what is marked in a world, and what of it can be sensed; one kind a module.
+"""Lighthouses: the marks and directions in a world, and their percepts; one kind a module.
 
 A new lighthouse is a module with a subclass of :class:`~allworlds.world.Lighthouse`, and an entry
-of ``LIGHTHOUSES`` in the module ``kinds``.  What all kinds share is in the module ``base``, and
-what a robot can sense of a lighthouse in a map in the module ``sensing``.
+of ``LIGHTHOUSES`` in the module ``kinds``.  The module ``base`` has the parts that all kinds
+share, and the module ``sensing`` the percepts of a robot.
 """

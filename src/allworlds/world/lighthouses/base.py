@@ -1,17 +1,19 @@
-"""What every lighthouse must be able to say."""
+"""The interface of every lighthouse."""
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import islice
-from typing import Annotated, Any, ClassVar, NamedTuple, TypeAlias
+from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias
 
 from allworlds.document import about, plain
 from allworlds.inputs import InputError, integer, show
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.protocol import Action, Percept
-from allworlds.world.lighthouses.sensing import Sensing
+from allworlds.protocol import Action, Percept, Told, UserCode
+from allworlds.world.lighthouses.sensing import Sensing, Where
+from allworlds.world.state import State
 
 StandsAt: TypeAlias = Annotated[Dart, about("where it stands")]
 
@@ -37,29 +39,45 @@ class WalkInAnswer(NamedTuple):
 class Lighthouse(ABC):
     """A lighthouse that stands at a place of a map.
 
+    A lighthouse of one's own is a frozen dataclass with this base: it says at which places of a
+    map it can stand (:meth:`places`), and what is sensed of it there (:meth:`sensed`).  A field
+    with the name ``dart`` holds a dart, one with the name ``darts`` a tuple of them; a class with
+    darts in other fields says how they are renamed (:meth:`relabelled`).
+
     Attributes:
         kind: the name on the command line and in files.
-        sensing: what a robot senses of it.
         default_bound: the bound on the traversals that is checked unless another is named.
         folds: whether the log of a correct explorer determines the map (every arrival at v0
             tells where the robot is, and how it is turned).
         leaves_open: whether an explorer may answer with the rooted quotient, where several
             worlds look alike.
+        gives_marks, gives_bearings: whether it can make a percept have them; of two that are put
+            together only one may.
+        leaves_marks: whether the robot can leave marks itself.
         keys: what its JSON may hold besides ``kind``.
         asked: the types of those that are no attributes: they say which place is meant.
+        code: where the class comes from, if it is the user's.
     """
 
     kind: ClassVar[str]
-    sensing: ClassVar[Sensing]
-    default_bound: ClassVar[str]
-    folds: ClassVar[bool]
+    default_bound: ClassVar[str] = "none"
+    folds: ClassVar[bool] = False
     leaves_open: ClassVar[bool] = False
+    gives_marks: ClassVar[bool] = True
+    gives_bearings: ClassVar[bool] = True
+    leaves_marks: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ("dart",)
     asked: ClassVar[Mapping[str, Any]] = {}
+    code: ClassVar[UserCode | None] = None
+
+    @property
+    def written(self) -> str:
+        """The name of its kind, as ``--lighthouse`` takes it."""
+        return self.kind if self.code is None else self.code.name
 
     @classmethod
     def with_options(cls, options: Mapping[str, str]) -> type[Lighthouse]:
-        """The kind with the options of ``KIND:key=value``; it has none, unless it says otherwise.
+        """The kind with the options of ``KIND:key=value``; by default there are none.
 
         Raises:
             InvalidWorld: naming the option, or the value, that the kind does not have.
@@ -72,45 +90,67 @@ class Lighthouse(ABC):
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:
         """Every place in the map rooted at ``start``, in an order that renaming darts keeps."""
 
-    @abstractmethod
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Nothing, if the lighthouse can stand there; else raises InvalidWorld."""
+        """Raise InvalidWorld unless the lighthouse can stand there: at one of its places."""
+        if self not in type(self).places(map_, start):
+            raise InvalidWorld(
+                f"the lighthouse {self.kind} cannot stand at {show(self)} in this map with start "
+                f"{start}: it is none of its places there"
+            )
 
-    @abstractmethod
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
-        """One dart of each vertex at which more than the degree is sensed; v0's is the first."""
+    def sensed(self, map_: CombinatorialMap, here: Dart) -> Percept:
+        """The percept of a robot that has arrived by the dart ``here``: the degree alone."""
+        return Percept(map_.degree_at[here])
 
     def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
-        """For each dart what is sensed by a robot that has arrived by it."""
-        return self.sensing.percepts(map_, self.references(map_))
+        """For each dart the percept of a robot that has arrived by it."""
+        return tuple(self.sensed(map_, here) for here in map_.darts)
 
-    @abstractmethod
-    def relabelled(self, names: Sequence[Dart]) -> Lighthouse:
-        """The same place after dart ``d`` has been renamed to ``names[d]``."""
+    def relabelled(self, names: Sequence[Dart]) -> Self:
+        """The lighthouse at this place after dart ``d`` has been renamed to ``names[d]``."""
+        told = {key: getattr(self, key) for key in self.keys if hasattr(self, key)}
+        renamed: dict[str, Any] = {}
+        if "dart" in told:
+            renamed["dart"] = names[told["dart"]]
+        if "darts" in told:
+            renamed["darts"] = tuple(names[dart] for dart in told["darts"])
+        return replace(self, **renamed) if renamed else self  # type: ignore[type-var]
 
     def to_json(self) -> dict[str, Any]:
-        """``{"kind": ...}`` and where it stands: the attributes among its keys."""
+        """``{"kind": ...}`` and the place: the attributes among its keys."""
         told = {key: getattr(self, key) for key in self.keys if hasattr(self, key)}
-        return {"kind": self.kind, **{key: plain(value) for key, value in told.items()}}
+        return {**self._named(), **{key: plain(value) for key, value in told.items()}}
+
+    def _named(self) -> dict[str, Any]:
+        """Its kind; of the user's, the options and by which content the class is known."""
+        if self.code is None:
+            return {"kind": self.kind}
+        return {
+            "kind": self.kind,
+            "options": self.code.arguments,
+            "digest": self.code.digest,
+        }
 
     @classmethod
     def from_json(
         cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart
     ) -> Lighthouse:
-        """The lighthouse of :meth:`to_json`'s document; it may leave out where it stands."""
-        for key in cls.keys:
-            if key in document:
-                return cls.at(document[key])
-        return cls.usual(map_, start)
+        """The lighthouse of :meth:`to_json`'s document, which may leave out the place."""
+        where = {key: document[key] for key in cls.keys if key in document}
+        return cls.at(**where) if where else cls.usual(map_, start)
 
     @classmethod
-    def at(cls, where: Any) -> Lighthouse:
-        """The lighthouse at the place that a document names."""
-        return cls(where)  # type: ignore[call-arg]  # the field of its only key
+    def at(cls, **where: Any) -> Lighthouse:
+        """The lighthouse at the place that a document names, by its fields."""
+        frozen = {
+            key: tuple(value) if isinstance(value, list) and key != "dart" else value
+            for key, value in where.items()
+        }
+        return cls(**frozen)
 
     @classmethod
     def usual(cls, map_: CombinatorialMap, start: Dart) -> Lighthouse:
-        """The lighthouse where no place is named: at its first one.
+        """The lighthouse at its first place, for a document that names no place.
 
         Raises:
             InvalidWorld: if it has none.
@@ -120,16 +160,16 @@ class Lighthouse(ABC):
         raise no_place(cls.kind, start)
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:
-        """Its place's number among the places of the rooted map; 0 for one that is none of them."""
+        """The number of this place among the places of the rooted map; 0 if it is none of them."""
         places = enumerate(type(self).places(map_, start))
         return next((i for i, place in places if place == self), 0)
 
     def believed(
         self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer
     ) -> Lighthouse | None:
-        """Where a robot must believe that it stands: at the place of the same number.
+        """The lighthouse as the robot must believe it: at the place of the same number.
 
-        None where the answer has no such place.
+        None if the answer has no such place.
         """
         places = type(self).places(walk.map, walk.trail[0])
         return next(islice(places, self.number(map_, start), None), None)
@@ -140,7 +180,7 @@ class Lighthouse(ABC):
         return 0
 
     def refusal(self, action: Action, lying: int, hand: int) -> str:  # noqa: ARG002  # none
-        """What is legal where that action is not; empty where it is.
+        """A sentence about the legal actions if this one is illegal; empty if it is legal.
 
         Args:
             action: what the robot wants to do.
@@ -149,20 +189,81 @@ class Lighthouse(ABC):
         """
         return f"the {self.kind} lighthouse gives no markers"
 
-    def told(self, map_: CombinatorialMap) -> int | None:  # noqa: ARG002  # for kinds that need it
-        """What the explorer is told before the start; nothing, unless a kind says otherwise."""
+    def acted(self, map_: CombinatorialMap, state: State, action: Action) -> State:  # noqa: ARG002
+        """The state after an action that is no motion, and that is not refused."""
+        return state
+
+    def left_marks(self, map_: CombinatorialMap, state: State) -> int:  # noqa: ARG002
+        """The marks that the robot senses of what it has left itself."""
+        return 0
+
+    def told(self, map_: CombinatorialMap) -> Told:  # noqa: ARG002  # for kinds that need it
+        """The value that the explorer is told before the start; by default None."""
         return None
 
 
+class ReferenceLighthouse(Lighthouse):
+    """A lighthouse of which all that is sensed follows from some darts, its references.
+
+    Attributes:
+        sensing: the percepts of a robot near it.
+    """
+
+    sensing: ClassVar[Sensing]
+
+    def __init_subclass__(cls) -> None:
+        cls.gives_marks = cls.sensing.marks or cls.leaves_marks
+        cls.gives_bearings = cls.sensing.bearing
+
+    @abstractmethod
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
+        """One dart of each vertex at which more than the degree is sensed; v0's is the first."""
+
+    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
+        """For each dart the percept of a robot that has arrived by it."""
+        return self.sensing.percepts(map_, self.references(map_))
+
+
+class PlacelessLighthouse(ReferenceLighthouse):
+    """A lighthouse of which nothing stands anywhere: any map and any start are one place."""
+
+    sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
+
+    @classmethod
+    @abstractmethod
+    def with_its_options(cls) -> Lighthouse:
+        """The lighthouse with the options of the kind."""
+
+    @classmethod
+    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:  # noqa: ARG003
+        """One place."""
+        yield cls.with_its_options()
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """Every map and every start will do."""
+
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # any map
+        """The empty tuple: at the start no mark lies anywhere."""
+        return ()
+
+    def number(self, map_: CombinatorialMap, start: Dart) -> int:  # noqa: ARG002  # the only one
+        """0."""
+        return 0
+
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Lighthouse:  # noqa: ARG002
+        """The lighthouse itself, as it stands nowhere."""
+        return self
+
+
 def refuse_other_keys(what: str, document: Mapping[str, Any], legal: Sequence[str]) -> None:
-    """Nothing, if the document holds only these keys: a misspelt one would change nothing."""
+    """Raise InvalidWorld unless all keys are legal: a misspelt one would have no effect."""
     for key in document:
         if key not in legal:
             raise InvalidWorld(f"{show(key)} is no key of a {what}; legal are {', '.join(legal)}")
 
 
 def check_at_start(what: str, dart: object, map_: CombinatorialMap, start: Dart) -> None:
-    """Nothing, if ``dart`` is one of the start's vertex; else raises InvalidWorld."""
+    """Raise InvalidWorld unless ``dart`` is a dart of the start's vertex."""
     try:
         found = integer(dart)
     except TypeError:
@@ -176,7 +277,7 @@ def check_at_start(what: str, dart: object, map_: CombinatorialMap, start: Dart)
 
 
 def check_leads_away(dart: object, map_: CombinatorialMap, start: Dart) -> None:
-    """Nothing, if ``dart`` is one of the start's vertex and leads to another; else InvalidWorld."""
+    """Raise InvalidWorld unless ``dart`` leads from the start's vertex to another vertex."""
     check_at_start("looks along", dart, map_, start)
     v0 = map_.vertex_of[start]
     if map_.vertex_of[map_.alpha[integer(dart)]] == v0:
@@ -188,7 +289,7 @@ def check_leads_away(dart: object, map_: CombinatorialMap, start: Dart) -> None:
 
 
 def the_darts(values: object) -> tuple[Dart, ...]:
-    """The integers of a list; else raises InvalidWorld."""
+    """The integers of a list; raise InvalidWorld if it is none."""
     if not isinstance(values, list | tuple):
         raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
     found = []
@@ -201,7 +302,7 @@ def the_darts(values: object) -> tuple[Dart, ...]:
 
 
 def check_one_of_each_vertex(darts: Sequence[Dart], map_: CombinatorialMap) -> None:
-    """Nothing, if these are darts, one of each vertex; else raises InvalidWorld."""
+    """Raise InvalidWorld unless these are darts, one of each vertex."""
     for dart in darts:
         if dart not in map_.darts:
             raise InvalidWorld(
@@ -218,5 +319,5 @@ def check_one_of_each_vertex(darts: Sequence[Dart], map_: CombinatorialMap) -> N
 
 
 def no_place(name: str, start: Dart) -> InvalidWorld:
-    """The error that a map has no place for a lighthouse which names none."""
+    """The error for a lighthouse without a named place in a map that has no place for it."""
     return InvalidWorld(f"the lighthouse {name} has no place in this map with start {start}")

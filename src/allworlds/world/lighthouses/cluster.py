@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
-
-from typing_extensions import override
 
 from allworlds.document import about
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
     InvalidWorld,
-    Lighthouse,
+    ReferenceLighthouse,
     StandsAt,
     WalkInAnswer,
     check_leads_away,
@@ -24,7 +22,7 @@ from allworlds.world.lighthouses.sensing import Sensing, Where
 
 
 @dataclass(frozen=True, slots=True)
-class Cluster(Lighthouse):
+class Cluster(ReferenceLighthouse):
     """One marker at the start vertex v0 and two at a neighbour v1 of it; they point nowhere.
 
     Sensed: one mark at v0, two at v1; at every vertex the degree.  ``dart`` leads from v0 to
@@ -36,8 +34,6 @@ class Cluster(Lighthouse):
 
     kind: ClassVar[str] = "cluster"
     sensing: ClassVar[Sensing] = Sensing(Where.AT_V0_AND_V1, bearing=False)
-    default_bound: ClassVar[str] = "none"
-    folds: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ("dart", "single")
     asked: ClassVar[Mapping[str, Any]] = {
         "single": Annotated[bool, about("whether exactly one edge joins v0 and v1; else false")]
@@ -68,7 +64,7 @@ class Cluster(Lighthouse):
                 yield Cluster(dart)
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """The dart leads from the start's vertex to another one."""
+        """Raise InvalidWorld unless the dart leads from the start's vertex to another one."""
         check_leads_away(self.dart, map_, start)
 
     def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
@@ -76,16 +72,12 @@ class Cluster(Lighthouse):
         return (self.dart, map_.alpha[self.dart])
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Cluster:
-        """Seen from the start in the same direction, even where the answer breaks what it needs."""
+        """The cluster in the same direction from the start, even if it may not stand there."""
         return Cluster(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
-
-    @override
-    def relabelled(self, names: Sequence[Dart]) -> Cluster:
-        return Cluster(names[self.dart])
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any], map_: CombinatorialMap, start: Dart) -> Cluster:
-        """At ``dart``, or at the first place where no dart is named.
+        """The cluster at ``dart``, or at the first place if no dart is named.
 
         With ``"single": true`` the place must be one where exactly one edge joins v0 and v1.
         """

@@ -14,7 +14,7 @@ from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart, numbering
 from allworlds.world.lighthouses.base import (
     InvalidWorld,
-    Lighthouse,
+    ReferenceLighthouse,
     WalkInAnswer,
     check_one_of_each_vertex,
     the_darts,
@@ -26,7 +26,7 @@ ALL_CHOICES = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Compass(Lighthouse):
+class Compass(ReferenceLighthouse):
     """At every vertex a reference dart (its north), and no mark.
 
     Sensed: the degree, and the bearing of the vertex's reference dart.  ``darts`` holds one
@@ -38,13 +38,11 @@ class Compass(Lighthouse):
 
     kind: ClassVar[str] = "compass"
     sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE, bearing=True)
-    default_bound: ClassVar[str] = "none"
-    folds: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ("darts",)
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Compass]:
-        """Up to three edges every choice of reference darts; beyond, the first choice only.
+        """Every choice of reference darts up to three edges; beyond, the first choice only.
 
         Vertices and their darts come in canonical numbering from ``start``.  So in a map that
         is numbered so itself, the first choice is the smallest dart of each vertex.
@@ -57,18 +55,18 @@ class Compass(Lighthouse):
             yield cls(tuple(sorted(choice)))
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any start
-        """The reference darts are ascending integers, one at each vertex."""
+        """Raise InvalidWorld unless the reference darts are ascending, one at each vertex."""
         darts = the_darts(self.darts)
         if list(darts) != sorted(darts):
             raise InvalidWorld(f"lighthouse.darts = {show(list(darts))} must be ascending")
         check_one_of_each_vertex(darts, map_)
 
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # it knows
-        """The dart of each vertex."""
+    @override
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
         return self.darts
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Compass:  # noqa: ARG002  # sensed
-        """The reference dart that was sensed when the robot first came to a vertex."""
+        """The compass with the reference darts sensed at the first visit of each vertex."""
         answer = walk.map
         north = {vertex: darts[0] for vertex, darts in enumerate(answer.vertices)}
         for dart, percept in reversed([*zip(walk.trail, walk.sensed, strict=True)]):
@@ -81,11 +79,11 @@ class Compass(Lighthouse):
         return Compass(tuple(sorted(names[dart] for dart in self.darts)))
 
     @classmethod
-    def at(cls, where: object) -> Compass:
-        """With these reference darts, in any order."""
-        return cls(tuple(sorted(the_darts(where))))
+    def at(cls, darts: object) -> Compass:  # type: ignore[override]  # its only field
+        """The compass with these reference darts, in any order."""
+        return cls(tuple(sorted(the_darts(darts))))
 
     @classmethod
     def usual(cls, map_: CombinatorialMap, start: Dart) -> Compass:  # noqa: ARG003  # any start
-        """With the smallest dart of each vertex."""
+        """The compass with the smallest dart of each vertex."""
         return cls(tuple(vertex[0] for vertex in map_.vertices))

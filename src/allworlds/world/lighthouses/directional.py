@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
 
 from typing_extensions import override
 
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import Lighthouse, StandsAt, check_at_start
+from allworlds.world.lighthouses.base import ReferenceLighthouse, StandsAt, check_at_start
 from allworlds.world.lighthouses.sensing import Sensing, Where
 
 
 @dataclass(frozen=True, slots=True)
-class Directional(Lighthouse):
+class Directional(ReferenceLighthouse):
     """One marker at the start vertex v0 that points to one of its darts.
 
     Sensed at v0: one mark, and the bearing of ``dart``; elsewhere only the degree.
@@ -35,13 +35,9 @@ class Directional(Lighthouse):
             yield cls(map_.turn(start, bearing))
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """The pointed dart is one of the start's vertex."""
+        """Raise InvalidWorld unless the pointed dart is one of the start's vertex."""
         check_at_start("points to", self.dart, map_, start)
 
     @override
     def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
         return (self.dart,)
-
-    def relabelled(self, names: Sequence[Dart]) -> Directional:
-        """Pointing to the renamed dart."""
-        return Directional(names[self.dart])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated, ClassVar
 
@@ -14,7 +14,7 @@ from allworlds.maps import CombinatorialMap, Dart, numbering
 from allworlds.protocol import Percept
 from allworlds.world.lighthouses.base import (
     InvalidWorld,
-    Lighthouse,
+    ReferenceLighthouse,
     WalkInAnswer,
     check_one_of_each_vertex,
     the_darts,
@@ -23,16 +23,15 @@ from allworlds.world.lighthouses.sensing import Sensing, Where
 
 
 @dataclass(frozen=True, slots=True)
-class Labels(Lighthouse):
+class Labels(ReferenceLighthouse):
     """Every vertex has a number of its own, and a reference dart.
 
     Sensed at a vertex: as many marks as its number, the bearing of its reference dart, and
-    the degree.  Nothing is left to be told apart: it is what other lighthouses are measured
-    by.
+    the degree.  So all vertices are told apart: other lighthouses are compared with this one.
 
     Attributes:
         darts: the reference dart of each vertex, in the order of their numbers.
-        numbers: those; 1, 2, 3 ... in every world.
+        numbers: the numbers of the vertices; 1, 2, 3 ... in every world.
     """
 
     darts: Annotated[
@@ -42,13 +41,11 @@ class Labels(Lighthouse):
 
     kind: ClassVar[str] = "labels"
     sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE_NUMBERED, bearing=True)
-    default_bound: ClassVar[str] = "none"
-    folds: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ("darts",)
 
     @classmethod
     def of(cls, darts: tuple[Dart, ...]) -> Labels:
-        """With these reference darts, numbered in their order from 1 on."""
+        """The labels with these reference darts, numbered in their order from 1 on."""
         return cls(darts, tuple(range(1, len(darts) + 1)))
 
     @classmethod
@@ -60,7 +57,7 @@ class Labels(Lighthouse):
         yield cls.of(tuple(first.values()))
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any start
-        """The reference darts are integers, one at each vertex."""
+        """Raise InvalidWorld unless the reference darts are integers, one at each vertex."""
         darts = the_darts(self.darts)
         check_one_of_each_vertex(darts, map_)
         if list(self.numbers) != list(range(1, len(darts) + 1)):
@@ -68,16 +65,16 @@ class Labels(Lighthouse):
                 f"the labels {show(list(self.numbers))} are not 1 to {len(darts)}, one a vertex"
             )
 
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # it knows
-        """The dart of each vertex."""
+    @override
+    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
         return self.darts
 
+    @override
     def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
-        """For each dart what is sensed by a robot that has arrived by it."""
         return self.sensing.percepts(map_, self.darts, self.numbers)
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
-        """At each vertex what was sensed when the robot first came there; else its number is 0."""
+        """The labels sensed at the first visit of each vertex; 0 for vertices never visited."""
         answer = walk.map
         at = {vertex: (darts[0], 0) for vertex, darts in enumerate(answer.vertices)}
         for dart, percept in reversed([*zip(walk.trail, walk.sensed, strict=True)]):
@@ -85,11 +82,7 @@ class Labels(Lighthouse):
             at[answer.vertex_of[dart]] = (answer.turn(dart, percept.bearing), percept.marks)
         return Labels(tuple(dart for dart, _ in at.values()), tuple(n for _, n in at.values()))
 
-    @override
-    def relabelled(self, names: Sequence[Dart]) -> Labels:
-        return Labels(tuple(names[dart] for dart in self.darts), self.numbers)
-
     @classmethod
-    def at(cls, where: object) -> Labels:
-        """With these reference darts, in the order of their numbers."""
-        return cls.of(the_darts(where))
+    def at(cls, darts: object) -> Labels:  # type: ignore[override]  # its only field
+        """The labels with these reference darts, in the order of their numbers."""
+        return cls.of(the_darts(darts))

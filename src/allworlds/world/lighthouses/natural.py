@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
-
-from typing_extensions import override
 
 from allworlds.inputs import show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.world.lighthouses.base import (
     InvalidWorld,
-    Lighthouse,
+    ReferenceLighthouse,
     StandsAt,
     WalkInAnswer,
     check_leads_away,
@@ -22,7 +20,7 @@ from allworlds.world.lighthouses.sensing import Sensing, Where
 
 
 @dataclass(frozen=True, slots=True)
-class Natural(Lighthouse):
+class Natural(ReferenceLighthouse):
     """The start vertex v0 and a neighbour v1 of it; no other vertex has the degree of either.
 
     Only the degree is sensed.  The explorer is told the degree of v1: that it is unique could
@@ -34,8 +32,6 @@ class Natural(Lighthouse):
 
     kind: ClassVar[str] = "natural"
     sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
-    default_bound: ClassVar[str] = "none"
-    folds: ClassVar[bool] = False
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Natural]:
@@ -52,7 +48,7 @@ class Natural(Lighthouse):
                 yield cls(dart)
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """The dart leads from the start's vertex to another one, and both degrees are unique."""
+        """Raise InvalidWorld unless the dart leads to another vertex, both of unique degree."""
         check_leads_away(self.dart, map_, start)
         vertices = Counter(map_.degrees)
         for name, dart in (("start's vertex", start), ("other vertex", map_.alpha[self.dart])):
@@ -64,7 +60,7 @@ class Natural(Lighthouse):
                 )
 
     def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:  # noqa: ARG002  # any map
-        """None: nothing but the degree is sensed anywhere."""
+        """The empty tuple: only the degree is sensed anywhere."""
         return ()
 
     def told(self, map_: CombinatorialMap) -> int:
@@ -72,9 +68,5 @@ class Natural(Lighthouse):
         return map_.degree_at[map_.alpha[self.dart]]
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Natural:
-        """Seen from the start in the same direction, even where the answer breaks what it needs."""
+        """The lighthouse in the same direction from the start, even if it may not stand there."""
         return Natural(walk.map.turn(walk.trail[0], map_.offset(start, self.dart)))
-
-    @override
-    def relabelled(self, names: Sequence[Dart]) -> Natural:
-        return Natural(names[self.dart])

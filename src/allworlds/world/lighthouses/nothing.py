@@ -2,46 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from typing_extensions import override
-
-from allworlds.maps import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.sensing import Sensing, Where
+from allworlds.world.lighthouses.base import PlacelessLighthouse
 
 
 @dataclass(frozen=True, slots=True)
-class Nothing(Lighthouse):
+class Nothing(PlacelessLighthouse):
     """No marker and no direction: only the degree is sensed.
 
     Source: Section III of the paper ('lacking any position and orientation information').
     """
 
     kind: ClassVar[str] = "none"
-    sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
-    default_bound: ClassVar[str] = "none"
-    folds: ClassVar[bool] = False
     keys: ClassVar[tuple[str, ...]] = ()
 
     @classmethod
-    def places(
-        cls,
-        map_: CombinatorialMap,  # noqa: ARG003  # nothing stands anywhere
-        start: Dart,  # noqa: ARG003
-    ) -> Iterator[Nothing]:
-        """One place."""
-        yield cls()
-
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Every map and every start will do."""
-
-    @override
-    def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
-        return ()
-
-    @override
-    def relabelled(self, names: Sequence[Dart]) -> Nothing:
-        return self
+    def with_its_options(cls) -> Nothing:
+        """The lighthouse with the options of the kind."""
+        return cls()

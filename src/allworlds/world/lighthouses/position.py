@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import ClassVar
 
 from typing_extensions import override
 
 from allworlds.maps import CombinatorialMap, Dart
-from allworlds.world.lighthouses.base import Lighthouse, StandsAt, check_at_start
+from allworlds.world.lighthouses.base import ReferenceLighthouse, StandsAt, check_at_start
 from allworlds.world.lighthouses.sensing import Sensing, Where
 
 
 @dataclass(frozen=True, slots=True)
-class Position(Lighthouse):
+class Position(ReferenceLighthouse):
     """One marker at the start vertex v0 that points nowhere.
 
     Sensed at v0: one mark; at every vertex the degree.  ``dart`` is any dart of v0.  It is
@@ -26,8 +26,6 @@ class Position(Lighthouse):
 
     kind: ClassVar[str] = "position"
     sensing: ClassVar[Sensing] = Sensing(Where.AT_V0, bearing=False)
-    default_bound: ClassVar[str] = "none"
-    folds: ClassVar[bool] = False
     leaves_open: ClassVar[bool] = True
 
     @classmethod
@@ -36,17 +34,13 @@ class Position(Lighthouse):
         map_: CombinatorialMap,  # noqa: ARG003  # there is one place in every map
         start: Dart,
     ) -> Iterator[Position]:
-        """One place: the start's vertex."""
+        """Yield the one place: the start's vertex."""
         yield cls(start)
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """The marked vertex is the start's."""
+        """Raise InvalidWorld unless the marked vertex is the start's."""
         check_at_start("stands at", self.dart, map_, start)
 
     @override
     def references(self, map_: CombinatorialMap) -> tuple[Dart, ...]:
         return (self.dart,)
-
-    @override
-    def relabelled(self, names: Sequence[Dart]) -> Position:
-        return Position(names[self.dart])

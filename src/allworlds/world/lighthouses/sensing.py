@@ -1,4 +1,4 @@
-"""What is sensed of each kind of lighthouse: the one definition, for worlds and for formulas."""
+"""The percepts of each kind of lighthouse: the one definition, for worlds and for formulas."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ class Where(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Sensing:
-    """What a robot senses of a lighthouse, besides the degree.
+    """The part of a robot's percepts that a lighthouse causes; the degree comes on top.
 
     Attributes:
-        where: at which vertices anything is.
-        bearing: whether it is the bearing of one of the vertex's darts, its reference dart.
+        where: the vertices at which there is such a part.
+        bearing: whether the bearing of one of the vertex's darts, its reference dart, is sensed.
     """
 
     where: Where
@@ -35,12 +35,12 @@ class Sensing:
 
     @property
     def marks_v0(self) -> bool:
-        """One mark lies at v0: what is sensed at one vertex alone tells it from all others."""
+        """Whether one mark lies at v0, so that v0 is recognised by its percept alone."""
         return self.where in (Where.AT_V0, Where.AT_V0_AND_V1)
 
     @property
     def marks(self) -> bool:
-        """There are marks at all."""
+        """Whether there are marks at all."""
         return self.marks_v0 or self.where is Where.EVERYWHERE_NUMBERED
 
     def percepts(
@@ -49,7 +49,7 @@ class Sensing:
         references: Sequence[Dart],
         numbers: Sequence[int] | None = None,
     ) -> tuple[Percept, ...]:
-        """For each dart what is sensed by a robot that has arrived by it.
+        """For each dart the percept of a robot that has arrived by it.
 
         ``references`` holds one dart of each vertex at which more than the degree is sensed.
         Where there are marks, ``numbers`` says how many lie at each of these vertices; by

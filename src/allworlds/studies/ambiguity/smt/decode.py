@@ -1,4 +1,4 @@
-"""From a solver's model to two worlds, with every check that does not need the formula."""
+"""Decoding a solver's model into two worlds, with every check that does not need the formula."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def _only(darts: list[Dart]) -> Dart:
 
 
 def _fits(world: World, asked: Question) -> bool:
-    """Whether the world has the class, the sizes, the degrees and the walk that are asked for."""
+    """Whether the world has the class, sizes and degrees of the question, and senses the walk."""
     map_, home = world.map, world.map.vertex_of[world.start]
     root, others = asked.degrees.root, asked.degrees.others
     return (
@@ -75,7 +75,7 @@ def _fits(world: World, asked: Question) -> bool:
 
 
 def sensed(world: World, motions: tuple[int, ...]) -> list[Percept]:
-    """What is sensed after each motion of a walk from the start."""
+    """The percepts after each motion of a walk from the start."""
     state, percepts = world.initial, []
     for motion in motions:
         state, percept = world.step(state, Move(motion))

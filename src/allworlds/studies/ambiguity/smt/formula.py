@@ -46,7 +46,7 @@ class Block:
 
     @property
     def variables(self) -> range:
-        """All of them."""
+        """Every variable of the block."""
         return range(self.first, self.first + prod(self.shape))
 
 
@@ -68,31 +68,31 @@ class Formula:
 
     @property
     def variable_count(self) -> int:
-        """The number of variables."""
+        """The number of variables in all blocks."""
         return self._free - 1
 
     def block(self, name: str, shape: tuple[int, ...], meaning: str) -> Block:
-        """New variables of a shape."""
+        """Return new variables of a shape."""
         block = Block(name, self._free, shape, meaning)
         self.blocks[name] = block
         self._free += prod(shape)
         return block
 
     def section(self, text: str) -> None:
-        """The clauses from here on say this; written as a comment into the file."""
+        """Begin a section of clauses, whose meaning is written into the file as a comment."""
         self._sections.append((len(self.clauses), text))
 
     def add(self, *literals: Literal) -> None:
-        """One clause."""
+        """Add one clause, a disjunction of literals."""
         self.clauses.append(literals)
 
     def exactly_one(self, variables: Sequence[Literal]) -> None:
-        """One of them is true and no two are."""
+        """Require exactly one of these variables to be true."""
         self.clauses.append(tuple(variables))
         self.at_most_one(variables)
 
     def at_most_one(self, variables: Sequence[Literal]) -> None:
-        """No two of them are true."""
+        """Require at most one of these variables to be true."""
         self.clauses += [(-a, -b) for a, b in combinations(variables, 2)]
 
     def write(self, path: Path) -> None:

@@ -9,7 +9,7 @@ from allworlds.studies.ambiguity.smt.rup import ProofRefused
 
 
 def check_lrat(clauses: Sequence[Clause], proof: Iterable[str]) -> None:
-    """Nothing, if the proof derives the empty clause from the clauses; else an error.
+    """Raise ProofRefused unless the proof derives the empty clause from the clauses.
 
     Every hint must be a clause with at most one literal that is not false yet, and the last
     one must be false: a chain of hints that never conflicts proves nothing.  The one literal

@@ -17,7 +17,7 @@ from allworlds.studies.ambiguity.smt.formula import Block, Formula
 
 @dataclass(frozen=True, slots=True)
 class Size:
-    """Exactly ``edges`` edges, and ``fewest`` to ``most`` vertices."""
+    """The size of a world: exactly ``edges`` edges, and from ``fewest`` to ``most`` vertices."""
 
     edges: int
     fewest: int
@@ -25,13 +25,13 @@ class Size:
 
     @property
     def darts(self) -> int:
-        """2m."""
+        """The number of darts, 2m."""
         return 2 * self.edges
 
 
 @dataclass(frozen=True, slots=True)
 class Degrees:
-    """What is required of degrees: of the root's vertex, and of all others; None: anything."""
+    """Required degrees: of the root's vertex, and of all others. None allows any degree."""
 
     root: int | None = None
     others: int | None = None
@@ -72,7 +72,7 @@ def one_world(
     map_class: MapClass,
     degrees: Degrees,
 ) -> OneWorld:
-    """Variables and clauses of one rooted map are added; the variables are returned.
+    """Add variables and clauses of one rooted map, and return the variables.
 
     Every model restricted to sigma and alpha is a rooted map of the class and size with
     these degrees, and every such map is one model.  ``name`` is appended to the names of the
@@ -166,7 +166,7 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
 
 
 def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
-    """Where x has a label in ``here``, the dart that ``step`` takes it to has it in ``there``."""
+    """Require that ``step`` takes a dart with a label in ``here`` to one with it in ``there``."""
     labels = range(here.shape[1])
     for x, row in enumerate(step.rows()):
         for y, arrow in enumerate(row):
@@ -174,7 +174,7 @@ def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
 
 
 def _in_order(formula: Formula, label: Block, used: Block) -> None:
-    """Labels are given in the order of their first darts, and ``used`` says which have been."""
+    """Require labels to be given in the order of their first darts, as ``used`` records."""
     darts, labels = label.shape
     formula.section(f"{label.name} is numbered in the order of first darts")
     formula.add(label[0, 0])
@@ -249,7 +249,10 @@ def _simple(formula: Formula, world: OneWorld, name: str) -> None:
 
 
 def _planar(formula: Formula, world: OneWorld, name: str) -> None:
-    """``n + f >= m + 2``; more faces than that there cannot be, so the labels are the faces."""
+    """Require ``n + f >= m + 2``.
+
+    More faces are impossible, so the labels are exactly the faces.
+    """
     size, darts = world.size, world.size.darts
     most_faces = size.edges + 2 - size.fewest
     face = formula.block(f"face{name}", (darts, most_faces), "x is on face f")

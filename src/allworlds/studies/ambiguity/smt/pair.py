@@ -64,7 +64,7 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
 
 
 def world_formula(question: Question, sizes: Sizes) -> tuple[Formula, OneWorld]:
-    """The formula 'one world of the second size, with the walk': is there any?"""
+    """The formula 'one world of the second size, with the walk'. It decides whether any exists."""
     formula = Formula(_title(question, sizes))
     world = _world(formula, "1", question, sizes.two)
     _walk(formula, question, world)
@@ -84,7 +84,7 @@ def _world(formula: Formula, name: str, question: Question, size: Size) -> OneWo
 
 
 def _reference_darts(formula: Formula, name: str, sensing: Sensing, world: OneWorld) -> Block:
-    """Exactly one reference dart at every vertex, or at v0 alone."""
+    """Require exactly one reference dart at every vertex, or at v0 alone."""
     darts, most = world.size.darts, world.size.most
     pointed = formula.block(f"pointed{name}", (darts,), "x is a reference dart")
     formula.section(f"world {name} has its reference darts")
@@ -149,7 +149,7 @@ def _sense_the_same(formula: Formula, pair: Pair, related: int, x: int, y: int) 
 
 
 def _smaller_code(formula: Formula, pair: Pair) -> None:
-    """At the first step that is answered differently the first world's answer is smaller.
+    """Require the first world's answer to be smaller at the first step with different answers.
 
     Looking alike is symmetric, so nothing is lost by asking for the smaller code first.
     """
@@ -181,7 +181,7 @@ def _smaller_code(formula: Formula, pair: Pair) -> None:
 
 
 def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
-    """The second world entered at dart ``start`` is not the first world.
+    """Require that the second world entered at dart ``start`` is not the first world.
 
     Only where ``start`` could be the start, that is at v0 where a vertex is marked.  Let F be
     the numbering of the second map's darts from ``start`` that the first map's numbering
@@ -217,7 +217,7 @@ def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
 
 
 def _walk(formula: Formula, question: Question, world: OneWorld) -> None:
-    """The robot's walk through the first world; in the second it senses the same."""
+    """Require the robot's walk in the first world, and equal percepts in the second."""
     if not question.walk.motions:
         return
     darts = range(world.size.darts)
@@ -250,7 +250,10 @@ def _senses(
 
 
 def _best_start(formula: Formula, world: OneWorld) -> None:
-    """Of v0's darts the start leads to a vertex of the largest degree; turning is free."""
+    """Require that the start leads to a vertex of the largest degree among v0's darts.
+
+    Turning is free.
+    """
     darts, degrees = world.degree.shape
     beyond = formula.block("beyond", (darts, degrees), "alpha(x) is at a vertex of degree k")
     formula.section("turning is free: no dart of v0 leads to a larger degree than the start")

@@ -1,4 +1,4 @@
-"""What is searched for, checked once: lighthouse, class, bounds and the walk."""
+"""The question of a search, checked once: lighthouse, class, bounds and the walk."""
 
 from __future__ import annotations
 
@@ -26,6 +26,7 @@ from allworlds.world import (
     Lighthouse,
     Nothing,
     Position,
+    ReferenceLighthouse,
     Sensing,
 )
 
@@ -38,7 +39,7 @@ SEARCHED: Mapping[str, Callable[[Sequence[Dart]], Lighthouse]] = {
 """The lighthouses of which there are formulas, with start 0 and the darts that they point to."""
 
 ANY = Degrees()
-"""Nothing is required of degrees."""
+"""No requirement on degrees."""
 
 
 class Sensed(NamedTuple):
@@ -50,7 +51,7 @@ class Sensed(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Walk:
-    """Motions from the start, and what is sensed after each of them.
+    """Motions from the start, and the percept after each of them.
 
     Raises:
         InputError: if there are not equally many.
@@ -93,14 +94,14 @@ def percept_named(text: str) -> Sensed:
 
 
 class Sizes(NamedTuple):
-    """One formula's worth of pairs: the sizes of the two worlds."""
+    """The sizes of the two worlds of one formula."""
 
     one: Size
     two: Size
 
     @property
     def name(self) -> str:
-        """For file names: ``m4`` or ``m3-m4``, with the numbers of vertices."""
+        """Name for files: ``m4`` or ``m3-m4``, with the numbers of vertices."""
         sizes = [self.one] if self.one == self.two else [self.one, self.two]
         return "-".join(
             f"m{size.edges}n{size.fewest}" + (f"to{size.most}" if size.most > size.fewest else "")
@@ -150,8 +151,10 @@ class Question:
 
     @property
     def sensing(self) -> Sensing:
-        """What is sensed besides the degree."""
-        return LIGHTHOUSES[self.lighthouse].sensing
+        """The kind of marker that is sensed besides the degree."""
+        kind = LIGHTHOUSES[self.lighthouse]
+        assert issubclass(kind, ReferenceLighthouse)
+        return kind.sensing
 
     def sizes(self) -> Iterator[Sizes]:
         """The pairs of sizes that are to be searched, the smaller first.
@@ -214,7 +217,7 @@ def _listed(name: str, values: object) -> Sequence[Any]:
 
 
 def question_of(request: SearchRequest) -> Question:
-    """What a search is for.
+    """The question that a request asks.
 
     Raises:
         InputError: naming the offending value and what would be legal.

@@ -1,4 +1,4 @@
-"""What a search has found, as values."""
+"""Results of a search, as values."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Annotated, TypeAlias
 
 from allworlds.document import (
+    EXIT_CODE,
     Aside,
     Document,
     Natural,
@@ -19,7 +20,7 @@ from allworlds.document import (
     one_of,
 )
 from allworlds.maps import MapClass
-from allworlds.outcome import Exit
+from allworlds.outcome import Exit, Facts
 from allworlds.studies.ambiguity.smt.question import SEARCHED, Question, Sizes
 from allworlds.studies.ambiguity.smt.solvers import Status
 from allworlds.world import World
@@ -37,8 +38,8 @@ class Twins(Document):
 class Searched(Document):
     """One level of a search.
 
-    It was written and solved in so many ``seconds``.  ``same_map`` holds twins that are one world
-    with two starts, met on the way; ``twins`` the decoded worlds, where the formula has a model.
+    Writing and solving took ``seconds``. ``same_map`` holds twins that turned out to be one world
+    with two starts; ``twins`` holds the decoded worlds, if the formula has a model.
     """
 
     edges: Annotated[Pair[Positive], about("of each world")] = computed(
@@ -56,15 +57,6 @@ class Searched(Document):
     twins: Aside[Twins | None] = None
 
 
-def _exit_code(result: SearchResult) -> Exit:
-    """0 answered, 3 unknown, 4 no world within the bounds, 130 interrupted."""
-    if result.interrupted:
-        return Exit.INTERRUPTED
-    if result.status == "unknown":
-        return Exit.INCONCLUSIVE
-    return Exit.VACUOUS if result.vacuous else Exit.ANSWERED
-
-
 class SearchResult(Report):
     """Report of 'search'.
 
@@ -74,7 +66,7 @@ class SearchResult(Report):
     status: Annotated[Status, about("`sat`: a pair; `unsat`: there is none in the bounds")]
     exit_code: Annotated[
         Exit, one_of(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED)
-    ] = computed(_exit_code)
+    ] = EXIT_CODE
     pair: Annotated[Pair[World] | None, about("two worlds that look alike; null unless `sat`")] = (
         None
     )
@@ -83,7 +75,7 @@ class SearchResult(Report):
     ] = None
     certificate: Annotated[
         Path | None,
-        about("the path of what proves the answer; null: see [answers](search.md#answers)"),
+        about("the path of the certificate; null: see [answers](ambiguity.md#answers)"),
     ] = None
     vacuous: Annotated[bool, about("not even one world exists within the bounds")] = False
     lighthouse: Annotated[str, one_of(*SEARCHED)] = computed(lambda r: r.question.lighthouse)
@@ -96,7 +88,7 @@ class SearchResult(Report):
     edges: Annotated[Positive, about("at most so many")] = computed(
         lambda result: result.question.edges
     )
-    directory: Annotated[Path, about("where the formulas are")]
+    directory: Annotated[Path, about("the directory of the formulas")]
     levels: Annotated[tuple[Searched, ...], about("in the order of the search")]
     same_map: Annotated[
         tuple[Pair[World], ...], about("pairs that look alike but are one map with two starts")
@@ -104,3 +96,12 @@ class SearchResult(Report):
     notices: Annotated[tuple[Text, ...], about("sentences for the reader")]
     question: Aside[Question]
     interrupted: Aside[bool] = False
+
+    @property
+    def facts(self) -> Facts:
+        """Whether a solver has decided the question."""
+        return Facts(
+            interrupted=self.interrupted,
+            undecided=self.status == "unknown",
+            vacuous=self.vacuous,
+        )

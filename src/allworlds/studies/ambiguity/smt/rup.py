@@ -19,7 +19,7 @@ class ProofRefused(ValueError):
 
 
 class RupChecker:
-    """The clauses that hold so far, with two watched literals each.
+    """The derived and given clauses so far, with two watched literals each.
 
     Attributes:
         lemmas: number of a derived clause to its literals and hints.
@@ -55,7 +55,7 @@ class RupChecker:
             self._settle(number)
 
     def delete(self, clause: Clause) -> None:
-        """Forget a clause; one that is not there is an error of the proof.
+        """Forget a clause.
 
         Unit clauses stay: what they imply has been used.
 
@@ -87,7 +87,7 @@ class RupChecker:
             self._watched[literal].append(number)
 
     def _settle(self, number: int) -> None:
-        """Take in what a clause implies for good, each implied literal as a unit lemma."""
+        """Record the consequences of a clause for good, each implied literal as a unit lemma."""
         value, clause = self._value, self._clauses[number]
         free = [literal for literal in clause if value[literal] >= 0]
         if not free:
@@ -164,7 +164,7 @@ class RupChecker:
         del self._trail[length:]
 
     def _propagate(self, head: int) -> int:
-        """The number of a clause that has become false, or 0; the trail grows meanwhile."""
+        """The number of a clause that became false, or 0. The trail grows meanwhile."""
         value, watched, clauses = self._value, self._watched, self._clauses
         trail, reason = self._trail, self._reason
         while head < len(trail):
@@ -243,7 +243,7 @@ def lrat_of_drat(
 def _needed(
     given: int, lemmas: dict[int, tuple[Clause, list[int]]], empty: int
 ) -> list[tuple[int, Clause, list[int]]]:
-    """The lemmas on which the empty clause rests, numbered without gaps."""
+    """The lemmas that the empty clause depends on, numbered without gaps."""
     needed = {empty}
     for number in sorted(lemmas, reverse=True):
         if number in needed:

@@ -23,9 +23,13 @@ LONGEST_WAIT = 10**6
 """The most seconds that a solver can be waited for: both count milliseconds in 32 bits."""
 
 
+class SolversDisagree(RuntimeError):
+    """Two solvers gave two answers to one formula: a fault of this program, or of theirs."""
+
+
 @dataclass(frozen=True, slots=True)
 class SolverAnswer:
-    """What a solver says: ``model`` holds the true variables where the formula has a model."""
+    """A solver's answer; ``model`` holds the true variables, if the formula has a model."""
 
     status: Status
     model: frozenset[int] = frozenset()
@@ -42,17 +46,17 @@ class Clock:
 
     @property
     def left(self) -> float | None:
-        """Seconds, at least 0; None for any time."""
+        """Seconds until the time is over, at least 0; None without a limit."""
         return None if self._end is None else max(self._end - monotonic(), 0.0)
 
     @property
     def over(self) -> bool:
-        """No time is left."""
+        """Whether no time is left."""
         return self.left == 0.0
 
 
 def solve_with_z3(formula: Path, clock: Clock) -> SolverAnswer:
-    """z3's answer; unknown when the time is over."""
+    """The answer of z3; unknown when the time is over."""
     import z3
 
     if clock.over:
@@ -73,7 +77,7 @@ def solve_with_z3(formula: Path, clock: Clock) -> SolverAnswer:
 
 
 def python_sat_is_installed() -> bool:
-    """Whether the extra ``proofs`` is there."""
+    """Whether the extra ``proofs`` is installed."""
     return find_spec("pysat") is not None
 
 
@@ -115,7 +119,7 @@ class ExternalSolver:
             )
 
     def solve(self, formula: Path, proof: Path, clock: Clock) -> SolverAnswer:
-        """Its answer, with an LRAT proof in ``proof`` when unsat."""
+        """The program's answer, with an LRAT proof in ``proof`` when unsat."""
         options = ["-q", "--lrat", "--no-binary"]
         return _solve_with_process([self.path, *options, str(formula), str(proof)], clock)
 

@@ -1,4 +1,4 @@
-"""The search for twins: by growing sizes, so that a pair that is found is a smallest one."""
+"""The search for twins by growing sizes, so that the first pair found is a smallest one."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from typing import Any
 
 from allworlds.document import replace
 from allworlds.engines import Listener, Silent
-from allworlds.inputs import InputError, a_path, answers, at_most, show
+from allworlds.inputs import INSTALL, InputError, a_path, answers, at_most, show
 from allworlds.studies.ambiguity.ambiguity_requests import SearchRequest
 from allworlds.studies.ambiguity.smt.decode import decoded
 from allworlds.studies.ambiguity.smt.formula import Formula, read_dimacs
@@ -29,6 +29,7 @@ from allworlds.studies.ambiguity.smt.solvers import (
     Clock,
     ExternalSolver,
     SolverAnswer,
+    SolversDisagree,
     Status,
     python_sat_is_installed,
     solve_with_python_sat,
@@ -37,12 +38,12 @@ from allworlds.studies.ambiguity.smt.solvers import (
 from allworlds.studies.ambiguity.smt.witness import same_world_from
 
 PROOF_LIMIT = 10_000_000
-"""Bytes of DRAT that our own checker takes on: a minute or two."""
+"""Bytes of DRAT that the checker of this package accepts: a minute or two."""
 
 
 @answers(SearchRequest)
 def search(request: SearchRequest) -> SearchResult:
-    """Two different worlds that no motion separates, or that there are none, by z3.
+    """Search by z3 for two different worlds that no motion separates, or show that there are none.
 
     Worlds are different if no isomorphism of the maps carries the marks of one to those of
     the other; where they start does not count.
@@ -69,7 +70,7 @@ def search(request: SearchRequest) -> SearchResult:
 
 @contextmanager
 def _directory(out: str | Path | None) -> Iterator[Path]:
-    """The one that is named; a temporary one stays if there is a result, which names it."""
+    """The directory that is named, else a temporary one, which stays if the result refers to it."""
     if out is None:
         temporary = Path(tempfile.mkdtemp(prefix="allworlds-search-"))
         try:
@@ -88,7 +89,7 @@ def _directory(out: str | Path | None) -> Iterator[Path]:
 
 @dataclass
 class _TwinsSearch:
-    """One search under way."""
+    """The state of one search."""
 
     question: Question
     external: ExternalSolver | None
@@ -96,6 +97,7 @@ class _TwinsSearch:
     clock: Clock
     done: list[Searched] = field(default_factory=list)
     notices: list[str] = field(default_factory=list)
+    unproved: dict[str, list[str]] = field(default_factory=dict)
     best: Twins | None = None
     listener: Listener = field(default_factory=Silent)
 
@@ -127,12 +129,13 @@ class _TwinsSearch:
             self.notices.append("vacuous: no world at all exists within these bounds")
             return self._result("unsat", vacuous=True)
         self.done = [self._proved(searched) for searched in self.done]
+        self._remark_on_missing_proofs()
         complete = all(searched.proof for searched in self.done)
         self._remark_on_one_map()
         return self._result("unsat", certificate=self.directory if complete else None)
 
     def _decide(self, sizes: Sizes) -> Searched:
-        """Solve for two sizes; pairs that are one world started twice are excluded as they come."""
+        """Solve for two sizes. Pairs that are one world started twice are excluded one by one."""
         began = monotonic()
         formula, pair = pair_formula(self.question, sizes)
         path = self.directory / f"{sizes.name}.cnf"
@@ -196,7 +199,7 @@ class _TwinsSearch:
         return twins
 
     def _found(self, twins: Twins, *, interrupted: bool = False) -> SearchResult:
-        """The pair, with its file, which holds it and its bisimulation."""
+        """The pair, written to a file with its bisimulation."""
         file = self.directory / "pair.json"
         file.write_text(json.dumps(twins.to_json()) + "\n", encoding="ascii")
         return self._result(
@@ -218,7 +221,7 @@ class _TwinsSearch:
         )
 
     def _some_world_exists(self) -> bool:
-        """Whether the bounds and the walk leave any world; small formulas, solved by z3."""
+        """Whether the bounds and the walk allow any world, by small formulas for z3."""
         path = self.directory / "one-world.cnf"
         for sizes in self.question.sizes():
             if sizes.one == sizes.two:
@@ -243,25 +246,31 @@ class _TwinsSearch:
             return searched
         reason = self._write_proof(searched.formula)
         if reason:
-            self.notices.append(f"no certificate for {searched.formula.name}: {reason}")
+            self.unproved.setdefault(reason, []).append(searched.formula.name)
             return searched
         return replace(searched, proof=searched.formula.with_suffix(".lrat"))
 
+    def _remark_on_missing_proofs(self) -> None:
+        """Tell each reason once, with the formulas that have no certificate for it."""
+        for reason, names in self.unproved.items():
+            more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+            self.notices.append(f"no certificate for {names[0]}{more}: {reason}")
+
     def _write_proof(self, formula: Path) -> str | None:
-        """None, or the reason why there is no proof."""
+        """The reason why there is no proof; None if one was written."""
         if not python_sat_is_installed():
-            return "install allworlds[proofs], or name a CaDiCaL 2 with --solver"
+            return f"{INSTALL.format('proofs')}, or name a CaDiCaL 2 with --solver"
         drat = formula.with_suffix(".drat")
         solved = solve_with_python_sat(formula, drat, self.clock)
         if solved.status == "sat":
-            raise RuntimeError(f"z3 and CaDiCaL disagree on {formula}")
+            raise SolversDisagree(f"z3 and CaDiCaL disagree on {formula}")
         if solved.status == "unknown":
             return "the time was over"
         size = drat.stat().st_size
         if size > PROOF_LIMIT:
             return (
-                f"its DRAT proof ({drat}) has {size:,} bytes, and our checker takes up to "
-                f"{PROOF_LIMIT:,}; a CaDiCaL 2 named with --solver writes LRAT"
+                f"its DRAT proof ({drat}) has {size:,} bytes, and the checker of "
+                f"this package accepts {PROOF_LIMIT:,}; a CaDiCaL 2 named with --solver writes LRAT"
             )
         variables, clauses = read_dimacs(formula)
         with drat.open(encoding="ascii") as lines:

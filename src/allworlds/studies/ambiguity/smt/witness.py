@@ -1,4 +1,4 @@
-"""Two worlds in plain sight: do they look alike, and are they different?
+"""Checks of two worlds without any formula: do they look alike, and are they different?
 
 This knows worlds, and nothing of formulas: it is what a pair that a solver has found must pass.
 """
@@ -10,7 +10,7 @@ from allworlds.world import World
 
 
 def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
-    """The class of each dart of ``a`` and of ``b``; None if some motion tells them apart.
+    """Class numbers of the darts of ``a`` and of ``b``; None if a motion tells them apart.
 
     The finest classes of which the starts share one, sigma and alpha take classes to classes,
     and the darts of a class sense the same.  They are numbered in the order of the darts of
@@ -41,7 +41,7 @@ def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]] 
 
 
 def code(world: World, start: Dart) -> tuple[object, ...]:
-    """Equal exactly for the same world entered at the same dart."""
+    """The canonical code from a dart, equal exactly for the same world entered at the same dart."""
     sigma, alpha = world.map.sigma, world.map.alpha
     sensed = (world.percepts[dart] for dart in numbering(sigma, alpha, start))
     return (*rooted_code(sigma, alpha, start), *sensed)

@@ -1,0 +1,70 @@
+"""Processes and their descendants, by the interfaces of Linux.
+
+Source: prctl(2), PR_SET_CHILD_SUBREAPER and PR_SET_PDEATHSIG.  Where they do not exist (macOS)
+only the groups of its own children can be ended.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+import sys
+from contextlib import suppress
+from pathlib import Path
+
+SUBREAPER, DEATH_SIGNAL = 36, 1
+"""Options of :func:`control`."""
+
+
+def control(option: int, value: int = 1) -> None:
+    """Call prctl, if the system has it."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None, use_errno=True).prctl(option, int(value), 0, 0, 0)
+
+
+def children_by_parent() -> dict[int, list[int]]:
+    """The children of every process, read from /proc; empty without /proc."""
+    found: dict[int, list[int]] = {}
+    with suppress(FileNotFoundError):
+        # A process may end while it is looked at, so that nothing but its own entry is asked for.
+        for name in filter(str.isdigit, os.listdir("/proc")):  # noqa: PTH208
+            with suppress(OSError, ValueError, IndexError):
+                # The name in parentheses may hold anything, parentheses and blanks included.
+                text = Path("/proc", name, "stat").read_text(errors="replace")
+                fields = text.rpartition(")")[2].split()
+                if fields[0] != "Z":
+                    found.setdefault(int(fields[1]), []).append(int(name))
+    return found
+
+
+def kill_tree(pid: int, *, itself: bool = True) -> None:
+    """End a process's descendants, in all sessions, and the process itself.
+
+    The process is stopped first, and its descendants are searched until there are no more, so
+    that none of them can start another one unseen.
+    """
+    if itself:
+        _signal(pid, signal.SIGSTOP)
+    while True:
+        family, waiting = [], [pid]
+        children = children_by_parent()
+        while waiting:
+            below = children.get(waiting.pop(), [])
+            family += below
+            waiting += below
+        if not family:
+            break
+        for member in family:
+            _signal(member, signal.SIGSTOP)
+        for member in family:
+            _signal(member, signal.SIGKILL)
+    if itself:
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(pid, signal.SIGKILL)
+        _signal(pid, signal.SIGKILL)
+
+
+def _signal(pid: int, number: int) -> None:
+    with suppress(ProcessLookupError, PermissionError):
+        os.kill(pid, number)

@@ -1,0 +1,92 @@
+"""Memory for many runs of a user's explorer, shared by both sides.
+
+No compiled code is loaded with it, so that a process that only plays starts fast.
+"""
+
+from __future__ import annotations
+
+import mmap
+from collections.abc import Sequence
+from typing import Any
+
+from numpy import frombuffer, int32, uint8
+
+MOST_PLACES = 64
+"""A number above that of a lighthouse's places in one map."""
+
+# The columns of what is said of a run besides: its budget, what is told, its number in its unit,
+# and against records how many motions were made.
+RUN_BUDGET = 0
+RUN_TOLD = 1
+RUN_NUMBER = 2
+RUN_MOTIONS = 3
+HEAD = 4
+
+# The columns of a laid-out world, for each dart: the first dart of its vertex, its partner, and
+# what is sensed on arriving by it.
+FIRST, PARTNER, DEGREE, MARKS, BEARING = range(5)
+WIDE = 5
+
+LONGEST_STRETCH = 2048
+"""The largest number of runs in a stretch, but for those of its last world."""
+
+ROWS = LONGEST_STRETCH + 2 * MOST_PLACES
+"""Room for the runs of a stretch, of its last world, and for earlier ones."""
+
+MOST_EARLIER = 16
+"""The largest number of earlier runs that are played again among those of a stretch."""
+
+LOG_BYTES = 1 << 20
+"""Room for the logs of a stretch, and as much for its percepts: 512 bytes a run."""
+
+LONGEST_EARLIER = LOG_BYTES // (4 * MOST_EARLIER)
+"""The largest number of bytes in the log of a run that is played again later: all of them together
+leave room for a stretch."""
+
+
+class Stretch:
+    """Memory for the runs of a stretch, shared by both sides.
+
+    Args:
+        memory: shared; of :meth:`size` bytes.
+        edges: of each world.
+
+    Attributes:
+        heads: of each run its budget, the number told, its number, and the number of its motions.
+        worlds: of each run its world, dart by dart; not for plays against records.
+        percepts, starts: the percepts, three bytes each, and where those of a run begin.
+        logs, begins: the logs, and where that of each run begins.
+    """
+
+    def __init__(self, memory: mmap.mmap, edges: int) -> None:
+        rows = ROWS
+        self._at = 0
+        self._memory = memory
+        self.heads = self._array(int32, rows, HEAD)
+        self.begins = self._array(int32, rows)
+        self.starts = self._array(int32, rows)
+        self.worlds = self._array(uint8, rows, WIDE * 2 * edges)
+        self.percepts = self._array(uint8, LOG_BYTES)
+        self.logs = self._array(uint8, LOG_BYTES)
+
+    @staticmethod
+    def size(edges: int) -> int:
+        """The number of bytes of the whole memory."""
+        rows = ROWS
+        return rows * (4 * HEAD + 8 + WIDE * 2 * edges) + 2 * LOG_BYTES
+
+    def put(self, logs: bytes | bytearray, begins: Sequence[int]) -> int:
+        """Write logs here; return the number of their bytes, or -1 if there is no room."""
+        if len(logs) > len(self.logs):
+            return -1
+        self.begins[: len(begins)] = begins
+        self.logs[: len(logs)] = frombuffer(logs, uint8)
+        return len(logs)
+
+    def _array(self, kind: Any, *shape: int) -> Any:
+        count = 1
+        for length in shape:
+            count *= length
+        found: Any = frombuffer(self._memory, kind, count, self._at).reshape(shape)
+        self._at += found.nbytes
+        return found

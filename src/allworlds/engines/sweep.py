@@ -1,0 +1,211 @@
+"""The sweep: **the** loop of the studies, through all units of a job, level by level.
+
+A study is a :class:`Sweep`: it defines its levels, the engine of a unit, the result of a unit, and
+the use of a finished level.  The rest is here: kept units, listeners, endings before the time, and
+the report of all that was finished by then.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any, ClassVar, Generic, TypeVar
+
+from allworlds.engines.engine_table import ReadyEngine
+from allworlds.engines.isolation.jobs import Unsettled
+from allworlds.engines.progress import Listener
+from allworlds.engines.python.run_counter import EnginesDisagree
+from allworlds.engines.run_directory.finished_units import ENDED, Records, records_in, shelf
+from allworlds.engines.run_directory.identity import Identity
+from allworlds.engines.transports.dask_lanes import ClusterLost
+from allworlds.engines.transports.inline import ThisThread
+from allworlds.engines.units.effort import TimeIsUp, deadline_after
+from allworlds.engines.units.gather import gather
+from allworlds.engines.units.kept_form import from_kept
+from allworlds.engines.units.levels import SweptLevel, levels_of, tell_of_size
+from allworlds.engines.units.shards import UNMERGEABLE, WHOLE, AskedShard, Portion, Shard, shards_of
+from allworlds.engines.units.unit import Sum
+from allworlds.inputs import codes_in, meant, remembered
+from allworlds.maps import Extent
+from allworlds.outcome import Completed, Disagreed, Ending, Interrupted, Stopped
+from allworlds.protocol import ensure_same_content
+
+Total = TypeVar("Total", bound=Sum)
+Answer = TypeVar("Answer")
+
+
+def _nothing_left() -> ReadyEngine:
+    """The engine of a job in which every unit is kept."""
+    return ReadyEngine(ThisThread(), None)
+
+
+class Sweep(ABC, Generic[Total, Answer]):
+    """A study that goes through all units of its levels.
+
+    Args:
+        request: of the study; of its fields ``listener``, ``time_limit`` and, where there
+            are shards, ``shard`` mean the same for every study.
+        extent: of the worlds, if they are all of a class.
+
+    Attributes:
+        verb: the study's name on the command line.
+        asked: the class of its requests.
+        result: the class of its results, where it needs nothing but what was kept.
+        portion: the part of the units that is done.
+        deadline: on the monotonic clock, or None.
+        records: of the job, while it goes on.
+    """
+
+    verb: ClassVar[str]
+    asked: ClassVar[Any]
+    result: ClassVar[Any]
+    records: Records
+
+    def __init__(self, request: Any, extent: Extent | None = None) -> None:
+        self.request, self.extent = request, extent
+        self.listener: Listener = request.listener
+        self.portion: Portion = getattr(request, "shard", WHOLE)
+        self.deadline = deadline_after(request.time_limit)
+
+    @classmethod
+    def known(cls, identity: Identity, portion: Portion, listener: Listener) -> Sweep[Any, Any]:
+        """Return the sweep of that identity, or of a shard of it, without loading an explorer."""
+        return cls(cls.asked_then(identity, portion, listener))
+
+    @classmethod
+    def asked_then(cls, identity: Identity, portion: Portion, listener: Listener) -> Any:
+        """Return the request of that identity, for a portion."""
+        shard = {"shard": portion} if issubclass(cls.asked, AskedShard) else {}
+        told = identity.parameters
+        request = cls.asked(**remembered(cls.asked, told), **shard, listener=listener)
+        ensure_same_content(codes_in(request), told.get("code", {}))
+        return request
+
+    # ------------------------------------------------------------ what a study says
+
+    def identity(self) -> Identity:
+        """Return everything that its report depends on."""
+        return Identity(
+            verb=self.verb,
+            parameters=self.parameters(),
+            explorer=self.explorer(),
+            shard=str(self.portion),
+        )
+
+    def parameters(self) -> dict[str, Any]:
+        """Return everything that its report depends on but the explorer: by default all options."""
+        return meant(self.request)
+
+    def explorer(self) -> dict[str, Any]:
+        """Return the data of the explorer: by default there is none."""
+        return {"name": ""}
+
+    def levels(self) -> Iterable[SweptLevel]:
+        """Return its levels, in their order."""
+        assert self.extent is not None
+        return levels_of(self.extent, self.portion)
+
+    @abstractmethod
+    def ready(self) -> ReadyEngine:
+        """Return the engine of a unit, and its transport."""
+
+    def empty(self) -> Total:
+        """Return a result to which those of units are added."""
+        made: Total = self.result()
+        return made
+
+    def read(self, kept: Any) -> Total:
+        """Return the result of a unit of which this was kept."""
+        made: Total = from_kept(kept, self.result)
+        return made
+
+    @abstractmethod
+    def finish(self, level: SweptLevel, total: Total) -> Ending | None:
+        """Take in a finished level; an ending ends the job with it."""
+
+    @abstractmethod
+    def report(self, ending: Ending) -> Answer:
+        """Return the report of all that was taken in."""
+
+    def begin(self) -> Ending | None:
+        """Do what comes before the first level; an ending ends the job before it."""
+        return None
+
+    def leave(self, level: SweptLevel, total: Total) -> None:
+        """Take in the finished units of an unfinished level: by default none."""
+
+    def conclude(self, ending: Ending) -> Ending:
+        """Do what comes after the last level."""
+        return ending
+
+    def costs(self, total: Total) -> Iterable[tuple[int, int, int]]:  # noqa: ARG002  # none
+        """Return numbers of edges and of vertices, each with the largest cost of such worlds."""
+        return ()
+
+    # ------------------------------------------------------------ what a sweep does
+
+    def answer(self, run: str | Path | None) -> Answer:
+        """Return the report; what is finished is kept in a directory, where one is named.
+
+        Raises:
+            InputError: if the directory is of another job, in use, damaged, or not writable.
+        """
+        if run is None and isinstance(self.portion, Shard):
+            self.listener.notice(UNMERGEABLE)
+        with records_in(run, self.identity, self.listener.notice) as records:
+            return self._answered(records, lambda: self._guarded(self.begin) or self._swept())
+
+    def merged(self, records: Records) -> Answer:
+        """Return the report of the kept units, which must be all.
+
+        Raises:
+            Gap: if a unit is missing.
+        """
+        self.ready = _nothing_left  # type: ignore[method-assign]  # whatever it would be
+        return self._answered(records, self._swept)
+
+    def _answered(self, records: Records, swept: Callable[[], Ending]) -> Answer:
+        self.records = records
+        try:
+            ending = swept()
+        except KeyboardInterrupt:
+            ending = Interrupted()
+        records.note("ended", ENDED if ending.final else ending.reason)
+        return self.report(ending)
+
+    def _swept(self) -> Ending:
+        ending = self._guarded(self._through) or Completed()
+        return self._guarded(lambda: self.conclude(ending)) or ending
+
+    def _guarded(self, job: Callable[[], Ending | None]) -> Ending | None:
+        """Return the ending of a part of the job, or of the interruption that has stopped it."""
+        try:
+            return job()
+        except TimeIsUp:
+            return Stopped(f"the time limit of {self.request.time_limit:g} s was reached")
+        except EnginesDisagree as error:
+            return Disagreed(str(error))
+        except ClusterLost as error:
+            self.listener.notice(f"{error}; the report tells what was finished")
+            return Stopped(str(error))
+        except Unsettled as error:
+            return Stopped(str(error))
+
+    def _through(self) -> Ending | None:
+        made, kept = self.ready(), shelf(self.records, self.read)
+        shards = shards_of(self.portion)
+        with made.transport as there:
+            if self.extent is not None:
+                tell_of_size(self.extent, self.listener, shards)
+            for level in self.levels():
+                self.listener.level(level.edges, level.worlds // shards)
+                total = self.empty()
+                try:
+                    gather(there, made.engine, level.units, total, self.listener, kept)
+                except BaseException:
+                    self.leave(level, total)
+                    raise
+                if ending := self.finish(level, total):
+                    return ending
+        return None

@@ -1,0 +1,62 @@
+"""Telling of ``mutants``: survivors, kills and equivalent mutants."""
+
+from __future__ import annotations
+
+from allworlds.evidence.mutants.matrix import Kill, KillMatrix
+from allworlds.reports import (
+    Block,
+    Cell,
+    Headline,
+    Section,
+    ToldFacts,
+    ToldResult,
+    ToldTable,
+    interruption,
+)
+from allworlds.words import plural
+
+
+def mutants_telling(matrix: KillMatrix) -> ToldResult:
+    """The survivors, the kill matrix, and the equivalent mutants with their reasons."""
+    equivalent = [kill for kill in matrix.kill_matrix if kill.equivalent]
+    killed = sum(bool(kill.killed_by) for kill in matrix.kill_matrix)
+    text = f"{plural(matrix.mutants, 'mutant')}, {killed} killed, "
+    text += f"{len(equivalent)} equivalent, worlds with at most {plural(matrix.edges, 'edge')}"
+    facts = interruption(complete=matrix.complete)
+    facts += [("survivor", name) for name in matrix.survivors]
+    blocks: list[Block] = [ToldFacts(facts)] if facts else []
+    for kind in ("explorer", "judge", "enumerator"):
+        kills = [k for k in matrix.kill_matrix if k.kind == kind and not k.equivalent]
+        header = [f"{kind}s", "killed by", "m", "n", "world"]
+        blocks.append(ToldTable(header, [_row(kill) for kill in kills], f"Wrong {kind}s"))
+    whys = [
+        ("EQUIVALENT", f"{kill.mutant}: {kill.breaks} {kill.equivalent}") for kill in equivalent
+    ]
+    blocks += [ToldFacts(whys)] if whys else []
+    every = [[kill.kind, *_row(kill)] for kill in matrix.kill_matrix]
+    return ToldResult(
+        "allworlds self mutants",
+        "this program",
+        matrix,
+        _headline(matrix, text),
+        [Section("seen", "", blocks)],
+        rows=lambda: ToldTable(["kind", "mutant", "killed by", "m", "n", "world"], every),
+    )
+
+
+def _headline(matrix: KillMatrix, text: str) -> Headline:
+    if matrix.survivors:
+        return Headline("SURVIVORS", text, "refuted")
+    if matrix.complete:
+        return Headline("ALL KILLED", text, "holds")
+    return Headline("TRIED", text, "inconclusive")
+
+
+def _row(kill: Kill) -> list[Cell]:
+    by = kill.killed_by or "-"
+    if kill.world is None:
+        return [kill.mutant, by, None, None, ""]
+    map_ = kill.world.map
+    rotation = "".join(f"({' '.join(map(str, vertex))})" for vertex in map_.vertices)
+    edges = " ".join(f"{a}-{b}" for a, b in map_.edges)
+    return [kill.mutant, by, map_.edge_count, map_.vertex_count, f"{rotation} {edges}"]

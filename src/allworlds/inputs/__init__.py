@@ -1,0 +1,59 @@
+"""Input from outside: checks of values, and requests.
+
+``checks``
+    checks of values, and the error that is the user's to mend;
+``requests``
+    requests: what a verb is asked for, as a value.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.inputs.checks import (
+        INSTALL as INSTALL,
+        LARGEST_SIZE as LARGEST_SIZE,
+        SHOWN as SHOWN,
+        InputError as InputError,
+        a_path as a_path,
+        a_text as a_text,
+        an_integer as an_integer,
+        are_plain as are_plain,
+        at_most as at_most,
+        ensure_installed as ensure_installed,
+        existing_file as existing_file,
+        integer as integer,
+        integer_of as integer_of,
+        let_users_interrupt as let_users_interrupt,
+        one_of as one_of,
+        parse_json as parse_json,
+        read_text as read_text,
+        seconds_of as seconds_of,
+        show as show,
+    )
+    from allworlds.inputs.requests import (
+        AS_IN_PYTHON as AS_IN_PYTHON,
+        EFFORT as EFFORT,
+        OUTPUT as OUTPUT,
+        PANELS as PANELS,
+        RULES as RULES,
+        SCOPE as SCOPE,
+        Argument as Argument,
+        Named as Named,
+        Option as Option,
+        Request as Request,
+        Taken as Taken,
+        answer as answer,
+        answers as answers,
+        codes_in as codes_in,
+        ensure_takes as ensure_takes,
+        fields_of as fields_of,
+        meant as meant,
+        remembered as remembered,
+        values_of as values_of,
+    )
+else:
+    open_door(__name__)

@@ -1,0 +1,207 @@
+"""Checks of what comes from outside, and the error that is the user's to mend."""
+
+from __future__ import annotations
+
+import json
+import operator
+import os
+import re
+import signal
+import sys
+from collections.abc import Iterable
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+SHOWN = 200
+"""The number of characters of a value that are shown."""
+
+LARGEST_SIZE = 100_000
+"""The largest number of edges, or of vertices, that is taken at all."""
+
+
+class InputError(ValueError):
+    """Bad input: one line that names the offending value and what would be legal."""
+
+
+def let_users_interrupt(error: BaseException) -> None:
+    """Raise an interrupt again; where interrupts are ignored only an explorer raises one."""
+    ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    if isinstance(error, KeyboardInterrupt) and not ignored:
+        raise error
+
+
+def show(value: object) -> str:
+    """A short text for any object, also for one whose repr fails."""
+    try:
+        text = str.__str__(repr(value))
+    except BaseException as error:  # noqa: BLE001  # repr may be anybody's code
+        let_users_interrupt(error)
+        return f"an object of type {type(value).__name__} whose repr fails"
+    return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
+
+
+def integer(value: object) -> int:
+    """``value`` as a plain ``int`` if it is an integer and no boolean.
+
+    Raises:
+        TypeError: for booleans, floats, strings and everything else.
+    """
+    if type(value) is int:
+        return value
+    if isinstance(value, bool):
+        raise TypeError(f"{show(value)} is a boolean, not an integer")
+    index = operator.index(value)  # type: ignore[arg-type]  # refuses what is no integer
+    return int.__index__(index)  # also for a subclass with operators of its own
+
+
+def are_plain(values: Iterable[object]) -> bool:
+    """Whether all are of the type ``int`` itself, as nearly always; then none need be converted."""
+    return {*map(type, values)} <= {int}
+
+
+def an_integer(name: str, value: object) -> int:
+    """The value as an ``int``.
+
+    Raises:
+        InputError: naming it, for booleans and everything else that is no integer.
+    """
+    try:
+        return integer(value)
+    except TypeError:
+        raise InputError(f"{name} = {show(value)} is not an integer") from None
+
+
+def at_most(name: str, value: float, most: int) -> None:
+    """Refuse a value that is larger.
+
+    What follows from larger ones could not be counted, printed or waited for.
+
+    Raises:
+        InputError: naming it.
+    """
+    if value > most:
+        raise InputError(f"{name} = {show(value)} is too big; at most {most:,} is legal")
+
+
+def a_text(name: str, value: object) -> str:
+    """The value, if it is a text.
+
+    Raises:
+        InputError: naming it.
+    """
+    if not isinstance(value, str):
+        raise InputError(f"{name} = {show(value)} is not a text")
+    return value
+
+
+def a_path(name: str, value: object) -> Path:
+    """The value as a path.
+
+    Raises:
+        InputError: naming it, for what is no path, and for an empty text, which Python would
+            take for the current directory.
+    """
+    if value == "" or not isinstance(value, str | os.PathLike):
+        raise InputError(f"{name} = {show(value)} is no path, not even of the current directory")
+    try:
+        nameable = b"\0" not in os.fsencode(value)
+    except UnicodeEncodeError:
+        nameable = False
+    if not nameable:
+        raise InputError(f"{name} = {show(value)} is no path: no file can be named so")
+    return Path(value)
+
+
+def existing_file(name: str, value: str) -> Path | None:
+    """The file at that path, made absolute; None if there is none.
+
+    Raises:
+        InputError: if it is no path, or its folder cannot be read.
+    """
+    # Unlike Path.resolve, it takes a loop of links, in which there is no file.
+    file = Path(os.path.realpath(a_path(name, value)))
+    try:
+        return file if file.is_file() else None
+    except OSError as error:
+        raise InputError(f"{name} {show(value)} cannot be read: {error.strerror}") from None
+
+
+INSTALL = "in a clone of allworlds, pip install '.[{}]'"
+"""How an extra is installed."""
+
+
+def ensure_installed(package: str, extra: str, what: str) -> None:
+    """Raise InputError unless the package can be imported.
+
+    Raises:
+        InputError: saying what needs it, and which extra brings it.
+    """
+    if find_spec(package) is None:
+        raise InputError(f"{what} needs {package}: {INSTALL.format(extra)}")
+
+
+def parse_json(text: str, kind: type[InputError] = InputError) -> Any:
+    """The value of a JSON text.
+
+    Raises:
+        InputError: of the kind that was asked for, if it is none, or if an object has a key
+            twice: which value is meant cannot be told.
+    """
+
+    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        found = dict(pairs)
+        if len(found) < len(pairs):
+            keys = [key for key, _ in pairs]
+            twice = next(key for key in keys if keys.count(key) > 1)
+            raise kind(f"the key {show(twice)} stands twice in one object")
+        return found
+
+    try:
+        return json.loads(text, object_pairs_hook=once)
+    except InputError:
+        raise
+    except (ValueError, RecursionError) as error:
+        raise kind(f"not JSON: {show(str(error))[1:-1]}") from None
+
+
+def read_text(path: str) -> str:
+    """The text of a file that the user has named; of stdin for ``-``.
+
+    Raises:
+        InputError: naming the file and the reason why it cannot be read.
+    """
+    try:
+        if path == "-":
+            return sys.stdin.read()
+        return a_path("file", path).read_text(encoding="utf-8")
+    except (OSError, UnicodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is no text"
+        raise InputError(f"file {show(path)} cannot be read: {reason}") from None
+
+
+# ---------------------------------------------------------------- texts that become values
+
+
+def integer_of(text: str) -> int:
+    """The integer of a text; unlike ``int`` without 1_0 and other scripts.
+
+    Raises:
+        ValueError: saying what the text is not; so do all that read the text of an option.
+    """
+    if re.fullmatch(r"[+-]?[0-9]{1,4000}", text):
+        return int(text)
+    raise ValueError(f"{show(text)} is not an integer")
+
+
+def seconds_of(text: str) -> float:
+    """The number of a text."""
+    if re.fullmatch(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?|-?inf|nan", text):
+        return float(text)
+    raise ValueError(f"{show(text)} is not a number of seconds")
+
+
+def one_of(names: Iterable[str]) -> str:
+    """The names of a table, as a help says them: ``a, b or c``."""
+    *others, last = names
+    return f"{', '.join(others)} or {last}"

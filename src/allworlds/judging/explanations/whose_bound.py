@@ -1,0 +1,44 @@
+"""The owner of the bound that a walk has exceeded, and the way to check without it."""
+
+from __future__ import annotations
+
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.laws.bounds import paper_terms
+from allworlds.words import listed, size
+
+WITHOUT = (
+    "The option --bound none checks the other laws alone; --bound EXPR checks another cost, such "
+    "as --bound '2*m'."
+)
+
+
+def tell_whose_bound(finding: Finding) -> list[str]:
+    """Tell that the answer is right, whose bound it is, and how to check without it."""
+    others = [law for law in finding.rules.applying if law != "bound"]
+    rest = f"every other law that was checked holds: {listed(others)}" if others else ""
+    if {"map", "pose"} <= {*others}:
+        right = "The map and the pose are right; the walk is longer than the bound allows."
+    else:
+        right = f"The walk is longer than the bound allows{'; ' if rest else ''}{rest}."
+    return [right, _whose(finding), WITHOUT]
+
+
+def _whose(finding: Finding) -> str:
+    rules, map_ = finding.rules, finding.world.map
+    name, value = rules.the_bound.name, finding.expected
+    world = size(map_.edge_count, map_.vertex_count)
+    new, closing = paper_terms(map_.vertex_count, map_.edge_count)
+    paper = (
+        "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
+        "find a new vertex, and (2), the passes that close an edge between known ones"
+    )
+    sums = f"In a world with {world} that is {new} + {closing}"
+    if name == "paper":
+        return f"The bound 'paper' is {paper}. {sums} = {value}."
+    if name == "two-vertices":
+        return (
+            f"The bound 'two-vertices' is {paper}; with two traversals for each test of a "
+            f"hypothesis, and the search among the darts of the start. {sums}, with those {value}."
+        )
+    owner = "the explorer's own" if name == rules.own_bound else "the one that was asked for"
+    return f"The bound is {owner}: {name}, which is {value} in a world with {world}."

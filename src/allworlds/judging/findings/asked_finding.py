@@ -1,0 +1,64 @@
+"""The choice of a finding on the command line."""
+
+from __future__ import annotations
+
+from typing import Annotated, NamedTuple
+
+from allworlds.inputs import (
+    SCOPE,
+    Argument,
+    InputError,
+    Named,
+    Option,
+    Request,
+    integer_of,
+    parse_json,
+    read_text,
+)
+from allworlds.judging.findings.finding import Finding, findings_of
+
+
+class ChosenFinding(NamedTuple):
+    """A finding, its number in its report, from 1 on, and the number of findings there."""
+
+    finding: Finding
+    number: int = 1
+    findings: int = 1
+
+
+class FindingWords(Request):
+    """The argument and options of the command line that name a finding."""
+
+    file: Annotated[str, Argument("", "FILE", "A finding, or a check's report; - for stdin.")]
+    number: Annotated[
+        int,
+        Option(
+            SCOPE,
+            "K",
+            "Which finding of a report: 1 is the smallest.",
+            "finding",
+            parse=integer_of,
+        ),
+    ] = 1
+
+    def chosen(self) -> ChosenFinding:
+        """The finding of that number in the file.
+
+        Raises:
+            InputError: naming the file, the offending value in it, or the number.
+        """
+        found = findings_of(parse_json(read_text(self.file)))
+        if not 1 <= self.number <= len(found):
+            holds = f"findings 1 to {len(found)}" if len(found) > 1 else "1 finding"
+            raise InputError(f"finding = {self.number} is not there: the file holds {holds}")
+        return ChosenFinding(Finding.from_json(found[self.number - 1]), self.number, len(found))
+
+    def value(self) -> Finding:
+        """The chosen finding alone, without its number."""
+        return self.chosen().finding
+
+
+class AskedFinding(Request, kw_only=False):
+    """The part of a request that names a finding."""
+
+    finding: Annotated[Finding, Named(FindingWords, "the finding")]

@@ -1,0 +1,179 @@
+"""Conditions that narrow a class of maps: those with a name, and what any other must be."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+from allworlds.inputs import InputError, show
+from allworlds.maps.beginnings import (
+    Beginning,
+    any_map,
+    even,
+    genus_exactly,
+    girth_at_least,
+    regular,
+    tree,
+)
+from allworlds.maps.combinatorial import CombinatorialMap
+
+if TYPE_CHECKING:
+    from allworlds.maps.enumeration import Gluing
+
+
+class Condition(Protocol):
+    """A property of maps that does not depend on the numbering of darts."""
+
+    @property
+    def name(self) -> str:
+        """As ``--where`` takes it."""
+
+    def holds(self, map_: CombinatorialMap) -> bool:
+        """Whether the map has the property."""
+
+
+@dataclass(frozen=True, slots=True)
+class ConditionKind:
+    """A condition that comes with this program.
+
+    Attributes:
+        about: what holds of a map.
+        holds: whether it does; of a map and the number of the name.
+        begins: whether a map of which it holds can begin as a partial gluing.
+        least: the least number that is legal; None where the name has none.
+        dual: such maps are made as the duals of maps that are glued together, and ``begins`` is
+            asked of these.
+    """
+
+    about: str
+    holds: Callable[[CombinatorialMap, int], bool]
+    begins: Beginning = any_map
+    least: int | None = None
+    dual: bool = False
+
+
+def girth(map_: CombinatorialMap) -> int | None:
+    """The length of a shortest cycle; None of a tree.
+
+    A loop is a cycle of length 1, two parallel edges are one of length 2.
+    Cost: O(m) a dart.
+    """
+    found = [length for dart in map_.darts if (length := _shortest_round(map_, dart)) is not None]
+    return min(found, default=None)
+
+
+def _shortest_round(map_: CombinatorialMap, dart: int) -> int | None:
+    """The length of a shortest cycle through the edge of a dart."""
+    goal, start = map_.vertex_of[dart], map_.vertex_of[map_.alpha[dart]]
+    ring, met, steps = {start}, {start}, 1
+    while ring:
+        if goal in ring:
+            return steps
+        beyond = {
+            map_.vertex_of[map_.alpha[d]]
+            for vertex in ring
+            for d in map_.vertices[vertex]
+            if d not in (dart, map_.alpha[dart])
+        }
+        ring = beyond - met
+        met |= ring
+        steps += 1
+    return None
+
+
+def _girth_at_least(map_: CombinatorialMap, least: int) -> bool:
+    length = girth(map_)
+    return length is None or length >= least
+
+
+CONDITIONS: dict[str, ConditionKind] = {
+    "cubic": ConditionKind(
+        "every vertex has 3 darts", lambda m, _: {*m.degrees} == {3}, lambda g, _: regular(g, 3)
+    ),
+    "regular": ConditionKind(
+        "every vertex has D darts", lambda m, d: {*m.degrees} == {d}, regular, 1
+    ),
+    "eulerian": ConditionKind(
+        "every vertex has an even number of darts",
+        lambda m, _: not any(d % 2 for d in m.degrees),
+        even,
+    ),
+    "trees": ConditionKind("no cycle", lambda m, _: m.edge_count == m.vertex_count - 1, tree),
+    "girth": ConditionKind("every cycle has at least G edges", _girth_at_least, girth_at_least, 1),
+    "genus": ConditionKind("exactly the genus G", lambda m, g: m.genus == g, genus_exactly, 0),
+    "triangulation": ConditionKind(
+        "every face has 3 darts",
+        lambda m, _: all(len(face) == 3 for face in m.faces),
+        lambda dual, _: regular(dual, 3),
+        dual=True,
+    ),
+    "quadrangulation": ConditionKind(
+        "every face has 4 darts",
+        lambda m, _: all(len(face) == 4 for face in m.faces),
+        lambda dual, _: regular(dual, 4),
+        dual=True,
+    ),
+}
+"""Every condition with a name."""
+
+LEGAL = "cubic, regular:D, eulerian, trees, girth:G, genus:G, triangulation, quadrangulation"
+"""How they are written."""
+
+
+@dataclass(frozen=True, slots=True)
+class NamedCondition:
+    """A condition that comes with this program, with its number where it has one."""
+
+    name: str
+
+    def holds(self, map_: CombinatorialMap) -> bool:
+        """Whether the map has the property."""
+        return self._kind.holds(map_, self.number)
+
+    @property
+    def dual(self) -> bool:
+        """Whether such maps are made as duals."""
+        return self._kind.dual
+
+    def may_begin(self, gluing: Gluing) -> bool:
+        """Whether a map that has the property, or its dual, can begin as this gluing."""
+        return self._kind.begins(gluing, self.number)
+
+    @property
+    def kind(self) -> str:
+        """The name without its number."""
+        return self.name.partition(":")[0]
+
+    @property
+    def number(self) -> int:
+        """The number in the name; 0 where there is none."""
+        return int(self.name.partition(":")[2] or 0)
+
+    @property
+    def _kind(self) -> ConditionKind:
+        return CONDITIONS[self.kind]
+
+    def __str__(self) -> str:
+        return self.name
+
+
+def condition_named(text: str) -> NamedCondition | None:
+    """The condition of that name; None where the name is none of ours.
+
+    Raises:
+        InputError: if its number is missing, too small, or none.
+    """
+    name, colon, number = text.partition(":")
+    if name not in CONDITIONS:
+        return None
+    least = CONDITIONS[name].least
+    if least is None:
+        if colon:
+            raise InputError(f"where = {show(text)}: {name} takes no number; legal are {LEGAL}")
+    elif not re.fullmatch("[0-9]{1,6}", number) or int(number) < least:
+        raise InputError(
+            f"where = {show(text)}: {name} takes a number from {least} on, as in {name}:3"
+        )
+    return NamedCondition(text)

@@ -1,0 +1,22 @@
+"""A telling as one web page."""
+
+from __future__ import annotations
+
+from allworlds.reports.html.frame import Page, framed
+from allworlds.reports.html.sections import element
+from allworlds.reports.telling import ToldResult
+
+
+def html(telling: ToldResult) -> str:
+    """An HTML document that refers to no other file."""
+    said = telling.headline
+    document = telling.result.to_json()
+    return framed(
+        Page(
+            telling.done,
+            telling.subject,
+            (said.word, said.text, said.verdict or "open") if said else None,
+            [element(section) for section in (*telling.sections, *telling.more())],
+            {key: value for key, value in document.items() if key not in telling.apart},
+        )
+    )

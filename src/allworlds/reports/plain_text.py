@@ -1,0 +1,141 @@
+"""A telling as text for a terminal of some width."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from textwrap import wrap
+
+from allworlds.reports.cost_curve import cost_lines
+from allworlds.reports.drawing.text import draw
+from allworlds.reports.telling import (
+    Block,
+    Costs,
+    Curve,
+    Headline,
+    Quote,
+    Section,
+    ToldFacts,
+    ToldPicture,
+    ToldRecord,
+    ToldResult,
+    ToldTable,
+    ToldWalk,
+    Words,
+)
+from allworlds.reports.text_layout import GAP, INDENT, entry, table
+
+LONGEST_WALK = 60
+"""The steps of a longer walk are told from both ends."""
+
+
+def text(telling: ToldResult, width: int) -> str:
+    """The headline and every section."""
+    head = [*_headline(telling.headline, width)] if telling.headline else []
+    return _joined([head, *(_section(section, width) for section in telling.sections)])
+
+
+def brief(telling: ToldResult, width: int) -> str:
+    """One line if the answer is a verdict, however wide it is; else the whole text."""
+    if telling.headline is None or not telling.headline.verdict:
+        return text(telling, width)
+    return telling.headline.line
+
+
+def text_of(sections: Iterable[Section], width: int) -> str:
+    """The text of some sections."""
+    return _joined(_section(section, width) for section in sections)
+
+
+def _joined(parts: Iterable[Sequence[str]]) -> str:
+    return "\n\n".join("\n".join(part) for part in parts if part)
+
+
+def _headline(headline: Headline, width: int) -> Iterator[str]:
+    if len(headline.word) < INDENT:
+        yield from entry(headline.word, headline.text, width)
+    else:
+        yield from wrap(headline.line, width)
+
+
+def _section(section: Section, width: int) -> list[str]:
+    title = wrap(section.title, width, break_long_words=False) if section.title else []
+    lines = [line for line in ["\n".join(title)] if line]
+    before: Block | None = None
+    for block in section.blocks:
+        told = [*_block(block, width)]
+        # Facts, and the quotation of a command, follow facts without an empty line.
+        near = isinstance(before, ToldFacts) and isinstance(block, ToldFacts | Quote)
+        if told:
+            lines += [*([""] if lines and not near else []), *told]
+            before = block
+    return lines
+
+
+def _block(block: Block, width: int) -> Iterator[str]:
+    match block:
+        case Words():
+            yield from wrap(block.text, width, break_on_hyphens=False)
+        case ToldFacts():
+            for name, said in block.entries:
+                yield from entry(name, said, width)
+        case ToldTable():
+            yield from _table(block, width)
+        case ToldPicture():
+            yield from [*wrap(block.title, width), "", draw(block.scene, width)]
+        case ToldWalk():
+            yield from _walk(block, width)
+        case Curve():
+            yield from cost_lines(block.spent, width)
+        case Quote():
+            indent = block.prefix or ("  " if block.title else "")
+            yield from [block.title] if block.title else []
+            yield from (f"{indent}{line}".rstrip() for line in block.text.splitlines())
+        case Costs() | ToldRecord():
+            return  # pictures and data of pages; tables and documents hold the same
+
+
+def _table(told: ToldTable, width: int) -> list[str]:
+    return table(told.header, told.texts, told.right, width, told.keys) if told.rows else []
+
+
+def _walk(walk: ToldWalk, width: int) -> Iterator[str]:
+    sentences = () if walk.tour else walk.sentences
+    for sentence in sentences:
+        yield from wrap(sentence, width, break_on_hyphens=False)
+    between = [""] if sentences else []
+    for view in walk.views:
+        if view.known is None:
+            title = f"{view.title} ({view.note})" if view.note else view.title
+            yield from [*between, *wrap(title, width), "", draw(view.scene, width)]
+            between = [""]
+    if walk.tour:
+        return
+    yield from ["", "The walk", ""]
+    if walk.walked.world.told is not None:
+        yield from [f"told before the start: {walk.walked.world.told}", ""]
+    steps = walk.table
+    rows = steps.texts
+    if len(rows) > LONGEST_WALK:
+        half = LONGEST_WALK // 2
+        between = ["...", f"({len(rows) - 2 * half} more)", *[""] * (len(steps.header) - 2)]
+        rows = [*rows[:half], between, *rows[-half:]]
+    yield from _steps(steps.header, rows, width)
+
+
+def _steps(header: Sequence[str], rows: Sequence[Sequence[str]], width: int) -> list[str]:
+    """The steps as a table. Where it is too wide, percepts stand below each motion.
+
+    What is sensed elsewhere is then told only where it is not what is sensed.
+    """
+    lines = table(header, rows, "r")
+    if max(map(len, lines)) <= width:
+        return lines
+    below = " " * (len(header[0]) + GAP)
+    lines = [(" " * GAP).join(header[:3]), f"{below}{header[3]}"]
+    if len(header) > 4:
+        lines.append(f"{below}≠ {header[5]}")
+    for step, motion, place, sensed, *other in rows:
+        lines.append(f"{step:>{len(header[0])}}  {motion:6}  {place}".rstrip())
+        told = [sensed, f"≠ {other[1]}" if other and other[0] == "≠" else ""]
+        lines += [below + line for said in told for line in wrap(said, width - len(below))]
+    return lines

@@ -1,0 +1,394 @@
+"""Tellings of ``check`` and ``fuzz``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from allworlds.engines import Given, Row, Sample, Shard
+from allworlds.judging import Finding, checked_laws
+from allworlds.maps import Extent, source_of
+from allworlds.outcome import Disagreed, Verdict
+from allworlds.reports.telling import (
+    Block,
+    Headline,
+    Section,
+    Shown,
+    SizeCost,
+    Suite,
+    ToldCase,
+    ToldFacts,
+    ToldResult,
+    ToldTable,
+    Words,
+    fact,
+)
+from allworlds.reports.tellings.finding import finding_section
+from allworlds.reports.tellings.most_expensive import most_expensive_sections
+from allworlds.studies.check import (
+    CheckReport,
+    Guess,
+    TimeEstimate,
+    UserCorpus,
+    most_expensive_runs,
+)
+from allworlds.version import __version__
+from allworlds.words import about, counted, duration, listed, number, plural, size
+
+
+def check_telling(report: CheckReport | TimeEstimate) -> ToldResult:
+    """The verdict, the findings, the scope and the counts; or the estimated duration.
+
+    On the page of a check that holds also the most expensive runs.
+    """
+    if isinstance(report, TimeEstimate):
+        return _estimate(report)
+    verb = "fuzz" if isinstance(report.asked.coverage, Sample) else "check"
+    findings = [_finding(report, number) for number in range(len(report.findings))]
+    seen = Section("seen", "What was checked", [ToldFacts(scope_words(report)), size_table(report)])
+    cells = [
+        SizeCost(row.edges, row.vertices, row.max_cost, row.bound)
+        for row in report.rows
+        if row.episodes
+    ]
+    return ToldResult(
+        f"allworlds {verb}",
+        report.explorer,
+        report,
+        verdict_of(report),
+        [*findings, seen],
+        more=lambda: (
+            [] if findings else most_expensive_sections(cells, most_expensive_runs(report))
+        ),
+        suite=lambda: Suite(verb, report.explorer, _properties(report), [*_cases(report)]),
+        apart=frozenset({"findings"}),
+    )
+
+
+def _finding(report: CheckReport, number: int) -> Section:
+    """One of the findings, with its origin."""
+    finding = report.findings[number]
+    past = report.past and report.past.holds(finding)
+    return finding_section(finding, number + 1, "from the corpus" if past else "")
+
+
+def size_table(report: CheckReport) -> ToldTable:
+    """Counts for each number of edges and vertices.
+
+    Of a sample, which has a few worlds of very many sizes, for each number of edges.
+    """
+    every = report.asked.schedules == "all"
+    header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
+    if every:
+        header.insert(4, "schedules")
+    rows = []
+    sampled = isinstance(report.asked.coverage, Sample)
+    for (edges, *vertices), row in _by_size(report, sampled).items():
+        fewest, most = vertices[0], vertices[-1]
+        between = f"{number(most)}" if fewest == most else f"{fewest}-{most}"
+        shown = Shown(most if fewest == most else between, between)
+        played = [row.worlds, row.runs, *([row.episodes] if every else []), row.traversals]
+        rows.append([edges, shown, *played, row.max_cost, row.bound])
+    return ToldTable(header, rows, "Finished levels", keys=2)
+
+
+def _by_size(report: CheckReport, sampled: bool) -> dict[tuple[int, ...], Row]:
+    """The rows by their edges and vertices; of a sample added up, by edges and all vertices."""
+    rows = dict(sorted(report.tally.rows.items()))
+    if not sampled:
+        return {(edges, vertices): row for (edges, vertices), row in rows.items()}
+    added: dict[int, tuple[list[int], Row]] = {}
+    for (edges, vertices), row in rows.items():
+        met, total = added.setdefault(edges, ([], Row()))
+        met.append(vertices)
+        total.add(row)
+    return {(edges, *met): total for edges, (met, total) in added.items()}
+
+
+def verdict_of(report: CheckReport) -> Headline:
+    """The verdict and its explanation."""
+    done = (
+        f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
+        f"{plural(report.tally.traversals, 'traversal')}"
+    )
+    if report.verdict is Verdict.HOLDS and not report.runs:
+        said = f"{done} fall to this shard, which is finished and has nothing to check"
+        return Headline("EMPTY", said, "vacuous")
+    match report.verdict:
+        case Verdict.HOLDS | Verdict.NOT_REFUTED:
+            text = f"{done}: no law is broken{_in_shard(report)}"
+        case Verdict.REFUTED:
+            first = report.findings[0]
+            text = f"law {first.law} is broken; {done} in finished levels"
+        case Verdict.INCONCLUSIVE:
+            text = f"{report.ending.reason}; in finished levels no law is broken ({done})"
+        case Verdict.VACUOUS:
+            text = "a witness is missing" if report.runs else "the scope holds no run"
+        case Verdict.ERROR:
+            text = report.ending.reason
+    return Headline(report.verdict.value.upper(), text, report.verdict.value)
+
+
+def _in_shard(report: CheckReport) -> str:
+    """A remark that this is only a shard; empty for a whole check."""
+    shard = report.asked.coverage
+    if not isinstance(shard, Shard):
+        return ""
+    return f" in shard {shard}; the verdict on every world needs the merge of all shards"
+
+
+def scope_words(report: CheckReport) -> list[tuple[str, str]]:
+    """The scope of the verdict as named texts. A text without a name continues the one before."""
+    scope, rules = report.asked, report.asked.rules
+    bounds = scope.extent
+    limits = [f"at most {plural(bounds.edges, 'edge')}"] if bounds.edges else []
+    if isinstance(scope.coverage, Sample) and scope.coverage.min_edges > 1:
+        limits = [f"{scope.coverage.min_edges} to {plural(scope.extent.levels[-1], 'edge')}"]
+    if bounds.vertices:
+        limits += [f"at most {plural(bounds.vertices, 'vertex', 'vertices')}"]
+    shard = f", shard {scope.portion}" if isinstance(scope.portion, Shard) else ""
+    what = (
+        f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} of the class "
+        f"{bounds.map_class}{_condition(bounds)} with {' and '.join(limits)}{shard}; "
+        f"{_schedules(report)}"
+    )
+    words = [("explorer", f"{report.explorer}, {report.engine} engine"), ("scope", what)]
+    if not report.complete and not isinstance(scope.coverage, Sample):
+        finished = ", ".join(map(str, report.levels)) or "none"
+        words.append(("", f"NOT complete: finished levels (edges): {finished}"))
+    if not rules.task.is_map:
+        words.append(("task", f"{rules.task.name}: {rules.task.asks}"))
+    if shared := report.scope.shared_file:
+        words.append(
+            ("trust", f"{shared} holds the explorer, and code that judges it: see docs/trust.md")
+        )
+    if report.symmetry:
+        words.append(("symmetry", report.symmetry))
+    witnesses = report.tally.witnesses
+    seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
+    met = f"what was met, and how often: {seen}" if seen else "none was met"
+    words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", met)]
+    if report.missing_witnesses:
+        words.append(("MISSING", f"never met: {', '.join(report.missing_witnesses)}"))
+    if report.past:
+        past = report.past
+        words.append(("corpus", f"{past.directory}: {_corpus(past)}"))
+    if report.tally.left_out:
+        left = plural(report.tally.left_out, "world")
+        words.append(("left out", f"{left} without a place for the lighthouse"))
+    words += [("remark", remark) for remark in report.remarks]
+    return words
+
+
+def _condition(extent: Extent) -> str:
+    return f", {extent.where.name}," if extent.where else ""
+
+
+def _which(report: CheckReport) -> str:
+    some = isinstance(report.asked.coverage, Sample | Given)
+    return "one start and marker" if some else "every start and marker"
+
+
+def _maps(report: CheckReport) -> str:
+    sample = report.asked.coverage
+    if isinstance(sample, Given):
+        return f"each of {plural(len(sample.worlds), 'given world')}"
+    if not isinstance(sample, Sample):
+        return "every map"
+    return f"each of a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
+
+
+def _corpus(past: UserCorpus) -> str:
+    return "; ".join(
+        f"{len(names)} {what}" + (f" ({', '.join(names)})" if names else "")
+        for what, names in (
+            ("past findings reproduced", past.reproduced),
+            *([("still refuted, but beyond the scope", past.beyond)] if past.beyond else []),
+            ("fixed and kept", past.fixed),
+            ("written", past.written),
+        )
+    )
+
+
+def _schedules(report: CheckReport) -> str:
+    if report.asked.schedules == "all":
+        return "every sequence of choices"
+    return f"free choices as policy {report.asked.rules.policy} takes them, one schedule a run"
+
+
+def _laws(report: CheckReport) -> str:
+    rules = report.asked.rules
+    published = report.tally.checkpoints
+    checked = checked_laws(rules.judged, report.runs, published)
+    if not checked:
+        return "no run was made, so no law was checked"
+    bound = f"bound ({rules.the_bound.name})"
+    laws = ", ".join(bound if law == "bound" else law for law in checked)
+    if published:
+        return f"{laws}; {plural(published, 'checkpoint')}"
+    left = [law for law in rules.applying if law not in checked]
+    return laws + (
+        f"; no checkpoint was published, so nothing was checked of {listed(left)}" if left else ""
+    )
+
+
+def _gate(report: CheckReport) -> str:
+    if isinstance(report.asked.coverage, Shard):
+        return "deferred to the merge of all shards"
+    if isinstance(report.asked.coverage, Sample):
+        return "absent: a sample is not to be counted"
+    if isinstance(report.asked.coverage, Given):
+        return "absent: the worlds were given"
+    extent = report.asked.extent
+    if extent.where is not None and source_of(extent) is None:
+        return f"absent: no source counts the maps that are {extent.where.name}"
+    if not report.cells:
+        return "the scope holds no world" if report.levels else "no level was finished"
+    wrong = [cell for cell in report.cells if not cell.agrees]
+    if wrong:
+        cell = wrong[0]
+        return (
+            f"MISMATCH: of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were "
+            f"enumerated, but {cell.source} counts {cell.counted}"
+        )
+    cells = plural(len(report.cells), "cell")
+    return f"no world was forgotten: in {cells} (edges, vertices) {counted(report.cells[0].source)}"
+
+
+# ---------------------------------------------------------------- an estimate
+
+
+def _estimate(guess: TimeEstimate) -> ToldResult:
+    """Estimated duration of the check, and of those with more edges if it is known."""
+    if guess.seconds is None or guess.rate is None:
+        head = Headline("estimate", _TOO_LONG, "inconclusive")
+        return ToldResult("allworlds check", guess.explorer, guess, head, [])
+    worlds = f"{about(guess.worlds)} world{'' if guess.worlds == 1 else 's'}"
+    text = f"{duration(guess.seconds)} for {worlds}: a guess"
+    of = f"{plural(guess.sampled, 'world')} of the last level, {number(round(guess.rate))} a second"
+    blocks: list[Block] = [fact("sample", of), *([_larger(guess)] if guess.larger else [])]
+    head = Headline("estimate", text, "inconclusive")
+    return ToldResult(
+        "allworlds check", guess.explorer, guess, head, [Section("sample", "", blocks)]
+    )
+
+
+_TOO_LONG = "no world of the last level was finished in time: this takes very long"
+
+
+def _larger(estimate: TimeEstimate) -> ToldTable:
+    """Estimated duration with more edges."""
+    guesses: list[TimeEstimate | Guess] = [estimate, *estimate.larger]
+    header = ("edges", "worlds", "engine", "sampled", "a second", "takes")
+    rows = [
+        (
+            guess.edges,
+            Shown(guess.worlds, about(guess.worlds)),
+            guess.engine,
+            guess.sampled or Shown(0, "none"),
+            round(guess.rate),
+            Shown(guess.seconds, duration(guess.seconds)),
+        )
+        for guess in guesses
+        if guess.rate is not None and guess.seconds is not None
+    ]
+    return ToldTable(header, rows)
+
+
+# ---------------------------------------------------------------- as test runners count
+
+
+def _properties(report: CheckReport) -> dict[str, object]:
+    """Verdict and scope, which belong to every result."""
+    document: Mapping[str, Any] = report.to_json()
+    named = ("verdict", "exit_code", "engine", "worlds", "runs", "traversals")
+    told = {"version": __version__, **{name: document[name] for name in named}}
+    return told | {f"scope.{name}": value for name, value in document["scope"].items()}
+
+
+def _cases(report: CheckReport) -> Iterator[ToldCase]:
+    """A case for each number of edges, of past findings before and of witnesses after; or one.
+
+    A level is passed; failed, with its findings; an error where the count gate or two engines
+    disagree; skipped, with the reason, where it was not finished.  A sample is one case.
+    """
+    if isinstance(report.asked.coverage, Sample):
+        yield _sample(report, report.asked.coverage)
+        return
+    yield from _past(report)
+    yield from _levels(report)
+    yield from _whole(report)
+
+
+def _past(report: CheckReport) -> Iterator[ToldCase]:
+    """One case for a user's corpus, if there is one."""
+    if report.past:
+        standing = [finding for finding in report.findings if report.past.holds(finding)]
+        yield _failure(report, "past findings", standing) if standing else ToldCase("past findings")
+
+
+def _levels(report: CheckReport) -> Iterator[ToldCase]:
+    """One case for each level."""
+    past = report.past
+    new = [finding for finding in report.findings if not (past and past.holds(finding))]
+    every = "every given world" if isinstance(report.asked.coverage, Given) else "every world"
+    for edges in report.asked.sizes:
+        name = f"{every} with {plural(edges, 'edge')}"
+        found = [finding for finding in new if finding.key[0] == edges]
+        wrong = [cell for cell in report.cells if cell.edges == edges and not cell.agrees]
+        if wrong:
+            text = "\n".join(
+                f"of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were "
+                f"enumerated, but {cell.source} counts {cell.counted}"
+                for cell in wrong
+            )
+            told = [Section("gate", "", [Words(text)]), *_sections(report, found)]
+            yield ToldCase(name, "error", "count-gate", text.splitlines()[0], told)
+        elif found:
+            yield _failure(report, name, found)
+        elif edges in report.levels:
+            yield ToldCase(name)
+        else:
+            yield ToldCase(
+                name, "skipped", message=report.ending.reason or "the level was not finished"
+            )
+
+
+def _whole(report: CheckReport) -> Iterator[ToldCase]:
+    """Judgements about the scope as a whole."""
+    gate = all(cell.agrees for cell in report.cells)
+    if isinstance(report.ending, Disagreed) and gate:
+        told = [Section("engines", "", [Words(report.ending.reason)])]
+        yield ToldCase("engines", "error", "engines-disagree", "two engines disagree", told)
+    if not report.complete or not report.asked.whole:
+        return
+    if not report.runs:
+        yield ToldCase(
+            "witnesses", "failure", "vacuous", "nothing was checked: the scope holds no run"
+        )
+    elif report.missing_witnesses:
+        missing = f"never seen: {', '.join(report.missing_witnesses)}"
+        yield ToldCase("witnesses", "failure", "vacuous", missing)
+    else:
+        yield ToldCase("witnesses")
+
+
+def _sample(report: CheckReport, sample: Sample) -> ToldCase:
+    edges = plural(report.asked.extent.levels[-1], "edge")
+    least = "up to" if sample.min_edges == 1 else f"{sample.min_edges} to"
+    name = f"{plural(sample.runs, 'random world')} with {least} {edges}"
+    if report.findings:
+        return _failure(report, name, report.findings)
+    if report.verdict is Verdict.NOT_REFUTED:
+        return ToldCase(name)
+    return ToldCase(name, "skipped", message=report.ending.reason or "no world was tried")
+
+
+def _failure(report: CheckReport, name: str, findings: Sequence[Finding]) -> ToldCase:
+    law = findings[0].law
+    return ToldCase(name, "failure", law, f"law '{law}' is broken", _sections(report, findings))
+
+
+def _sections(report: CheckReport, findings: Sequence[Finding]) -> list[Section]:
+    """Sections for these findings, as the check shows them."""
+    return [_finding(report, report.findings.index(finding)) for finding in findings]

@@ -1,0 +1,164 @@
+"""Sections and sentences about a finding."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from allworlds.explorers import is_program
+from allworlds.judging import Belief, Explanation, Finding, Story, explain, find_parting, true_trail
+from allworlds.protocol import Estimate
+from allworlds.reports.scenes import walk_in_answer, walk_in_world
+from allworlds.reports.telling import (
+    Block,
+    Curve,
+    Elsewhere,
+    Quote,
+    Section,
+    ToldFacts,
+    ToldRecord,
+    ToldWalk,
+    View,
+    fact,
+)
+from allworlds.words import number, plural
+from allworlds.world import World
+
+LONGEST_LIST = 60
+"""The choices of a longer list are told from both ends."""
+
+
+def headline_of(finding: Finding) -> str:
+    """One line: the explorer, the broken law and the world's size."""
+    map_ = finding.world.map
+    size = f"{plural(map_.edge_count, 'edge')}, {plural(map_.vertex_count, 'vertex', 'vertices')}"
+    return f"{finding.explorer} breaks the law '{finding.law}' in a world with {size}"
+
+
+def finding_section(
+    finding: Finding,
+    number: int = 1,
+    origin: str = "",
+    *,
+    title: str = "",
+    checked: bool = True,
+    told: Explanation | None = None,
+) -> Section:
+    """Everything about a finding, as one section.
+
+    Args:
+        finding: which one.
+        number: which of those that are told.
+        origin: where it comes from; empty where a check has come upon it by itself.
+        title: in place of its number, its explorer and its law.
+        checked: it comes from a check, which has confirmed it, or tried to.
+        told: its explanation, where that knows more than its run.
+    """
+    story, told = Story(finding), told or explain(finding)
+    title = title or f"Finding {number}: {headline_of(finding)}"
+    blocks: list[Block] = [_law(finding), _walk(story, told, f"The walk of finding {number}")]
+    if told.spent:
+        blocks.append(Curve(told.spent))
+    blocks += [ToldFacts([*_remarks(finding, origin, checked=checked)])]
+    blocks.append(Quote("command", "reproduce", finding.reproduce, command=True))
+    if finding.detail:
+        blocks.append(Quote("detail", _said_of_detail(finding), finding.detail))
+    blocks += printed(finding.output, finding.detail)
+    transcript = finding.transcript
+    log = [f"start: {transcript.first}", *(f"{a}: {p}" for a, p in transcript.steps)]
+    said = "Copy the finding as JSON, for replay and explain"
+    blocks.append(ToldRecord(said, finding.to_json(), "\n".join(log)))
+    return Section(f"finding-{number}", title, blocks)
+
+
+def _said_of_detail(finding: Finding) -> str:
+    if finding.law == "no-estimate":
+        return "the permutations that were tried"
+    if finding.law == "nondeterministic":
+        return "the two plays, from where they differ"
+    return "output on stderr" if is_program(finding.explorer) else "traceback"
+
+
+def printed(output: str, told: str = "") -> list[Block]:
+    """The output of the explorer, unless it is shown already."""
+    if not output or output.rstrip() in told:
+        return []
+    return [Quote("output", "printed by the explorer", output, prefix="| ")]
+
+
+def _law(finding: Finding) -> ToldFacts:
+    """The law, and what was expected and seen, where that is no map."""
+    wrong = {
+        "map": "the answer is not the same map as the world",
+        "pose": "the answer is the same map, but 'here' is not the robot's dart",
+    }.get(finding.law, "")
+    if wrong and isinstance(finding.seen, Estimate):
+        return fact("law", f"{finding.law}: {wrong}")
+    at_most = "at most " if isinstance(finding.expected, int) else ""
+    expected = at_most + _traversals(finding.expected)
+    return ToldFacts(
+        [("law", finding.law), ("expected", expected), ("seen", _traversals(finding.seen))]
+    )
+
+
+def _traversals(value: Any) -> str:
+    return plural(value, "traversal") if isinstance(value, int) else str(value)
+
+
+def _walk(story: Story, told: Explanation, title: str) -> ToldWalk:
+    world, transcript = story.world, story.transcript
+    view = View("world", "The world", walk_in_world(world, transcript), story.walked)
+    if told.answer:
+        belief = Belief(story)
+        answer = answer_view(world, belief.answer, transcript, belief.believed)
+        elsewhere = Elsewhere("expected by the answer", belief.expected)
+        return ToldWalk(
+            title, story, [view, answer], told.sentences, elsewhere, belief.agreement, told.step
+        )
+    if told.other:
+        trail = true_trail(told.other, transcript)
+        scene = walk_in_world(told.other, transcript)
+        other = View("answer", "Another world, with the same percepts", scene, trail)
+        agreement = _agreement(story, told.other)
+        return ToldWalk(title, story, [view, other], told.sentences, None, agreement, told.step)
+    return ToldWalk(title, story, [view], told.sentences, parting=told.step)
+
+
+def answer_view(world: World, answer: Estimate, transcript: Any, trail: Any) -> View:
+    """The picture of an answer, with the walk as it would be there."""
+    scene = walk_in_answer(world, answer, transcript)
+    note = "R: the robot's place according to the answer"
+    return View("answer", "The answer", scene, trail, note)
+
+
+def _agreement(story: Story, other: World) -> int:
+    """The number of steps in which both worlds look alike to an observer who sees everything."""
+    trail = true_trail(other, story.transcript)
+    fits = [True] * len(trail)
+    parting = find_parting(story.map, story.walked, other.map, trail, fits)
+    return parting.step if parting else len(trail)
+
+
+def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[str, str]]:
+    if finding.choices:
+        yield "choices", _choices(finding)
+    if checked:
+        confirmed = "no"
+        if finding.confirmed:
+            confirmed = "yes: a fresh process did the same from the recorded percepts alone"
+        smaller = "a smaller one may refute"
+        if finding.minimal:
+            smaller = "no smaller world of the scope refutes"
+        yield "confirmed", f"{confirmed}; {smaller}"
+    if origin:
+        yield "origin", origin
+
+
+def _choices(finding: Finding) -> str:
+    """The index taken at each choice; of many the first and the last."""
+    indices = [*map(str, finding.choices)]
+    if len(indices) > LONGEST_LIST:
+        half = LONGEST_LIST // 2
+        between = f"... ({number(len(indices) - 2 * half)} more) ..."
+        indices = [*indices[:half], between, *indices[-half:]]
+    return ", ".join(indices)

@@ -1,0 +1,134 @@
+"""Telling of ``compare --to``: costs in worlds that grow."""
+
+from __future__ import annotations
+
+from allworlds.explorers import short_names
+from allworlds.reports.telling import (
+    Block,
+    Cell,
+    Headline,
+    Section,
+    Shown,
+    ToldFacts,
+    ToldResult,
+    ToldTable,
+)
+from allworlds.reports.tellings.finding import finding_section
+from allworlds.reports.world_rows import rows_of_worlds
+from allworlds.studies.compare import LEVEL, Exponent, Growth, Shape
+from allworlds.words import number, plural
+
+
+def growth_telling(report: Growth) -> ToldResult:
+    """A row for each family, size and explorer; then the exponents."""
+    findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
+    blocks: list[Block] = [_table(report)]
+    if report.ratios:
+        blocks.append(_ratios(report))
+    if report.exponents:
+        blocks.append(_exponents(report))
+    blocks.append(ToldFacts(_facts(report)))
+    return ToldResult(
+        "allworlds compare",
+        ", ".join(report.explorers),
+        report,
+        Headline(report.verdict.value.upper(), _verdict(report), report.verdict.value),
+        [*findings, Section("seen", "Scope", blocks)],
+        rows=lambda: rows_of_worlds(report.in_worlds(), report.explorers[0], report.by),
+    )
+
+
+def _table(report: Growth) -> ToldTable:
+    header = ["family", "edges", "vertices", "explorer", "worlds", "runs", "mean", "interval"]
+    rows = [
+        [
+            row.family,
+            row.edges,
+            row.vertices,
+            row.explorer,
+            Shown(row.worlds, number(row.worlds)),
+            Shown(row.runs, f"{number(row.runs)} of {number(row.places)}"),
+            Shown(row.mean, f"{row.mean:,.1f}"),
+            _interval(row.interval, ",.1f"),
+            row.worst,
+            row.bound,
+        ]
+        for row in report.rows
+    ]
+    return ToldTable([*header, "worst", "bound"], rows, "Costs, in traversals", keys=4)
+
+
+def _ratios(report: Growth) -> ToldTable:
+    (first, *_) = short_names(report.explorers)
+    rows: list[list[Cell]] = [
+        [
+            *(one.family, one.edges, one.explorer, one.worlds),
+            *(Shown(one.ratio, f"{one.ratio:.3f}"), _interval(one.interval, ".3f")),
+        ]
+        for one in report.ratios
+    ]
+    header = ["family", "edges", "explorer", "worlds", f"cost / {first}", "interval"]
+    return ToldTable(header, rows, "Ratios in the same worlds", keys=3)
+
+
+def _exponents(report: Growth) -> ToldTable:
+    rows: list[list[Cell]] = [
+        [
+            *(one.family, one.explorer),
+            *(Shown(one.exponent, f"{one.exponent:.2f}"), _interval(one.interval, ".2f")),
+            *(Shown(one.residual, f"{one.residual:.2f}"), _shape(one)),
+        ]
+        for one in report.exponents
+    ]
+    header = ["family", "explorer", "exponent", "interval", "residual", "power law"]
+    return ToldTable(header, rows, "Fitted exponents", keys=2)
+
+
+def _shape(one: Exponent) -> str:
+    """The words for whether a power law fits."""
+    if one.shape is Shape.POWER:
+        return "fits"
+    if one.shape is Shape.UNTESTED:
+        return "two sizes"
+    return f"no: {one.shape.value}, {one.distance:+.0%} at {plural(one.farthest, 'edge')}"
+
+
+def _interval(interval: tuple[float, ...] | None, form: str) -> Cell:
+    if interval is None:
+        return None
+    low, high = (format(end, form) for end in interval)
+    return Shown(f"{low}..{high}", f"{low}..{high}")
+
+
+def _verdict(report: Growth) -> str:
+    runs = sum(row.runs for row in report.rows)
+    said = f"no law is broken in {plural(runs, 'run')}"
+    if report.findings:
+        said = "a run has broken a law"
+    elif not report.complete:
+        said = f"{report.stopped or 'interrupted'}; {said} of finished sizes"
+    return said
+
+
+def _facts(report: Growth) -> list[tuple[str, str]]:
+    words = []
+    if report.rows:
+        drawn = max(row.seeds for row in report.rows)
+        words += [
+            ("worlds", f"different rooted maps of {plural(drawn, 'seed')}; isomorphic ones once"),
+            ("runs", "of all places of the lighthouse in them; worst: of these runs"),
+            ("mean", "over the worlds, in each over its runs; ratios: geometric mean"),
+            ("interval", f"{LEVEL:.0%}, by a bootstrap over the worlds; -: too few worlds"),
+        ]
+    if report.exponents:
+        words += [
+            ("exponent", "of the power of the edges that fits all worlds best, in logarithms"),
+            ("residual", "standard deviation of the logarithm of the cost about that power"),
+        ]
+    if report.rows:
+        member = report.rows[-1].members[-1].name
+        words.append(("again", f"allworlds run {report.explorers[0]} --family {member}"))
+    if report.left_out:
+        left = plural(report.left_out, "world")
+        words.append(("left out", f"{left} without a place for the lighthouse"))
+    return words

@@ -1,0 +1,141 @@
+"""Tellings of ``run`` and ``replay``: one run, step by step."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+from allworlds.engines import SingleRun
+from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk, checked_laws
+from allworlds.protocol import Ambiguous
+from allworlds.reports.scenes import walk_in_world
+from allworlds.reports.telling import (
+    Block,
+    Headline,
+    Section,
+    ToldFacts,
+    ToldResult,
+    ToldTable,
+    ToldWalk,
+    View,
+    Words,
+    fact,
+)
+from allworlds.reports.tellings.finding import answer_view, finding_section, printed
+from allworlds.reports.tellings.shown_map import known
+from allworlds.studies.replay import Replay
+from allworlds.studies.run import WorldNames, hypotheses_in
+from allworlds.words import number, plural
+
+
+def run_telling(run: SingleRun | WorldNames) -> ToldResult:
+    """One run, with its finding if it breaks a law; or the list of worlds."""
+    if isinstance(run, WorldNames):
+        named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
+        facts = ToldFacts([(kind, ", ".join(names)) for kind, names in named])
+        return ToldResult("allworlds run", "names", run, None, [Section("names", "", [facts])])
+    said = f"{cost_words(run)}: no law is broken"
+    if run.adversary and not run.adversary.same:
+        said = f"{run.explorer} did not walk as against {run.adversary.name}: not deterministic"
+    if run.finding:
+        said = f"law {run.finding.law} is broken"
+    headline = Headline(run.verdict.value.upper(), said, run.verdict.value)
+    return ToldResult(
+        "allworlds run", run.explorer, run, headline, [_section(run)], apart=frozenset({"finding"})
+    )
+
+
+def replay_telling(replay: Replay) -> ToldResult:
+    """The run of today. If it breaks no law, only a page shows it, with the recorded run."""
+    recorded, run = replay.recorded, replay.again
+    again = run.finding
+    if again is None:
+        said = Headline(
+            "FIXED", f"{run.explorer} now keeps every law in the recorded world", "holds"
+        )
+        if replay.outcome == "not-reproduced":
+            text = f"{run.explorer} did the same each time; only a check can show that it is mended"
+            said = Headline("NOT REPRODUCED", text, "inconclusive")
+    else:
+        text = f"law '{again.law}' is broken again"
+        if again.law != recorded.law:
+            text = f"law '{again.law}' is broken now, where '{recorded.law}' was recorded"
+        said = Headline("REPRODUCED", text, "refuted")
+    section = _section(run)
+    (walk,) = (block for block in section.blocks if isinstance(block, ToldWalk))
+    return ToldResult(
+        "allworlds replay",
+        run.explorer,
+        replay,
+        said,
+        [section] if again else [],
+        more=lambda: (
+            [] if again else [section, finding_section(recorded, title="The recorded finding")]
+        ),
+        rows=lambda: walk.table,
+        apart=frozenset({"run"}),
+    )
+
+
+def cost_words(run: SingleRun) -> str:
+    """The cost of the run, and the bound on it."""
+    bound = "" if run.outcome.bound is None else f" of at most {number(run.outcome.bound)}"
+    return f"{plural(run.outcome.cost, 'traversal')}{bound}"
+
+
+def _section(run: SingleRun) -> Section:
+    if run.finding:
+        return finding_section(run.finding, checked=False)
+    told = run_section(run, "walk-1")
+    shown = len(run.outcome.episode.checkpoints)
+    laws = fact("laws", ", ".join(checked_laws(run.rules.judged, 1, shown)))
+    return replace(told, blocks=[*told.blocks, *_decided(run), *printed(run.outcome.output), laws])
+
+
+def _decided(run: SingleRun) -> list[Block]:
+    """The play against an adversary that has made the world."""
+    if run.adversary is None:
+        return []
+    made = run.adversary
+    said = (
+        f"{made.name} with seed {made.seed} made this world: {plural(made.excluded, 'pair')} of "
+        f"far darts excluded, {plural(made.forced, 'edge')} forced. Testers of home words walk at "
+        f"least {number(made.testers)}; this explorer, against it, {number(made.cost)}."
+    )
+    return [fact("made by", said)]
+
+
+def run_section(run: SingleRun, name: str, title: str = "") -> Section:
+    """A run that breaks no law: its pictures and its walk, and an answer that is no map."""
+    world, episode = run.world, run.outcome.episode
+    transcript, ending = episode.transcript, episode.ending
+    walked = Walked(world, transcript)
+    views = [View("world", "The world", walk_in_world(world, transcript), walked.walked)]
+    agreement, blocks = None, list[Block]()
+    seen = known(run)
+    if seen is not None:
+        title_of_s = "What the explorer knows (S)"
+        views.append(View("known", title_of_s, views[0].scene, walked.walked, known=seen))
+    if isinstance(ending, Answered):
+        belief = believed_walk(world, ending.estimate, transcript)
+        answer = answer_view(world, ending.estimate, transcript, belief.trail)
+        views.append(replace(answer, still=seen is not None))
+        agreement = belief.agreement
+    if isinstance(ending, Undecided):
+        blocks += _quotient(ending.quotient)
+    if isinstance(ending, Said):
+        blocks.append(fact("answer", json.dumps(ending.value)))
+    if isinstance(ending, Over):
+        blocks.append(fact("over", f"all is done: {run.rules.task.asks}"))
+    tests = hypotheses_in(run) if seen is not None else ()
+    walk = ToldWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement, tests=tests)
+    return Section(name, title, [walk, *blocks])
+
+
+def _quotient(answer: Ambiguous) -> list[Block]:
+    """An answer that names no map: the quotient that all worlds with equal percepts share."""
+    header = ["dart", "sigma", "alpha", "degree", "marks", ""]
+    columns = (range(len(answer.sigma)), answer.sigma, answer.alpha, answer.degree, answer.marks)
+    rows = [[*row, "here" if row[0] == answer.here else ""] for row in zip(*columns, strict=True)]
+    said = "The answer: several worlds look alike, and this is their quotient."
+    return [Words(said), ToldTable(header, rows)]

@@ -1,0 +1,57 @@
+"""Rows for programs: costs of explorers in single worlds, or in single runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from allworlds.reports.telling import Cell, Shown, ToldTable
+from allworlds.studies.compare import By, InWorld
+from allworlds.world import code_of
+
+NAMES = ("code", "family", "holes", "seed", "edges", "vertices")
+
+
+def _names(one: InWorld) -> list[Cell]:
+    """The words by which ``run`` finds the world, and its size."""
+    family, _, seed = one.member.partition(" --seed ")
+    family, _, holes = family.partition(" --holes ")
+    words = [family or None, holes or None, int(seed) if seed else None]
+    return [code_of(one.map), *words, one.map.edge_count, one.map.vertex_count]
+
+
+def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> ToldTable:
+    """A row for each world and explorer, or for each run.
+
+    Args:
+        worlds: in the order of the rows.
+        first: the explorer with which the others are compared.
+        by: which rows.
+    """
+    if by == "run":
+        runs = [
+            [*_names(one), one.explorer, place, cost, one.bound]
+            for one in worlds
+            for place, cost in one.costs.items()
+        ]
+        return ToldTable([*NAMES, "explorer", "place", "cost", "bound"], runs)
+    every = [*worlds]
+    beside = {(one.map, one.member): one.mean for one in every if one.explorer == first}
+    header = [*NAMES, "explorer", "runs", "places", "mean", "worst", "bound", "ratio"]
+    rows = [
+        [
+            *(*_names(one), one.explorer, len(one.costs), one.places, _number(one.mean)),
+            *(max(one.costs.values()), one.bound),
+            _ratio(one.mean, beside.get((one.map, one.member))),
+        ]
+        for one in every
+    ]
+    return ToldTable(header, rows)
+
+
+def _ratio(cost: float, first: float | None) -> Cell:
+    """The cost divided by that of the first explorer in the same world, if there is one."""
+    return _number(cost / first) if first else None
+
+
+def _number(value: float) -> Shown:
+    return Shown(round(value, 6), f"{value:.6f}")

@@ -1,0 +1,97 @@
+"""Units of several explorers: each contestant has a number, an engine and a place.
+
+A unit of a comparison is a unit of runs with the number of the contestant that plays it. Its result
+holds the costs of one contestant, and a level adds up those of all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from itertools import groupby
+from typing import Any, Self
+
+from allworlds.engines import CostEngine, CostTally, PartialResult, Transport, UnitOfRuns
+from allworlds.judging import Rules
+
+
+@dataclass(frozen=True, slots=True)
+class UnitOfOne:
+    """A unit of runs that one contestant plays."""
+
+    number: int
+    unit: UnitOfRuns
+
+    @property
+    def key(self) -> str:
+        """Key of the unit in a run directory: ``NUMBER/KEY``."""
+        return f"{self.number}/{self.unit.key}"
+
+
+@dataclass(slots=True)
+class CostsOfAll:
+    """Costs of the runs of each contestant, which add up in any order.
+
+    Attributes:
+        of: by the number of the contestant.
+    """
+
+    of: dict[int, CostTally] = field(default_factory=dict)
+
+    @property
+    def worlds(self) -> int:
+        """The number of rooted maps, counted once for each contestant."""
+        return sum(tally.worlds for tally in self.of.values())
+
+    @property
+    def findings(self) -> list[Any]:
+        """The smallest finding of each contestant."""
+        return [found for tally in self.of.values() for found in tally.findings]
+
+    def one(self, number: int) -> CostTally:
+        """The costs of a single contestant."""
+        return self.of.setdefault(number, CostTally(keep=1))
+
+    def add(self, other: CostsOfAll) -> None:
+        """Add the costs of another part."""
+        for number, tally in other.of.items():
+            self.one(number).add(tally)
+
+    def under(self, rules: Sequence[Rules]) -> Self:
+        """Return the costs under the rules of each contestant."""
+        for number, tally in self.of.items():
+            tally.under(rules[number])
+        return self
+
+
+class SideBySide:
+    """The transports of all contestants as one; each contestant uses its own.
+
+    Args:
+        transports: by the number of the contestant; contexts as long as this one is.
+    """
+
+    def __init__(self, transports: Sequence[Transport[Any]]) -> None:
+        self._transports, self._stack = transports, ExitStack()
+
+    def __enter__(self) -> Self:
+        with ExitStack() as stack:
+            for transport in self._transports:
+                stack.enter_context(transport)
+            self._stack = stack.pop_all()
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        raised: Any = error
+        self._stack.__exit__(*raised)
+
+    def map(
+        self, engine: Sequence[CostEngine], units: Iterable[UnitOfOne]
+    ) -> Iterator[PartialResult[UnitOfOne, CostsOfAll]]:
+        """Yield the parts of all units as they come. The units of a contestant stand together."""
+        for number, own in groupby(units, key=lambda unit: unit.number):
+            transport = self._transports[number]
+            for part in transport.map(engine[number], (each.unit for each in own)):
+                result = CostsOfAll({number: part.result})
+                yield PartialResult(UnitOfOne(number, part.unit), result, part.last)

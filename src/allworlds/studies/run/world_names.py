@@ -1,0 +1,21 @@
+"""The legal names of a WORLD, as a result."""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar
+
+from allworlds.document import Report, Text, about
+from allworlds.outcome import Exit
+
+
+class WorldNames(Report):
+    """Report of 'run --list'.
+
+    The names that a WORLD can have; a capital letter stands for a number.
+    """
+
+    exit_code: ClassVar[Exit] = Exit.ANSWERED
+
+    maps: Annotated[tuple[Text, ...], about("small maps")]
+    families: Annotated[tuple[Text, ...], about("families of maps, small or large")]
+    corpus: Annotated[tuple[Text, ...], about("worlds of the corpus")]

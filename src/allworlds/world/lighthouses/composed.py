@@ -1,0 +1,174 @@
+"""Two or more lighthouses in one world: percepts add up, places multiply."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import product
+from typing import ClassVar
+
+from typing_extensions import override
+
+from allworlds.inputs import show
+from allworlds.maps import CombinatorialMap, Dart
+from allworlds.protocol import Action, Percept, Told
+from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, WalkInAnswer
+from allworlds.world.state import State
+
+PLUS = "+"
+"""The text between the parts of a name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Composed(Lighthouse):
+    """Several lighthouses, of which one at most gives marks, one bearings, and one tells.
+
+    Attributes:
+        parts: each at its place.
+        kinds: of a kind, those of the parts.
+    """
+
+    parts: tuple[Lighthouse, ...]
+
+    kinds: ClassVar[tuple[type[Lighthouse], ...]] = ()
+    keys: ClassVar[tuple[str, ...]] = ("parts",)
+
+    @property
+    def kind(self) -> str:  # type: ignore[override]  # it is that of its parts
+        """The kinds of the parts."""
+        return PLUS.join(part.kind for part in self.parts)
+
+    @property
+    def written(self) -> str:
+        """The names of the parts."""
+        return PLUS.join(part.written for part in self.parts)
+
+    @property
+    def _marking(self) -> Lighthouse:
+        """The part that has to do with marks; any where none has."""
+        return next((part for part in self.parts if part.gives_marks), self.parts[0])
+
+    @classmethod
+    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Composed]:
+        """Every combination of places of the parts; that of the last changes first."""
+        for parts in product(*(kind.places(map_, start) for kind in cls.kinds)):
+            yield Composed(parts)
+
+    @classmethod
+    def usual(cls, map_: CombinatorialMap, start: Dart) -> Composed:
+        """Every part where it is if no place is named."""
+        return Composed(tuple(kind.usual(map_, start) for kind in cls.kinds))
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """Every part can stand there, and they go together."""
+        check_together([(part.kind, type(part)) for part in self.parts])
+        for part in self.parts:
+            part.check(map_, start)
+
+    def percepts(self, map_: CombinatorialMap) -> tuple[Percept, ...]:
+        """The marks of the part that has them, with the bearing of the part that has one."""
+        marks, bearings = (
+            next((part.percepts(map_) for part in self.parts if gives(type(part))), None)
+            for gives in (_gives_marks, _gives_bearings)
+        )
+        return tuple(
+            Percept(
+                map_.degree_at[dart],
+                marks[dart].marks if marks else 0,
+                bearings[dart].bearing if bearings else None,
+            )
+            for dart in map_.darts
+        )
+
+    def number(self, map_: CombinatorialMap, start: Dart) -> int:
+        """The number among the combinations; that of the last part changes first."""
+        number = 0
+        for part in self.parts:
+            places = sum(1 for _ in type(part).places(map_, start))
+            number = number * places + part.number(map_, start)
+        return number
+
+    def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Composed | None:
+        """Every part where a robot must believe that it stands."""
+        parts = [part.believed(map_, start, walk) for part in self.parts]
+        return None if None in parts else Composed(tuple(part for part in parts if part))
+
+    @property
+    def in_hand(self) -> int:
+        """The markers of the part that gives them."""
+        return self._marking.in_hand
+
+    @override
+    def refusal(self, action: Action, lying: int, hand: int) -> str:
+        return self._marking.refusal(action, lying, hand)
+
+    @override
+    def acted(self, map_: CombinatorialMap, state: State, action: Action) -> State:
+        return self._marking.acted(map_, state, action)
+
+    @override
+    def left_marks(self, map_: CombinatorialMap, state: State) -> int:
+        return self._marking.left_marks(map_, state)
+
+    @override
+    def told(self, map_: CombinatorialMap) -> Told:
+        heard = (part.told(map_) for part in self.parts)
+        return next((each for each in heard if each is not None), None)
+
+    @override
+    def relabelled(self, names: Sequence[Dart]) -> Composed:
+        return Composed(tuple(part.relabelled(names) for part in self.parts))
+
+
+@cache
+def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> type[Composed]:
+    """The kind of these parts.
+
+    Raises:
+        InvalidWorld: if they do not go together, with the reason.
+    """
+    check_together([*zip(names, kinds, strict=True)])
+    leaves = any(kind.leaves_marks for kind in kinds)
+    return type(Composed.__name__, (Composed,), {"kinds": kinds, "leaves_marks": leaves})
+
+
+def composed_from_json(parts: object, read: Callable[[object], Lighthouse]) -> Composed:
+    """The lighthouse of the parts in a document.
+
+    Raises:
+        InvalidWorld: if there are fewer than two, or one is none.
+    """
+    if not isinstance(parts, list) or len(parts) < 2:
+        raise InvalidWorld(f"lighthouse.parts = {show(parts)} is no list of two lighthouses")
+    for part in parts:
+        if not isinstance(part, Mapping) or PLUS in str(part.get("kind")):
+            raise InvalidWorld(f"lighthouse.parts holds {show(part)}, which is no lighthouse")
+    return Composed(tuple(read(part) for part in parts))
+
+
+def check_together(parts: Sequence[tuple[str, type[Lighthouse]]]) -> None:
+    """Raise InvalidWorld if two of these kinds, with their names, cannot be put together."""
+    for what, gives in (
+        ("have marks", _gives_marks),
+        ("have bearings", _gives_bearings),
+        ("tell something before the start", _tells),
+    ):
+        names = [name for name, kind in parts if gives(kind)]
+        if len(names) > 1:
+            raise InvalidWorld(
+                f"the lighthouses {names[0]} and {names[1]} both {what}, and a robot could not "
+                "tell which is which; leave one out"
+            )
+
+
+def _gives_marks(kind: type[Lighthouse]) -> bool:
+    return kind.gives_marks
+
+
+def _gives_bearings(kind: type[Lighthouse]) -> bool:
+    return kind.gives_bearings
+
+
+def _tells(kind: type[Lighthouse]) -> bool:
+    return kind.told is not Lighthouse.told
