@@ -113,7 +113,7 @@ def without_workers(monkeypatch):
     """Checks and runs are done in this process: no worker has to start, and all else is the same.
 
     Only the confirmation of a finding takes a fresh process still, and the first look at an
-    explorer.
+    explorer.  What a program writes to stderr goes nowhere, as in a player that nobody overhears.
     """
 
     class Here(ThisProcess):
@@ -127,16 +127,17 @@ def without_workers(monkeypatch):
         return load(subject.name, limits.answer_timeout, subject.source)
 
     @contextmanager
-    def players(subject, limits):
+    def players(subject, limits, _hash_seed=None):
         here = loaded(subject, limits)
         with here.running():
             yield InProcessPlayers(here)
 
     monkeypatch.setattr(
         "allworlds.engines.isolation.workers.Workers",
-        lambda subject, limits, deadline: Here(loaded(subject, limits), deadline),
+        lambda subject, limits, deadline=None: Here(loaded(subject, limits), deadline),
     )
     monkeypatch.setattr("allworlds.engines.isolation.confirm._players", players)
+    monkeypatch.setattr("allworlds.explorers.program.Program._pass_stderr_on", lambda _: None)
 
 
 def needs_kernel(item):

@@ -1,12 +1,13 @@
 """Attacks as their files tell of them: what they are, and what must come of them.
 
-The docstring of an attack ends with lines ``key: value``, which are read without running it:
+The docstring of an attack, or the first comment of one in C, ends with lines ``key: value``, which
+are read without running it:
 
 ``verdict``
     what ``check`` must say: ``holds``, ``refuted LAW`` (or ``LAW or LAW``, where it is drawn
     which of its runs is met first), ``inconclusive``, ``refused`` (exit code 2, nothing on
     stdout), or ``internal`` (exit code 70).  ``verdict of NAME`` is that of one function of
-    several; else the function is ``explore``.
+    several; else the function is ``explore``.  In C it is called as ``ATTACK``.
 ``as``
     ``exec``: it is a program behind ``--exec``.
 ``options``
@@ -56,7 +57,7 @@ class Attack:
 
 def attack_of(file):
     """What a file says of itself."""
-    said = ast.get_docstring(ast.parse(file.read_text(encoding="utf-8")))
+    said = _said(file.read_text(encoding="utf-8"), in_c=file.suffix == ".c")
     *_, last = said.split("\n\n")
     lines = dict(re.fullmatch(r"([\w. ]+): (.*)", line).groups() for line in last.splitlines())
     verdicts = {}
@@ -71,6 +72,14 @@ def attack_of(file):
     return Attack(file, verdicts, options, beside, quick=quick, **lines)
 
 
+def _said(text, *, in_c):
+    if not in_c:
+        return ast.get_docstring(ast.parse(text))
+    comment = text.partition("/*")[2].partition("*/")[0]
+    return "\n".join(re.sub(r"^ \* ?", "", line).strip() for line in comment.strip().splitlines())
+
+
 def attacks():
     """Every attack."""
-    return [attack_of(file) for kind in KINDS for file in sorted(kind.glob("*.py"))]
+    files = [file for kind in KINDS for file in sorted([*kind.glob("*.py"), *kind.glob("*.c")])]
+    return [attack_of(file) for file in files]

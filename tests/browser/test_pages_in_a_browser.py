@@ -7,7 +7,7 @@ import pytest
 from allworlds import claims, run, twins
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.maps import CombinatorialMap, family
-from allworlds.reports import page_of
+from allworlds.reports import file_of
 from allworlds.studies.check import check
 from allworlds.world import Directional, World, world_named
 
@@ -20,12 +20,12 @@ GENUS_2 = CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3))
 
 
 def told(map_):
-    return page_of("run", run("algorithm1", World(map_, Directional(0), 0)))
+    return file_of("run", "html", run("algorithm1", World(map_, Directional(0), 0)))
 
 
 def refuted(name):
     mutant = next(m for m in WRONG_EXPLORERS if m.name == name)
-    return page_of("check", check(mutant.explorer(), edges=3))
+    return file_of("check", "html", check(mutant.explorer(), edges=3))
 
 
 PAGES = {
@@ -34,13 +34,14 @@ PAGES = {
     "genus 2": lambda: told(GENUS_2),
     "14 edges": lambda: told(family("random:14", holes=0, seed=1)),
     "a finding": lambda: refuted("wrong-entry-label"),
-    "a check": lambda: page_of("check", check(edges=3)),
-    "four findings": lambda: page_of(
-        "check", check("algorithm1", lighthouse="position", edges=3, max_findings=4)
+    "a check": lambda: file_of("check", "html", check(edges=3)),
+    "four findings": lambda: file_of(
+        "check", "html", check("algorithm1", lighthouse="position", edges=3, max_findings=4)
     ),
-    "claims": lambda: page_of("paper claims", claims(only=["cycles", "fig1"])),
-    "twins": lambda: page_of(
+    "claims": lambda: file_of("paper claims", "html", claims(only=["cycles", "fig1"])),
+    "twins": lambda: file_of(
         "ambiguity twins",
+        "html",
         twins(*(world_named(f"fig1-{side}", "position") for side in ("left", "right"))),
     ),
 }
@@ -86,7 +87,7 @@ def test_keys_step_along_the_walk_in_every_picture(shows):
             item = items.nth(i)
             assert step(page) == i
             assert item.get_attribute("aria-current") == "step"
-            assert robots(page) == [item.get_attribute(f"data-{w}") for w in ("robot", "in-1")]
+            assert robots(page) == [item.get_attribute(f"data-{w}") for w in ("robot", "b")]
             assert page.locator(".edge.last").count() == 2
         page.keyboard.press("ArrowLeft")
         assert step(page) == 3

@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.reports import page_of
+from allworlds.reports import game as game_page
 from allworlds.studies.play import play
 
 pytestmark = [pytest.mark.slow, pytest.mark.no_cover]
@@ -17,7 +17,7 @@ WORLD = (
 @pytest.fixture(scope="module")
 def file(tmp_path_factory):
     made = tmp_path_factory.mktemp("play") / "play.html"
-    made.write_text(page_of("play", play(WORLD)), encoding="utf-8")
+    made.write_text(game_page(play(WORLD)), encoding="utf-8")
     return made
 
 

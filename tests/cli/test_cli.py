@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import processes
-from allworlds.cli.app import call
+from allworlds.cli.app import call, command_line
 from processes import PATIENCE
 
 EXPLORERS = Path(__file__).parents[1] / "support" / "explorers_for_tests"
@@ -172,7 +172,7 @@ def test_an_explorer_with_another_signature_is_bad_input(refused, tmp_path, sign
     assert "explorer.py" in refused("check", f"{file}:explore", "--edges", "1")
 
 
-def test_what_an_explorer_prints_is_not_in_the_document(tmp_path, capfd):
+def test_what_an_explorer_prints_is_in_the_document_of_its_run_alone(tmp_path, capfd):
     file = tmp_path / "random.py"  # and it does not take the place of a module of that name
     file.write_text(
         "print('imported')\nfrom allworlds.explorers import algorithm1\n"
@@ -181,9 +181,12 @@ def test_what_an_explorer_prints_is_not_in_the_document(tmp_path, capfd):
     for verb in (["check", f"{file}:explore", "--edges", "2"], ["run", f"{file}:explore", "theta"]):
         code = call([*verb, "--json"])
         out, err = capfd.readouterr()
-        assert (code, json.loads(out)["verdict"]) == (0, "holds"), err
+        document = json.loads(out)
+        assert (code, document["verdict"]) == (0, "holds"), err
         assert "imported" in err
-        assert "explored" in err
+        # What is printed in a run is told of the one that is shown, and of no other.
+        assert document.get("output") == ("explored\n" if verb[0] == "run" else None)
+        assert "explored" not in err
 
 
 @pytest.mark.slow
@@ -313,18 +316,18 @@ def test_a_terminal_without_the_characters_is_no_error(start):
 
 
 def test_an_internal_error_has_its_own_exit_code(cli, monkeypatch):
-    from allworlds.studies.count import counter
+    from allworlds.engines.units import levels
 
-    monkeypatch.setattr(counter, "rooted_maps", lambda *_: 1 // 0)
+    monkeypatch.setattr(levels, "rooted_maps", lambda *_: 1 // 0)
     code, out, err = cli("count", "--edges", "1")
     assert (code, out) == (70, "")
     assert "internal error" in err
 
 
 def test_a_count_that_its_source_contradicts_is_an_internal_error(cli, monkeypatch):
-    from allworlds.studies.count import counter
+    from allworlds.engines.units import levels
 
-    monkeypatch.setattr(counter, "rooted_maps", lambda *_: iter(()))
+    monkeypatch.setattr(levels, "rooted_maps", lambda *_: iter(()))
     code, out, _ = cli("count", "--edges", "1")
     assert code == 70
     assert "MISMATCH" in out
@@ -335,3 +338,34 @@ def test_help_begins_with_an_example(cli, verb):
     code, out, _ = cli(verb, "--help")
     assert code == 0
     assert f"Example: allworlds {verb}" in out
+
+
+@pytest.mark.parametrize(
+    ("words", "shown"),
+    [
+        ("allworlds c", "check"),
+        ("allworlds ambiguity t", "twins"),
+        ("allworlds check --ed", "--edges"),
+    ],
+)
+def test_a_shell_is_told_how_a_line_goes_on(words, shown):
+    asked = {
+        "_ALLWORLDS_COMPLETE": "complete_bash",
+        "COMP_WORDS": words,
+        "COMP_CWORD": str(len(words.split()) - 1),
+    }
+    done = subprocess.run(
+        [sys.executable, "-m", "allworlds"],
+        env={**os.environ, **asked},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert shown in done.stdout.split()
+
+
+def test_only_the_verb_that_is_meant_gets_its_options():
+    commands = command_line("count").commands
+    assert len(commands["count"].params) > 3
+    assert not commands["check"].params
+    assert all(each.params for each in command_line("paper").commands["paper"].commands.values())

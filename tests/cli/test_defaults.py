@@ -9,8 +9,10 @@ from allworlds import ambiguity
 from allworlds.engines import Limits
 from allworlds.judging import Rules
 
-RULES = {"policy": "fifo", "answer_timeout": 10.0}
-MANY = {**RULES, "map_class": "maps", "workers": 1}
+PATIENCE = {"answer_timeout": 10.0, "start_timeout": 60.0}
+CLUSTER = {"dask_timeout": 60.0}
+RULES = {"task": "map", "policy": "fifo", **PATIENCE}
+MANY = {**RULES, **CLUSTER, "map_class": "maps", "workers": 1}
 
 # All that are not None, where None says that something else decides.
 DEFAULTS = {
@@ -24,19 +26,25 @@ DEFAULTS = {
     allworlds.fuzz: {**MANY, "explore": "algorithm1", "min_edges": 1, "seed": 0},
     allworlds.run: {**RULES, "choices": ()},
     allworlds.compare: {},
-    allworlds.replay: {"answer_timeout": 10.0},
+    allworlds.replay: PATIENCE,
     allworlds.mutants: {"edges": 4},
     allworlds.optimum: {"edges": 3},
-    allworlds.count: {"map_class": "maps"},
-    allworlds.worst: {"explore": "algorithm1", "map_class": "maps", "workers": 1},
+    allworlds.count: {"map_class": "maps", **CLUSTER},
+    allworlds.worst: {
+        "explore": "algorithm1",
+        "map_class": "maps",
+        "workers": 1,
+        **PATIENCE,
+        **CLUSTER,
+    },
     allworlds.worlds: {"map_class": "maps", "lighthouse": "directional", "places": "first"},
     allworlds.twins: {},
     allworlds.search: {"map_class": "maps", "motions": (), "percepts": ()},
     allworlds.bench: {"edges": 7, "rounds": 3, "peers": ()},
-    ambiguity.census: {"map_class": "maps"},
+    ambiguity.census: {"map_class": "maps", "lighthouse": "position", **CLUSTER},
     ambiguity.class_of: {"limit": 1000, "map_class": "maps"},
-    Limits: {"workers": 1, "answer_timeout": 10.0},
-    Rules: {"lighthouse": "directional", "policy": "fifo", "promised": False},
+    Limits: {"workers": 1, **PATIENCE},
+    Rules: {"lighthouse": "directional", "task": "map", "policy": "fifo", "promised": False},
 }
 
 

@@ -10,8 +10,9 @@ import pytest
 from allworlds import ambiguity, bench, count, mutants, search
 from allworlds.cli import events, output
 from allworlds.engines import Silent, level_size
+from allworlds.lazy import loaded
 from allworlds.maps import Extent, MapClass
-from allworlds.verbs import VERBS, loaded
+from allworlds.verbs import VERBS
 from kept_jobs import EXPLORERS
 from recorded.record import least
 from schemas.validating import complaints
@@ -153,14 +154,14 @@ def test_a_full_disk_costs_events_alone(capsys):
     heard.unit("1:-2", 1)
     heard.stage("x", 1, "turns")
     said = capsys.readouterr().err
-    assert said == "allworlds: no more events are written: No space left on device\n"
+    assert said == "allworlds: events are no longer written: No space left on device\n"
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no disk that is always full")
 def test_and_not_the_report(cli):
     code, out, err = cli("check", "--edges", 1, "-q", "--events", "/dev/full")
     assert (code, out.partition(":")[0]) == (0, "HOLDS")
-    assert err == "allworlds: no more events are written: No space left on device\n"
+    assert err == "allworlds: events are no longer written: No space left on device\n"
 
 
 @pytest.mark.usefixtures("without_workers")

@@ -6,13 +6,21 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from allworlds.cli.files import Files
-from allworlds.reports.html.pages import check_page as page
-from allworlds.reports.junit import junit
+from allworlds.cli.files import files_of
+from allworlds.reports import file_of
 from allworlds.studies.check import check
 from allworlds.studies.fuzz import fuzz
 
 WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
+
+
+def junit(report):
+    return file_of("check", "junit", report)
+
+
+def page(report):
+    return file_of("check", "html", report)
+
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
@@ -83,15 +91,14 @@ def test_a_file_that_cannot_be_written_is_refused_before_the_run(
 def test_asking_whether_a_file_can_be_written_leaves_it_as_it_is(tmp_path):
     there, not_there = tmp_path / "there", tmp_path / "not-there"
     there.write_text("kept")
-    Files(junit=str(there), html=str(not_there)).ensure_writable()
-    Files().ensure_writable()
+    files_of("check")(junit=str(there), html=str(not_there))
     assert there.read_text() == "kept"
     assert not not_there.exists()
 
 
 def test_without_a_file_nothing_is_written(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    Files().write(check(edges=1))
+    files_of("check")().write("check", check(edges=1))
     assert list(tmp_path.iterdir()) == []
 
 
@@ -99,7 +106,7 @@ def test_without_a_file_nothing_is_written(tmp_path, monkeypatch):
 @pytest.mark.parametrize("named", [("/dev/full", None), (None, "/dev/full")])
 def test_a_disk_that_fills_up_loses_the_file_and_not_the_report(cli, monkeypatch, named):
     option = "--junit" if named[0] else "--html"
-    monkeypatch.setattr("allworlds.cli.files._ensure_writable", lambda _: None)
+    monkeypatch.setattr("allworlds.cli.files.ensure_writable", lambda _: None)
     code, out, err = cli("check", "--edges", 1, "--json", option, "/dev/full")
     assert (code, json.loads(out)["verdict"]) == (0, "holds")
     assert err.count("\n") == 1
@@ -107,13 +114,13 @@ def test_a_disk_that_fills_up_loses_the_file_and_not_the_report(cli, monkeypatch
 
 
 def test_half_a_file_is_no_file(tmp_path, monkeypatch, capsys):
-    def full(path, text, **_):
-        with path.open("w") as file:
-            file.write(text[:5])
+    def full(path, content):
+        with path.open("wb") as file:
+            file.write(content[:5])
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(Path, "write_text", full)
-    Files(junit=str(tmp_path / "report.xml")).write(check(edges=1))
+    monkeypatch.setattr(Path, "write_bytes", full)
+    files_of("check")(junit=str(tmp_path / "report.xml")).write("check", check(edges=1))
     assert [*tmp_path.iterdir()] == []
     assert capsys.readouterr().err.count("\n") == 1
 

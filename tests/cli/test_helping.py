@@ -6,8 +6,7 @@ import pytest
 import typer
 
 from allworlds.cli import helping
-from allworlds.cli.app import app
-from allworlds.cli.helping import made_helpful
+from allworlds.cli.app import command_line
 from allworlds.verbs import VERBS
 
 NAMES = [verb.name for verb in VERBS]
@@ -17,7 +16,7 @@ def help_of(words, columns, monkeypatch, capsys):
     """The command, and the help that it prints."""
     monkeypatch.setenv("COLUMNS", str(columns))
     monkeypatch.setenv("TERMINAL_WIDTH", str(columns))
-    command = made_helpful(typer.main.get_command(app))
+    command = command_line.__wrapped__()
     context = command.make_context("allworlds", [], resilient_parsing=True)
     for word in words:
         command = command.commands[word]

@@ -84,11 +84,10 @@ def test_no_document_depends_on_the_number_of_workers(tmp):
 
 
 def takes_workers(name):
-    import typer
 
-    from allworlds.cli.app import app
+    from allworlds.cli.app import command_line
 
-    command = typer.main.get_command(app)
+    command = command_line()
     for word in name.split():
         command = command.commands[word]
     return any("--workers" in param.opts for param in command.params)

@@ -8,9 +8,9 @@ from allworlds.outcome import Verdict
 VERDICT = "12 worlds, 30 runs, 67 traversals: no law is broken"
 
 
-def test_the_verdict_stands_last(cli):
+def test_the_verdict_stands_first(cli):
     _, out, _ = cli("check", "--edges", 2, "--workers", 1)
-    assert out.splitlines()[-1] == f"HOLDS      {VERDICT}"
+    assert out.splitlines()[0] == f"HOLDS      {VERDICT}"
 
 
 def test_quiet_leaves_the_verdict_alone_in_one_line(cli):
@@ -28,13 +28,26 @@ def test_every_verdict_has_a_colour():
     assert {verdict.value.upper() for verdict in Verdict} <= set(COLOURS)
 
 
-@pytest.mark.parametrize("word", COLOURS)
-def test_a_terminal_shows_verdicts_in_colour_and_nothing_else(word, monkeypatch):
+GREEN, RED, YELLOW = 32, 31, 33
+SHOWN = {
+    **dict.fromkeys(("HOLDS", "FIXED"), GREEN),
+    **dict.fromkeys(("REFUTED", "REPRODUCED", "ERROR"), RED),
+    **dict.fromkeys(("NOT REPRODUCED", "NOT-REFUTED"), YELLOW),
+    **dict.fromkeys(("INCONCLUSIVE", "VACUOUS", "EMPTY"), YELLOW),
+}
+
+
+def test_no_word_has_a_colour_that_is_not_expected_here():
+    assert COLOURS.keys() == SHOWN.keys()
+
+
+@pytest.mark.parametrize(("word", "colour"), SHOWN.items())
+def test_a_terminal_shows_verdicts_in_colour_and_nothing_else(word, colour, monkeypatch):
     text = f"worlds\n{word}: {word} once more\n  {word} within"
     assert coloured(text) == text
     monkeypatch.setattr("sys.stdout.isatty", lambda: True)
     monkeypatch.delenv("NO_COLOR", raising=False)
-    shown = f"worlds\n\x1b[1;{COLOURS[word]}m{word}\x1b[0m: {word} once more\n  {word} within"
+    shown = f"worlds\n\x1b[1;{colour}m{word}\x1b[0m: {word} once more\n  {word} within"
     assert coloured(text) == shown
     monkeypatch.setenv("NO_COLOR", "1")
     assert coloured(text) == text

@@ -3,11 +3,10 @@
 import json
 
 import pytest
-import typer
 
 from allworlds import check
-from allworlds.cli.app import app
-from allworlds.reports import FORMATS
+from allworlds.cli.app import command_line
+from allworlds.reports import formats_of
 from recorded.record import LEAST, least
 
 pytestmark = pytest.mark.usefixtures("without_workers")
@@ -17,7 +16,7 @@ ENOUGH = {verb: words.split() for verb, words in LEAST.items()}
 
 
 def verbs():
-    for name, command in typer.main.get_command(app).commands.items():
+    for name, command in command_line().commands.items():
         for sub, under in getattr(command, "commands", {}).items():
             yield f"{name} {sub}", under
         if not hasattr(command, "commands"):
@@ -74,7 +73,7 @@ def test_an_empty_argument_is_refused(refused, verb):
         *(
             (["check", "--edges", "1", "--estimate", f"--{option}", *value], f"{option} {said}has")
             for option, value, said in (
-                *((form, ["out"], "'out' ") for form in (*FORMATS, "corpus", "run")),
+                *((form, ["out"], "'out' ") for form in (*formats_of("check"), "corpus", "run")),
                 ("watch", [], ""),
             )
         ),
@@ -87,6 +86,7 @@ def test_an_option_without_effect_is_refused(refused, arguments, said):
 @pytest.mark.parametrize(
     "arguments",
     [
+        ["run", "lattice:3x3"],
         ["run", "--family", "random:4", "--seed", "3"],
         ["run", "--family", "dense:5", "--seed", "3"],
         ["run", "theta", "--seed", "3"],
@@ -108,7 +108,6 @@ def test_what_may_be_named_in_every_run_is_legal_where_it_changes_nothing(argume
         (["run", "my.module:Class.explore"], "WORLD is missing"),
         (["run", "theta", "algorithm1"], "EXPLORER comes first"),
         (["run", EDGE, "mine.py:explore"], "EXPLORER comes first"),
-        (["run", "lattice:3x3"], "--family lattice:3x3"),
         (["check", ":x"], "legal are module:attribute"),
         (["check", "mine.py:"], "legal are module:attribute"),
     ],

@@ -57,7 +57,7 @@ def test_what_is_saved_is_checked_again(cli, file, meanwhile):
         "HOLDS: 12 worlds, 30 runs, 67 traversals: no law is broken",
     ]
     assert code == 0
-    assert err.count("watched_explorer.py: saved, it is checked again") == 3
+    assert err.count("watched_explorer.py: it is checked again whenever it is saved") == 3
     assert next(left, None) is None
 
 

@@ -10,6 +10,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
+import allworlds
 from allworlds.reports import layout
 
 ROOT = Path(__file__).parents[2]
@@ -63,8 +64,7 @@ def test_the_file_says_what_the_command_draws(darts):
     assert ["".join(text.itertext()) for text in drawn.iter("text")] == [
         "".join(text.itertext()) for text in file.iter("{http://www.w3.org/2000/svg}text")
     ]
-    for page in ("README.md", "docs/protocol.md"):
-        assert "assets/darts.svg" in (ROOT / page).read_text(encoding="utf-8")
+    assert "assets/darts.svg" in (ROOT / "docs/protocol.md").read_text(encoding="utf-8")
 
 
 EXPLORERS = {
@@ -80,7 +80,7 @@ EXPLORERS = {
 
 
 def test_the_table_of_figure_3_is_that_of_its_data():
-    page = (ROOT / "docs/figures.md").read_text(encoding="utf-8").partition("## Fig. 3")[2]
+    page = (ROOT / "docs/paper.md").read_text(encoding="utf-8").partition("### Fig. 3")[2]
     told = {
         name.strip(): [cell.strip(" *") for cell in cells]
         for name, *cells in re.findall(r"^\| (.*?) \| (.*?) \| (.*?) \|$", page, re.MULTILINE)
@@ -108,3 +108,26 @@ def test_means_are_of_all_runs_of_a_size():
         ["f", "2", "3", "b", 1, "7.00", "0.00", "9", "6"],
     ]
     assert len(header) == 9
+
+
+def texts(picture):
+    """All texts of a picture, with those that only a screen reader says."""
+    return ["".join(part.itertext()) for part in picture.iter() if part.tag.endswith(TEXTS)]
+
+
+TEXTS = ("title", "desc", "text")
+
+
+def test_the_picture_of_the_readme_is_the_finding_of_its_explorer():
+    refutation = beside("refutation")
+    finding = refutation.found()
+    assert texts(refutation.figure(finding)) == texts(ET.parse(refutation.FILE).getroot())
+    assert finding.law == "map"
+    assert finding.minimal
+    assert "docs/assets/refutation.svg" in (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_another_finding_makes_another_picture():
+    refutation = beside("refutation")
+    found = allworlds.check("dudek91", edges=2).findings[0]
+    assert texts(refutation.figure(found)) != texts(ET.parse(refutation.FILE).getroot())

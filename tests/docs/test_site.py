@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import allworlds
+from allworlds import strategies, testing
 from allworlds.verbs import VERBS
 
 ROOT = Path(__file__).parents[2]
@@ -32,7 +33,11 @@ def test_every_page_has_its_place_in_the_navigation():
     named = set(re.findall(r"([\w/-]+\.md|[\w/-]+/)$", NAV, re.MULTILINE))
     folders = {name for name in named if name.endswith("/")}
     assert {page for page in pages if f"{Path(page).parent}/" not in folders} <= named
-    made = {name for name in named if name.startswith(("reference/", "gallery/", "repository/"))}
+    made = {
+        name
+        for name in named
+        if name.startswith(("reference/", "internals/", "gallery/", "repository/"))
+    }
     assert named - made - folders <= pages
 
 
@@ -72,6 +77,18 @@ def test_a_folder_without_pages_is_no_site(tmp_path):
     assert list(check.faults(tmp_path)) == [f"{tmp_path} holds no page"]
 
 
+def test_words_are_counted_without_bars_and_without_parts_that_a_program_writes():
+    words = load("words")
+    part = "<!-- t: written by p.py -->\n| no word |\n<!-- end of t -->\n"
+    page = f"# One, two\n\n| three | 4 |\n|---|---|\n{part}```sh\nfive six\n```\n"
+    assert words.words(page) == 7  # the block has its language, too
+    assert words.prose(page) == 4
+    names = [path.relative_to(ROOT).as_posix() for path in words.by_hand(ROOT)]
+    assert names[0] == "README.md"
+    assert "docs/trust.md" in names
+    assert not {"docs/claims.md", "docs/documents.md"} & {*names}
+
+
 mkdocs = pytest.importorskip("mkdocs", reason="the extra docs is not installed")
 
 
@@ -86,7 +103,22 @@ def test_the_reference_of_the_command_line_has_every_verb_and_every_option():
 def test_the_reference_of_the_package_has_every_name():
     text = load("generated").names()
     told = set(re.findall(r"^::: allworlds\.(\w+)$", text, re.MULTILINE))
-    assert told | {"ambiguity", "__version__"} >= set(allworlds.__all__)
+    assert told | {"ambiguity", "maps", "strategies", "testing", "__version__"} >= set(
+        allworlds.__all__
+    )
+    whole = re.findall(r"^::: allworlds\.([\w.]+)$", text, re.MULTILINE)
+    assert {f"testing.{name}" for name in testing.__all__} < {*whole}
+    assert {f"strategies.{name}" for name in strategies.__all__} < {*whole}
+    assert {"class_of", "census"} < {name.rpartition(".")[2] for name in whole}
+
+
+def test_the_inside_of_the_package_stands_apart_from_the_public_api():
+    generated = load("generated")
+    inside = {name: text for name, text in generated.pages().items() if "internals/" in name}
+    assert {"internals/engines.md", "internals/judging.md"} < {*inside}
+    assert not {"internals/testing.md", "internals/strategies.md"} & {*inside}
+    assert all("not of the public API" in text for text in inside.values())
+    assert NAV.index("reference/python.md") < NAV.index("Project:") < NAV.index("internals/")
 
 
 def test_every_figure_that_a_page_asks_for_is_drawn_and_every_one_is_asked_for():

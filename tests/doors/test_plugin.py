@@ -6,6 +6,8 @@ import sys
 import pytest
 
 import allworlds.testing  # what a run of pytester loads it forgets; the package stays the same one
+from allworlds.cli.app import command_line
+from allworlds.reports import text
 
 pytest_plugins = ["pytester"]
 pytestmark = pytest.mark.usefixtures("without_workers")
@@ -30,8 +32,15 @@ def test_mine(explores):
 """
 
 
+@pytest.fixture(scope="module")
+def loaded():
+    """Modules that a run of pytester would load itself, and forget while others still use them."""
+    text("check", allworlds.check(lambda _: (yield 0), edges=1), 80)
+    command_line()
+
+
 @pytest.fixture
-def tests(pytester):
+def tests(pytester, loaded):
     """A run of pytest over one file."""
     assert allworlds.testing
 
@@ -184,3 +193,11 @@ def test_workers_of_xdist_collect_the_same_tests(pytester):
     pytester.makepyfile(MARKED)
     result = pytester.runpytest_subprocess("-n", "2", "-p", "no:cov")
     result.assert_outcomes(passed=3)
+
+
+def test_a_typo_in_the_mark_is_told_with_what_was_meant(tests):
+    result = tests(MARKED.replace("edges=3", "edgs=3"))
+    assert result.ret != 0
+    result.stdout.fnmatch_lines(
+        ["*the mark of test_mine has an unknown option 'edgs'; did you mean 'edges'?*"]
+    )

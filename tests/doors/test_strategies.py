@@ -21,6 +21,7 @@ from allworlds.maps import (
 )
 from allworlds.protocol import Schedules
 from allworlds.world import Directional, World
+from page_blocks import blocks
 from small import EDGE, LOOP, TORUS
 
 OF_CLASS = {
@@ -322,11 +323,11 @@ def test_importing_the_package_does_not_load_hypothesis():
 
 @pytest.mark.slow
 def test_the_examples_of_the_page_for_users_pass():
-    page = Path(__file__).parents[2] / "docs" / "strategies.md"
+    page = Path(__file__).parents[2] / "docs" / "how-to" / "pytest.md"
     text = page.read_text(encoding="utf-8")
     names = {}
-    for block in re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
-        exec(block, names)  # as a user would paste it
+    (block,) = (block for block in blocks(text, "python") if block.title == "test_properties.py")
+    exec(block.body, names)  # as a user would paste it
     tests = [names[name] for name in names if name.startswith("test_")]
     assert len(tests) == 3
     for test in tests:
@@ -334,6 +335,6 @@ def test_the_examples_of_the_page_for_users_pass():
 
 
 def test_the_page_for_users_lists_every_strategy_with_its_defaults():
-    page = Path(__file__).parents[2] / "docs" / "strategies.md"
+    page = Path(__file__).parents[2] / "docs" / "how-to" / "pytest.md"
     listed = re.findall(r"^\| `(\w+)\(", page.read_text(encoding="utf-8"), re.MULTILINE)
     assert sorted(listed) == strategies.__all__

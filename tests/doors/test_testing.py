@@ -10,8 +10,9 @@ from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError
 from allworlds.maps import rooted_code
+from allworlds.outcome import Interrupted
 from allworlds.strategies import sampled_maps
-from allworlds.studies.check import Interrupted, check
+from allworlds.studies.check import check
 from allworlds.testing import (
     AtLevel,
     assert_conforms,
@@ -20,6 +21,7 @@ from allworlds.testing import (
     known_hard_maps,
     levels_of,
 )
+from allworlds.world import worlds
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
@@ -51,7 +53,7 @@ def test_a_wrong_one_fails_with_the_smallest_finding_and_its_picture():
         assert_explores(wrong(), edges=4, corpus=None)
     text = str(failed.value)
     assert "breaks the law 'pose' in a world with 2 edges" in text
-    assert "the world\n" in text
+    assert "\nThe world\n" in text
     assert "╭" in text
     assert text.endswith("in finished levels")
 
@@ -103,7 +105,7 @@ def test_a_corpus_of_ones_own_keeps_everything(tmp_path):
 
 def test_a_level_tells_only_of_its_own_findings(cached):
     assert AtLevel(1, {})(wrong()).worlds == 2
-    with pytest.raises(AssertionError, match="FINDING"):
+    with pytest.raises(AssertionError, match="Finding 1"):
         AtLevel(2, {})(wrong())
     with pytest.raises(AssertionError) as failed:
         AtLevel(3, {"corpus": None})(wrong())
@@ -139,13 +141,13 @@ def test_algorithm_1_conforms():
 @pytest.mark.parametrize("part", ["edges-2", "drawn-maps"])
 def test_a_wrong_explorer_fails_each_part_that_goes_far_enough(part):
     parts = {str(part): part for part in conformance(wrong(), drawn=8, drawn_edges=6)}
-    with pytest.raises(AssertionError, match="FINDING: mutants:mirror-image breaks"):
+    with pytest.raises(AssertionError, match="Finding 1: mutants:mirror-image breaks"):
         parts[part]()
 
 
 @pytest.mark.no_cover
 def test_what_conforms_no_longer_is_told_with_the_part():
-    with pytest.raises(AssertionError, match=r"^known-hard-maps: \nFINDING"):
+    with pytest.raises(AssertionError, match=r"^known-hard-maps: \nFinding 1: "):
         assert_conforms(wrong(), corpus=None)
 
 
@@ -176,3 +178,33 @@ def test_a_sample_is_the_same_every_time():
     assert sampled_maps("planar", 6, 9) == sampled_maps("planar", 6, 9)
     assert len(sampled_maps("maps", 6, 9)) == 9
     assert max(map_.edge_count for map_ in sampled_maps("maps", 6, 30)) <= 6
+
+
+@pytest.fixture
+def cubic_alone(tmp_path, monkeypatch):
+    """An explorer that is right in cubic maps, and in no other."""
+    (tmp_path / "cubic.py").write_text(
+        "from allworlds.explorers import algorithm1\n\n\n"
+        "def explore(first, *, choices):\n"
+        "    assert first.degree == 3\n"
+        "    return (yield from algorithm1(first, choices=choices))\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    return "cubic.py:explore"
+
+
+def test_under_a_condition_no_part_of_the_kit_leaves_it(cubic_alone):
+    assert_conforms(cubic_alone, edges=3, drawn=3, where="cubic")
+    with pytest.raises(AssertionError, match="known-hard-maps"):
+        assert_conforms(cubic_alone, edges=3, drawn=3)
+    *_, last = conformance(cubic_alone, edges=3, drawn=3, where="eulerian")
+    assert str(last) == "drawn-maps"
+    with pytest.raises(AssertionError, match="crash"):
+        last()
+
+
+def test_given_worlds_are_tried_in_place_of_all(cubic_alone):
+    given = worlds(edges=3, where="cubic")
+    assert assert_explores(cubic_alone, worlds=given).worlds == 5
+    with pytest.raises(AssertionError, match="crash"):
+        assert_explores(cubic_alone, worlds=worlds(edges=1))

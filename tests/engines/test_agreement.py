@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 from collections import Counter
+from dataclasses import replace
 from random import Random
 
 import pytest
@@ -11,12 +12,18 @@ import pytest
 from allworlds import check
 from allworlds.engines import Examiner, LevelRuns, Limits, Scope
 from allworlds.engines.compiled import agreement
-from allworlds.engines.compiled.agreement import AGREED, compare_engines, rotation, walk_costs
+from allworlds.engines.compiled.agreement import (
+    AGREED,
+    compare_engines,
+    compared_to,
+    rotation,
+    walk_costs,
+)
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.python.runs_of_unit import numbered_runs
 from allworlds.explorers import load
-from allworlds.judging import Rules
+from allworlds.judging import AskedRules, Rules
 from allworlds.maps import Extent, Gluing, MapClass, prefixes, rooted_code, rooted_maps
 from allworlds.maps.counting.any_genus import rooted_maps as counted
 from allworlds.world import Directional, World
@@ -126,7 +133,9 @@ SETTINGS = {
     "bound": {"edges": 3, "bound": "n + D - d0", "max_findings": 3},
     "cluster": {"explore": "algorithm1-cluster", "edges": 3, "lighthouse": "cluster"},
     "single": {"explore": "algorithm1-cluster", "edges": 4},
+    "single-simple": {"explore": "algorithm1-cluster", "edges": 6, "map_class": "simple"},
     "natural": {"explore": "algorithm1-natural", "edges": 4},
+    "natural-simple": {"explore": "algorithm1-natural", "edges": 6, "map_class": "simple"},
     "no-direction": {"edges": 2, "lighthouse": "cluster", "max_findings": 3},
 }
 
@@ -138,6 +147,17 @@ def test_both_engines_give_the_same_report(options):
     assert [report.pop("engine") for report in reports] == ["python", "kernel"]
     assert [report["scope"]["symmetry"] for report in reports] == [None, None]
     assert reports[0] == reports[1]
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("explore", ["algorithm1-cluster", "algorithm1-natural"])
+def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(explore):
+    # Under one of them the explorer is told the degree of v1; few small worlds have it.
+    rules = AskedRules().rules_of(load(explore), load(explore).lighthouse)
+    scope = Scope(Extent(MapClass.SIMPLE, 7), rules)
+    assert compared_to(scope) == 6
+    assert compared_to(replace(scope, extent=Extent(MapClass.MAPS, 7))) == 4
+    compare_engines(scope, load(explore), Limits())
 
 
 @pytest.mark.slow

@@ -15,7 +15,9 @@ OTHERS = {
     "edges": 3,
     "vertices": 2,
     "map_class": "planar",
+    "where": "trees",
     "lighthouse": "none",
+    "task": "cover",
     "schedules": "all",
     "policy": "lifo",
     "bound": "4*m",
@@ -27,7 +29,8 @@ OTHERS = {
     "answer_timeout": 20.0,
     "memory": 3000,
 }
-APART = {"workers", "time_limit", "dask", "run", "corpus", "listener"}
+APART = {"workers", "start_timeout", "time_limit", "dask", "dask_timeout", "run", "corpus"}
+APART |= {"listener", "worlds"}  # given worlds have no run directory
 """Where and how long it is done, and what is made of it."""
 
 

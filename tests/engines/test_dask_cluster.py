@@ -1,26 +1,28 @@
 """Units on a Dask cluster: the report is the same, whatever becomes of its workers."""
 
+import json
 import os
 import signal
 import socket
-import subprocess
 import sys
 import threading
-from contextlib import ExitStack, contextmanager, suppress
+import time
+from contextlib import contextmanager, suppress
 from types import SimpleNamespace
 from typing import ClassVar
 
 import pytest
 
 import processes
-from allworlds import ambiguity, check, worst
+from allworlds import ambiguity, check, compare, count, fuzz, worst
 from allworlds.engines import ClusterLost, Dask, Silent, ThisThread
 from allworlds.engines.compiled import tallies as compiled
 from allworlds.engines.transports import dask_cluster as cluster, dask_lanes as lanes
+from allworlds.engines.units.effort import DaskCluster
 from allworlds.explorers import Subject, content_digest, not_alike, with_content
 from allworlds.inputs import InputError
 from allworlds.version import __version__
-from clusters import cluster_here
+from clusters import cluster_apart, cluster_here
 from kept_jobs import EXPLORERS
 
 distributed = pytest.importorskip("distributed")
@@ -65,6 +67,12 @@ JOBS = {
     "refuted": lambda **more: check(f"{WRONG}:everywhere", edges=2, max_findings=3, **more),
     "worst": lambda **more: worst(edges=4, **more),
     "census": lambda **more: ambiguity.census(edges=3, **more),
+    "runs": lambda **more: worst("greedy", edges=2, **more),
+    "schedules": lambda **more: worst("remembering", edges=2, **more),
+    "count": lambda **more: count(edges=3, **more),
+    "compare": lambda **more: compare("algorithm1", f"{WRONG}:right", edges=2, **more),
+    "growth": lambda **more: compare("greedy", family="bouquet", to=30, **more),
+    "fuzz": lambda **more: fuzz(f"{WRONG}:everywhere", edges=3, runs=100, **more),
 }
 
 
@@ -180,7 +188,7 @@ def test_the_address_of_a_worker_is_refused(refused, here):
 def test_without_the_package_it_is_named(refused, monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     said = refused("ambiguity", "census", "--edges", "1", "--dask", "local")
-    assert "pip install 'allworlds[distributed]'" in said
+    assert "pip install '.[distributed]'" in said
 
 
 def test_the_time_limit_ends_what_is_done_elsewhere(here):
@@ -231,22 +239,19 @@ def test_a_unit_that_costs_workers_again_and_again_is_said_to(here):
         ),
         (distributed.CancelledError("task"), "is gone"),
     ):
-        with Dask(here) as transport, pytest.raises(ClusterLost, match=said):
+        with Dask(DaskCluster(here)) as transport, pytest.raises(ClusterLost, match=said):
             list(transport.map(Loses(error), [Unit(1)]))
 
 
 def test_what_is_lost_is_said_by_the_verbs(cli, monkeypatch, here):
-    def lost(*_):
+    async def lost(*_):
         raise ClusterLost("three workers were lost")
 
-    monkeypatch.setattr(Dask, "_result", lost)
+    monkeypatch.setattr(Dask, "_done", lost)
     code, out, _ = cli("check", "--edges", "1", "--dask", here)
     assert (code, "three workers were lost" in out) == (3, True)
-    assert cli("worst", "--edges", "1", "--dask", here, "-q") == (
-        3,
-        "",
-        "allworlds: three workers were lost\n",
-    )
+    code, out, _ = cli("worst", "--edges", "1", "--dask", here)
+    assert (code, "three workers were lost" in out) == (3, True)
 
 
 class Lane:
@@ -352,66 +357,121 @@ def test_a_task_holds_as_many_units_as_are_worth_sending():
 # ---------------------------------------------------------------- real processes
 
 
-@contextmanager
-def started(*words):
-    process = subprocess.Popen(
-        [sys.executable, "-m", "distributed.cli." + words[0], *words[1:]],
-        stderr=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-    )
-    try:
-        yield process
-    finally:
-        process.kill()
-        process.wait()
+class After(Silent):
+    """A listener that does something when so many worlds are done, once."""
 
-
-class Kills(Silent):
-    """Kills a worker when so many worlds are done."""
-
-    def __init__(self, process, worlds):
-        self.process, self.left = process, worlds
+    def __init__(self, worlds, then):
+        self.left, self.then, self.notices = worlds, [then], []
 
     def progress(self, worlds):
         self.left -= worlds
-        if self.left < 0 and self.process.poll() is None:
-            os.kill(self.process.pid, signal.SIGKILL)
-            self.process.wait()
+        if self.left < 0 and self.then:
+            self.then.pop()()
+
+    def notice(self, text):
+        self.notices.append(text)
+
+
+@pytest.fixture
+def apart(tmp_path):
+    """A cluster of processes; it is gone, whatever was done to it."""
+    with cluster_apart(distributed, tmp_path) as cluster:
+        yield cluster
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["python", "kernel", "foreign"])
-def test_a_worker_that_is_killed_changes_nothing(name, tmp_path):
+def test_a_worker_that_is_killed_changes_nothing(name, apart, tmp_path):
     job, after = {
         "python": (lambda **more: check(edges=4, engine="python", **more), 300),
         "kernel": (lambda **more: check(edges=7, engine="kernel", **more), 50_000),
         "foreign": (lambda **more: check(f"{WRONG}:right", edges=3, **more), 40),
     }[name]
     whole = job().to_json()
-    file = tmp_path / "scheduler.json"
-    with ExitStack() as stack:
-        scheduler = started(
-            "dask_scheduler", "--port=0", "--no-dashboard", f"--scheduler-file={file}"
-        )
-        stack.enter_context(scheduler)
-        assert processes.wait(file.exists)
-        workers = [
-            stack.enter_context(
-                started(
-                    "dask_worker",
-                    f"--scheduler-file={file}",
-                    "--nthreads=1",
-                    "--no-nanny",
-                    "--no-dashboard",
-                )
-            )
-            for _ in range(2)
-        ]
-        with distributed.Client(scheduler_file=str(file)) as client:
-            client.wait_for_workers(2, timeout=processes.PATIENCE)
-            address = client.scheduler.address
-        killer = Kills(workers[0], after)
-        report = job(dask=address, listener=killer, run=tmp_path / "run")
-        assert workers[0].poll() is not None, "nobody was killed"
-        assert workers[1].poll() is None
+    killer = After(after, apart.workers[0].kill)
+    report = job(dask=apart.address, listener=killer, run=tmp_path / "run")
+    assert not killer.then, "nobody was killed"
+    assert apart.workers[1].poll() is None
     assert report.to_json() == whole
+
+
+SILENCE = 10.0
+"""Seconds that no heartbeat takes, under any load."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("verb", ["check", "worst", "count"])
+def test_a_worker_that_is_stopped_is_given_up(verb, apart):
+    job, after = {
+        "check": (lambda **more: check(edges=4, engine="python", **more), 300),
+        "worst": (lambda **more: worst("greedy", edges=3, **more), 30),
+        "count": (lambda **more: count(edges=5, **more), 300),
+    }[verb]
+    stopper = After(after, lambda: apart.workers[0].send_signal(signal.SIGSTOP))
+    report = job(dask=apart.address, dask_timeout=SILENCE, listener=stopper)
+    assert not stopper.then, "nobody was stopped"
+    assert report.to_json() == job().to_json()
+
+
+GOES_AWAY = {
+    "scheduler killed": (lambda apart: [apart.scheduler], signal.SIGKILL, "is gone"),
+    "scheduler stopped": (lambda apart: [apart.scheduler], signal.SIGSTOP, "no sign of life for"),
+    "workers stopped": (lambda apart: apart.workers, signal.SIGSTOP, "no worker of the Dask"),
+    "all killed": (lambda apart: apart.all, signal.SIGKILL, "is gone"),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("what", GOES_AWAY)
+def test_a_cluster_that_goes_away_leaves_what_was_finished(what, apart, tmp_path, capfd):
+    which, number, told = GOES_AWAY[what]
+    asked = {"edges": 4, "engine": "python", "run": tmp_path / "run"}
+
+    def go():
+        for process in which(apart):
+            process.send_signal(number)
+
+    listener = After(300, go)
+    report = check(**asked, dask=apart.address, dask_timeout=SILENCE, listener=listener)
+    assert (report.exit_code, report.levels[:3]) == (3, (1, 2, 3))
+    (notice,) = listener.notices
+    assert told in notice
+    assert notice.partition(";")[0] in json.dumps(report.to_json())
+    assert capfd.readouterr() == ("", "")
+    assert check(**asked).to_json() == check(edges=4, engine="python").to_json()
+
+
+@pytest.mark.slow
+def test_an_interrupt_waits_for_no_cluster(apart):
+    def interrupt():
+        for process in apart.all:
+            process.send_signal(signal.SIGSTOP)
+        began.append(time.monotonic())
+        raise KeyboardInterrupt
+
+    began = []
+    report = check(edges=4, engine="python", dask=apart.address, listener=After(300, interrupt))
+    assert report.exit_code == 130
+    assert time.monotonic() - began[0] < 5
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stopped", [False, True], ids=["lively", "stopped"])
+def test_a_cluster_of_this_machine_leaves_nothing_behind(stopped, tmp_path, monkeypatch):
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    monkeypatch.chdir(tmp_path)
+
+    def mine():
+        return [pid for pid in processes.named(tmp_path) if pid != os.getpid()]
+
+    def interrupt():
+        assert mine()
+        for pid in mine() if stopped else ():
+            os.kill(pid, signal.SIGSTOP)
+        raise KeyboardInterrupt
+
+    report = check(edges=4, engine="python", dask="local", listener=After(300, interrupt))
+    assert report.exit_code == 130
+    assert processes.end(mine)
+    assert [*tmp_path.iterdir()] == []

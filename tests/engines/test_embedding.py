@@ -1,5 +1,6 @@
 """An S that goes on from one that is known is judged as if nothing were known."""
 
+from dataclasses import replace
 from random import Random
 
 import numpy as np
@@ -10,7 +11,11 @@ from allworlds.engines.kernel.answers import answer_law
 from allworlds.engines.kernel.invariants import look_at
 from allworlds.engines.kernel.law_numbers import INVARIANT_1, INVARIANT_2, VARIANT
 from allworlds.engines.kernel.records import ANSWER, JUDGED, WORLD, new
-from allworlds.maps import random_map
+from allworlds.judging import LAWS, Case
+from allworlds.maps import random_map, rooted_maps
+from allworlds.protocol import Checkpoint
+from allworlds.studies.run import run
+from allworlds.world import Directional, World
 
 
 @njit(error_model="numpy")
@@ -225,3 +230,38 @@ def test_a_changed_s_is_judged_as_without_memory(change):
         said, _, _ = judge(shown, map_)
         seen |= {law for law in (INVARIANT_1, INVARIANT_2, VARIANT) if said[-1][0] >> law & 1}
     assert bool(seen) == (change is not renamed)
+
+
+def seen_by_the_kernel(case, checkpoint, walked):
+    """The laws I-1 and I-2 that the one checkpoint breaks, by compiled code."""
+    world, judged, answer = new(WORLD), new(JUDGED), new(ANSWER)
+    world.darts = len(case.map.sigma)
+    world.sigma[: world.darts], world.alpha[: world.darts] = case.map.sigma, case.map.alpha
+    arrays = [
+        np.array([*values, *[0] * 16], np.int32) for values in (checkpoint.sigma, checkpoint.alpha)
+    ]
+    answer.sigma, answer.alpha = (array.ctypes.data for array in arrays)
+    answer.darts, answer.here = len(checkpoint.sigma), checkpoint.here
+    look(judged, answer, world, case.trail[-1], sum(1 << d for d in walked), 1)
+    return [bool(judged.broken >> law & 1) for law in (INVARIANT_1, INVARIANT_2)]
+
+
+@pytest.mark.no_cover
+def test_both_engines_say_the_same_of_a_u_that_holds_either_dart_of_an_edge():
+    compared = {"smaller": 0, "larger": 0}
+    for map_ in (map_ for edges in (1, 2, 3) for map_ in rooted_maps(edges)):
+        episode = run("algorithm1", World(map_, Directional(0))).outcome.episode
+        for steps, shown in episode.checkpoints:
+            log = replace(episode.transcript, steps=episode.transcript.steps[:steps])
+            for dart, partner in enumerate(shown.alpha):
+                if dart == partner:
+                    continue
+                alpha = [*shown.alpha[:dart], dart, *shown.alpha[dart + 1 :]]
+                still_open = Checkpoint(shown.sigma, alpha, shown.here)
+                case = Case(map_, 0, log, ((steps, still_open),), episode.ending.estimate)
+                broken = [bool(LAWS[law].check(case)) for law in ("invariant-1", "invariant-2")]
+                assert broken == seen_by_the_kernel(case, still_open, case.walked)
+                # S is the explored part all the same: only U is wrong.
+                assert broken == [False, True]
+                compared["larger" if dart > partner else "smaller"] += 1
+    assert min(compared.values()) > 100

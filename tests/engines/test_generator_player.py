@@ -22,7 +22,7 @@ from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.player import PlayerProcess
 from allworlds.engines.isolation.shared_logs import StretchMemory
 from allworlds.engines.kernel.batches import UnitJudge
-from allworlds.engines.kernel.native import RUN_NUMBER
+from allworlds.engines.kernel.stretch import RUN_NUMBER
 from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.in_process import InProcessPlayers
 from allworlds.engines.python.play import Recorded

@@ -11,14 +11,14 @@ from contextlib import suppress
 import pytest
 
 import processes
-from allworlds.engines.isolation.guardian import (
+from allworlds.engines.isolation.guardian_requests import (
     AskExitCode,
     EndProcesses,
     Spawn,
-    kill_tree,
     receive,
     send,
 )
+from allworlds.engines.isolation.process_tree import kill_tree
 
 # Two children in sessions of their own, one of them a grandchild; each tells its number.
 FAMILY = """

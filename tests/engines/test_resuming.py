@@ -66,7 +66,7 @@ def units_in(directory):
 @pytest.mark.parametrize("name", VERBS)
 def test_a_job_that_was_ended_goes_on_and_says_the_same(name, tmp_path):
     job = VERBS[name]
-    whole = job().to_json()
+    whole = json.dumps(job().to_json())
     before = set()
     for worlds in (0, 10, 30):
         with pytest.raises(Ended):
@@ -74,8 +74,36 @@ def test_a_job_that_was_ended_goes_on_and_says_the_same(name, tmp_path):
         assert before <= units_in(tmp_path / "run")
         before = units_in(tmp_path / "run")
     assert before
-    assert job(run=tmp_path / "run").to_json() == whole
+    # Byte for byte, and so in the same order.
+    assert json.dumps(job(run=tmp_path / "run").to_json()) == whole
     assert before < units_in(tmp_path / "run")
+
+
+class Once(Silent):
+    """Does something when the first worlds are done."""
+
+    def __init__(self, something):
+        self.left = [something]
+
+    def progress(self, worlds):
+        if self.left:
+            self.left.pop()()
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize("name", VERBS)
+def test_a_lock_that_is_removed_by_hand_harms_nobody(name, tmp_path):
+    job, run = VERBS[name], tmp_path / "run"
+    whole = job().to_json()
+
+    def remove():
+        (run / "lock").unlink()
+        # Now another command takes the directory for its own, and keeps the same units.
+        assert job(run=run).to_json() == whole
+
+    assert job(run=run, listener=Once(remove)).to_json() == whole
+    assert job(run=run).to_json() == whole
 
 
 @pytest.mark.usefixtures("without_workers")
@@ -115,7 +143,7 @@ def test_a_finding_is_confirmed_once(tmp_path, monkeypatch):
     job = lambda: check(wrong("everywhere"), edges=2, run=tmp_path / "run")  # noqa: E731
     whole = job().to_json()
     assert whole["findings"][0]["confirmed"]
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.confirmed", lambda *_: 1 / 0)
+    monkeypatch.setattr("allworlds.studies.check.confirmation.confirmed", lambda *_: 1 / 0)
     assert job().to_json() == whole
 
 

@@ -183,13 +183,13 @@ def test_a_guardian_of_nobody_is_gone():
     ours, theirs = socket.socketpair()
     theirs.close()
     with pytest.raises(HarnessError, match="guardian"):
-        Guardian(ours).exit_code(1)
+        Guardian(ours, os.getpid()).exit_code(1)
 
 
 @pytest.mark.early
 def test_a_guardian_that_has_been_stopped_is_not_waited_for(monkeypatch):
     monkeypatch.setattr(process, "ANSWERS", 0.5)
-    stopped = process.start_guardian(hash_seed=0)
+    stopped = process.start_guardian()
     os.kill(stopped._process.pid, signal.SIGSTOP)
     with pytest.raises(HarnessError, match="the guardian of the processes has gone: timed out"):
         stopped.exit_code(1)

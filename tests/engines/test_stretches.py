@@ -368,7 +368,7 @@ def test_runs_are_played_in_an_order_that_a_seed_draws():
 def test_the_rest_of_a_unit_whose_referee_was_lost_goes_to_the_general_engine():
     players = PairHere(example("c/algorithm1.c"))
     engine = StretchEngine(scope_of(2), 1)
-    bound = engine.for_foreign("native:x", players, EarlierPlays())
+    bound = engine.for_users("native:x", players, EarlierPlays())
     unit = next(iter(scope_of(2).units(2)))
     whole, rest = Tally(1), Tally(1)
     for _, part in bound.parts(unit):

@@ -37,7 +37,7 @@ class Deaf:
         self.ended = 0
 
     def send(self, message):
-        assert message is JOB
+        assert message == JOB
 
     def close(self):
         self.ended += 1

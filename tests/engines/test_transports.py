@@ -14,6 +14,7 @@ import allworlds.engines.transports as folder
 from allworlds.engines import Silent, ThisThread, Threads, TimeIsUp, engine_table, gather
 from allworlds.engines.transports.dask_cluster import all_well
 from allworlds.engines.transports.split import Split
+from allworlds.engines.units.effort import DaskCluster
 from clusters import cluster_here
 
 pytestmark = pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
@@ -42,14 +43,14 @@ def scheduler():
 @pytest.fixture
 def made(request):
     def make(name, deadline=None):
-        scheduler = request.getfixturevalue("scheduler") if name == "Dask" else None
-        return made_of(name, deadline, scheduler)
+        cluster = DaskCluster(request.getfixturevalue("scheduler")) if name == "Dask" else None
+        return made_of(name, deadline, cluster)
 
     return make
 
 
-def made_of(name, deadline, scheduler):
-    known = {"workers": 2, "batch": 3, "deadline": deadline, "scheduler": scheduler}
+def made_of(name, deadline, cluster):
+    known = {"workers": 2, "batch": 3, "deadline": deadline, "cluster": cluster}
     known |= {"inside": ThisThread, "probe": all_well, "order": iter}
     known |= {"soon": bool, "near": ThisThread(deadline), "far": Threads(2, deadline)}
     taken = inspect.signature(TRANSPORTS[name]).parameters

@@ -44,10 +44,8 @@ def only_finding(name, **options):
         ("os_exit", "crash", "exit code 0"),
         ("segfault", "crash", "signal 11"),
         ("reads", "crash", "EOFError"),
-        ("closes", "crash", "end of the interpreter"),
-        pytest.param(
-            *("closes_and_hangs", "crash", "the interpreter's pipe"), marks=pytest.mark.slow
-        ),
+        ("closes", "crash", "end of the process"),
+        pytest.param(*("closes_and_hangs", "crash", "the process's pipe"), marks=pytest.mark.slow),
         ("sys_exit", "crash", "SystemExit"),
         ("interrupt", "crash", "KeyboardInterrupt"),
         ("raises", "crash", "ZeroDivisionError"),

@@ -1,18 +1,12 @@
 """Each claim can fail: what it looks at is damaged, and it says so."""
 
-from types import SimpleNamespace
-
 import pytest
 
 from allworlds.evidence.claims import (
-    algorithm,
-    ambiguous,
     complexity,
-    correctness,
     folds,
     limits,
     machine,
-    model,
     passes,
     position,
 )
@@ -29,47 +23,6 @@ BY_NAME = {claim.id: claim for claim in manifest()}
 
 def verdict(name, **bounds):
     return CHECKS[name](Means(), **bounds).verdict
-
-
-def less(n, m):
-    return paper_bound(n, m) - 1
-
-
-def too_small(_edges, vertices, _explored):
-    return vertices - 1
-
-
-# What is damaged, in whose eyes, and the claims that must notice.
-DAMAGE = [
-    (complexity, "paper_bound", less, "bound-polynomial", {"edges": 3}),
-    (complexity, "paper_bound", less, "vertices-first", {"edges": 3}),
-    (complexity, "paper_bound", lambda n, m: 3 * m * m * n, "bound-order", {"edges": 3}),
-    (complexity, "pass_bound", too_small, "pass-cost", {"edges": 2, "policies": ["fifo"]}),
-    (complexity, "pass_bound", too_small, "pass-cost-all-schedules", {"edges": 2}),
-    (ambiguous, "is_ambiguous", lambda q: q.sheets > 1, "criterion", {"edges": 3}),
-    (ambiguous, "pose_count", lambda q: q.sheets, "mass-formula", {"edges": 2}),
-    (ambiguous, "class_size", lambda q: 1, "class-sizes", {"edges": 2}),
-    (ambiguous, "automorphisms", lambda map_: 1, "counts", {"edges": 2}),
-    (correctness, "same_map", lambda a, b: True, "edge-index", {"edges": 2}),
-    (correctness, "_open", len, "augmentations", {"edges": 2}),
-    (correctness, "_open", len, "empty-U", {"edges": 2}),
-    (model, "walked", lambda map_, dart, motions: 0, "motions-undone", {"edges": 2, "length": 1}),
-    (position, "double_cover", lambda map_: map_ if map_.edge_count > 1 else None,
-     "cycle-needs-information", {"edges": 2}),
-    (position, "unrooted_code", lambda map_: 0,
-     "markers-at-one-vertex", {"markers": 1, "actions": 1}),
-    (folds, "fold", lambda log: SimpleNamespace(open_darts=0), "open-before-the-end", {"edges": 1}),
-    (algorithm, "_plan", lambda world, dart, path: ([0], [0]), "not-both", {"edges": 3}),
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(("module", "part", "damage", "name", "bounds"), DAMAGE)
-def test_a_claim_notices_when_what_it_speaks_of_is_damaged(
-    monkeypatch, module, part, damage, name, bounds
-):
-    assert verdict(name, **bounds) == "holds"
-    monkeypatch.setattr(module, part, damage)
-    assert verdict(name, **bounds) == "refuted"
 
 
 class Wasteful(passes.Watched):
@@ -120,7 +73,7 @@ def test_sympy_is_asked_only_where_it_is(monkeypatch):
     monkeypatch.setattr(complexity, "find_spec", lambda _name: None)
     found = complexity.terms_left_out(Means(), edges=2)
     assert isinstance(found, NotChecked)
-    assert "allworlds[proofs]" in found.reason
+    assert ".[proofs]" in found.reason
 
 
 SMALL = {
@@ -128,8 +81,8 @@ SMALL = {
     "pass-tests": {"edges": 3, "policies": ["lifo"]},
     "not-both": {"edges": 3},
     "tests-decide": {"edges": 3},
-    "every-schedule": {"edges": 1},
-    "no-twins-smt": {"edges": 1},
+    "every-schedule": {"edges": 1, "most_expensive": 2},
+    "no-twins-smt": {"edges": 2},
     "no-twins-with-direction": {"edges": 2},
     "invariant-at-start": {"edges": 2},
     "every-edge-walked": {"edges": 2},

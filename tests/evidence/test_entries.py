@@ -6,13 +6,14 @@ import pytest
 
 import allworlds
 from allworlds.document import replace
-from allworlds.evidence.claims import ledger
+from allworlds.evidence.claims import claim_table, ledger
 from allworlds.evidence.claims.claim_table import CHECKS
-from allworlds.evidence.claims.claim_types import Found, Means, NotChecked
+from allworlds.evidence.claims.claim_types import FAULTS, Found, Means, NotChecked
 from allworlds.evidence.claims.ledger import ClaimsReport, entry_of, entry_with
 from allworlds.evidence.claims.manifest import manifest
 from allworlds.inputs import InputError
 from allworlds.outcome import Exit
+from allworlds.reports import brief
 
 BY_NAME = {claim.id: claim for claim in manifest()}
 CHEAP = ["fig1", "fig1-caption", "printed-3", "lower-bound-2m", "pass-kinds", "printed-limit-of-2"]
@@ -78,7 +79,8 @@ def test_each_expected_number_matters_beside_what_is_really_found(name):
 
 
 @pytest.mark.slow
-def test_the_quick_ledger_is_as_expected_and_no_number_of_it_is_idle():
+def test_the_quick_ledger_is_as_expected_and_no_number_of_it_is_idle(monkeypatch):
+    monkeypatch.setattr(ledger, "proofs_of_clone", lambda: None)
     report = allworlds.claims(workers=2)
     assert [one.id for one in report.claims] == [*BY_NAME]
     unchecked = {one.id for one in report.claims if one.standing == "not-checked"}
@@ -96,7 +98,7 @@ def entry(found, name="fig1"):
 
 def test_a_witness_that_was_never_met_is_no_pass():
     full = as_expected(BY_NAME["fig1"])
-    none = entry(replaced(full, witnesses={"starts": 4, "darts": 0}))
+    none = entry(replaced(full, witnesses={"starts": 4, "pairs of darts": 0}))
     assert none.verdict == none.standing == "vacuous"
     assert entry(replaced(full, witnesses={})).verdict == "vacuous"
     assert entry(replaced(full, witnesses={"starts": 4})).verdict == "vacuous"
@@ -113,13 +115,59 @@ def test_what_nobody_expected_is_a_difference_too():
 def test_what_was_not_checked_neither_passes_nor_fails_unless_it_is_required():
     one = entry(NotChecked("no Coq"))
     assert (one.verdict, one.standing, one.differences) == ("not-checked", "not-checked", ())
-    assert ledger_of(one).exit_code == Exit.HOLDS
+    right = entry(as_expected(BY_NAME["fig1"]))
+    assert ledger_of(one, right).exit_code == Exit.HOLDS
+    assert ledger_of(one, right, required=("fig1",)).exit_code == Exit.INCONCLUSIVE
+    assert ledger_of(one, right, required=("bound",)).exit_code == Exit.HOLDS
+
+
+def test_a_ledger_of_which_nothing_was_checked_is_vacuous_and_does_not_hold():
+    one = entry(NotChecked("no Coq"))
+    assert ledger_of(one).exit_code == Exit.VACUOUS
     assert ledger_of(one, required=("fig1",)).exit_code == Exit.INCONCLUSIVE
-    assert ledger_of(one, required=("bound",)).exit_code == Exit.HOLDS
+    assert brief("paper claims", ledger_of(one), 80).startswith(
+        "VACUOUS: 1 claim: 1 not checked (no Coq)"
+    )
+
+
+def test_the_line_tells_what_those_need_that_were_not_checked():
+    some = [entry(NotChecked("no Coq")), entry(NotChecked("no Coq")), entry(NotChecked("no time"))]
+    assert "3 not checked (2: no Coq; 1: no time)" in brief("paper claims", ledger_of(*some), 80)
+
+
+def test_a_clone_has_its_proofs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(ledger, "__file__", str(tmp_path / "a/b/c/d/e/ledger.py"))
+    assert ledger.proofs_of_clone() is None
+    sources = tmp_path / "src/allworlds/evidence/claims"
+    for folder, file in ((tmp_path / "proofs", "check.py"), (sources, "ledger.py")):
+        assert ledger.proofs_of_clone() is None
+        folder.mkdir(parents=True)
+        (folder / file).touch()
+    assert ledger.proofs_of_clone() == tmp_path / "proofs"
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    assert ledger.proofs_of_clone() is None
+    monkeypatch.setattr(ledger, "__file__", str(sources / "ledger.py"))
+    assert ledger.proofs_of_clone() == tmp_path / "proofs"
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("name", ["fig1", "lower-bound-2m"])
+def test_a_disagreement_within_the_program_refutes_whatever_is_expected(monkeypatch, name, fault):
+    def disagreeing(_means, **_bounds):
+        raise fault("one says 3, the other 4")
+
+    monkeypatch.setattr(claim_table, "CHECKS", {**CHECKS, name: disagreeing})
+    report = allworlds.claims(only=[name])
+    (one,) = report.claims
+    assert (one.verdict, one.standing, report.exit_code) == ("refuted", "unexpected", Exit.REFUTED)
+    assert one.told == "one says 3, the other 4"
+    assert one.differences == ("a disagreement within this program: one says 3, the other 4",)
 
 
 def test_a_difference_outweighs_what_is_missing_and_an_interrupt_both():
-    wrong = entry(Found("refuted", {"starts": 4, "darts": 56}))
+    wrong = entry(Found("refuted", as_expected(BY_NAME["fig1"]).witnesses))
     missing = entry(NotChecked("no Coq"), "coq-2m")
     told = ledger_of(wrong, missing, required=("coq-2m",))
     assert told.exit_code == Exit.REFUTED
@@ -136,9 +184,7 @@ def test_an_interrupt_leaves_what_was_checked(monkeypatch):
     def interrupted(_means, **_bounds):
         raise KeyboardInterrupt
 
-    from allworlds.evidence.claims import claim_table as table
-
-    monkeypatch.setattr(table, "CHECKS", {**CHECKS, "fig1-different": interrupted})
+    monkeypatch.setattr(claim_table, "CHECKS", {**CHECKS, "fig1-different": interrupted})
     report = ledger.claims(only=["fig1", "fig1-different", "fig1-caption"])
     assert [one.id for one in report.claims] == ["fig1"]
     assert report.exit_code == Exit.INTERRUPTED

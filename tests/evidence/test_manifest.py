@@ -8,7 +8,6 @@ import pytest
 from allworlds.evidence import claims as ledger
 from allworlds.evidence.claims.claim_table import CHECKS
 from allworlds.evidence.claims.manifest import SECTIONS, BadManifest, manifest, read
-from evidence.write import LEDGER, PLACES, README, beside_the_bound, between, short, whole
 
 ENTRY = """
 [two]
@@ -49,22 +48,6 @@ def test_no_function_reads_what_is_expected():
         code = re.sub(r'""".*?"""', "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
         assert "manifest" not in code
         assert "claims.toml" not in code
-
-
-def test_the_readme_shows_the_claims_and_the_page_all_about_them():
-    assert between(README.read_text(encoding="utf-8"), "claims").strip() == "\n".join(short())
-    assert (
-        between(LEDGER.read_text(encoding="utf-8"), "claims").strip() == "\n".join(whole()).strip()
-    )
-    assert {page for page, _, _ in PLACES} == {README, LEDGER}
-
-
-def test_the_page_shows_the_exact_worst_cases_beside_the_bound():
-    told = between(LEDGER.read_text(encoding="utf-8"), "worst").strip().splitlines()
-    found = list(beside_the_bound(3))
-    assert found[:2] == told[:2]
-    assert found[2:] == [row for row in told[2:] if int(row.split("|")[1]) <= 3]
-    assert len(found) == 11
 
 
 def test_a_claim_is_read_with_its_scope_in_words():

@@ -3,6 +3,7 @@ from collections import Counter
 import pytest
 
 from allworlds.evidence.mutants import explorers, matrix, mutants
+from allworlds.evidence.mutants.errands import WEAK_TASK_JUDGES
 from allworlds.evidence.mutants.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
@@ -77,10 +78,10 @@ def test_explorers_are_killed_by_laws_judges_by_the_sound_one_enumerators_by_two
     assert killers["enumerator"] == {"count gate", "brute-force enumerator"}
 
 
-@pytest.mark.parametrize("law", [*LAWS, "ambiguity"])
+@pytest.mark.parametrize("law", [*LAWS, "ambiguity", "task"])
 def test_every_law_kills_some_explorer_and_is_missed_by_some_judge(full, law):
     assert law in {kill.killed_by for kill in full.kill_matrix if kill.kind == "explorer"}
-    assert law in {weak.law for weak in WEAK_JUDGES}
+    assert law in {weak.law for weak in (*WEAK_JUDGES, *WEAK_TASK_JUDGES)}
 
 
 ANY_WORLD = "nondeterministic"  # by what the explorer has kept from other worlds
@@ -110,6 +111,12 @@ def test_every_kill_names_its_smallest_world(full, small):
         ("doubtful-for-no-reason", "ambiguity", 1),
         ("degrees-of-the-quotient", "ambiguity", 2),
         ("quotient-not-compared", "sound judge on doubtful-for-no-reason", 1),
+        ("stays-at-home", "task", 1),
+        ("does-not-come-home", "task", 1),
+        ("counts-one-too-few", "task", 2),
+        ("task-not-judged", "sound judge on does-not-come-home", 1),
+        ("home-is-enough", "sound judge on stays-at-home", 1),
+        ("visits-are-enough", "sound judge on does-not-come-home", 1),
         ("wrong-in-one-world", "pose", 3),
         ("mirror-accepted", "sound judge on mirror-image", 4),
     ],

@@ -4,9 +4,9 @@ import re
 import pytest
 
 from allworlds.evidence.bench import bench
-from allworlds.evidence.bench.bench_text import bench_text
 from allworlds.evidence.bench.rounds import peer
 from allworlds.inputs import InputError
+from allworlds.reports import text as text_of
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -53,7 +53,7 @@ def test_the_document_says_what_was_measured(report):
 
 
 def test_the_text_names_every_contender(report):
-    text = bench_text(report, 100)
+    text = text_of("self bench", report, 100)
     for measured in report.contenders:
         assert re.search(rf"^{measured.name} ", text, re.MULTILINE)
 

@@ -1,52 +1,72 @@
-"""Write the table of claims into ``docs/claims.md``, and the short one into the README.
+"""Write the tables of the pages that are made from results.
 
-``python tests/evidence/write.py``; ``test_manifest.py`` compares.
+``python tests/evidence/write.py`` writes ``docs/claims.md``, the table of worst cases in
+``docs/paper.md`` and the tables of ``docs/explorers.md``; it takes two minutes.
+``test_manifest.py`` and ``test_tables_of_pages.py`` compare.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import csv
+from collections.abc import Callable, Iterator
+from functools import cache
+from importlib.util import module_from_spec, spec_from_file_location
 from itertools import groupby
+from math import fsum
 from pathlib import Path
+from typing import Any
 
-from allworlds import optimum, worst
+from allworlds import compare
 from allworlds.evidence.claims.manifest import SECTIONS, Claim, manifest
+from allworlds.judging import paper_bound
+from allworlds.studies.compare.comparison import Comparison
+from allworlds.studies.compare.intervals import geometric_mean, mean_interval, power_law
 
 ROOT = Path(__file__).parents[2]
-NAMES = {"ours": "ours"} | {name: f"Section {name}" for name in SECTIONS if name != "ours"}
+CLAIMS, PAPER, EXPLORERS = (
+    ROOT / "docs" / f"{name}.md" for name in ("claims", "paper", "explorers")
+)
+BOUNDS = ROOT / "docs" / "figures" / "figure-bounds.csv"
+FIGURES = ROOT / "docs" / "figures"
+
+# ---------------------------------------------------------------- claims
+
+NAMES = {"ours": "Beside the paper"} | {
+    name: f"Section {name}" for name in SECTIONS if name != "ours"
+}
 SUBJECTS = {
     "II": "world and robot",
-    "III": "what is not enough",
+    "III": "lighthouses that are not enough",
     "IV": "Algorithm 1",
     "V": "correctness",
     "VI": "complexity",
     "VII": "measurements",
     "VIII": "other lighthouses",
-    "ours": "not in the paper",
+    "ours": "claims of this project",
 }
+HEAD = """\
+# The list of claims
+
+Every sentence of the paper that can be checked, and the claims that this project adds.
+[The paper, examined](paper.md#the-ledger-of-claims) tells how to check them, and what the columns
+mean; `allworlds paper claims --only ID` checks one. Numbers in the last column are those of
+`--budget full`. This page is written by `tests/evidence/write.py`.
+"""
 
 
-def short() -> Iterator[str]:
-    """A row a section: the ids, those that must be refuted in bold."""
-    yield "| section | claims; in bold: must be refuted |"
-    yield "|---|---|"
-    for section, claims in groupby(manifest(), lambda claim: claim.section):
-        names = [
-            f"`{claim.id}`" if claim.expected == "holds" else f"**`{claim.id}`**"
-            for claim in claims
-        ]
-        title = section if section != "ours" else "ours"
-        yield f"| {title}: {SUBJECTS[section]} | {', '.join(names)} |"
+def claims_page() -> str:
+    """The page of all claims."""
+    return f"{HEAD}\n" + "\n".join(claims()).rstrip() + "\n"
 
 
-def whole() -> Iterator[str]:
+def claims() -> Iterator[str]:
     """A table a section: sentence, method, scope, verdict, and what must be found."""
-    for section, claims in groupby(manifest(), lambda claim: claim.section):
-        yield f"### {NAMES[section].capitalize() if section == 'ours' else NAMES[section]}"
+    for section, group in groupby(manifest(), lambda claim: claim.section):
+        yield f"## {NAMES[section]}: {SUBJECTS[section]}"
         yield ""
         yield "| claim | says | must be | how, and on what | must be found |"
         yield "|---|---|---|---|---|"
-        for claim in claims:
+        for claim in group:
             yield _row(claim)
         yield ""
 
@@ -73,24 +93,137 @@ def _numbers(values: dict[str, object]) -> str:
     )
 
 
-OPTIMUM = 4
-"""Up to so many edges the optimum takes seconds."""
+# ---------------------------------------------------------------- the bound
 
 
-def beside_the_bound(edges: int = 6) -> Iterator[str]:
-    """A row a size: the exact worst cost beside the bound, the cheapest schedule, the optimum."""
-    best = {row.edges: row.optimum for row in optimum(edges=min(edges, OPTIMUM)).rows}
-    yield "| m | n | worst | (1)+(2) | worst / bound | best | lower bound | optimum, all n |"
-    yield "|---|---|---|---|---|---|---|---|"
-    for row in worst(edges=edges).rows:
-        m, n = row.edges, row.vertices
-        share = f"{row.worst / row.bound:.2f}"
-        told = best.get(m, "")
-        yield f"| {m} | {n} | {row.worst} | {row.bound} | {share} | {row.best} | {m} | {told} |"
+def beside_the_bound() -> Iterator[str]:
+    """A row a size: the exact worst cost beside the bound, the best schedule and the optimum."""
+    yield "| m | n | (1)+(2) | worst | worst / bound | best schedule | optimum |"
+    yield "|---|---|---:|---:|---:|---:|---:|"
+    with BOUNDS.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            worst, bound = int(row["worst"]), int(row["bound_1_plus_2"])
+            cells = (row["edges"], row["vertices"], bound, worst, f"{worst / bound:.2f}")
+            told = (*cells, row["best_schedule"], row["optimum"] or "?")
+            yield f"| {' | '.join(map(str, told))} |"
+
+
+# ---------------------------------------------------------------- explorers side by side
+
+FOUR = ("algorithm1", "remembering", "greedy", "prudent")
+COLUMNS = " | ".join(f"`{name}`" for name in FOUR)
+
+
+@cache
+def compared(edges: int) -> Comparison:
+    """The four explorers in every world with at most that many edges."""
+    return compare(*FOUR, edges=edges)
+
+
+def small_worlds(edges: int = 5) -> Iterator[str]:
+    """A row a size: the largest cost of each explorer, and its mean."""
+    yield f"| m | n | (1)+(2) | {COLUMNS} |"
+    yield f"|---|---|---:|{'---:|' * len(FOUR)}"
+    for row in compared(edges).rows:
+        if row.edges > 1:
+            told = [f"{row.worst[name]} / {row.mean[name]:.2f}" for name in FOUR]
+            bound = paper_bound(row.vertices, row.edges)
+            yield f"| {row.edges} | {row.vertices} | {bound} | {' | '.join(told)} |"
+
+
+def beside_algorithm_1(edges: int = 5) -> Iterator[str]:
+    """A row an explorer: in how many worlds Algorithm 1 costs less, as much, and more."""
+    rows = compared(edges).rows
+    yield "| beside | less | equal | more |"
+    yield "|---|---:|---:|---:|"
+    for name in FOUR[1:]:
+        told = [sum(getattr(row, kind)[name] for row in rows) for kind in ("less", "equal", "more")]
+        yield f"| `{name}` | {' | '.join(f'{number:,}' for number in told)} |"
+
+
+def growth() -> Any:
+    """The module that reads ``docs/figures/growth.csv``."""
+    spec = spec_from_file_location("growth", FIGURES / "growth.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def large_worlds() -> Iterator[str]:
+    """A row a family: the mean costs in its largest worlds with their intervals."""
+    yield f"| family | n | m | worlds | runs | {COLUMNS} | (1)+(2) |"
+    yield f"|---|---:|---:|---:|---:|{'---:|' * len(FOUR)}---:|"
+    for family, rows in _families():
+        last = [row for row in rows if int(row["edges"]) == _largest(rows)]
+        costs = [growth().costs(last, name)[_largest(rows)] for name in FOUR]
+        means = [fsum(some) / len(some) for some in costs]
+        told = [
+            _with_interval(
+                f"**{mean:,.0f}**" if mean == min(means) else f"{mean:,.0f}",
+                mean_interval(some),
+                ",.0f",
+            )
+            for mean, some in zip(means, costs, strict=True)
+        ]
+        own = [row for row in last if row["explorer"] == FOUR[0]]
+        runs, places = (sum(int(row[name]) for row in own) for name in ("runs", "places"))
+        sizes = f"{own[0]['vertices']} | {_largest(rows)} | {len(own)} | {runs} of {places}"
+        bound = max(int(row["bound"]) for row in own)
+        yield f"| {family} | {sizes} | {' | '.join(told)} | {bound:,} |"
+
+
+def ratios() -> Iterator[str]:
+    """A row a family: the costs divided by those of Algorithm 1, in the same largest worlds."""
+    yield f"| family | m | {COLUMNS.partition(' | ')[2]} |"
+    yield f"|---|---:|{'---:|' * (len(FOUR) - 1)}"
+    for family, rows in _families():
+        first, *others = (growth().costs(rows, name)[_largest(rows)] for name in FOUR)
+        told = []
+        for costs in others:
+            found = geometric_mean([b / a for a, b in zip(first, costs, strict=True)])
+            assert found is not None
+            told.append(_with_interval(f"{found[0]:.3f}", found[1], ".3f"))
+        yield f"| {family} | {_largest(rows)} | {' | '.join(told)} |"
+
+
+def exponents() -> Iterator[str]:
+    """A row a family: exponents with their intervals, and a sign where no power law fits."""
+    yield f"| family | m | {COLUMNS} |"
+    yield f"|---|---|{'---:|' * len(FOUR)}"
+    for family, rows in _families():
+        told = []
+        for name in FOUR:
+            law = power_law(growth().costs(rows, name))
+            assert law is not None
+            sign = "" if law.fits else f" *{law.shape}*"
+            told.append(_with_interval(f"{law.exponent:.2f}", law.interval, ".2f") + sign)
+        least = min(int(row["edges"]) for row in rows)
+        yield f"| {family} | {least}..{_largest(rows)} | {' | '.join(told)} |"
+
+
+def _families() -> Iterator[tuple[str, list[dict[str, str]]]]:
+    yield from growth().by_family(growth().read()).items()
+
+
+def _largest(rows: list[dict[str, str]]) -> int:
+    return max(int(row["edges"]) for row in rows)
+
+
+def _with_interval(text: str, interval: tuple[float, float] | None, form: str) -> str:
+    """The text with its interval, if it has one; one that is a single number is left out."""
+    if interval is None:
+        return text
+    low, high = (format(end, form) for end in interval)
+    return f"{text} ({low}..{high})"
+
+
+# ---------------------------------------------------------------- pages
 
 
 def between(text: str, name: str) -> str:
-    """What stands between the marks of a name."""
+    """The text between the marks of a name."""
     return text.split(_begin(name))[1].split(_end(name), maxsplit=1)[0]
 
 
@@ -108,13 +241,16 @@ def _end(name: str) -> str:
     return f"<!-- end of {name} -->"
 
 
-README, LEDGER = ROOT / "README.md", ROOT / "docs" / "claims.md"
-PLACES = (
-    (README, "claims", short),
-    (LEDGER, "claims", whole),
-    (LEDGER, "worst", beside_the_bound),
+PLACES: tuple[tuple[Path, str, Callable[[], Iterator[str]]], ...] = (
+    (PAPER, "worst", beside_the_bound),
+    (EXPLORERS, "small worlds", small_worlds),
+    (EXPLORERS, "beside algorithm 1", beside_algorithm_1),
+    (EXPLORERS, "large worlds", large_worlds),
+    (EXPLORERS, "ratios", ratios),
+    (EXPLORERS, "exponents", exponents),
 )
 
 if __name__ == "__main__":
+    CLAIMS.write_text(claims_page(), encoding="utf-8")
     for page, name, lines in PLACES:
         page.write_text(placed(page.read_text(encoding="utf-8"), name, lines()), encoding="utf-8")

@@ -5,7 +5,7 @@ import inspect
 import pytest
 
 from allworlds.explorers import whole_name
-from allworlds.explorers.spelling import did_you_mean, generator_functions
+from allworlds.explorers.spelling import did_you_mean, generator_functions, short_names
 from allworlds.inputs import InputError
 from allworlds.studies.check import check
 
@@ -57,9 +57,14 @@ def test_a_file_with_several_or_none_is_refused(file, more, words):
         check(str(file), edges=1)
 
 
-@pytest.mark.parametrize("name", ["algorithm1", "there_is_none.py", "a.py:explore"])
+@pytest.mark.parametrize("name", ["algorithm1", "there_is_none", "a.py:explore"])
 def test_other_names_stay_as_they_are(name):
     assert whole_name(name) == name
+
+
+def test_a_file_that_is_not_there_is_no_name():
+    with pytest.raises(InputError, match=r"there is no file 'there_is_none\.py'"):
+        whole_name("there_is_none.py")
 
 
 def test_what_is_no_python_has_no_functions():
@@ -71,3 +76,20 @@ def test_a_name_that_is_nearly_one_is_told():
     assert did_you_mean("sun", ["greedy", "algorithm1"]) == ""
     with pytest.raises(InputError, match="did you mean 'algorithm1'"):
         check("algorthm1", edges=1)
+
+
+@pytest.mark.parametrize(
+    ("names", "short"),
+    [
+        (["algorithm1", "greedy"], ["algorithm1", "greedy"]),
+        (["a.py:explore", "b.py:other"], ["explore", "other"]),
+        (["a.py:explore", "b.py:explore"], ["a.py:explore", "b.py:explore"]),
+        (["x/a.py:explore", "y/a.py:explore"], ["x/a.py:explore", "y/a.py:explore"]),
+        (["/x/a.py:explore", "/x/b.py:explore", "c:go"], ["a.py:explore", "b.py:explore", "go"]),
+        (["exec:python3 the/longest/path", "greedy"], ["exec:python3 the/lon", "greedy"]),
+        (["exec:python3 the/long/a", "exec:python3 the/long/b"],) * 2,
+        (["greedy", "greedy"], ["greedy", "greedy"]),
+    ],
+)
+def test_the_shortest_ends_tell_names_apart(names, short):
+    assert short_names(names) == short

@@ -7,9 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from random import Random
 
-import typer
-
-from allworlds.cli.app import app
+from allworlds.cli.app import command_line
 from ground import grammar
 from ground.law import Case
 from recorded.record import LEAST
@@ -79,7 +77,7 @@ WORDS = {
 def options() -> dict[str, list[tuple[str, str]]]:
     """For each verb its options that take a value, with what the help calls it."""
     found = {}
-    for name, command in typer.main.get_command(app).commands.items():
+    for name, command in command_line().commands.items():
         below = getattr(command, "commands", None)
         verbs = (
             {f"{name} {sub}": under for sub, under in below.items()} if below else {name: command}

@@ -10,9 +10,10 @@ import pytest
 import allworlds
 from allworlds.engines import Shard, Silent
 from allworlds.inputs import InputError, Option, answer, fields_of, meant, remembered
+from allworlds.lazy import loaded
 from allworlds.maps import MapClass
 from allworlds.studies.check import CheckRequest
-from allworlds.verbs import VERBS, loaded
+from allworlds.verbs import VERBS
 
 GIVEN = {"map_class": "simple", "shard": (0, 2), "laws": ["map", "pose"], "bound": 7}
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.words import darts, number, plural, size
+from allworlds.words import about, darts, duration, number, plural, size
 
 
 def test_a_size_is_told_in_edges_and_vertices():
@@ -26,3 +26,24 @@ def test_thousands_are_separated():
 )
 def test_the_last_of_several_darts_follows_an_and(names, words):
     assert darts(names) == words
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [
+        (12, "12 s"),
+        (300, "5 min"),
+        (12_000, "3 h 20 min"),
+        (4 * 86_400 + 3 * 3600, "4 days 3 h"),
+        (70_499 * 365 * 86_400.0, "70,000 years"),
+        (3 * 365 * 86_400, "3 years"),
+        (1e300, "more than 1,000,000,000,000 years"),
+    ],
+)
+def test_a_duration_is_rounded_to_what_one_can_imagine(seconds, words):
+    assert duration(seconds) == words
+
+
+def test_a_number_of_many_digits_is_told_by_the_first_two():
+    assert about(123_456_789_012_345) == "123,456,789,012,345"
+    assert about(637 * 10**74) == "6.3 x 10^76"

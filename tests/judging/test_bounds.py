@@ -10,6 +10,7 @@ import pytest
 from allworlds.inputs import InputError
 from allworlds.judging import bound_named, paper_bound
 from allworlds.judging.laws.bounds import Bound
+from allworlds.maps import named_map
 from small import LOLLIPOP
 
 
@@ -80,12 +81,16 @@ def test_a_bound_survives_pickling():
         assert copy.of(LOLLIPOP, 1) == bound_named(text).of(LOLLIPOP, 1)
 
 
-def test_the_four_variables():
+def test_the_six_variables():
     assert [bound_named(v).of(LOLLIPOP, 0) for v in ("n", "m", "d0", "D")] == [2, 2, 1, 3]
+    assert [bound_named(v).of(LOLLIPOP, 0) for v in ("d", "g", "d+g")] == [1, 0, 1]
+    torus, path = named_map("two-loops-torus"), named_map("path-4")
+    assert [bound_named(v).of(torus, 0) for v in ("d", "g", "d+g")] == [0, 1, 1]
+    assert [bound_named(v).of(path, 0) for v in ("d", "g", "d+g")] == [3, 0, 3]
     assert [bound_named("d0").of(LOLLIPOP, d) for d in LOLLIPOP.darts] == [1, 3, 3, 3]
 
 
-N, M, D0, D = 5, 7, 2, 4
+N, M, D0, D, DIAMETER, GENUS = 5, 7, 2, 4, 3, 1
 
 
 @pytest.mark.parametrize(
@@ -116,10 +121,13 @@ N, M, D0, D = 5, 7, 2, 4
         ("min(max(n, m), D*d0)", M),
         ("2*m*(n-1) + max(0, m-n+1)", 59),
         ("n  *\tm", 35),
+        ("9*paper", 9 * paper_bound(N, M)),
+        ("max(paper, n) - paper", 0),
+        ("10*d + g", 10 * DIAMETER + GENUS),
     ],
 )
 def test_expressions_are_evaluated_exactly(text, value):
-    found = bound_named(text).value(N, M, D0, D)
+    found = bound_named(text).value(N, M, D0, D, DIAMETER, GENUS)
     assert found == value
     assert type(found) is int
 
@@ -142,7 +150,7 @@ def refused(text):
         ("n + edges", "'edges'"),
         ("N", "'N'"),
         ("Paper", "'Paper'"),
-        ("paper + 1", "'paper'"),
+        ("two - vertices", "'two'"),
         ("none", None),
         ("1.5", "'1.5'"),
         ("n*1e3", "'1e3'"),
@@ -217,9 +225,11 @@ def test_anything_else_is_refused_in_one_line_that_names_it(text, part):
 
 def test_an_expression_may_have_a_value_in_some_worlds_only():
     bound = bound_named("m//(n-2)")
-    assert bound.value(3, 5, 1, 1) == 5
-    with pytest.raises(InputError, match="n=2 m=5 d0=1 D=1"):
-        bound.value(2, 5, 1, 1)
+    assert bound.value(3, 5, 1, 1, 1, 0) == 5
+    with pytest.raises(InputError, match=r"n=2 m=5 d0=1 D=1$"):
+        bound.value(2, 5, 1, 1, 1, 0)
+    with pytest.raises(InputError, match=r"n=2 m=5 d0=1 D=1 g=0$"):
+        bound_named("m//g").value(2, 5, 1, 1, 1, 0)
 
 
 @pytest.mark.no_cover
@@ -277,7 +287,7 @@ def test_powers_of_powers_do_not_run_away():
         "from allworlds.inputs import InputError\n"
         "from allworlds.judging.laws.bounds import bound_named\n"
         "try:\n"
-        f"    bound_named({text!r}).value(2, 2, 1, 3)\n"
+        f"    bound_named({text!r}).value(2, 2, 1, 3, 1, 0)\n"
         "except InputError as error:\n"
         "    print(len(str(error).splitlines()))\n"
     )
@@ -322,7 +332,7 @@ def test_the_bound_of_two_vertices_adds_two_for_each_test_and_the_search():
         tests = sum(2 * m - 2 * p - 1 for p in range(m))
         assert tests == m**2
         for degree in (1, m):
-            assert bound.value(n, m, degree, m) == paper_bound(n, m) + 2 * tests + 2 * degree
+            assert bound.value(n, m, degree, m, 1, 0) == paper_bound(n, m) + 2 * tests + 2 * degree
 
 
 def test_the_bound_of_two_vertices_has_a_name():
@@ -341,13 +351,16 @@ def test_the_bound_of_two_vertices_has_a_name():
         ("two-vertices", {"n", "m", "d0"}),
         ("7", set()),
         ("2*m", {"m"}),
+        ("9*paper", {"n", "m"}),
+        ("paper + d0", {"n", "m", "d0"}),
         ("min(n, 3) + D**2 - -d0", {"n", "D", "d0"}),
+        ("d + 2*g", {"d", "g"}),
     ],
 )
 def test_a_bound_knows_what_it_depends_on(text, variables):
     bound = bound_named(text)
     assert bound.variables == variables
-    base = {"n": 5, "m": 9, "d0": 2, "D": 3}
+    base = {"n": 5, "m": 9, "d0": 2, "D": 3, "d": 4, "g": 2}
     moved = {
         name
         for name in base

@@ -4,7 +4,7 @@ import pytest
 
 from allworlds.document import replace
 from allworlds.inputs import InputError
-from allworlds.judging import PRECEDENCE, Finding, explain
+from allworlds.judging import PRECEDENCE, Finding, Rules, explain, tell_whose_bound
 from allworlds.judging.explanations.by_law import TELLERS
 from allworlds.protocol import Estimate
 from allworlds.studies.run import run
@@ -25,30 +25,26 @@ def test_a_crash_is_told_with_its_last_step_and_the_last_line_of_the_traceback(t
 def test_of_what_a_program_wrote_the_line_that_tells_is_told(finding_of):
     wrote = "/mine.js:3\n\nReferenceError: f is not defined\n    at g (/mine.js:3:1)\n\nNode.js v20"
     finding = replace(finding_of("crashes-at-leaves"), seen="the end of its output", detail=wrote)
-    assert explain(finding).sentences[-1] == (
-        "What it wrote of it: ReferenceError: f is not defined"
-    )
+    assert explain(finding).sentences[-1] == ("Its last message: ReferenceError: f is not defined")
 
 
 def test_a_run_that_ends_at_the_start_has_no_last_step(told):
     law, _, text = told("drops-markers")
     assert law == "illegal-action"
     assert "It made no step" in text
-    assert "seen was: Drop()." in text
 
 
 @pytest.mark.parametrize(
     ("name", "law", "words"),
     [
-        ("no-answer", "no-estimate", "seen was: None."),
-        ("never-stops", "budget", "seen was: traversal 109."),
-        ("state-kept", "nondeterministic", "differs at step 1"),
+        ("no-answer", "no-estimate", "without an answer that could be judged"),
+        ("never-stops", "budget", "went on for longer than it may"),
+        ("state-kept", "nondeterministic", "the explorer did something else"),
     ],
 )
-def test_other_endings_say_what_was_expected_and_seen(name, law, words, told):
+def test_other_endings_are_told(name, law, words, told):
     found, step, text = told(name)
     assert (found, step) == (law, None)
-    assert "Expected was: " in text
     assert words in text
 
 
@@ -56,7 +52,7 @@ def test_a_timeout_is_told(finding_of):
     finding = replace(finding_of("crashes-at-leaves"), law="timeout", seen="silent", detail="")
     text = " ".join(explain(finding).sentences)
     assert "silent for too long" in text
-    assert "wrote of it" not in text
+    assert "last message" not in text
     assert "flush" not in text
 
 
@@ -76,7 +72,7 @@ def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
     assert (law, step) == ("pose", 2)
     # Two loops side by side, at dart 3; 'here' is dart 0, which the symmetry takes to dart 2.
     assert "stands at v0, dart 3, and the answer says dart 0 of the same vertex" in text
-    assert "off by a turn of 3 of 4 darts" in text
+    assert "off by a turn of 1 of 4 darts clockwise" in text
     assert "symmetric: 1 other dart" in text
 
 
@@ -127,7 +123,7 @@ def test_folding_counts_the_open_darts_and_names_the_vertex_seen_as_several(told
     law, step, text = told("no-retracing")
     assert (law, step) == ("folding", None)
     assert "does not settle where 3 darts lead" in text
-    assert "came to v1 in 2 ways that may lead to as many places" in text
+    assert "came to v1 in 2 ways, and the log does not show that this is one vertex" in text
 
 
 # ---------------------------------------------------------------- the answer was dear
@@ -137,15 +133,54 @@ def test_the_bound_is_told_with_the_moves_out_and_back(told):
     # One loop: (1)+(2) is 1; it walks the loop, back, and on again.
     law, _, text = told("walks-too-much")
     assert law == "bound"
-    assert "the bound (paper) allows 1" in text
-    assert "3 traversals: 2 out, 1 to take one back" in text
-    assert "Of those out 1 went along an edge that was new" in text
+    assert "The map and the pose are right" in text
+    assert "The bound 'paper' is what the paper proves for its Algorithm 1" in text
+    assert "In a world with 1 edge and 1 vertex that is 0 + 1 = 1." in text
+    assert "--bound none checks the other laws alone" in text
+    assert "3 traversals: 2 forward and 1 back along the way it came" in text
+    assert "Of those forward 1 found a new edge" in text
+
+
+@pytest.mark.parametrize(
+    ("rules", "said"),
+    [
+        (
+            {"bound": "m - 1"},
+            "The bound is the one that was asked for: m - 1, which is 1 in",
+        ),
+        (
+            {"bound": "m - 1", "laws": ("map", "bound")},
+            "law that was checked holds: map.",
+        ),
+        ({"bound": "m - 1", "laws": ("bound",)}, "The walk is longer than the bound allows."),
+    ],
+)
+def test_it_is_told_whose_the_bound_is(rules, said, answering):
+    finding = run(answering(PATH, 0, 0, 1, 0, 1), World(PATH, Directional(0)), **rules).finding
+    assert said in " ".join(explain(finding).sentences)
+    assert ("the pose are right" in " ".join(explain(finding).sentences)) == ("laws" not in rules)
+
+
+def test_the_bound_of_an_explorer_is_called_its_own(finding_of):
+    rules = Rules(own_bound="2*m", bound=None)
+    finding = replace(finding_of("walks-too-much"), world=World(PATH, Directional(0)))
+    told = tell_whose_bound(replace(finding, rules=rules, expected=4))
+    assert "The bound is the explorer's own: 2*m, which is 4" in " ".join(told)
+
+
+def test_the_bound_with_the_tests_is_told_with_both_parts(finding_of):
+    finding = replace(finding_of("walks-too-much"), world=World(PATH, Directional(0)))
+    rules = Rules(bound="two-vertices")
+    told = tell_whose_bound(replace(finding, rules=rules, expected=20))
+    assert "two traversals for each test" in " ".join(told)
+    assert "with those 20." in " ".join(told)
 
 
 def test_a_way_back_takes_back_every_move_out(answering):
     # Along a path to its end and back again.
     finding = run(answering(PATH, 0, 0, 1, 0, 1), World(PATH, Directional(0)), bound="1").finding
-    assert "The robot made 4 traversals: 2 out, 2 to take one back." in explain(finding).sentences
+    told = "The robot made 4 traversals: 2 forward and 2 back along the way it came."
+    assert told in explain(finding).sentences
 
 
 # ---------------------------------------------------------------- the table

@@ -7,7 +7,7 @@ import pytest
 from allworlds.explorers import algorithm1
 from allworlds.judging import Answered, Fault, default_step_budget, play
 from allworlds.judging.endings import MOST_DARTS
-from allworlds.maps import CombinatorialMap, rooted_maps
+from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, rooted_maps
 from allworlds.protocol import (
     Ambiguous,
     Checkpoint,
@@ -772,3 +772,45 @@ LIES = {"repr": Twister(), "class": Estimate(Unasked(), 0)}
 @pytest.mark.parametrize("kind", LIES)
 def test_answers_that_lie_about_themselves_are_no_estimate(kind):
     fault(returning(LIES[kind]), "no-estimate")
+
+
+def trying(sigma, alpha):
+    def explore(first):
+        yield Move(0)
+        return Estimate(CombinatorialMap(sigma, alpha), 0)
+
+    return explore
+
+
+def test_an_answer_that_is_no_map_is_no_estimate_and_is_shown_with_the_clash():
+    ended = fault(trying([1, 0, 3, 3], [1, 0, 3, 2]), "no-estimate")
+    assert ended.seen == "no map: sigma[2] = sigma[3] = 3, but sigma must be a permutation"
+    assert "[3] [3]" in ended.detail
+    assert ended.seen.removeprefix("no map: ") not in ended.detail
+    assert "in explore: return Estimate(CombinatorialMap(sigma, alpha), 0)" in ended.detail
+
+
+def test_an_invalid_map_on_the_way_is_no_estimate_too():
+    def explore(first):
+        yield Move(0)
+        CombinatorialMap([0, 0], [1, 0])
+        yield Move(0)
+
+    assert fault(explore, "no-estimate").seen.startswith("no map: sigma[0] = sigma[1] = 0")
+
+
+def test_an_invalid_map_out_of_a_builder_names_the_explorers_line():
+    def explore(first):
+        yield Move(0)
+        return Estimate(from_cycles([["a"], ["b"]]), 0)
+
+    assert "from_cycles([[" in fault(explore, "no-estimate").detail
+
+
+def test_an_invalid_map_that_raises_when_it_is_looked_at_is_a_crash():
+    class Odd(InvalidMap):
+        @property
+        def tried(self):
+            raise ZeroDivisionError
+
+    assert fault(raising(Odd("odd")), "crash").seen == "Odd, which cannot be shown"

@@ -144,4 +144,4 @@ def test_a_map_is_never_held_to_the_law_about_quotients():
 
 def test_it_comes_after_map_and_pose_and_before_the_invariants():
     at = PRECEDENCE.index("ambiguity")
-    assert PRECEDENCE[at - 2 : at + 2] == ("map", "pose", "ambiguity", "invariant-1")
+    assert PRECEDENCE[at - 2 : at + 3] == ("map", "pose", "ambiguity", "task", "invariant-1")

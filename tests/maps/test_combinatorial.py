@@ -352,6 +352,49 @@ def test_text_nested_thousands_deep_is_refused_as_no_map():
         CombinatorialMap.from_json("[" * 100_000)
 
 
+@pytest.mark.parametrize(
+    ("sigma", "alpha", "table"),
+    [
+        (
+            [1, 0, 3, 3],
+            [1, 0, 3, 2],
+            "dart   0   1   2   3\nsigma  1   0  [3] [3]\nalpha  1   0   3   2",
+        ),
+        ([0, 1], [0, 1], "dart   0   1\nsigma  0   1\nalpha [0]  1"),
+        ([0, 9], [1, 0], "dart   0   1\nsigma  0  [9]\nalpha  1   0"),
+        (
+            [0, 1, 2, 3],
+            [1, 2, 3, 0],
+            "dart   0   1   2   3\nsigma  0   1   2   3\nalpha [1] [2]  3   0",
+        ),
+        (
+            [0, 1, 2, 3],
+            [1, 0, 3, 2],
+            "dart   0   1  [2] [3]\nsigma  0   1   2   3\nalpha  1   0   3   2",
+        ),
+        ([0, 1], [1], "dart   0   1\nsigma  0   1\nalpha  1"),
+        ([], [], ""),
+        (7, [1, 0], ""),
+    ],
+)
+def test_what_was_tried_is_kept_with_the_clash_in_brackets(sigma, alpha, table):
+    with pytest.raises(InvalidMap) as refusal:
+        CombinatorialMap(sigma, alpha)
+    assert refusal.value.tried.replace(" \n", "\n") == table
+
+
+def test_of_many_darts_the_rows_with_the_clash_are_shown():
+    darts = [*range(100)]
+    alpha = [d ^ 1 for d in darts]
+    alpha[70] = 10**30
+    with pytest.raises(InvalidMap) as refusal:
+        CombinatorialMap(darts, alpha)
+    table = refusal.value.tried
+    assert table.splitlines()[0].split() == ["dart", *map(str, range(64, 80))]
+    assert "[100000000...]" in table
+    assert len(table.splitlines()) == 3
+
+
 # ---------------------------------------------------------------- cycles
 
 

@@ -29,6 +29,8 @@ from allworlds.maps.families import FAMILIES
         ("thick:6x4", (14, 5)),
         ("thick:2x3", (3, 4)),
         ("cover:4", (20, 12)),
+        ("corridor:1", (28, 4)),
+        ("corridor:3", (190, 10)),
     ],
 )
 def test_the_sizes_of_the_families(text, size):
@@ -56,6 +58,7 @@ def test_a_seed_makes_the_same_map_again():
         ("lollipop:6x4", {1: 1, 6: 7, 7: 1}),
         ("prism:5", {3: 10}),
         ("thick:6x5", {5: 2, 6: 4}),
+        ("corridor:2", {2: 1, 30: 6}),
     ],
 )
 @pytest.mark.parametrize("seed", [0, 1, 2])
@@ -78,7 +81,15 @@ def test_a_seed_draws_the_start_in_a_lattice_and_another_map_elsewhere():
     starts = {family("lattice:3x3", seed=seed).degree_at[0] for seed in range(12)}
     assert starts == {2, 3, 4}
     assert family("lattice:3x3") == lattice(3, 3)
-    for text in ("torus:3x3", "prism:6", "cover:3", "thick:6x4", "random:5x9", "strip:4"):
+    for text in (
+        "torus:3x3",
+        "prism:6",
+        "cover:3",
+        "thick:6x4",
+        "random:5x9",
+        "strip:4",
+        "corridor:1",
+    ):
         assert len({family(text, seed=seed) for seed in range(1, 9)}) > 1
 
 
@@ -116,6 +127,7 @@ def test_a_random_map_is_uniform_among_the_rooted_ones():
         "thick:3x3",
         "prism:2",
         "cover:0",
+        "corridor:0",
         "torus:0x3",
         "torus:400x400",
     ],

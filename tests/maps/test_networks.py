@@ -4,12 +4,16 @@ import pytest
 from allworlds.maps import (
     InvalidMap,
     from_cycles,
+    from_faces,
+    from_networkx,
     from_planar_embedding,
     isomorphism,
     lattice,
     named_map,
+    rooted_maps_by_permutations,
     to_networkx,
 )
+from allworlds.world import Directional, World
 
 
 @pytest.mark.parametrize("name", ["edge", "loop", "theta", "k4-torus", "bouquet-3", "wheel-4"])
@@ -78,3 +82,90 @@ def test_an_embedding_that_is_not_in_the_plane_is_refused():
     embedding.set_data({v: [w for w in range(4) if w != v] for v in range(4)})
     with pytest.raises(InvalidMap, match="genus 1"):
         from_planar_embedding(embedding)
+
+
+def test_every_small_map_comes_back_from_networkx():
+    for m in (1, 2, 3):
+        for map_ in rooted_maps_by_permutations(m):
+            assert from_networkx(to_networkx(map_)) == map_
+
+
+def test_a_world_becomes_a_graph_with_its_start_and_lighthouse():
+    graph = World(named_map("theta-torus"), Directional(1), 2).to_networkx()
+    assert graph.graph == {"start": 2, "lighthouse": {"kind": "directional", "dart": 1}}
+    assert from_networkx(graph) == named_map("theta-torus")
+
+
+def test_a_planar_graph_is_embedded_in_the_plane():
+    map_ = from_networkx(nx.dodecahedral_graph())
+    assert (map_.vertex_count, map_.edge_count, len(map_.faces), map_.genus) == (20, 30, 12, 0)
+
+
+@pytest.mark.parametrize(
+    ("graph", "said"),
+    [
+        (nx.complete_graph(5), "not planar"),
+        (nx.DiGraph([(0, 1)]), "DiGraph"),
+        (nx.MultiGraph([(0, 1), (0, 1)]), "MultiGraph"),
+    ],
+)
+def test_a_graph_without_a_rotation_is_refused(graph, said):
+    with pytest.raises(InvalidMap, match=said):
+        from_networkx(graph)
+
+
+def test_attributes_that_are_no_darts_are_refused():
+    graph = nx.Graph()
+    graph.add_nodes_from([(0, {"darts": (0,)}), (1, {"darts": (2,)})])
+    graph.add_edge(0, 1, darts=(0, 2))
+    with pytest.raises(InvalidMap, match=r"the darts '?\[0, 2\]'? are not 0..1"):
+        from_networkx(graph)
+
+
+# The tetrahedron; the torus of seven vertices (A. F. Moebius, 1861): i, i+1, i+3 and i, i+3, i+2.
+TORUS = [((i, (i + 1) % 7, (i + 3) % 7), (i, (i + 3) % 7, (i + 2) % 7)) for i in range(7)]
+
+
+@pytest.mark.parametrize(
+    ("faces", "numbers"),
+    [
+        (["abc", "acd", "adb", "bdc"], (4, 6, 4, 0)),
+        ([face for pair in TORUS for face in pair], (7, 21, 14, 1)),
+        (["abc", "cba"], (3, 3, 2, 0)),
+    ],
+)
+def test_a_surface_is_glued_of_its_faces(faces, numbers):
+    map_ = from_faces(faces)
+    found = (map_.vertex_count, map_.edge_count, len(map_.faces), map_.genus)
+    assert found == numbers
+    assert sorted(map(len, map_.faces)) == sorted(map(len, faces))
+
+
+def test_the_faces_of_a_simple_map_give_it_back():
+    map_ = named_map("k4")
+    at = map_.vertex_of
+    again = from_faces([[at[dart] for dart in face] for face in map_.faces])
+    assert isomorphism(map_, again)
+
+
+@pytest.mark.parametrize(
+    ("faces", "said"),
+    [
+        (["abc"], "never walked back"),
+        (["abc", "abc"], "walked twice"),
+        (["aa"], "walked twice|loop"),
+        (["abc", "cba", "ade", "eda"], "connected"),
+    ],
+)
+def test_faces_that_close_no_surface_are_refused(faces, said):
+    with pytest.raises(InvalidMap, match=said):
+        from_faces(faces)
+
+
+def test_two_corners_of_a_cube_glued_to_one_are_refused():
+    map_ = named_map("cube")
+    far = nx.single_source_shortest_path_length(to_networkx(map_), 0)
+    glued = {corner: 0 if far[corner] == 3 else corner for corner in range(8)}
+    faces = [[glued[map_.vertex_of[dart]] for dart in face] for face in map_.faces]
+    with pytest.raises(InvalidMap, match=r"at vertex '?0'? 2 pieces of surface meet"):
+        from_faces(faces)

@@ -14,7 +14,7 @@ from ruamel.yaml import YAML
 
 import allworlds
 from allworlds.explorers import LANGUAGES
-from allworlds.outcome import Exit, Verdict
+from allworlds.outcome import Exit, Facts
 from allworlds.studies.init import init
 from project.runner import OURS, ROOT, job_in, read
 
@@ -141,7 +141,9 @@ def test_an_exit_code_is_told_with_its_verdict(job, programs, code):
     (programs / "allworlds").write_text(f"#!/bin/sh\nexit {code:d}\n")
     job.run(use(explorer="algorithm1"))
     assert job.failed == (code != Exit.HOLDS)
-    verdicts = {verdict.exit: verdict.value for verdict in Verdict if verdict != "not-refuted"}
+    holds, one = Facts(), ("refuted", "undecided", "vacuous", "disagrees")
+    every = (holds, *(holds._replace(**{fact: True}) for fact in one))
+    verdicts = {facts.exit: facts.verdict.value for facts in every}
     assert job.outputs == {"verdict": verdicts.get(code, "error"), "exit-code": f"{code:d}"}
 
 

@@ -25,6 +25,25 @@ def test_ci_runs_the_commands_of_the_readme_word_for_word():
     assert places == sorted(places)
 
 
+def test_the_environment_of_the_first_command_has_a_pip_of_its_own():
+    (first, second) = (block.body.strip() for block in blocks(README, "sh"))
+    assert " install pip . && " in first
+    assert " install pip '.[test]' && " in second
+    # Also where Debian leaves ensurepip out.
+    assert "python3 -m venv --without-pip .venv && python3 -m pip --python" in first
+    page = (ROOT / "docs/install.md").read_text(encoding="utf-8")
+    assert first in page.splitlines()
+
+
+def test_the_readme_is_read_in_a_few_minutes():
+    assert README.count("\n") <= 240
+    prose = re.sub(r"^```.*?^```$", "", README, flags=re.MULTILINE | re.DOTALL)
+    assert len(prose.split()) <= 1400
+    further = README.partition("## Where to read on")[2]
+    assert 1 <= further.count("](") <= 8
+    assert "![" in prose
+
+
 def test_ci_is_a_script_that_bash_understands():
     bash = shutil.which("bash")
     assert bash
@@ -36,7 +55,7 @@ def is_made(page):
     """Whether it is a page of the navigation that is made when the site is built."""
     name = page.relative_to(ROOT / "docs").as_posix()
     nav = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:\n")[2]
-    return name.startswith(("reference/", "gallery/")) and f": {name}\n" in nav
+    return name.startswith(("reference/", "internals/", "gallery/")) and f": {name}\n" in nav
 
 
 def test_the_links_of_the_pages_lead_to_files():
@@ -65,13 +84,17 @@ PAGES = [
 ELSEWHERE = {
     "rooms.py",
     "mine.py",
+    "robot.py",
     "my_explorer.py",
-    "loops.py",
     "test_explorer.py",
     "path/to/file.py",
     "explorer.py",
     "mine/explorer.py",
     "test_conformance.py",
+    "own_kind.py",
+    "parity.py",
+    "FILE.py",
+    "test_properties.py",
     "src/mine.py",
 }
 NO_PATHS = {"application/json", "build/site"}
@@ -134,7 +157,8 @@ def test_the_reader_of_paths_sees_stale_ones():
 def test_the_page_of_verdicts_lists_every_law_in_the_order_of_precedence():
     page = (ROOT / "docs" / "verdicts.md").read_text(encoding="utf-8")
     laws = page.partition("## Laws")[2].partition("##")[0]
-    assert tuple(re.findall(r"^\| `([a-z0-9-]+)` \|", laws, re.MULTILINE)) == PRECEDENCE
+    table = laws.partition("\n| law ")[2].partition("\n\n")[0]
+    assert tuple(re.findall(r"^\| `([a-z0-9-]+)` \|", table, re.MULTILINE)) == PRECEDENCE
 
 
 def test_the_page_of_verdicts_names_every_witness_that_is_required():

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-WITHOUT_CVC5 = "cvc5 is not installed: pip install 'allworlds[proofs]'"
+WITHOUT_CVC5 = "cvc5 is not installed: pip install '.[proofs]'"
 needs_cvc5 = pytest.mark.skipif(importlib.util.find_spec("cvc5") is None, reason=WITHOUT_CVC5)
 
 # Each statement with what is damaged in it: the damaged one must not get the expected answer.
@@ -270,7 +270,7 @@ def test_a_solver_is_killed_when_its_time_is_over(opinions, tmp_path):
 
 @pytest.fixture
 def bound(proofs, monkeypatch):
-    pytest.importorskip("sympy", reason="sympy is not installed: pip install 'allworlds[proofs]'")
+    pytest.importorskip("sympy", reason="sympy is not installed: pip install '.[proofs]'")
     monkeypatch.syspath_prepend(str(proofs / "second-opinions"))
     return importlib.import_module("bound")
 

@@ -187,8 +187,11 @@ def test_what_is_no_list_of_rows_is_no_transcript(rows):
         ([7], r"row 0 of the transcript: a percept is an object .* not None"),
         ([{}], r"row 0 of the transcript: a percept is an object .* not None"),
         ([{"percept": {"degree": "x"}}], r"row 0 of the transcript: a percept holds integers"),
-        ([{"percept": FIRST}, {"percept": FIRST}], r"row 1 .* no move, drop or pick: \{'percept'"),
-        ([{"percept": FIRST}, 5], r"row 1 .* no move, drop or pick: 5"),
+        (
+            [{"percept": FIRST}, {"percept": FIRST}],
+            r"row 1 .* no move, .* or write: \{'percept'",
+        ),
+        ([{"percept": FIRST}, 5], r"row 1 .* no move, drop, pick or write: 5"),
         ([{"percept": FIRST}, {"move": 1}], r"row 1 of the transcript: a percept is an object"),
         (
             [{"percept": FIRST}, {"pick": True, "percept": FIRST}, {"move": 0, "percept": []}],

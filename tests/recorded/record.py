@@ -23,6 +23,7 @@ from allworlds.world import own_corpus
 
 HERE = Path(__file__).parent
 FINDINGS = own_corpus().directory / "findings"
+PROOFS = HERE.parents[1] / "proofs"
 RECORDS = HERE / "records"
 PATH_3 = '{"sigma":[0,2,1,3],"alpha":[1,0,3,2]}'
 HOSTILE = '{"sigma":[1,0],"alpha":[1,0],"start":5,"lighthouse":{"kind":"position","dart":0}}'
@@ -105,10 +106,17 @@ COMMANDS = {
     "compare-one": "compare greedy --edges 2",
     "worst-shard": "worst --edges 3 --shard 0/2 --json",
     "optimum": "optimum --edges 2 --json",
-    "claims": "paper claims --only lower-bound-2m --only coq-2m --only pass-kinds --json",
+    "claims": (
+        "paper claims --proofs {proofs} "
+        "--only lower-bound-2m --only coq-2m --only pass-kinds --json"
+    ),
     "claims-text": "paper claims --only cycles",
-    "claims-required": "paper claims --only bound-order --require coq-2m --json",
-    "claims-junit": "paper claims --only printed-3 --only cert-fig1 --junit /dev/stderr -q",
+    "claims-required": (
+        "paper claims --proofs {proofs} --only bound-order --require coq-2m --json"
+    ),
+    "claims-junit": (
+        "paper claims --proofs {proofs} --only printed-3 --only coq-2m --junit /dev/stderr -q"
+    ),
     "refused-claim": "paper claims --only fig-1",
     "optimum-text": "optimum --edges 3",
     "census-shard": "ambiguity census --edges 3 --shard 0/2 --json",
@@ -179,7 +187,8 @@ def least(verb: str, tmp: str) -> list[str]:
 
 
 def words(command: str | list[str], tmp: str) -> list[str]:
-    names = {"tmp": tmp, "python": sys.executable, "findings": str(FINDINGS)}
+    names = {"tmp": tmp, "python": sys.executable}
+    names |= {"findings": str(FINDINGS), "proofs": str(PROOFS)}
     given = command if isinstance(command, list) else command.split()
     if any("{run}" in word for word in given):
         names["run"] = str(run_directory(Path(tmp) / "run"))

@@ -5,12 +5,17 @@ import pytest
 from allworlds import CombinatorialMap, Estimate
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.judging import explain
-from allworlds.reports import draw
-from allworlds.reports.explain_text import explain_text
+from allworlds.reports import text as text_of
+from allworlds.reports.drawing.text import draw
 from allworlds.reports.scenes import walk_in_answer, walk_in_world
 from allworlds.studies.check import check
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
+
+
+def explain_text(explanation, width):
+    return text_of("explain", explanation, width)
+
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
 
@@ -32,8 +37,8 @@ def test_a_wrong_answer_is_drawn_beside_the_world(name, width):
 
 def test_without_an_answer_only_the_world_is_drawn():
     text = explain_text(explanation_of("crashes-at-leaves"), 80)
-    assert "the world" in text
-    assert "the answer (R" not in text
+    assert "The world\n" in text
+    assert "The answer (R" not in text
 
 
 @pytest.mark.slow
@@ -41,7 +46,7 @@ def test_without_an_answer_only_the_world_is_drawn():
 def test_every_sentence_stands_in_the_text_and_fits_the_width(width):
     explanation = explanation_of("no-retracing")
     text = explain_text(explanation, width)
-    told = text.partition("\n\nthe world")[0]
+    told = text.partition("\n\nThe world")[0]
     assert all(len(line) <= width for line in told.splitlines()[1:])
     for sentence in explanation.sentences:
         assert sentence in " ".join(told.split())
@@ -49,7 +54,7 @@ def test_every_sentence_stands_in_the_text_and_fits_the_width(width):
 
 def test_the_first_line_names_explorer_and_law():
     assert explain_text(explanation_of("pose-lost"), 80).startswith(
-        "mutants:pose-lost breaks the law 'pose'\n"
+        "mutants:pose-lost breaks the law 'pose' in a world"
     )
 
 

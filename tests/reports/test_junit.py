@@ -8,10 +8,15 @@ import pytest
 
 from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
-from allworlds.reports.junit import junit
-from allworlds.reports.run_text import finding_text
-from allworlds.studies.check import Completed, Disagreed, GateCell, Interrupted, Stopped, check
+from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
+from allworlds.reports import file_of, finding_in_words as finding_text
+from allworlds.studies.check import GateCell, check
 from allworlds.studies.fuzz import fuzz
+
+
+def junit(report):
+    return file_of("check", "junit", report)
+
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
 SUITE = {"name", "tests", "failures", "errors", "skipped"}
@@ -91,8 +96,8 @@ def test_a_finding_fails_its_level_and_the_unfinished_ones_are_skipped(refuted):
 def test_every_finding_of_a_level_is_told():
     report = check(MUTANTS["pose-lost"].explorer(), edges=3, max_findings=9)
     text = "".join(failure.text for failure in suite_of(report).iter("failure"))
-    for finding in report.findings:
-        assert finding_text(finding, 100) in text
+    for i, finding in enumerate(report.findings, 1):
+        assert finding_text(finding, 100, i) in text
     assert len(report.findings) > 1
 
 

@@ -10,11 +10,10 @@ import pytest
 from jsonschema import Draft7Validator
 
 from allworlds.document import replace
-from allworlds.judging import PRECEDENCE, Finding
-from allworlds.reports.law_words import ASKED
-from allworlds.reports.run_text import finding_text
-from allworlds.reports.sarif import sarif
-from allworlds.studies.check import Completed, Disagreed, Interrupted, Stopped, check
+from allworlds.judging import ASKED, PRECEDENCE, Finding
+from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
+from allworlds.reports import file_of, finding_in_words as finding_text
+from allworlds.studies.check import check
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
@@ -23,6 +22,10 @@ EXPLORERS = Path(__file__).parents[1] / "recorded" / "explorers.py"
 VALIDATOR = Draft7Validator(
     json.loads(SCHEMA.read_text(encoding="utf-8")), format_checker=Draft7Validator.FORMAT_CHECKER
 )
+
+
+def sarif(report):
+    return file_of("check", "sarif", report)
 
 
 def run_of(report):
@@ -36,10 +39,10 @@ def test_a_refuted_check_has_a_result_for_each_finding_at_its_explorer(refuted, 
     run = run_of(refuted)
     assert len(run["results"]) == len(refuted.findings) == 2
     rules = run["tool"]["driver"]["rules"]
-    for result, finding in zip(run["results"], refuted.findings, strict=True):
+    for i, (result, finding) in enumerate(zip(run["results"], refuted.findings, strict=True), 1):
         assert rules[result["ruleIndex"]]["id"] == result["ruleId"] == finding.law
-        assert finding_text(finding, 100) in result["message"]["text"]
-        assert finding_text(finding, 100) in result["message"]["markdown"]
+        assert finding_text(finding, 100, i) in result["message"]["text"]
+        assert finding_text(finding, 100, i) in result["message"]["markdown"]
         assert Finding.from_json(result["properties"]["finding"]).key == finding.key
         (location,) = result["locations"]
         place = location["physicalLocation"]

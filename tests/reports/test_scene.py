@@ -6,9 +6,10 @@ import pytest
 
 from allworlds.maps import named_map, rooted_maps
 from allworlds.protocol import Percept
-from allworlds.reports import draw, scene_of
+from allworlds.reports import scene_of
 from allworlds.reports.drawing.scene import Scene
 from allworlds.reports.drawing.svg import in_words, picture
+from allworlds.reports.drawing.text import draw
 from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, World
 
 

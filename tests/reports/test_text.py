@@ -12,9 +12,8 @@ from allworlds.maps import (
     named_map,
     rooted_code,
 )
-from allworlds.reports import draw
 from allworlds.reports.drawing.scene import Scene
-from allworlds.reports.drawing.text import rotation_table
+from allworlds.reports.drawing.text import draw, rotation_table
 
 NAMES = ["loop", "edge", "theta", "theta-torus", "two-loops-torus", "k4", "wheel-4", "fig1-left"]
 

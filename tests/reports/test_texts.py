@@ -5,16 +5,29 @@ import pytest
 from msgspec import structs
 
 from allworlds.maps import named_map
-from allworlds.reports import brief
-from allworlds.reports.check_text import check_text
-from allworlds.reports.count_text import count_text
-from allworlds.reports.run_text import finding_text, replay_text, run_text
+from allworlds.reports import brief, finding_in_words as finding_text, text as text_of
 from allworlds.studies.check import check
 from allworlds.studies.count import count
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
+
+
+def check_text(report, width):
+    return text_of("check", report, width)
+
+
+def run_text(told, width):
+    return text_of("run", told, width)
+
+
+def replay_text(told, width):
+    return text_of("replay", told, width)
+
+
+def count_text(census, width):
+    return text_of("count", census, width)
 
 
 def lazy(first):
@@ -98,7 +111,7 @@ def test_a_shard_without_worlds_does_not_hold():
     text = check_text(report, 100)
     assert "HOLDS" not in text
     assert "EMPTY" in text
-    assert "says nothing" in text
+    assert "has nothing to" in text
 
 
 def test_a_finding_of_the_corpus_counts_in_its_scope_only(tmp_path):
@@ -172,7 +185,7 @@ def test_the_time_for_the_text_of_a_huge_answer_grows_no_faster_than_the_answer(
 
 def test_the_text_of_a_run_has_a_row_for_every_step():
     told = run("algorithm1", World(named_map("theta-torus"), Directional(0)))
-    walk = run_text(told, 100).partition("\nthe walk\n\n")[2].split("\n\n")[0]
+    walk = run_text(told, 100).partition("\nThe walk\n\n")[2].split("\n\n")[0]
     percepts = told.outcome.episode.transcript.percepts
     rows = walk.splitlines()[1:]
     assert [row.split()[0] for row in rows] == [str(i) for i in range(len(percepts))]
@@ -210,3 +223,34 @@ def test_a_run_and_a_replay_have_one_line_each():
     other = brief("replay", replay(replace(finding, law="pose"), explore), 40)
     assert other.startswith("REPRODUCED: law ")
     assert other.endswith("is broken now, where 'pose' was recorded")
+
+
+def test_a_shard_says_that_it_is_one_in_its_one_line_too():
+    whole = brief("check", check("algorithm1", engine="python", edges=2), 100)
+    shard = brief("check", check("algorithm1", engine="python", edges=2, shard=(0, 2)), 100)
+    assert "shard" not in whole
+    assert shard.startswith("HOLDS: ")
+    assert "in shard 0/2; the verdict on every world needs the merge of all shards" in shard
+
+
+def test_the_laws_are_those_of_which_something_was_checked():
+    def laws(explorer, **options):
+        text = check_text(check(explorer, engine="python", **{"edges": 2, **options}), 300)
+        return next(line for line in text.splitlines() if line.startswith("laws"))
+
+    assert "map, pose, invariant-1, invariant-2, variant, folding, bound (paper)" in laws(
+        "algorithm1"
+    )
+    silent = laws("folding", bound="none")
+    checked, _, left = silent.partition(";")
+    assert checked.split() == ["laws", "map,", "pose,", "folding"]
+    assert left.endswith("nothing was checked of invariant-1, invariant-2 and variant")
+    assert "no law was checked" in laws("algorithm1", lighthouse="natural", edges=1)
+
+
+def test_the_laws_of_one_run_are_those_of_which_something_was_checked():
+    def laws(explorer):
+        return " ".join(run_text(run(explorer, "theta"), 200).partition("\nlaws ")[2].split())
+
+    assert laws("algorithm1") == "map, pose, invariant-1, invariant-2, variant, folding, bound"
+    assert laws("folding") == "map, pose, folding"

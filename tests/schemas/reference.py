@@ -228,7 +228,8 @@ def explorers_table() -> str:
 
 
 def with_tables(page: str) -> str:
-    """A page whose tables between ``<!-- explorers -->`` and ``<!-- end -->`` are made anew."""
-    begin, end = "<!-- explorers -->\n", "\n<!-- end -->"
+    """The page with the table of explorers made anew."""
+    begin = "<!-- explorers: written by tests/schemas/generate.py -->\n"
+    end = "\n<!-- end of explorers -->"
     head, _, rest = page.partition(begin)
-    return head + begin + explorers_table() + end + rest.partition("<!-- end -->")[2]
+    return head + begin + explorers_table() + end + rest.partition(end)[2]

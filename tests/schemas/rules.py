@@ -61,11 +61,11 @@ RULES = {
         ),
     },
     "replay": {
-        "fixed is what breaks no law now": lambda d: (
-            (d["outcome"] == "fixed") == (d["law_now"] is None)
+        "reproduced is what breaks a law now": lambda d: (
+            (d["outcome"] == "reproduced") == (d["law_now"] is not None)
         ),
         "the exit code is the outcome's": lambda d: (
-            d["exit_code"] == {"fixed": 5, "reproduced": 0}[d["outcome"]]
+            d["exit_code"] == {"fixed": 5, "reproduced": 0, "not-reproduced": 3}[d["outcome"]]
         ),
     },
     "worst": {

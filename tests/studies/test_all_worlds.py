@@ -11,7 +11,7 @@ from allworlds.judging import Rules
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.counting.any_genus import rooted_maps as counted
 from allworlds.protocol import Schedules
-from allworlds.reports.worst_text import worst_text
+from allworlds.reports import text
 from allworlds.studies.worst import EverySchedule, all_worlds, compiled_engine, worst
 from allworlds.studies.worst.every_schedule import WrongTest
 from allworlds.world import Directional, World
@@ -145,7 +145,7 @@ def test_a_replay_that_costs_something_else_is_an_internal_error(report):
     damaged = replace(report.rows[3], replayed=report.rows[3].worst - 1)
     broken = replace(report, rows=(*report.rows[:3], damaged))
     assert broken.exit_code == 70
-    assert "the python engine walks" in worst_text(broken, 100)
+    assert "the python engine walks" in text("worst", broken, 100)
     doubled = replace(report, rows=(replace(report.rows[0], worlds=2),))
     assert doubled.exit_code == 70
     refuted = replace(report, rows=(replace(report.rows[0], wrong_tests=1),))
@@ -159,7 +159,7 @@ def test_a_size_that_was_not_met_is_an_internal_error(monkeypatch):
     )
     lost = worst(edges=2)
     assert lost.exit_code == 70
-    assert "no map with 1 edge and 5 vertices" in worst_text(lost, 100)
+    assert "no map with 1 edge and 5 vertices" in text("worst", lost, 100)
     assert worst(edges=2, shard=(0, 2)).exit_code == 0
 
 
@@ -181,9 +181,9 @@ def test_the_document_and_the_text(report):
     row = document["rows"][-1]
     assert {"edges", "vertices", "worst", "best", "bound", "world", "choices"} <= set(row)
     assert row["world"]["start"] == 0
-    text = worst_text(report, 100)
-    assert "all rejected" in text
-    assert "every worst cost was attained by the python engine" in text
+    told = text("worst", report, 100)
+    assert "all rejected" in told
+    assert "every worst cost was attained by the python engine" in told
 
 
 def test_threads_change_nothing():

@@ -10,7 +10,7 @@ from allworlds.inputs import InputError
 from allworlds.judging import Rules
 from allworlds.maps import rooted_maps
 from allworlds.protocol import Estimate, Schedules
-from allworlds.reports.worst_text import worst_text
+from allworlds.reports import text
 from allworlds.world import Directional, World
 
 
@@ -36,7 +36,7 @@ def test_worst_and_best_are_those_of_every_schedule_played_by_hand():
         assert rows == by_hand("remembering", edges)
     assert all(row.replayed == row.worst for row in report.rows)
     assert any(row.choices for row in report.rows)
-    assert "every schedule of remembering" in worst_text(report, 100)
+    assert "every schedule of remembering" in text("worst", report, 100)
 
 
 def test_an_explorer_without_choices_has_one_schedule():
@@ -47,7 +47,7 @@ def test_an_explorer_without_choices_has_one_schedule():
         assert row.worst == row.best == told["max_cost"]
         assert (row.worlds, row.bound) == (told["worlds"], told["bound"])
     assert report.to_json()["schedules"] == "one"
-    assert "the one schedule" in worst_text(report, 100)
+    assert "the one schedule" in text("worst", report, 100)
 
 
 def test_algorithm_1_under_another_lighthouse_is_played():
@@ -72,7 +72,7 @@ def test_a_broken_law_is_a_finding_and_the_last_level():
     report = worst(stops_at_once, edges=3)
     assert report.exit_code == 1
     assert {row.edges for row in report.rows} == {1}
-    assert "REFUTED" in worst_text(report, 100)
+    assert "REFUTED" in text("worst", report, 100)
     assert report.to_json()["findings"][0]["law"] == "no-estimate"
 
 
@@ -81,18 +81,14 @@ def test_a_replay_or_a_count_that_disagrees_is_exit_70():
     for wrong in ({"replayed": 7}, {"counted": 0}):
         told = replace(report, rows=(replace(report.rows[0], **wrong), *report.rows[1:]))
         assert told.exit_code == 70
-        assert "MISMATCH" in worst_text(told, 100)
+        assert "MISMATCH" in text("worst", told, 100)
     assert replace(report, complete=False).exit_code == 130
     assert replace(report, rows=()).exit_code == 4
 
 
-@pytest.mark.parametrize(
-    "options",
-    [{"transit": "shortest"}, {"shard": (0, 2)}, {"run": "somewhere"}, {"dask": "local"}],
-)
-def test_what_is_for_algorithm_1_alone_is_refused(options):
+def test_what_is_for_algorithm_1_alone_is_refused():
     with pytest.raises(InputError, match="is for algorithm1"):
-        worst("greedy", edges=1, **options)
+        worst("greedy", edges=1, transit="shortest")
 
 
 def test_an_explorer_or_a_lighthouse_that_is_none_is_refused():

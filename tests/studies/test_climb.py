@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import sys
+from itertools import combinations
 from math import log
 
 import pytest
@@ -12,13 +13,14 @@ from allworlds import compare, run
 from allworlds.document import replace
 from allworlds.engines import TimeIsUp, Unsettled
 from allworlds.inputs import InputError
-from allworlds.maps import edges_of
+from allworlds.maps import CombinatorialMap, edges_of, rooted_code, rooted_isomorphism
 from allworlds.protocol import Estimate
-from allworlds.reports import file_of
-from allworlds.reports.growth_text import growth_csv, growth_text
-from allworlds.studies.compare import Climb, GrowRow, Growth
-from allworlds.studies.compare.growing_families import GROWING, members_of
-from allworlds.world import FamilyWords
+from allworlds.reports import file_of, text as text_of
+from allworlds.studies.compare import GrowingWorlds, GrowRow, Growth
+from allworlds.studies.compare.growing_families import GROWING, distinct, members_of
+from allworlds.studies.compare.growth import GrownWorld
+from allworlds.world import Directional, FamilyWords, World
+from allworlds.world.named import map_of_code
 from kept_jobs import EXPLORERS
 
 
@@ -28,13 +30,49 @@ def report():
 
 
 @pytest.mark.no_cover
-def test_every_cost_is_that_of_a_single_run_in_the_world_of_that_name(report):
+def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
     for row in report.rows:
-        for member, cost in zip(row.members, row.costs, strict=True):
-            text, seed = member.split(" --seed ")
-            world = FamilyWords(family=text, seed=int(seed)).world("directional")
-            assert run(row.explorer, world).outcome.cost == cost
-            assert (world.map.edge_count, world.map.vertex_count) == (row.edges, row.vertices)
+        for one in row.members:
+            map_ = one.map()
+            assert (map_.edge_count, map_.vertex_count) == (row.edges, row.vertices)
+            text, seed = one.name.split(" --seed ")
+            assert FamilyWords(family=text, seed=int(seed)).world("directional").map == map_
+            places = [*Directional.places(map_, 0)]
+            assert len(places) == one.places
+            for place, cost in zip(one.ran, one.costs, strict=True):
+                world = World(map_, places[place])
+                assert run(row.explorer, world).outcome.cost == cost
+
+
+def test_isomorphic_worlds_count_once_and_every_direction_is_run():
+    told = compare("algorithm1", "greedy", family="torus", to=18, worlds=10)
+    one, other = told.rows
+    assert (one.seeds, one.worlds, one.places, one.runs) == (10, 1, 4, 4)
+    # Of one world `compare` without `to` walks in every place too.
+    (row,) = compare("algorithm1", "greedy", family="torus:3x3", seed=1).rows
+    assert {"algorithm1": one.mean, "greedy": other.mean} == row.mean
+    assert {"algorithm1": one.worst, "greedy": other.worst} == row.worst
+    assert len({cost for member in other.members for cost in member.costs}) > 1
+
+
+def test_no_two_worlds_of_a_size_are_isomorphic_and_every_seed_is_isomorphic_to_one():
+    (size,) = members_of("lattice", 12, 10, 1)
+    kept = [*distinct(size).values()]
+    assert len(kept) < len(size)
+    for a, b in combinations(kept, 2):
+        assert not rooted_isomorphism(a, 0, b, 0)
+    for member in size:
+        assert sum(bool(rooted_isomorphism(member.map(), 0, b, 0)) for b in kept) == 1
+
+
+def test_of_many_places_a_sample_is_drawn_and_said():
+    told = compare("algorithm1", family="dense", to=20, worlds=2, places=3)
+    (row,) = told.rows
+    assert (row.runs, row.places) == (6, sum(one.map().degree_at[0] for one in row.members))
+    assert all(len(set(one.ran)) == 3 and [*one.ran] == sorted(one.ran) for one in row.members)
+    assert f"6 of {row.places}" in text_of("compare", told, 120)
+    again = compare("algorithm1", family="dense", to=20, worlds=2, places=3)
+    assert again.rows == told.rows
 
 
 def test_rows_stand_by_family_size_and_explorer_whoever_was_faster(report):
@@ -55,24 +93,63 @@ def test_the_sizes_of_a_family_ascend_to_the_largest_that_was_asked_for(name):
     assert [member.seed for member in ladder[0]] == [5, 6]
 
 
+def grown(costs, explorers=("who",)):
+    """A report with these costs in worlds, by explorer and edges."""
+    rows = [
+        GrowRow(
+            family="torus",
+            edges=m,
+            vertices=m // 2,
+            explorer=name,
+            seeds=len(some),
+            members=tuple(
+                GrownWorld(
+                    name=f"t --seed {i}", edges=m, places=1, ran=(0,), costs=(c,), bound=None
+                )
+                for i, c in enumerate(some)
+            ),
+        )
+        for name in explorers
+        for m, some in costs[name].items()
+    ]
+    return Growth(complete=True, explorers=explorers, families=("torus",), rows=tuple(rows))
+
+
 def test_the_exponent_of_a_power_is_its_exponent():
-    name = {"family": "torus", "explorer": "who", "members": ("torus",), "bound": None}
-    rows = tuple(GrowRow(edges=m, vertices=m // 2, costs=(3 * m**2,), **name) for m in (10, 20, 40))
-    grown = Growth(complete=True, explorers=("who",), families=("torus",), rows=rows)
-    (fitted,) = grown.exponents
-    assert fitted.exponent == fitted.last == 2
-    assert (fitted.slope, fitted.last_slope) == pytest.approx((2, 2))
+    (fitted,) = grown({"who": {m: [3 * m**2] for m in (10, 20, 40)}}).exponents
+    assert (fitted.exponent, fitted.interval, fitted.residual) == (2, None, 0)
+    assert (fitted.shape, abs(fitted.distance)) == ("power", 0)
 
 
-def test_the_exponent_is_that_of_the_least_squares(report):
-    rows = [r for r in report.rows if (r.family, r.explorer) == ("thick", "greedy")]
-    xs, ys = [log(r.edges) for r in rows], [log(r.mean) for r in rows]
-    x, y = sum(xs) / len(xs), sum(ys) / len(ys)
-    slope = sum((a - x) * (b - y) for a, b in zip(xs, ys, strict=True)) / sum(
-        (a - x) ** 2 for a in xs
-    )
-    fitted = {(e.family, e.explorer): e.slope for e in report.exponents}
-    assert fitted["thick", "greedy"] == pytest.approx(slope)
+@pytest.mark.parametrize(
+    ("cost", "shape"),
+    [
+        (lambda m: 2**m, "steeper"),
+        (lambda m: int(1000 * log(m / 4)), "flatter"),
+        (lambda m: m**2 * (3 if m == 20 else 1), "flatter"),
+        (lambda m: m**2 * (3 if m in (10, 40) else 1), "uneven"),
+    ],
+)
+def test_costs_that_are_no_power_are_said_to_be_none(cost, shape):
+    told = grown({"who": {m: [cost(m)] for m in (5, 10, 20, 40)}})
+    (fitted,) = told.exponents
+    assert fitted.shape == shape
+    assert f"no: {shape}, " in text_of("compare", told, 120)
+
+
+def test_two_sizes_fit_any_power_and_a_cost_of_zero_none():
+    (fitted,) = grown({"who": {10: [5], 20: [7]}}).exponents
+    assert fitted.shape == "untested"
+    assert grown({"who": {10: [5], 20: [0]}}).exponents == ()
+
+
+def test_the_ratio_is_that_of_each_world_and_has_an_interval():
+    first = {10: [10, 20, 40, 80, 160, 320]}
+    told = grown({"a": first, "b": {10: [2 * c for c in first[10]]}}, ("a", "b"))
+    (ratio,) = told.ratios
+    # The costs scatter, their ratios do not.
+    assert (ratio.explorer, ratio.worlds, ratio.ratio, ratio.interval) == ("b", 6, 2, (2, 2))
+    assert told.rows[0].interval[1] > 2 * told.rows[0].interval[0]
 
 
 def stops_at_once(first):
@@ -84,39 +161,60 @@ def test_a_broken_law_refutes():
     told = compare(stops_at_once, family=["bouquet"], to=13, worlds=1)
     assert (told.verdict.value, told.exit_code) == ("refuted", 1)
     assert told.findings[0].law == "no-estimate"
-    assert "broken a law" in growth_text(told, 100)
+    assert "broken a law" in text_of("compare", told, 100)
     assert replace(told, complete=False).exit_code == 130
 
 
 def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():
     told = compare("algorithm1-natural", family=["torus"], to=18, worlds=1)
     assert (told.verdict.value, told.exit_code, told.left_out) == ("vacuous", 4, 1)
-    assert "1 world without a place" in growth_text(told, 100)
+    assert "1 world without a place" in text_of("compare", told, 100)
 
 
-def test_the_time_limit_and_an_interrupt_leave_finished_families(monkeypatch):
-    walked = Climb._costs
+def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
+    walked = GrowingWorlds._units
+    whole = compare("greedy", family=["bouquet", "strip"], to=60, worlds=1)
     for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
 
-        def costs(growth, one, maps, deadline, error=error):
-            if growth.rows:
+        def units(growth, size, error=error):
+            if len(growth._rows) == 2:
                 raise error
-            return walked(growth, one, maps, deadline)
+            yield from walked(growth, size)
 
-        monkeypatch.setattr(Climb, "_costs", costs)
-        told = compare("greedy", family=["bouquet", "strip"], to=14, worlds=1, time_limit=1000)
+        monkeypatch.setattr(GrowingWorlds, "_units", units)
+        told = compare("greedy", family=["bouquet", "strip"], to=60, worlds=1, time_limit=1000)
         assert told.exit_code == code
+        assert told.rows == whole.rows[:2]
         assert {row.family for row in told.rows} == {"bouquet"}
-        assert "finished families" in growth_text(told, 100)
+        lines, every = (file_of("compare", "csv", one).splitlines() for one in (told, whole))
+        assert lines == every[: len(lines)]
+        assert len(lines) == 1 + sum(row.runs for row in whole.rows[:2])
+        assert "finished sizes" in text_of("compare", told, 100)
 
 
 def test_the_csv_has_a_line_for_each_run(report):
-    rows = [*csv.DictReader(io.StringIO(growth_csv(report)))]
-    assert len(rows) == sum(len(row.costs) for row in report.rows)
-    assert rows[0]["member"] == report.rows[0].members[0]
-    unbounded = replace(report, rows=(replace(report.rows[0], bound=None),))
-    assert growth_csv(unbounded).splitlines()[1].endswith(",")
-    assert " - " in growth_text(unbounded, 100) or growth_text(unbounded, 100).count("-")
+    rows = [*csv.DictReader(io.StringIO(file_of("compare", "csv", report)))]
+    assert len(rows) == sum(row.runs for row in report.rows)
+    first = report.rows[0].members[0]
+    assert f"{rows[0]['family']} --seed {rows[0]['seed']}" == first.name
+    assert map_of_code(rows[0]["code"]) == CombinatorialMap(*_code(first.map()))
+    unbounded = replace(first, bound=None)
+    other = replace(report, rows=(replace(report.rows[0], members=(unbounded,)),))
+    assert file_of("compare", "csv", other).splitlines()[1].endswith(",")
+
+
+def _code(map_):
+    return rooted_code(map_.sigma, map_.alpha, 0)
+
+
+def test_by_world_the_csv_has_a_line_for_each_world_and_explorer(report):
+    told = replace(report, by="world")
+    rows = [*csv.DictReader(io.StringIO(file_of("compare", "csv", told)))]
+    assert len(rows) == sum(row.worlds for row in report.rows)
+    means = {(r["family"], r["seed"], r["explorer"]): float(r["mean"]) for r in rows}
+    for row in rows:
+        first = means[row["family"], row["seed"], "algorithm1"]
+        assert float(row["ratio"]) == pytest.approx(float(row["mean"]) / first, abs=1e-6)
 
 
 @pytest.mark.slow
@@ -135,13 +233,13 @@ def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
     )
     assert code == 0
     assert json.loads(out)["verdict"] == "not-refuted"
-    assert file.read_text().startswith("family,edges")
+    assert file.read_text().startswith("code,family,holes,seed,edges")
 
 
 def test_a_plot_without_what_draws_is_refused_before_anything_is_walked(refused, monkeypatch):
-    monkeypatch.setattr("allworlds.inputs.find_spec", lambda _: None)
+    monkeypatch.setattr("allworlds.inputs.checks.find_spec", lambda _: None)
     said = refused("compare", "greedy", "--family", "strip", "--to", 20, "--plot", "x.svg")
-    assert "allworlds[figures]" in said
+    assert ".[figures]" in said
 
 
 @pytest.mark.parametrize(
@@ -156,7 +254,9 @@ def test_a_plot_without_what_draws_is_refused_before_anything_is_walked(refused,
         ({"family": ["strip"], "holes": "10%"}, "holes = '10%' has no effect"),
         ({"family": ["strip"], "map_class": "simple"}, "class 'simple' has no effect"),
         ({"family": ["strip"], "worlds": 0}, "worlds = 0"),
+        ({"family": ["strip"], "places": 0}, "places = 0"),
         ({"family": ["strip"], "seed": -1}, "seed = -1"),
+        ({"family": ["strip"], "by": "map"}, "by 'map' is not one of world, run"),
         ({"family": []}, "family"),
     ],
 )
@@ -167,16 +267,16 @@ def test_bad_input_is_named(options, said):
 
 @pytest.mark.parametrize("family", ["lattice", "regular:6", "lattice,torus", ["bouquet"]])
 def test_a_family_without_a_size_is_refused_with_both_spellings(family):
-    with pytest.raises(InputError, match=r"lattice:3x4, for one world, or to \(--to M\)"):
+    with pytest.raises(InputError, match=r"lattice:3x4, for one world, or --to M for worlds"):
         compare("greedy", "algorithm1", family=family)
 
 
-def test_what_grows_is_asked_for_by_to(cli, refused):
+def test_what_grows_is_asked_for_by_to(refused):
     assert "worlds = 2 has no effect" in refused("compare", "greedy", "--worlds", 2)
     assert "--to" in refused("compare", "greedy", "--family", "strip", "--plot", "x.svg")
-    assert "--to" in refused(
-        *("compare", "greedy", "--family", "strip", "--to", 20, "--html", "x.html")
-    )
+
+
+def test_a_seed_left_out_is_the_first(cli):
     one = ("compare", "greedy", "algorithm1", "--family", "random:8", "--json")
     assert cli(*one)[1:2] != cli(*one, "--seed", 1)[1:2]
     at_zero, left_out = (json.loads(cli(*one, *more)[1]) for more in (("--seed", 0), ()))

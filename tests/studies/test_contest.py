@@ -15,8 +15,8 @@ from allworlds.engines import TimeIsUp, Unsettled
 from allworlds.inputs import InputError
 from allworlds.maps import rooted_maps
 from allworlds.protocol import Estimate
-from allworlds.reports import page_of
-from allworlds.reports.compare_text import compare_csv, compare_text
+from allworlds.reports import file_of, text as text_of
+from allworlds.studies.compare import SameWorlds
 from allworlds.world import Directional, World
 from kept_jobs import EXPLORERS
 from native_libraries import example
@@ -95,7 +95,7 @@ def test_a_map_without_a_place_for_one_is_left_out_for_all():
 def test_nothing_to_compare_is_vacuous():
     report = compare("greedy", CLUSTER, family="bouquet:0", lighthouse="natural")
     assert (report.verdict.value, report.exit_code) == ("vacuous", 4)
-    assert "no world" in compare_text(report, 100)
+    assert "no world" in text_of("compare", report, 100)
 
 
 def stops_at_once(first):
@@ -109,7 +109,7 @@ def test_a_broken_law_ends_the_comparison_with_a_finding():
     assert {row.edges for row in report.rows} == {1}
     (finding,) = report.findings
     assert finding.law == "no-estimate"
-    assert "broken a law" in compare_text(report, 100)
+    assert "broken a law" in text_of("compare", report, 100)
 
 
 def test_one_world_of_a_family_is_compared_over_every_place():
@@ -120,27 +120,25 @@ def test_one_world_of_a_family_is_compared_over_every_place():
     document = report.to_json()
     assert document["family"] == "lattice:4x4 with holes 10%, seed 5"
     assert document["edges"] is None
-    assert "one world" in compare_text(report, 80)
+    assert "one world" in text_of("compare", report, 80)
 
 
 def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
     def ends(error):
-        def level(contest, edges, transports):
+        def units(contest, edges):
             if edges == 2:
                 raise error
-            begun(contest, edges, transports)
+            yield from begun(contest, edges)
 
-        return level
+        return units
 
-    from allworlds.studies.compare.contest import _Contest
-
-    begun = _Contest._level
+    begun = SameWorlds._units
     for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
-        monkeypatch.setattr(_Contest, "_level", ends(error))
+        monkeypatch.setattr(SameWorlds, "_units", ends(error))
         report = compare("algorithm1", "greedy", edges=3, time_limit=1000)
         assert report.exit_code == code
         assert [row.edges for row in report.rows] == [1, 1]
-        assert "finished levels" in compare_text(report, 100)
+        assert "finished levels" in text_of("compare", report, 100)
         assert report.to_json()["complete"] is False
 
 
@@ -153,11 +151,11 @@ def test_an_interrupt_goes_before_a_finding_and_a_count_that_disagrees_before_bo
 def test_a_count_that_disagrees_is_an_error(report):
     told = replace(report, all_counted=False)
     assert told.exit_code == 70
-    assert "disagree" in compare_text(told, 100)
+    assert "disagree" in text_of("compare", told, 100)
 
 
 def test_the_csv_has_a_line_for_each_size_and_explorer(report):
-    rows = [*csv.DictReader(io.StringIO(compare_csv(report)))]
+    rows = [*csv.DictReader(io.StringIO(file_of("compare", "csv", report)))]
     assert len(rows) == len(report.rows) * 3
     last = rows[-2]
     assert last["explorer"] == "greedy"
@@ -166,7 +164,7 @@ def test_the_csv_has_a_line_for_each_size_and_explorer(report):
 
 
 def test_the_page_holds_both_walks_and_the_document(report):
-    page = page_of("compare", report)
+    page = file_of("compare", "html", report)
     assert page.count('class="viewer"') == 3
     assert page.count("In the world that differs most") == 3
     record = page.split('id="report-json"')[1].split(">", 1)[1].split("</script>")[0]

@@ -2,8 +2,8 @@ import pytest
 
 from allworlds.engines import Silent, TimeIsUp
 from allworlds.inputs import InputError
-from allworlds.reports.check_words import scope_words, size_table
-from allworlds.reports.junit import junit
+from allworlds.reports import file_of
+from allworlds.reports.tellings.check import scope_words, size_table
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.fuzz.shrink import shrink
 from small import slow
@@ -63,13 +63,14 @@ def test_the_sample_follows_its_class_and_its_seed(map_class):
 def test_a_sample_beyond_the_exhaustive_bound_has_a_row_for_each_number_of_edges():
     report = fuzz("algorithm1", edges=9, runs=40, min_edges=6)
     assert {row["edges"] for row in report.to_json()["rows"]} == {6, 7, 8, 9}
-    header, rows = size_table(report)
+    table = size_table(report)
+    header, rows = table.header, table.texts
     assert [row[0] for row in rows] == ["6", "7", "8", "9"]
     for what in ("worlds", "runs", "traversals"):
         told = sum(int(row[header.index(what)].replace(",", "")) for row in rows)
         assert told == sum(row[what] for row in report.to_json()["rows"])
     assert "of the class maps with 6 to 9 edges" in dict(scope_words(report))["scope"]
-    assert 'name="40 random worlds with 6 to 9 edges"' in junit(report)
+    assert 'name="40 random worlds with 6 to 9 edges"' in file_of("fuzz", "junit", report)
 
 
 @pytest.mark.parametrize(

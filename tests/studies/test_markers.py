@@ -61,8 +61,8 @@ def test_with_fewer_markers_it_does_what_is_illegal():
         ("takes_at_once", "movable", "a Pick only where a marker lies"),
         ("takes_where_none_lies", "movable", "a Pick only where a marker lies"),
         ("drops_and_takes", "movable:pick=false", "no Pick: under pick=false a marker stays"),
-        ("drops_a_class", "movable", "a Move, Drop, Pick or Checkpoint"),
-        ("drops_something_else", "movable", "a Move, Drop, Pick or Checkpoint"),
+        ("drops_a_class", "movable", "a Move, Drop, Pick, Write or Checkpoint"),
+        ("drops_something_else", "movable", "a Move, Drop, Pick, Write or Checkpoint"),
     ],
 )
 def test_what_the_lighthouse_does_not_allow_is_an_illegal_action(name, lighthouse, expected):
@@ -201,7 +201,7 @@ def test_who_is_told_nothing_where_something_is_needed_is_refuted_and_does_not_c
 
 
 def test_twins_are_not_compared_where_the_robot_has_markers():
-    with pytest.raises(InputError, match="is in the robot's hand"):
+    with pytest.raises(InputError, match="the robot leaves marks itself"):
         allworlds.twins(World(PATH, Movable()), World(PATH, Movable()))
 
 

@@ -1,5 +1,7 @@
 """What is sharded and merged is the whole."""
 
+import json
+
 import pytest
 
 import allworlds
@@ -28,7 +30,9 @@ def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path)
     code, whole, _ = report(JOBS[name])
     runs, codes = sharded(report, JOBS[name], tmp_path, shards)
     assert codes <= {0, code}
-    assert report("merge", *reversed(runs))[:2] == (code, whole)
+    merged, said, _ = report("merge", *reversed(runs))
+    # Byte for byte, and so in the same order.
+    assert (merged, json.dumps(said)) == (code, json.dumps(whole))
 
 
 @pytest.mark.usefixtures("without_workers")
@@ -81,7 +85,7 @@ def test_a_finding_that_nobody_has_confirmed_is_a_gap(tmp_path, monkeypatch):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr("allworlds.studies.check.exhaustive.confirmed", interrupted)
+        patch.setattr("allworlds.studies.check.confirmation.confirmed", interrupted)
         report = allworlds.check(f"{WRONG}:everywhere", edges=1, run=tmp_path)
     assert report.exit_code == 130
     with pytest.raises(Gap, match="a finding has not been confirmed yet: give the commands of"):
@@ -139,8 +143,19 @@ def test_the_gate_stands_over_the_union(report, tmp_path, monkeypatch):
     assert report("merge", *runs)[0] == 70
 
 
+SHARDED = (
+    "check --edges 1",
+    "worst --edges 1",
+    "worst greedy --edges 1",
+    "compare greedy prudent --edges 1",
+    "count --edges 1",
+    "fuzz --edges 2 --runs 3",
+    "ambiguity census --edges 1",
+)
+
+
 def test_a_shard_says_that_it_cannot_be_merged(report):
-    for command in ("check --edges 1", "worst --edges 1", "ambiguity census --edges 1"):
+    for command in SHARDED:
         code, _, err = report(command, "--shard", "0/2")
         assert (code, err) == (
             0,

@@ -1,4 +1,5 @@
 import json
+import re
 from functools import partial
 
 import pytest
@@ -26,8 +27,11 @@ def test_the_text_draws_both_worlds_and_says_why(search, tmp_path):
         *("--edges", "4", "--out", str(tmp_path)),
     )
     assert code == 0
-    assert "world A (3 edges, 3 vertices, genus 0)" in out
-    assert "world B (4 edges, 4 vertices, genus 0)" in out
+    _, first, second = re.split(r"^World [AB] \(genus 0\)$", out, flags=re.MULTILINE)
+    for drawing, vertices, darts in ((first, 3, 6), (second, 4, 8)):
+        drawn = drawing.partition("( ) vertex")[0]
+        assert set(re.findall(r"v\d", drawn)) == {f"v{v}" for v in range(vertices)}
+        assert sorted(re.findall(r"(?<!v)\d", drawn)) == [str(dart) for dart in range(darts)]
     assert "take every class to one class" in " ".join(out.split())
 
 

@@ -191,7 +191,9 @@ def test_a_wrong_proof_is_an_internal_fault(monkeypatch):
         separation(a, a)
 
 
-@pytest.mark.parametrize(("kind", "fewest"), [("cluster", 3), ("natural", 4)])
+@pytest.mark.parametrize(
+    ("kind", "fewest"), [("cluster", 3), pytest.param("natural", 4, marks=pytest.mark.slow)]
+)
 def test_worlds_look_alike_under_a_cluster_from_3_edges_on_and_under_a_natural_from_4(kind, fewest):
     # docs/protocol.md says so.
     by_first = {}

@@ -225,7 +225,15 @@ def test_without_python_sat_there_is_no_certificate_but_a_notice(tmp_path, monke
     monkeypatch.setattr(searching, "python_sat_is_installed", lambda: False)
     result = allworlds.search(lighthouse="position", vertices=2, edges=1, out=tmp_path)
     assert (result.status, result.certificate) == ("unsat", None)
-    assert "allworlds[proofs]" in result.notices[0]
+    assert ".[proofs]" in result.notices[0]
+
+
+def test_what_is_missing_for_certificates_is_told_once(tmp_path, monkeypatch):
+    monkeypatch.setattr(searching, "python_sat_is_installed", lambda: False)
+    result = allworlds.search(lighthouse="directional", vertices=3, edges=2, out=tmp_path)
+    assert len(result.levels) > 1
+    (told,) = [notice for notice in result.notices if ".[proofs]" in notice]
+    assert f"and {len(result.levels) - 1} more" in told
 
 
 @needs_python_sat
@@ -233,7 +241,7 @@ def test_a_proof_beyond_the_stated_size_is_left_unchecked_with_a_notice(tmp_path
     monkeypatch.setattr(searching, "PROOF_LIMIT", 10)
     result = allworlds.search(lighthouse="position", vertices=2, edges=1, out=tmp_path)
     assert (result.status, result.certificate) == ("unsat", None)
-    assert "our checker takes up to 10" in result.notices[0]
+    assert "the checker of this package accepts 10" in result.notices[0]
 
 
 @pytest.mark.parametrize(

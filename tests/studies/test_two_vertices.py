@@ -14,8 +14,7 @@ from allworlds.judging.findings.walks import believed_percepts
 from allworlds.maps import from_cycles, named_map
 from allworlds.outcome import Verdict
 from allworlds.protocol import Move, Percept, Transcript
-from allworlds.reports.check_text import check_text
-from allworlds.reports.run_text import run_text
+from allworlds.reports import text as text_of
 from allworlds.studies import check as checker
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.replay import replay
@@ -115,9 +114,9 @@ def test_a_finding_is_a_value_that_replays_and_can_be_explained(tmp_path):
     replayed = replay(again)
     assert replayed.outcome == "reproduced"
     assert replayed.again.outcome.episode.transcript == finding.transcript
-    sentences = " ".join(explain(again).sentences)
-    assert str(finding.rules.budget(finding.world.map)) in sentences
-    assert "told before the start: 2" in run_text(replayed.again, 100)
+    assert str(finding.rules.budget(finding.world.map)) in str(again.expected)
+    assert "went on for longer than it may" in explain(again).sentences[0]
+    assert "told before the start: 2" in text_of("run", replayed.again, 100)
     # The corpus of a user keeps it, and tries it first.
     first = check(NATURAL, edges=3, corpus=Path(tmp_path))
     second = check(NATURAL, edges=3, corpus=Path(tmp_path))
@@ -207,14 +206,14 @@ def test_a_foreign_explorer_is_told_the_degree_too():
 
 
 def test_what_was_left_out_is_shown():
-    text = check_text(check(CLUSTER, edges=2), 100)
+    text = text_of("check", check(CLUSTER, edges=2), 100)
     assert "left out   5 worlds without a place for the lighthouse" in text
     assert "of the cluster:single=true lighthouse in every map" in text
     assert "bound (two-vertices)" in text
 
 
 def test_a_cluster_is_drawn_with_its_markers():
-    text = run_text(run(CLUSTER, World(from_cycles(["abb", "a"]), Cluster(0))), 100)
+    text = text_of("run", run(CLUSTER, World(from_cycles(["abb", "a"]), Cluster(0))), 100)
     assert "v0 ●" in text
     assert "v1 ●2" in text
 

@@ -1,8 +1,14 @@
-"""Dask clusters whose workers are threads of this process."""
+"""Dask clusters for tests: of threads of this process, and of processes."""
 
 import gc
+import json
+import subprocess
+import sys
 import warnings
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+from typing import NamedTuple
+
+import processes
 
 
 @contextmanager
@@ -17,3 +23,39 @@ def cluster_here(distributed):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         gc.collect()
+
+
+class ClusterApart(NamedTuple):
+    """A cluster whose scheduler and two workers are processes."""
+
+    address: str
+    scheduler: subprocess.Popen
+    workers: list[subprocess.Popen]
+
+    @property
+    def all(self):
+        """Every process."""
+        return [self.scheduler, *self.workers]
+
+
+@contextmanager
+def cluster_apart(distributed, place):
+    """A cluster of processes, whose directories are in that place; at the end they are killed."""
+    file = place / "scheduler.json"
+    with ExitStack() as stack:
+
+        def started(name, *words):
+            command = [sys.executable, "-m", f"distributed.cli.{name}", "--no-dashboard", *words]
+            quiet = {"stderr": subprocess.DEVNULL, "stdout": subprocess.DEVNULL}
+            process = subprocess.Popen(command, cwd=place, **quiet)
+            stack.callback(process.wait)
+            stack.callback(process.kill)
+            return process
+
+        scheduler = started("dask_scheduler", "--port=0", f"--scheduler-file={file}")
+        assert processes.wait(file.exists)
+        address = json.loads(file.read_text())["address"]
+        workers = [started("dask_worker", address, "--nthreads=1", "--no-nanny") for _ in range(2)]
+        with distributed.Client(address) as client:
+            client.wait_for_workers(2, timeout=processes.PATIENCE)
+        yield ClusterApart(address, scheduler, workers)

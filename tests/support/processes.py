@@ -32,14 +32,23 @@ def children_of(pid):
 def workers_of(pid):
     """What comes from a process and still runs, but for its guardians, which go with it."""
     below = _below()
-    guardians = {child for child in below.get(pid, []) if is_guardian(child)}
+    guardians = guardians_of(pid, below)
     return [one for one in _descendants(below, [pid]) if one not in guardians]
 
 
 def guarded_by(pid):
-    """What the guardians of a process have started and still runs."""
+    """What the guardians of a process have started and still runs, but for nurseries."""
     below = _below()
-    return _descendants(below, [child for child in below.get(pid, []) if is_guardian(child)])
+    guardians = guardians_of(pid, below)
+    return [one for one in _descendants(below, guardians) if one not in guardians]
+
+
+def guardians_of(pid, below=None):
+    """The guardians of a process, and their nurseries, which live as long as they."""
+    below = below or _below()
+    guardians = {child for child in below.get(pid, []) if is_guardian(child)}
+    started = {child for one in guardians for child in below.get(one, [])}
+    return guardians | {child for child in started if _is_named(child, b"\0nursery\0")}
 
 
 def _below():
@@ -67,8 +76,12 @@ def commands(pids):
 
 def is_guardian(pid):
     """Whether a child is a guardian; what it has forked has the same command."""
+    return _is_named(pid, b"isolation.roles")
+
+
+def _is_named(pid, word):
     try:
-        return b"isolation.roles" in Path(f"/proc/{pid}/cmdline").read_bytes()
+        return word in Path(f"/proc/{pid}/cmdline").read_bytes()
     except OSError:
         return False
 

@@ -100,7 +100,11 @@ def clock(monkeypatch, tmp_path):
     hung = tmp_path / "hung"
     monkeypatch.setenv("HUNG", str(hung))
     clock = Clock(hung)
-    for module in ("engines.isolation.process", "engines.units.effort", "studies.check.exhaustive"):
+    for module in (
+        "engines.isolation.process",
+        "engines.units.effort",
+        "studies.check.confirmation",
+    ):
         monkeypatch.setattr(f"allworlds.{module}.time", clock)
     return clock
 

@@ -198,7 +198,10 @@ def test_options_choose_places_and_nothing_else():
         ("cluster:", "'' .* is not of the form key=value"),
         ("cluster:single=true,single=false", "names 'single' twice"),
         ("natural:single=true", "the natural lighthouse takes no options, not 'single=true'"),
-        ("clusters", f"'clusters' is not one of {', '.join(sorted(LIGHTHOUSES))}$"),
+        (
+            "clusters",
+            f"'clusters' is not one of {', '.join(sorted(LIGHTHOUSES))}, path/to/file.py:",
+        ),
     ],
 )
 def test_an_option_that_is_none_is_named(text, named):

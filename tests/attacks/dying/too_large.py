@@ -1,7 +1,7 @@
 """Keeps more and more, until there is no memory for a run.
 
 verdict: inconclusive
-options: --edges 2 --memory 1500
+options: --edges 2 --memory 800
 """
 
 from allworlds.explorers import algorithm1

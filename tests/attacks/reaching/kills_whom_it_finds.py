@@ -1,6 +1,6 @@
-"""Right, but in its first run it kills its parent, the guardian; an honest check says what it saw.
+"""Right, but in its first run it kills its parent, the guardian; nothing is said of it then.
 
-verdict: internal
+verdict: inconclusive
 """
 
 import os

@@ -7,7 +7,8 @@ from base64 import b64encode
 
 import pytest
 
-from allworlds.reports import page_of, text
+from allworlds.reports import game as game_page, text
+from allworlds.reports.play.costs import costs_beside, in_words
 from allworlds.reports.play.page import world_data
 from allworlds.studies.play import play
 from allworlds.world import LIGHTHOUSES
@@ -18,17 +19,19 @@ from small import LOLLIPOP
 @pytest.mark.parametrize("kind", LIGHTHOUSES)
 def test_the_page_holds_the_world_under_every_lighthouse(kind):
     made = play(json.dumps(LOLLIPOP.to_json()), lighthouse=kind)
-    page = page_of("play", made)
+    page = game_page(made)
     (held,) = re.findall(
         r'<script type="application/json" id="play-json">(.*?)</script>', page, re.DOTALL
     )
-    assert json.loads(held) == json.loads(json.dumps(world_data(made.world)))
+    data = json.loads(held)
+    assert data.pop("beside") == in_words(costs_beside(made.world))
+    assert data == json.loads(json.dumps(world_data(made.world)))
     assert f"A {kind} lighthouse." in page
     assert ("You are told: " in page) == (made.world.told is not None)
 
 
 def test_the_page_allows_its_own_script_and_style_alone():
-    page = page_of("play", play("theta"))
+    page = game_page(play("theta"))
     (policy,) = re.findall(r'http-equiv="Content-Security-Policy" content="([^"]*)"', page)
     scripts = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
     styles = re.findall(r"<style>(.*?)</style>", page, re.DOTALL)
@@ -41,7 +44,7 @@ def test_the_page_allows_its_own_script_and_style_alone():
 
 
 def test_whatever_the_script_asks_for_is_in_the_page():
-    page = page_of("play", play("theta"))
+    page = game_page(play("theta"))
     (script,) = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
     asked = {*re.findall(r'\bat\("([a-z-]+)"\)', script)}
     asked |= {
@@ -53,7 +56,7 @@ def test_whatever_the_script_asks_for_is_in_the_page():
 
 def test_nothing_is_seen_of_the_world_before_it_is_uncovered():
     made = play("theta-torus")
-    page = page_of("play", made)
+    page = game_page(made)
     (game,) = re.findall(r'<div id="game"([^>]*)>', page)
     assert "hidden" in game
     title = re.findall(r"<title>(.*?)</title>|<h1>(.*?)</h1>", page)
@@ -74,7 +77,7 @@ def selectors(script):
 
 @pytest.mark.parametrize("name", ["theta-torus", "cube", "fig1-left"])
 def test_the_picture_of_the_world_is_as_the_script_of_the_game_takes_it(name):
-    page = page_of("play", play(name))
+    page = game_page(play(name))
     (script,) = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
     assert selectors(script) == SELECTED
     map_ = play(name).world.map
@@ -97,7 +100,7 @@ def test_the_picture_of_the_world_is_as_the_script_of_the_game_takes_it(name):
 
 
 def test_whatever_the_script_draws_has_a_style():
-    page = page_of("play", play("theta"))
+    page = game_page(play("theta"))
     (script,) = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
     (style,) = re.findall(r"<style>(.*?)</style>", page, re.DOTALL)
     named = re.findall(r"(?:\bclass:|classes = |classes\.push|classList\.add)[^},;]*", script)

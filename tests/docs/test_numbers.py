@@ -1,0 +1,120 @@
+"""Numbers in the prose of the pages, against the program that they are about."""
+
+import re
+from dataclasses import replace
+from itertools import accumulate
+from pathlib import Path
+
+import pytest
+
+from allworlds.cli import output
+from allworlds.engines import Scope, engine_table as engines
+from allworlds.engines.compiled.agreement import AGREEMENT_EDGES
+from allworlds.engines.isolation import player
+from allworlds.engines.kernel import engine as kernel, tables
+from allworlds.engines.python import tour
+from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS
+from allworlds.evidence.mutants.errands import WEAK_TASK_JUDGES, WRONG_ERRANDS
+from allworlds.evidence.mutants.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
+from allworlds.evidence.mutants.judges import WEAK_JUDGES
+from allworlds.evidence.mutants.learners import WRONG_LEARNERS
+from allworlds.explorers import load, program
+from allworlds.explorers.shared_library.library import INTERFACE_VERSION
+from allworlds.judging import PRECEDENCE, Rules, endings
+from allworlds.maps import Extent, MapClass
+from allworlds.maps.counting.any_genus import rooted_maps
+from allworlds.reports.html import frame
+from allworlds.studies.check import time_estimate
+
+ROOT = Path(__file__).parents[2]
+NUMBERS = {"fifteen": 15}
+TABLES = (
+    WRONG_EXPLORERS,
+    WRONG_LEARNERS,
+    WRONG_ERRANDS,
+    WEAK_TASK_JUDGES,
+    EQUIVALENT_EXPLORERS,
+    WEAK_JUDGES,
+    BROKEN_ENUMERATORS,
+)
+"""The mutants that ``self mutants`` tries."""
+
+
+def told(page, pattern):
+    """The one number of a page that stands where the pattern has its group."""
+    text = " ".join((ROOT / "docs" / page).read_text(encoding="utf-8").split())
+    (found,) = re.findall(pattern, text)
+    return NUMBERS.get(found) or int(found.replace(",", ""))
+
+
+def test_the_page_of_trust_says_how_many_mutants_there_are():
+    assert told("trust.md", r"tries (\d+) wrong explorers") == sum(map(len, TABLES))
+
+
+@pytest.mark.parametrize(
+    ("page", "pattern", "number"),
+    [
+        ("glossary.md", r"there are \[(\w+)\]\(verdicts.md#laws\)", len(PRECEDENCE)),
+        ("verdicts.md", r"every class, up to (\d+) edges", tables.MOST_EDGES),
+        ("how-to/bound.md", r"The engine has room for (\d+) edges", tables.MOST_EDGES),
+        ("verdicts.md", r"In worlds with up to (\d+) edges each run", AGREEMENT_EDGES),
+        ("verdicts.md", r"step budgets \| up to ([\d,]+)", kernel.MOST_BUDGET),
+        ("verdicts.md", r"one line of at most (\d+) characters", output.LONGEST),
+        ("verdicts.md", r"is smaller than (\d+) MB", frame.LARGEST // 1_000_000),
+        ("trust.md", r"at most ([\d,]+) darts of an answer", endings.MOST_DARTS),
+        ("trust.md", r"seeds 1 to (\d) in turn", tour.SEEDS - 1),
+        ("trust.md", r"the first for (\d+) plays", tour.BEGINNING),
+        ("trust.md", r"each other for (\d+);", tour.SPELL),
+        (
+            "how-to/languages.md",
+            r"law of the protocol its last (\d) KiB",
+            program.STDERR_KEPT >> 10,
+        ),
+        ("how-to/languages.md", r"a line of more than (\d+) MiB", program.LONGEST_LINE >> 20),
+        ("how-to/languages.md", r"more memory than (\d) GB", player.NATIVE_MEMORY >> 10),
+        ("how-to/languages.md", r"`ALLWORLDS_VERSION` (\d) \|", INTERFACE_VERSION),
+        ("scaling.md", r"more than ([\d,]+) worlds", time_estimate.MANY["python"]),
+        ("scaling.md", r"compiled engine: (\d+) million", time_estimate.MANY["compiled"] // 10**6),
+    ],
+)
+def test_a_limit_in_the_prose_is_that_of_the_program(page, pattern, number):
+    assert told(page, pattern) == number
+
+
+def test_the_page_of_verdicts_names_the_lighthouses_of_the_compiled_engine():
+    page = (ROOT / "docs/verdicts.md").read_text(encoding="utf-8")
+    (told,) = re.findall(r"^\| lighthouses \| (.*) \|$", page, re.MULTILINE)
+    named = re.findall(r"`([^`]+)`", told)
+    assert sorted(named) == sorted(kernel.LIGHTHOUSES - {"cluster-single"})
+
+
+def test_the_page_of_languages_has_each_line_that_a_program_may_say():
+    page = (ROOT / "docs/how-to/languages.md").read_text(encoding="utf-8")
+    table = page.partition("### The lines")[2].partition("\n\n- ")[0]
+    rows = [row.split("|")[1] for row in table.splitlines() if "| from the program |" in row]
+    assert {name for row in rows for name in re.findall(r'`\{"(\w+)"', row)} == program.SAYINGS
+
+
+def worlds_up_to(edges):
+    """The number of rooted maps with at most that many edges."""
+    return [*accumulate(sum(rooted_maps(m).values()) for m in range(1, edges + 1))][-1]
+
+
+def test_the_tables_of_long_checks_number_the_worlds_as_the_program_does():
+    page = (ROOT / "docs/scaling.md").read_text(encoding="utf-8")
+    found = re.findall(r"\| (\d) \| ([\d,]+) \|", page)
+    found += re.findall(r"^ +(\d) +([\d,]+) ", page, re.MULTILINE)
+    assert len(found) == 8
+    for edges, worlds in found:
+        assert int(worlds.replace(",", "")) == worlds_up_to(int(edges))
+    assert f"{worlds_up_to(9):,} worlds" in page
+
+
+def test_the_table_of_engines_names_the_engine_that_would_check():
+    subject = replace(load("algorithm1"), name="mine.py:explore", own=None, explore=None)
+    page = (ROOT / "docs/scaling.md").read_text(encoding="utf-8")
+    found = re.findall(r"^ +(\d) +[\d,]+  (\w+) ", page, re.MULTILINE)
+    assert len(found) == 3
+    for edges, engine in found:
+        scope = Scope(Extent(MapClass.MAPS, int(edges)), Rules())
+        assert engines.engine_for("auto", scope, subject).name == engine

@@ -1,0 +1,130 @@
+"""A distribution that offers an explorer, a lighthouse, a task and a predicate as entry points."""
+
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+
+MODULE = """
+from dataclasses import dataclass
+
+from allworlds import Lighthouse, Move, Percept
+
+
+def hasty(first):
+    for _ in range(3):
+        yield Move(1)
+    return "here"
+
+
+@dataclass(frozen=True)
+class Parity(Lighthouse):
+    dart: int
+    modulus = 2
+
+    @classmethod
+    def places(cls, map_, start):
+        for bearing in range(map_.degree_at[start]):
+            yield cls(map_.turn(start, bearing))
+
+    def sensed(self, map_, here):
+        if map_.vertex_of[here] != map_.vertex_of[self.dart]:
+            return Percept(map_.degree_at[here])
+        return Percept(map_.degree_at[here], 1, map_.offset(here, self.dart) % self.modulus)
+
+
+def says(word):
+    return lambda world, transcript, answer: None if answer == word else f"{answer} is said"
+
+
+def small(degree):
+    return lambda map_: max(map_.degrees) <= degree
+"""
+POINTS = """
+[allworlds.explorers]
+my-explorer = my_explorers:hasty
+
+[allworlds.lighthouses]
+my-parity = my_models:Parity
+
+[allworlds.tasks]
+my-word = my_models:says
+
+[allworlds.predicates]
+my-small = my_models:small
+"""
+
+
+@pytest.fixture
+def installed(tmp_path):
+    """A folder of packages with one more distribution, as pip leaves it."""
+    packages = tmp_path / "packages"
+    described = packages / "throw_away-1.0.dist-info"
+    described.mkdir(parents=True)
+    (packages / "my_explorers.py").write_text(MODULE)
+    (packages / "my_models.py").write_text(MODULE)
+    (described / "METADATA").write_text("Metadata-Version: 2.1\nName: throw-away\nVersion: 1.0\n")
+    (described / "entry_points.txt").write_text(POINTS)
+
+    def allworlds(*words):
+        done = subprocess.run(
+            [sys.executable, "-m", "allworlds", *map(str, words)],
+            cwd=tmp_path,
+            env={**os.environ, "PYTHONPATH": str(packages)},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        return done.returncode, done.stdout, done.stderr
+
+    return allworlds
+
+
+CHECK = [
+    *("check", "my-explorer", "--lighthouse", "my-parity:modulus=3"),
+    *("--where", "my-small?degree=3", "--edges", 3, "--json"),
+]
+
+
+def test_what_a_distribution_offers_is_used_by_its_name(installed):
+    code, out, err = installed(*CHECK, "--task", "my-word?word=here", "--workers", 2)
+    assert code == 0, err
+    report = json.loads(out)
+    assert report["scope"]["where"] == "my-small?degree=3"
+    assert report["scope"]["lighthouse"] == "my-parity?modulus=3"
+    assert report["scope"]["task"] == "my-word?word=here"
+    assert "shared_file" not in report["scope"]
+    code, out, _ = installed(*CHECK, "--task", "my-word?word=there", "--workers", 1)
+    (finding,) = json.loads(out)["findings"]
+    assert (code, finding["law"], finding["seen"]) == (1, "task", "here is said")
+
+
+@pytest.mark.slow
+def test_run_directories_and_the_census_take_them(installed):
+    words = [*CHECK, "--task", "my-word?word=here", "--run", "rd"]
+    assert installed(*words)[0] == 0
+    code, out, _ = installed("merge", "rd", "--json")
+    assert (code, json.loads(out)["verdict"]) == (0, "holds")
+    code, out, _ = installed(
+        *("ambiguity", "census", "--lighthouse", "my-parity", "--where", "my-small?degree=3"),
+        *("--edges", 2, "--json"),
+    )
+    assert (code, json.loads(out)["lighthouse"]) == (0, "my-parity")
+
+
+@pytest.mark.parametrize(
+    ("option", "name", "offered"),
+    [
+        ("--lighthouse", "my-harbour", "my-parity"),
+        ("--task", "my-letter", "my-word"),
+        ("--where", "my-big", "my-small"),
+    ],
+)
+def test_a_name_that_nobody_offers_is_refused_with_those_that_are(installed, option, name, offered):
+    code, out, err = installed("check", option, name, "--edges", 1)
+    assert (code, out) == (2, "")
+    assert len(err.splitlines()) == 1
+    assert f"'{name}' is not one of" in err
+    assert offered in err

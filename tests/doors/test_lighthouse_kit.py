@@ -1,0 +1,100 @@
+"""The conformance kit of lighthouses: ours pass, and wrong ones do not."""
+
+import pytest
+
+from allworlds.testing import assert_lighthouse
+from allworlds.world import LIGHTHOUSES
+from models import PARITY
+
+WRONG = """
+import itertools
+
+from allworlds import Lighthouse, Percept
+
+
+class Base(Lighthouse):
+    @classmethod
+    def places(cls, map_, start):
+        yield cls()
+
+
+class CountsItsCalls(Base):
+    calls = itertools.count()
+
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here], next(self.calls))
+
+
+class LooksAtNames(Base):
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here], int(here == 0))
+
+
+class Twice(Base):
+    @classmethod
+    def places(cls, map_, start):
+        yield cls()
+        yield cls()
+
+
+class Hides(Base):
+    gives_marks = False
+
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here], 1)
+
+
+class Points(Base):
+    gives_bearings = False
+
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here], 0, 0)
+
+
+class AtFirstName(Lighthouse):
+    dart: int
+
+    @classmethod
+    def places(cls, map_, start):
+        yield cls(min(map_.darts))
+
+
+class Changes(Base):
+    turn = itertools.count()
+
+    @classmethod
+    def places(cls, map_, start):
+        for _ in range(next(cls.turn) % 2):
+            yield cls()
+"""
+
+
+@pytest.mark.parametrize("kind", [*LIGHTHOUSES, "cluster:single=true", "compass+movable"])
+def test_every_lighthouse_of_ours_passes(kind):
+    assert_lighthouse(kind, edges=2)
+
+
+def test_lighthouses_of_ones_own_pass(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "parity.py").write_text(PARITY)
+    assert_lighthouse("parity.py:Parity")
+    assert_lighthouse("parity.py:Copy+told:n")
+
+
+@pytest.mark.parametrize(
+    ("kind", "said"),
+    [
+        ("CountsItsCalls", "asked twice"),
+        ("LooksAtNames", "with the darts renamed"),
+        ("AtFirstName", "with the darts renamed"),
+        ("Twice", "is there twice"),
+        ("Hides", "gives_marks is False"),
+        ("Points", "gives_bearings is False"),
+        ("Changes", "asked twice"),
+    ],
+)
+def test_what_is_no_function_of_the_world_is_found(tmp_path, monkeypatch, kind, said):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "wrong.py").write_text(WRONG)
+    with pytest.raises(AssertionError, match=said):
+        assert_lighthouse(f"wrong.py:{kind}")

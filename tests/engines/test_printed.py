@@ -1,0 +1,141 @@
+"""What an explorer prints in the run that is told: shown by run, and kept in findings."""
+
+import json
+import os
+import sys
+
+import pytest
+
+from allworlds import Finding, check, replay, run
+from allworlds.engines.isolation.overheard import KEPT, Overheard
+from allworlds.reports.telling import Quote
+from allworlds.reports.tellings.finding import printed
+from native_libraries import attack
+
+EXPLORERS = """
+import os, sys
+from allworlds import Estimate
+from allworlds.explorers import algorithm1
+
+print("loaded")
+
+def right(first):
+    print("begins with", first.degree)
+    print("to stderr", file=sys.stderr)
+    os.write(1, b"raw \\x1b[31m\\n")
+    return (yield from algorithm1(first))
+
+def wrong(first):
+    print("begins with", first.degree)
+    estimate = yield from algorithm1(first)
+    print("ends")
+    return Estimate(estimate.map, estimate.map.sigma[estimate.here])
+
+def dies(first):
+    print("last words")
+    os._exit(3)
+    yield
+
+def talks(first):
+    for i in range(3000):
+        print("line", i)
+    return (yield from algorithm1(first))
+"""
+
+PROGRAM = """
+import json, sys
+for line in sys.stdin:
+    print("hears", line.strip()[:12], file=sys.stderr, flush=True)
+    print(json.dumps({"estimate": {"sigma": [0, 1], "alpha": [1, 0], "here": 7}}), flush=True)
+"""
+
+
+@pytest.fixture
+def named(tmp_path):
+    file = tmp_path / "printing.py"
+    file.write_text(EXPLORERS, encoding="utf-8")
+    return lambda name: f"{file}:{name}"
+
+
+def test_run_shows_each_line_once_with_control_characters_escaped(named):
+    told = run(named("right"), "theta")
+    assert told.outcome.output == "begins with 3\nto stderr\nraw \\x1b[31m\n"
+    assert told.to_json()["output"] == told.outcome.output
+
+
+def test_on_the_command_line_lines_have_a_prefix_and_stdout_is_clean_for_json(named, cli):
+    code, out, err = cli("run", named("right"), "theta")
+    assert code == 0
+    lines = [line for line in out.splitlines() if line.startswith("| ")]
+    assert lines == ["| begins with 3", "| to stderr", "| raw \\x1b[31m"]
+    assert "begins with" not in err
+    code, out, err = cli("run", named("right"), "theta", "--json")
+    assert json.loads(out)["output"].startswith("begins with 3\n")
+    assert "begins with" not in err
+
+
+def test_a_run_that_prints_nothing_has_no_such_key():
+    assert "output" not in run("algorithm1", "theta").to_json()
+
+
+def test_a_finding_holds_what_was_printed_in_its_run_alone(named, cli):
+    (finding,) = check(named("wrong"), edges=3).findings
+    degree = finding.transcript.first.degree
+    assert finding.output == f"begins with {degree}\nends\n"
+    assert finding.to_json()["output"] == finding.output
+    assert Finding.from_json(finding.to_json()).output == finding.output
+    _, out, err = cli("check", named("wrong"), "--edges", 3)
+    assert out.count("begins with") == 1
+    assert "begins with" not in err
+
+
+def test_replay_does_not_compare_it(named):
+    (finding,) = check(named("wrong"), edges=3).findings
+    document = finding.to_json() | {"output": "something else"}
+    assert replay(Finding.from_json(document)).outcome == "reproduced"
+
+
+def test_last_words_are_kept(named):
+    (finding,) = check(named("dies"), edges=1).findings
+    assert (finding.law, finding.output) == ("crash", "last words\n")
+    assert run(named("dies"), "theta").finding.output == "last words\n"
+
+
+def test_of_much_the_beginning_and_the_end_are_kept(named):
+    output = run(named("talks"), "theta").outcome.output
+    assert output.startswith("line 0\nline 1\n")
+    assert output.endswith("line 2998\nline 2999\n")
+    kept, _, rest = output.partition("\n[... ")
+    assert len(kept) + len(rest.partition(" ...]\n")[2]) == KEPT
+
+
+def test_what_a_program_writes_to_stderr_is_kept_too(tmp_path):
+    file = tmp_path / "program.py"
+    file.write_text(PROGRAM, encoding="utf-8")
+    (finding,) = check(f"exec:{sys.executable} {file}", edges=1).findings
+    assert finding.law == "no-estimate"
+    assert finding.output == 'hears {"episode": \n'
+
+
+def test_what_a_library_prints_is_kept_although_its_process_is_ended():
+    library = attack('int puts(const char *); puts("from the library")')
+    told = run(f"native:{library}", "edge")
+    assert "from the library\n" in told.outcome.output
+
+
+def test_what_is_told_in_the_traceback_is_not_told_again():
+    (quote,) = printed("a\nb\n")
+    assert quote == Quote("output", "printed by the explorer", "a\nb\n", prefix="| ")
+    assert printed("a\n", "stderr:\na\n") == []
+    assert printed("") == []
+
+
+def test_the_pipe_is_emptied_however_much_is_written():
+    with Overheard() as heard:
+        descriptor = os.open(heard.path, os.O_WRONLY)
+        os.write(descriptor, b"\xff" + b"a" * 300_000 + b"z")
+        os.close(descriptor)
+    assert heard.text.startswith("\\xffaaa")
+    assert heard.text.endswith("aaz")
+    assert f"[... {300_002 - KEPT} bytes more ...]" in heard.text
+    assert not os.path.exists(heard.path)  # noqa: PTH110

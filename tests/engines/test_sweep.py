@@ -1,0 +1,182 @@
+"""Every study that goes through worlds: interrupted, resumed, merged and limited, it says the same.
+
+The documents are compared byte for byte, so that the order of their keys counts, too.
+"""
+
+import json
+
+import pytest
+
+import allworlds
+from allworlds import ambiguity, check, compare, count, fuzz, optimum, worst
+from allworlds.engines import Silent, TimeIsUp, Unsettled, sweep
+from allworlds.verbs import VERBS
+from kept_jobs import EXPLORERS
+
+pytestmark = [pytest.mark.usefixtures("compiled", "without_workers")]
+
+WRONG = f"{EXPLORERS / 'wrong.py'}"
+
+SWEEPS = {
+    "check": lambda **more: check(edges=3, engine="python", **more),
+    "check refuted": lambda **more: check(
+        f"{WRONG}:here_of_another", edges=3, max_findings=3, **more
+    ),
+    "worst": lambda **more: worst(edges=4, **more),
+    "worst of runs": lambda **more: worst("greedy", edges=3, **more),
+    "worst of schedules": lambda **more: worst("remembering", edges=2, **more),
+    "worst refuted": lambda **more: worst(f"{WRONG}:here_of_another", edges=3, **more),
+    "compare": lambda **more: compare("algorithm1", "greedy", edges=3, **more),
+    "compare refuted": lambda **more: compare(
+        "algorithm1", f"{WRONG}:here_of_another", edges=3, **more
+    ),
+    "compare one world": lambda **more: compare("greedy", "prudent", family="lattice:3x3", **more),
+    "compare --to": lambda **more: compare(
+        "algorithm1", "greedy", family=["lattice", "thick"], to=50, worlds=2, **more
+    ),
+    "optimum": lambda **more: optimum(edges=3, **more),
+    "fuzz": lambda **more: fuzz(edges=7, runs=150, **more),
+    "fuzz refuted": lambda **more: fuzz(f"{WRONG}:everywhere", edges=4, runs=150, **more),
+    "count": lambda **more: count(edges=4, **more),
+    "count simple": lambda **more: count(vertices=4, map_class="simple", **more),
+    "ambiguity census": lambda **more: ambiguity.census(edges=4, **more),
+}
+"""Small jobs by their verb, and what is special about them."""
+
+SHARDED = [name for name in SWEEPS if name != "optimum"]
+
+
+def text(report):
+    return json.dumps(report.to_json())
+
+
+@pytest.fixture(scope="module")
+def undisturbed():
+    """The text of a job that nothing disturbs, made once."""
+    known = {}
+
+    def of(name):
+        if name not in known:
+            known[name] = text(SWEEPS[name]())
+        return known[name]
+
+    return of
+
+
+class Interrupts(Silent):
+    """Interrupts when so many units were finished by this command."""
+
+    def __init__(self, units):
+        self.left = units
+
+    def unit(self, key, worlds):
+        self.left -= 1
+        if self.left == 0:
+            raise KeyboardInterrupt
+
+
+def assert_finished_rows(told, whole):
+    """What is told is what was finished, and the rest is not made up."""
+    told, whole = json.loads(told), json.loads(whole)
+    if told.get("scope", {}).get("sample"):
+        assert told["runs"] < whole["runs"]
+    else:
+        assert told["rows"] == whole["rows"][: len(told["rows"])]
+        assert not told.get("complete", told.get("scope", {}).get("complete"))
+
+
+def test_every_verb_with_a_sweep_is_tried():
+    words = {" ".join(name.split()[:2]) for name in SWEEPS} | {name.split()[0] for name in SWEEPS}
+    assert {verb.name for verb in VERBS if verb.sweep} <= words
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("name", SWEEPS)
+def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_path):
+    job, whole = SWEEPS[name], undisturbed(name)
+    for units in (1, 1, 3):
+        cut = job(run=tmp_path, listener=Interrupts(units))
+        if cut.exit_code != 130:  # it has fewer units
+            break
+        assert_finished_rows(text(cut), whole)
+        assert allworlds.status(tmp_path).state == "unfinished"
+    assert text(job(run=tmp_path)) == whole
+    assert text(job(run=tmp_path)) == whole
+    standing = allworlds.status(tmp_path)
+    assert (standing.state, standing.left_s) == ("finished", 0)
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("name", SHARDED)
+def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
+    job = SWEEPS[name]
+    code = json.loads(undisturbed(name)).get("exit_code", 0)
+    runs = [tmp_path / str(k) for k in range(3)]
+    codes = {job(run=run, shard=(k, 3)).exit_code for k, run in enumerate(runs)}
+    assert codes <= {0, code}
+    merged = allworlds.merge(*reversed(runs))
+    assert text(merged) == undisturbed(name)
+
+
+@pytest.mark.parametrize("name", SWEEPS)
+def test_what_was_finished_when_it_was_ended_is_reported(name, undisturbed, monkeypatch):
+    """Before each level in turn, by the time limit, by lost workers and by the user."""
+    gather, whole = sweep.gather, undisturbed(name)
+    for error, code in ((TimeIsUp(), 3), (Unsettled("lost"), 3), (KeyboardInterrupt(), 130)):
+        for levels in (0, 2):
+            done, ended = [], []
+
+            def ends(*all_, levels=levels, done=done, ended=ended, error=error):
+                if len(done) == levels:
+                    ended.append(error)
+                    raise error
+                gather(*all_)
+                done.append(all_)
+
+            monkeypatch.setattr(sweep, "gather", ends)
+            cut = SWEEPS[name](time_limit=1000)
+            if ended:  # it has so many levels
+                refuted = bool(getattr(cut, "findings", ()))
+                assert cut.exit_code == (1 if refuted and code == 3 else code)
+                assert_finished_rows(text(cut), whole)
+                rows = cut.to_json()["rows"]
+                assert bool(rows) == (levels > 0)
+
+
+@pytest.mark.parametrize("name", SWEEPS)
+def test_a_time_limit_that_is_over_at_once_leaves_it_undecided(name):
+    cut = SWEEPS[name](time_limit=1e-9)
+    refuted = bool(getattr(cut, "findings", ()))
+    assert cut.exit_code == (1 if refuted else 3)
+
+
+@pytest.mark.parametrize("name", ["optimum", "fuzz", "compare --to", "count", "worst of runs"])
+def test_the_status_of_every_verb_is_told(name, cli, tmp_path):
+    SWEEPS[name](run=tmp_path)
+    code, out, _ = cli("status", tmp_path)
+    assert code == 0
+    assert name.split()[0] in out
+    assert "finished" in out
+
+
+def test_what_a_shrinker_had_when_the_time_was_up_is_not_the_end(tmp_path, monkeypatch):
+    """A directory keeps no smallest finding that was not sought to the end."""
+
+    def job(**more):
+        return fuzz(f"{WRONG}:everywhere", edges=4, min_edges=3, runs=20, **more)
+
+    with monkeypatch.context() as patch:
+        late = []
+
+        def shrunk(finding, *_):
+            late.append(finding)
+            return finding
+
+        patch.setattr("allworlds.studies.fuzz.drive.smallest_from", shrunk)
+        patch.setattr(
+            "allworlds.studies.check.confirmation.Confirmation.is_late",
+            property(lambda _: bool(late)),
+        )
+        assert job(run=tmp_path, time_limit=1000).findings
+    assert late
+    assert text(job(run=tmp_path)) == text(job())

@@ -1,0 +1,113 @@
+"""Tasks: what counts as done, and what is wrong with a run."""
+
+import pytest
+
+from allworlds.inputs import InputError
+from allworlds.judging import TASKS, Rules, Task, task_named
+from allworlds.judging.endings import Answered, Over, Said
+from allworlds.protocol import Estimate, Move, Transcript
+from allworlds.world import Nothing, State, World
+from small import EDGE, LOLLIPOP, LOOP, PATH, TORUS, TRIANGLE, all_maps
+
+
+def walk(world, *motions):
+    """The log of these motions, and the environment after them."""
+    state, steps = world.initial, []
+    for k in motions:
+        state, percept = world.step(state, Move(k))
+        steps.append((Move(k), percept))
+    return Transcript(world.first, tuple(steps))
+
+
+def wrong(task, map_, motions, ending, start=0):
+    world = World(map_, Nothing(), start)
+    return task_named(task).flaw(world, walk(world, *motions), ending)
+
+
+@pytest.mark.parametrize(
+    ("task", "map_", "motions", "answer", "said"),
+    [
+        ("stop", PATH, [0, 1], None, None),
+        ("stop", PATH, [0], None, "1 of 3 vertices not visited"),
+        ("stop", LOOP, [], 3, None),
+        ("home", EDGE, [0, 0], None, None),
+        ("home", EDGE, [0], None, "the walk ended at another vertex than that where it began"),
+        ("home", EDGE, [], None, "1 of 2 vertices not visited"),
+        ("count:n", PATH, [], 3, None),
+        ("count:n", PATH, [], 2, "the answer 2, and the number of vertices is 3"),
+        ("count:n", EDGE, [], 2.0, "the answer 2.0, and the number of vertices is 2"),
+        ("count:n", LOOP, [], True, "the answer True, and the number of vertices is 1"),
+        ("count:m", TORUS, [], 2, None),
+        ("count:m", TORUS, [], "2", "the answer '2', and the number of edges is 2"),
+        ("face", TRIANGLE, [], 3, None),
+        ("face", TORUS, [], 4, None),
+        ("face", LOOP, [], 1, None),
+        ("cover", PATH, [0], None, "1 of 3 vertices not visited"),
+        ("cover", PATH, [0, 1], None, None),
+        ("cover:edges", LOLLIPOP, [0], None, "1 of 2 edges not walked along"),
+        ("cover:edges", LOLLIPOP, [0, 1], None, None),
+    ],
+)
+def test_a_run_is_judged_by_its_task(task, map_, motions, answer, said):
+    assert wrong(task, map_, motions, Said(answer)) == said
+
+
+def test_left_of_the_first_dart_is_the_face_that_turning_left_goes_round():
+    for map_ in all_maps(4):
+        dart, length = 0, 0
+        while length == 0 or dart != 0:
+            # Arrived, the next dart clockwise of the one back is the first to the left.
+            dart = map_.sigma[map_.alpha[dart]]
+            length += 1
+        assert wrong("face", map_, [], Said(length)) is None
+        assert wrong("face", map_, [], Said(length + 1)) is not None
+
+
+@pytest.mark.parametrize(("task", "steps"), [("cover", 2), ("cover:edges", 2)])
+def test_a_run_is_over_with_the_last_vertex_or_edge_and_not_before(task, steps):
+    environment = task_named(task).environment(World(PATH, Nothing()))
+    state = environment.initial
+    for step in range(1, steps + 1):
+        assert not environment.over
+        state, _ = environment.step(state, Move(1))
+        assert environment.over == (step == steps)
+    assert isinstance(state, State)
+
+
+def test_where_there_is_one_vertex_all_is_visited_before_the_first_step():
+    assert task_named("cover").environment(World(TORUS, Nothing())).over
+    assert not task_named("cover:edges").environment(World(TORUS, Nothing())).over
+    assert not task_named("stop").environment(World(TORUS, Nothing())).over
+
+
+def test_an_estimate_gets_to_a_judge_as_it_is(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "judges.py").write_text(
+        "def sees(world, transcript, answer):\n    return repr(answer)\n\n\n"
+        "def least(steps):\n"
+        "    return lambda world, transcript, answer: f'{transcript.cost} of {steps}'\n\n\n"
+        "def raises(world, transcript, answer):\n    return {}['lamp']\n\n\n"
+        "def numbers(world, transcript, answer):\n    return 3\n\n\nnothing = 3\n"
+    )
+    estimate = Estimate(EDGE, 1)
+    assert wrong("judges.py:sees", EDGE, [], Answered(estimate)) == repr(estimate)
+    assert wrong("judges.py:sees", EDGE, [], Over()) == "None"
+    assert wrong("judges.py:least?steps=4", EDGE, [0, 0], Said(None)) == "2 of 4"
+    with pytest.raises(InputError, match=r"raises KeyError: .lamp."):
+        wrong("judges.py:raises", EDGE, [], Said(None))
+    with pytest.raises(InputError, match="returns 3, no text and not None"):
+        wrong("judges.py:numbers", EDGE, [], Said(None))
+    with pytest.raises(InputError, match="is no function, but 3"):
+        task_named("judges.py:nothing")
+    with pytest.raises(InputError, match=r"'there' is not one of count:m, .*, stop, path/to"):
+        task_named("there")
+
+
+def test_the_laws_of_an_estimate_are_those_of_the_task_map():
+    assert Rules().task == Task("map")
+    assert "bound" in Rules().applying
+    for name in {*TASKS} - {"map"}:
+        assert Rules(task=name).applying == ()
+        assert Rules(task=name, bound="2*m").applying == ("bound",)
+        with pytest.raises(InputError, match="law 'map' is about the task map alone"):
+            Rules(task=name, laws=["map"])

@@ -1,0 +1,99 @@
+"""Sources of the numbers of maps under a condition: two ways to every number."""
+
+from math import comb, factorial, prod
+
+import pytest
+
+from allworlds.maps import MapClass, condition_named, rooted_maps
+from allworlds.maps.counting.any_genus import catalan
+from allworlds.maps.counting.arithmetic import vertex_counts
+from allworlds.maps.counting.narrowed import source_under, sources_under
+
+NAMES = [
+    *("cubic", "regular:2", "regular:4", "eulerian", "trees", "girth:1", "girth:2", "girth:3"),
+    *("girth:4", "genus:0", "genus:1", "genus:2", "triangulation", "quadrangulation"),
+]
+
+
+def asked(name):
+    kind, _, number = name.partition(":")
+    return kind, int(number or 0)
+
+
+def total(map_class, name, edges):
+    return sum(source_under(map_class, *asked(name)).cells(edges).values())
+
+
+@pytest.mark.parametrize("map_class", list(MapClass))
+@pytest.mark.parametrize("name", NAMES)
+def test_each_source_counts_what_is_enumerated(name, map_class):
+    for edges in (1, 2, 3, 4, 5):
+        cells = dict.fromkeys(vertex_counts(edges), 0)
+        for map_ in rooted_maps(edges, map_class, where=condition_named(name)):
+            cells[map_.vertex_count] += 1
+        for source in sources_under(map_class, *asked(name)):
+            known = source.cells(edges)
+            assert known == {n: cells[n] for n in known}, source.name
+
+
+@pytest.mark.parametrize(
+    ("name", "map_class", "edges"),
+    [
+        *(("cubic", map_class, 9) for map_class in MapClass),
+        *(("triangulation", map_class, 9) for map_class in MapClass),
+        *(("regular:4", map_class, 8) for map_class in MapClass),
+        *(("quadrangulation", map_class, 8) for map_class in MapClass),
+        *(("trees", map_class, 8) for map_class in MapClass),
+    ],
+)
+def test_narrow_classes_are_counted_far_beyond_the_others(name, map_class, edges):
+    met = sum(1 for _ in rooted_maps(edges, map_class, where=condition_named(name)))
+    for source in sources_under(map_class, *asked(name)):
+        assert sum(source.cells(edges).values()) == met
+    assert (met > 0) == ((name, "simple" in map_class) != ("regular:4", True))
+
+
+def test_cubic_maps_are_those_of_the_literature():
+    # OEIS A062980; planar ones: W. T. Tutte 1962, 2^(2k+1) (3k)!! / ((k+2)! k!!), 2k vertices.
+    assert [total("maps", "cubic", 3 * k) for k in (1, 2, 3, 4)] == [5, 60, 1105, 27120]
+    for k in (1, 2, 3, 4):
+        planar, rest = divmod(2 ** (2 * k + 1) * odd(3 * k), factorial(k + 2) * odd(k))
+        assert rest == 0
+        assert total("planar", "cubic", 3 * k) == planar
+        assert total("planar", "triangulation", 3 * k) == planar
+
+
+def odd(n):
+    """The double factorial."""
+    return prod(range(n, 0, -2))
+
+
+def test_planar_maps_of_even_degrees_and_with_faces_of_four_darts_are_those_of_the_literature():
+    # W. T. Tutte 1963: 3 2^(m-1) C(2m,m) / ((m+1)(m+2)) Eulerian ones; quadrangulations with f
+    # faces are as many as planar maps with f edges, 2 3^f C(2f,f) / ((f+1)(f+2)).
+    for m in (1, 2, 3, 4, 5, 6):
+        eulerian = 3 * 2 ** (m - 1) * comb(2 * m, m) // ((m + 1) * (m + 2))
+        assert total("planar", "eulerian", m) == eulerian
+        faces = 2 * 3**m * comb(2 * m, m) // ((m + 1) * (m + 2))
+        assert total("planar", "quadrangulation", 2 * m) == faces
+
+
+def test_simple_planar_triangulations_are_those_of_the_literature():
+    assert [total("planar-simple", "triangulation", 3 * k) for k in (1, 2, 3, 4)] == [1, 1, 3, 13]
+    assert total("planar-simple", "triangulation", 4) == 0
+
+
+def test_maps_with_loops_alone_are_as_many_as_of_degree_2m():
+    for m in (1, 2, 3, 4):
+        assert total("maps", f"regular:{2 * m}", m) == prod(range(1, 2 * m, 2))
+        assert total("planar", f"regular:{2 * m}", m) == catalan(m)
+
+
+def test_no_condition_passes_for_another():
+    cells = {}
+    for name in NAMES:
+        if source := source_under("maps", *asked(name)):
+            cells[name] = [source.cells(m) for m in range(1, 7)]
+    assert len(cells) == len(NAMES) - 2  # girth:2, girth:4
+    for name, told in cells.items():
+        assert [other for other, same in cells.items() if same == told] == [name]

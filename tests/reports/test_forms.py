@@ -1,0 +1,136 @@
+"""Every verb's result in every form of a report, and forms that know no verb."""
+
+import ast
+import csv
+import io
+from pathlib import Path
+
+import pytest
+
+from allworlds import reports
+from allworlds.reports import FORMATS, file_of, formats_of
+from allworlds.reports.plain_text import brief, text
+from allworlds.reports.telling import Headline, Section, Shown, ToldFacts, ToldResult, ToldTable
+from allworlds.studies.count import count
+from allworlds.verbs import BY_NAME, ROWS
+from html_tree import read
+from recorded.record import least
+
+HOME = Path(reports.__file__).parent
+FORMS = [
+    *(HOME / f"{name}.py" for name in ("telling", "plain_text", "markdown", "csv_rows", "junit")),
+    *sorted((HOME / "html").glob("*.py")),
+]
+WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
+SLOW = {"self bench", "self mutants", "paper claims", "ambiguity search"}
+
+
+def with_rows():
+    for verb in BY_NAME.values():
+        if ROWS in verb.has:
+            marks = [pytest.mark.slow] if verb.name in SLOW else []
+            yield pytest.param(verb.name, marks=marks)
+
+
+def too_wide(told):
+    """The lines of more than 80 columns, but for commands, which are copied as one line."""
+    return [line for line in told.splitlines() if len(line) > 80 and line[:12] != "  allworlds "]
+
+
+@pytest.mark.parametrize("verb", [*with_rows()])
+def test_a_verb_with_rows_writes_every_form_and_fits_80_columns(verb, cli, tmp_path, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    forms = [name for name, form in FORMATS.items() if form.shows == ROWS]
+    assert {"html", "markdown", "csv"} <= {*forms}
+    options = [word for form in forms for word in (f"--{form}", tmp_path / form)]
+    _, out, _ = cli(*least(verb, str(tmp_path)), *options)
+    assert out
+    assert too_wide(out) == []
+    made = {form: (tmp_path / form).read_text(encoding="utf-8") for form in forms}
+    root = read(made["html"])
+    assert root.one("h1").text.startswith("allworlds ")
+    assert [*root.all("table"), *root.all("ol")]
+    assert made["markdown"].startswith("## allworlds")
+    assert made["markdown"].count("<details>") == made["markdown"].count("</details>")
+    header, *rows = csv.reader(io.StringIO(made["csv"]))
+    assert rows
+    assert {len(row) for row in rows} == {len(header)}
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["check", WRONG, "--edges", 3, "--max-findings", 3],
+        ["compare", WRONG, "algorithm1-cluster", "remembering", "--edges", 2],
+        ["compare", WRONG, "greedy", "--family", "lattice,regular:4", "--to", 20],
+        ["worst", WRONG, "--edges", 2],
+        ["run", WRONG, "theta"],
+    ],
+    ids=["check", "compare", "growth", "worst", "run"],
+)
+def test_a_refuted_explorer_is_told_of_first_and_in_80_columns(words, cli, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    code, out, _ = cli(*words)
+    assert (code, too_wide(out)) == (1, [])
+    head, finding, *_ = out.split("\n\n")
+    assert head.startswith("REFUTED ")
+    assert finding.startswith("Finding 1: ")
+    assert out.index("The world\n") < f"{out}What was ".index("What was ")
+
+
+@pytest.mark.parametrize("form", FORMS, ids=lambda path: path.stem)
+def test_a_form_knows_no_verb_and_no_verbs_result(form):
+    tree = ast.parse(form.read_text(encoding="utf-8"))
+    looks = [node.value for node in ast.walk(tree) if isinstance(node, ast.keyword)]
+    said = {n.value for n in ast.walk(tree) if isinstance(n, ast.Constant) and n not in looks}
+    assert said.isdisjoint(BY_NAME)
+    imported = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
+    for node in imported:
+        assert not node.module.startswith(("allworlds.reports.tellings", "allworlds.verbs"))
+        names = {alias.name for alias in node.names}
+        assert not node.module.startswith("allworlds.studies") or names == {"Hypothesis"}
+
+
+def test_that_no_form_knows_a_verb_can_fail(tmp_path):
+    for source in ('x = "check"\n', "from allworlds.studies.check import CheckReport\n"):
+        form = tmp_path / "form.py"
+        form.write_text(source)
+        with pytest.raises(AssertionError):
+            test_a_form_knows_no_verb_and_no_verbs_result(form)
+
+
+def telling(headline, cells=()):
+    table = ToldTable(["name", "costs", "much"], cells, "What it costs")
+    sections = [Section("seen", "What was seen", [table, ToldFacts([("by", "nobody")])])]
+    return ToldResult("allworlds count", "maps", count(edges=1), headline, sections)
+
+
+CELLS = [["a|b", 1000, Shown(2.5, "2.50")], ["=1", None, Shown("3 or more", "3 or more")]]
+
+
+def test_a_cell_is_a_number_to_programs_and_a_text_to_people():
+    told = telling(None, CELLS)
+    assert text(told, 80).splitlines()[2:5] == [
+        "name  costs       much",
+        "a|b   1,000       2.50",
+        "=1        -  3 or more",
+    ]
+    from allworlds.reports.csv_rows import csv_rows
+
+    assert csv_rows(told) == "name,costs,much\na|b,1000,2.5\n=1,,3 or more\n"
+
+
+def test_quiet_leaves_a_verdict_one_line_and_else_all():
+    verdict, answer = Headline("HOLDS", "so it is\nand more", "holds"), Headline("COUNTED", "much")
+    assert brief(telling(verdict), 80) == "HOLDS: so it is and more"
+    for other in (answer, None):
+        assert brief(telling(other), 80) == text(telling(other), 80) != ""
+
+
+def test_a_form_is_offered_where_there_is_what_it_shows():
+    assert "sarif" in formats_of("check")
+    assert "sarif" not in formats_of("worst")
+    assert formats_of("status") == {}
+    assert file_of("count", "csv", count(edges=1)) == (
+        "edges,rooted,unrooted,rooted by vertices\n1,2,2,1:1 2:1\n"
+    )

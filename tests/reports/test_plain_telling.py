@@ -1,0 +1,58 @@
+"""A result of which nobody has written a telling is shown by every form all the same."""
+
+from typing import Annotated
+
+import pytest
+
+from allworlds.document import Document, Natural, Report, about
+from allworlds.lazy import loaded
+from allworlds.outcome import Verdict
+from allworlds.reports import FORMATS
+from allworlds.reports.plain_text import brief, text
+from allworlds.reports.tellings.plain import plain_telling
+from allworlds.verbs import ROWS
+
+
+class Row(Document):
+    edges: Annotated[Natural, about("their number")]
+    leaves: Annotated[Natural | None, about("the most leaves")] = None
+
+
+class Leaves(Report):
+    kind: Annotated[str, about("of maps")]
+    rows: Annotated[tuple[Row, ...], about("by edges")] = ()
+    share: Annotated[float, about("of all vertices")] = 0.5
+
+
+class Judged(Leaves):
+    verdict: Annotated[Verdict, about("on the leaves")] = Verdict.REFUTED
+
+
+ROWS_OF_TWO = (Row(edges=1, leaves=2), Row(edges=1200))
+TEXT = """\
+edges  leaves
+    1       2
+1,200       -
+
+kind       maps
+share      0.5
+"""
+
+
+def test_keys_are_facts_and_lists_of_objects_are_tables():
+    told = plain_telling(Leaves(kind="maps", rows=ROWS_OF_TWO))
+    assert text(told, 80).strip() == TEXT.strip()
+    assert brief(told, 80).strip() == TEXT.strip()
+
+
+def test_a_verdict_stands_first_and_alone_if_asked_for():
+    told = plain_telling(Judged(kind="maps", rows=ROWS_OF_TWO))
+    assert text(told, 80).startswith("REFUTED")
+    assert brief(told, 80).strip(": \n") == "REFUTED"
+
+
+@pytest.mark.parametrize("form", [name for name, form in FORMATS.items() if form.shows == ROWS])
+def test_every_form_of_rows_shows_it(form):
+    made = loaded(FORMATS[form].home)(plain_telling(Leaves(kind="maps", rows=ROWS_OF_TWO)))
+    assert "leaves" in made
+    assert "200" in made

@@ -1,0 +1,124 @@
+"""Explaining where the world of a finding is its own mirror image: another world decides."""
+
+import json
+
+import pytest
+
+from allworlds import explain, replay
+from allworlds.judging import Finding, chiral_worlds, chirality_in, needs_a_chiral_world
+from allworlds.maps import isomorphism
+from allworlds.studies.check import check
+
+SPOILED = """
+from allworlds import CombinatorialMap, Estimate, Move
+from allworlds.explorers import algorithm1
+
+
+def mirrored(first):
+    estimate = yield from algorithm1(first)
+    return Estimate(estimate.map.mirrored(), estimate.here)
+
+
+def turned(first):
+    estimate = yield from algorithm1(first)
+    return Estimate(estimate.map, estimate.map.sigma[estimate.here])
+
+
+def no_map(first):
+    yield Move(0)
+    return Estimate(CombinatorialMap([1, 0, 3, 3], [1, 0, 3, 2]), 0)
+
+
+def small(first):
+    estimate = yield from algorithm1(first)
+    if estimate.map.edge_count > 3:
+        raise ValueError("too large")
+    return Estimate(estimate.map, estimate.map.sigma[estimate.here])
+"""
+
+
+@pytest.fixture
+def report_of(tmp_path):
+    """The report of a check of a spoiled explorer."""
+    file = tmp_path / "spoiled.py"
+    file.write_text(SPOILED, encoding="utf-8")
+    return lambda name: check(f"{file}:{name}", edges=3, max_findings=3)
+
+
+def test_a_right_map_with_a_wrong_pose_is_told_as_that_although_its_world_cannot_tell(report_of):
+    (finding, *_) = report_of("turned").findings
+    assert needs_a_chiral_world(finding)
+    told = explain(finding)
+    assert told.slip == "off by a turn"
+    assert told.sentences[0].startswith("The map is right, it is 'here' that is wrong")
+    assert "clockwise, as they should be" in told.sentences[1]
+
+
+def test_a_mirror_image_is_told_as_that_where_another_world_shows_it(report_of):
+    (finding, *_) = report_of("mirrored").findings
+    assert finding.law == "pose"
+    told = explain(finding)
+    assert told.slip == "mirror image"
+    assert told.sentences[0].startswith("The answer is a mirror image")
+
+
+def test_where_no_world_decides_the_map_is_right_and_the_reason_stands_there(report_of):
+    (finding, *_) = report_of("small").findings
+    told = explain(finding)
+    assert told.slip == "off by a turn"
+    assert told.sentences[0].startswith("The map is right")
+    assert "the law 'crash'" in told.sentences[1]
+
+
+def test_a_finding_whose_explorer_is_gone_is_explained_all_the_same(report_of):
+    document = report_of("mirrored").findings[0].to_json()
+    document["explorer"] = "gone.py:explore"
+    told = explain(Finding.from_json(document))
+    assert told.sentences[0].startswith("The map is right")
+    assert "gone.py" in " ".join(told.sentences)
+
+
+def test_chiral_worlds_are_no_mirror_images_of_themselves_and_of_the_narrowest_class(report_of):
+    worlds = [*chiral_worlds(report_of("turned").findings[0])]
+    assert worlds
+    for world in worlds:
+        assert not isomorphism(world.map, world.map.mirrored())
+        assert chirality_in(world, world.map).rotations == "clockwise"
+        assert chirality_in(world, world.map.mirrored()).rotations == "anticlockwise"
+    assert chirality_in(worlds[0], worlds[-1].map) is None
+
+
+def test_any_finding_of_a_report_is_explained_and_replayed(report_of, tmp_path, cli, refused):
+    report, file = report_of("turned"), tmp_path / "report.json"
+    file.write_text(json.dumps(report.to_json()), encoding="utf-8")
+    assert len(report.findings) == 3
+    for number, finding in enumerate(report.findings, 1):
+        code, out, _ = cli("explain", file, "--finding", number, "--json")
+        told = json.loads(out)
+        assert (code, told["number"], told["findings"]) == (0, number, 3)
+        assert told["world"] == finding.world.to_json()
+    assert "finding 1 of 3" in cli("explain", file)[1]
+    code, out, _ = cli("replay", file, "--finding", 3, "--json")
+    assert (code, json.loads(out)["run"]["world"]) == (0, report.findings[2].world.to_json())
+    assert "findings 1 to 3" in refused("explain", file, "--finding", 4)
+    assert "finding = 0" in refused("explain", file, "--finding", 0)
+
+
+def test_an_answer_that_is_no_map_is_told_once_with_what_was_tried(report_of, tmp_path, cli):
+    report, file = report_of("no_map"), tmp_path / "report.json"
+    assert {finding.law for finding in report.findings} == {"no-estimate"}
+    assert report.findings[0].confirmed
+    file.write_text(json.dumps(report.to_json()), encoding="utf-8")
+    _, out, _ = cli("explain", file)
+    facts, _, story = out.partition("\n\nThe explorer's answer is no map")
+    assert [part.count("sigma[2] = sigma[3] = 3") for part in (facts, story)] == [1, 1]
+    assert "sigma  1   0  [3] [3]" in out
+    assert "built in" in out.replace("\n", " ")
+
+
+def test_a_finding_of_such_an_answer_that_was_recorded_as_a_crash_is_reproduced(report_of):
+    finding = report_of("no_map").findings[0]
+    seen = "InvalidMap: sigma[2] = sigma[3] = 3, but sigma must be a permutation"
+    old = Finding.from_json(finding.to_json() | {"law": "crash", "seen": seen})
+    again = replay(old)
+    assert (again.outcome, again.law, again.law_now) == ("reproduced", "crash", "no-estimate")

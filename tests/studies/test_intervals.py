@@ -1,0 +1,111 @@
+"""Intervals: against tables, against every resample, and in samples whose mean is known."""
+
+from itertools import product
+from math import exp, log
+from random import Random
+from statistics import NormalDist, linear_regression, mean, quantiles
+
+import pytest
+
+from allworlds.studies.compare import intervals
+from allworlds.studies.compare.intervals import (
+    geometric_mean,
+    mean_interval,
+    power_law,
+    student_quantile,
+)
+
+
+@pytest.mark.parametrize(
+    ("freedom", "value"),
+    # E. S. Pearson, H. O. Hartley, Biometrika Tables for Statisticians I, table 12.
+    [(1, 12.706), (2, 4.303), (3, 3.182), (4, 2.776), (9, 2.262), (10, 2.228), (120, 1.980)],
+)
+def test_student_is_that_of_the_tables(freedom, value):
+    assert student_quantile(0.975, freedom) == pytest.approx(value, abs=5e-4)
+
+
+def test_student_with_one_and_two_degrees_has_its_closed_form():
+    # Of Cauchy's distribution, and 2 a / sqrt(2 - (2a)^2 ...) of two degrees.
+    assert student_quantile(0.75, 1) == pytest.approx(1)
+    share = 0.9
+    closed = (2 * share - 1) * (2 / (4 * share * (1 - share))) ** 0.5
+    assert student_quantile(share, 2) == pytest.approx(closed)
+
+
+def test_the_draws_have_the_quantiles_of_all_resamples():
+    values = [1.0, 2.0, 4.0, 8.0, 16.0]
+    every = sorted(mean(drawn) for drawn in product(values, repeat=5))
+    tail = NormalDist().cdf(-student_quantile(0.975, 4) * (5 / 4) ** 0.5)
+    low, high = mean_interval(values)
+    below = sum(value <= low for value in every) / len(every)
+    above = sum(value >= high for value in every) / len(every)
+    assert below == pytest.approx(tail, abs=0.003)
+    assert above == pytest.approx(tail, abs=0.003)
+
+
+def test_an_interval_is_the_same_every_time_and_moves_with_its_sample():
+    values = [3.0, 1.0, 4.0, 1.0, 5.0, 9.0]
+    low, high = mean_interval(values)
+    assert mean_interval(values) == (low, high)
+    assert low < mean(values) < high
+    assert mean_interval([10 + 2 * v for v in values]) == pytest.approx(
+        (10 + 2 * low, 10 + 2 * high)
+    )
+
+
+def test_few_worlds_have_no_interval():
+    assert mean_interval([1.0, 2.0, 3.0, 4.0]) is None
+    assert power_law({10: [1.0, 2.0], 20: [4.0, 5.0]}).interval is None
+    assert power_law({10: [1.0, 2.0], 20: [4.0, 5.0, 6.0, 7.0]}).interval is not None
+    assert power_law({10: [1.0]}) is None
+
+
+def test_a_geometric_mean_does_not_mind_which_explorer_is_first():
+    ratios = [0.5, 0.7, 0.2, 0.9, 1.4, 0.8]
+    found, (low, high) = geometric_mean(ratios)
+    other, (least, most) = geometric_mean([1 / ratio for ratio in ratios])
+    assert found == pytest.approx(1 / other)
+    assert (low, high) == pytest.approx((1 / most, 1 / least), rel=0.02)
+    assert geometric_mean([1.0, 0.0]) is None
+
+
+def test_the_slope_is_that_of_least_squares_over_all_worlds():
+    costs = {10: [90.0, 130.0], 20: [350.0], 40: [1500.0, 1700.0, 1200.0, 1900.0]}
+    points = [(log(m), log(cost)) for m, some in costs.items() for cost in some]
+    slope, height = linear_regression(*zip(*points, strict=True))
+    law = power_law(costs)
+    assert law.exponent == pytest.approx(slope)
+    assert law.interval[0] < slope < law.interval[1]
+    squares = sum((y - height - slope * x) ** 2 for x, y in points)
+    assert law.residual == pytest.approx((squares / 5) ** 0.5)
+    assert law.distances[20] == pytest.approx(350 / exp(height + slope * log(20)) - 1)
+
+
+def test_a_size_within_its_own_scatter_does_not_break_a_law():
+    wide = [0.5, 0.7, 0.9, 1.2, 1.6, 2.0]
+    costs = {m: [m**2 * factor for factor in wide] for m in (10, 20, 40)}
+    costs[20] = [1.3 * cost for cost in costs[20]]
+    assert power_law(costs).fits
+    assert not power_law({m: [mean(some)] for m, some in costs.items()}).fits
+
+
+def covered(size, trials, interval):
+    """The share of normal samples of that size whose interval holds the mean, 0."""
+    random = Random(1)
+    samples = ([random.gauss() for _ in range(size)] for _ in range(trials))
+    return sum(low <= 0 <= high for low, high in map(interval, samples)) / trials
+
+
+def plain(values):
+    """Mutant: the interval of the plain bootstrap."""
+    drawn = intervals._means(values)
+    ends = quantiles(drawn.tolist(), n=40)
+    return ends[0], ends[-1]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [5, 10])
+def test_an_interval_holds_the_true_mean_nearly_as_often_as_it_says(size):
+    assert 0.92 < covered(size, 1000, mean_interval) < 0.97
+    assert covered(size, 1000, plain) < 0.91

@@ -1,0 +1,144 @@
+"""A lighthouse of the user's own, wherever worlds are made."""
+
+import json
+
+import pytest
+
+import allworlds
+from allworlds.inputs import InputError
+from allworlds.judging import Finding
+from allworlds.reports import text
+from models import PARITY
+
+EXPLORER = """
+from allworlds.explorers import algorithm1
+
+
+def explore(first, *, choices):
+    return (yield from algorithm1(first, choices=choices))
+"""
+
+TOLD = '''
+from allworlds import CombinatorialMap, Estimate, Move
+
+
+def counts(first, *, told):
+    """Right where the map has one edge: it says what it has been told."""
+    if told == {"n": 1, "m": 1}:
+        return Estimate(CombinatorialMap((1, 0), (1, 0)), 0)
+    told.clear()
+    yield Move(0)
+    return Estimate(CombinatorialMap((0, 1), (1, 0)), 1)
+
+
+def asks(depth=1):
+    def run(first):
+        for _ in range(depth):
+            yield Move(0)
+        return Estimate(CombinatorialMap((0, 1), (1, 0)), depth % 2)
+
+    return run
+'''
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    (tmp_path / "parity.py").write_text(PARITY)
+    (tmp_path / "mine.py").write_text(EXPLORER)
+    (tmp_path / "both.py").write_text(PARITY + EXPLORER)
+    (tmp_path / "told.py").write_text(TOLD)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def counts(report):
+    """All of a report but what the machine has to do with."""
+    told = report.to_json()
+    return json.dumps({k: told[k] for k in ("verdict", "scope", "rows", "witnesses", "findings")})
+
+
+@pytest.mark.parametrize("explorer", ["algorithm1", "mine.py:explore"])
+def test_a_check_under_it_is_the_same_with_one_worker_and_with_two(folder, explorer):
+    one, two = (
+        allworlds.check(explorer, edges=2, lighthouse="parity.py:Parity", workers=workers)
+        for workers in (1, 2)
+    )
+    assert counts(one) == counts(two)
+    assert one.verdict.value == "refuted"
+    assert one.engine == "python"
+    (finding,) = one.findings
+    assert finding.confirmed
+    assert finding.world.lighthouse.code.name == "parity.py:Parity"
+    again = Finding.from_json(finding.to_json())
+    assert allworlds.replay(again).outcome == "reproduced"
+    assert text("check", one, 100)
+
+
+def test_with_so_many_bearings_that_none_is_lost_it_is_as_good_as_directional(folder):
+    report = allworlds.check("mine.py:explore", edges=3, lighthouse="parity.py:Parity:modulus=9")
+    ours = allworlds.check(edges=3)
+    assert report.verdict.value == "holds"
+    assert (report.runs, report.traversals) == (ours.runs, ours.traversals)
+
+
+def test_the_compiled_engine_says_that_it_does_not_know_it(folder):
+    with pytest.raises(InputError, match="does not know the lighthouse"):
+        allworlds.check(edges=2, lighthouse="parity.py:Parity", engine="kernel")
+    assert allworlds.check(edges=5, lighthouse="parity.py:Copy", max_findings=1).engine == "python"
+
+
+def test_a_run_directory_is_of_its_content(folder):
+    asked = {"edges": 2, "lighthouse": "parity.py:Parity", "workers": 1}
+    first = allworlds.check("mine.py:explore", run="rd", **asked)
+    assert counts(allworlds.check("mine.py:explore", run="rd", **asked)) == counts(first)
+    assert counts(allworlds.merge("rd")) == counts(first)
+    (folder / "parity.py").write_text(PARITY.replace("modulus = 2", "modulus = 3"))
+    with pytest.raises(InputError, match=r"is of another text of 'parity\.py:Parity'"):
+        allworlds.check("mine.py:explore", run="rd", **asked)
+    with pytest.raises(InputError, match="has another text now than is recorded"):
+        allworlds.merge("rd")
+    with pytest.raises(InputError, match="has another text now"):
+        Finding.from_json(first.findings[0].to_json())
+
+
+def test_an_explorer_in_the_same_file_is_told_of_in_the_scope(folder):
+    asked = {"edges": 1, "workers": 1}
+    same = allworlds.check("both.py:explore", lighthouse="both.py:Parity", **asked)
+    apart = allworlds.check("mine.py:explore", lighthouse="both.py:Parity", **asked)
+    assert same.to_json()["scope"]["shared_file"] == "both.py"
+    assert "both.py holds the explorer, and code that judges it" in text("check", same, 100)
+    assert "shared_file" not in apart.to_json()["scope"]
+
+
+def test_an_error_in_it_ends_a_check_whoever_comes_upon_it(folder):
+    (folder / "late.py").write_text(
+        PARITY.replace("return Percept", "assert map_.edge_count < 2\n        return Percept")
+    )
+    for explorer in ("algorithm1", "mine.py:explore"):
+        with pytest.raises(InputError, match=r"^lighthouse 'late.py:Parity': sensed raises"):
+            allworlds.check(explorer, edges=2, lighthouse="late.py:Parity", workers=1)
+
+
+def test_what_is_told_is_a_dictionary_and_each_play_gets_its_own(folder):
+    report = allworlds.check("told.py:counts", edges=1, lighthouse="told:n,m", workers=1)
+    assert report.verdict.value == "holds"
+    world = next(allworlds.worlds(edges=1, lighthouse="position+told:m"))
+    assert "told before the start" in text("run", allworlds.run("told.py:counts", world), 100)
+
+
+def test_arguments_of_a_name_make_an_explorer(folder):
+    for depth in (2, 3):
+        report = allworlds.check(f"told.py:asks?depth={depth}", edges=1, map_class="simple")
+        assert report.verdict.value == ("holds" if depth < 2 else "refuted")
+        assert report.findings[0].explorer == f"told.py:asks?depth={depth}"
+        assert max(row.max_cost for row in report.rows) == depth
+        assert allworlds.replay(report.findings[0]).outcome == "reproduced"
+    with pytest.raises(InputError, match="unexpected keyword argument 'width'"):
+        allworlds.check("told.py:asks?width=2", edges=1)
+
+
+@pytest.mark.slow
+def test_the_workers_of_a_cluster_get_its_text(folder):
+    one = allworlds.check("mine.py:explore", edges=2, lighthouse="parity.py:Parity", workers=1)
+    asked = {"edges": 2, "lighthouse": "parity.py:Parity", "workers": 1}
+    assert counts(allworlds.check("mine.py:explore", dask="local", **asked)) == counts(one)

@@ -1,0 +1,92 @@
+"""A lighthouse, a task and a class of the user's own at once, in every way to run a check."""
+
+import json
+
+import pytest
+
+import allworlds
+from allworlds.reports import file_of
+from allworlds.testing import assert_explores
+from models import PARITY
+
+EXPLORER = """
+from allworlds import Move
+
+
+def walks(first):
+    for _ in range(2):
+        yield Move(1)
+    return "done"
+"""
+
+MODELS = f"""{PARITY}
+
+def says(word):
+    return lambda world, transcript, answer: None if answer == word else f"{{answer}} is said"
+
+
+def small(degree):
+    return lambda map_: max(map_.degrees) <= degree
+"""
+
+ASKED = {
+    "edges": 3,
+    "lighthouse": "models.py:Parity",
+    "task": "models.py:says?word=done",
+    "where": "models.py:small?degree=3",
+}
+WRONG = {**ASKED, "task": "models.py:says?word=home"}
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    (tmp_path / "models.py").write_text(MODELS)
+    (tmp_path / "mine.py").write_text(EXPLORER)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def counts(report):
+    """All of a report but what the machine has to do with."""
+    told = report.to_json()
+    return json.dumps({k: told[k] for k in ("verdict", "scope", "rows", "witnesses", "findings")})
+
+
+@pytest.mark.parametrize("asked", [ASKED, WRONG], ids=["holds", "refuted"])
+def test_workers_and_run_directories_change_nothing(folder, asked):
+    one = allworlds.check("mine.py:walks", workers=1, **asked)
+    assert one.verdict.value == ("holds" if asked is ASKED else "refuted")
+    assert counts(allworlds.check("mine.py:walks", workers=2, **asked)) == counts(one)
+    assert counts(allworlds.check("mine.py:walks", run="rd", **asked)) == counts(one)
+    assert counts(allworlds.merge("rd")) == counts(one)
+    for shard in (0, 1):
+        allworlds.check("mine.py:walks", shard=(shard, 2), run=f"{shard}", **asked)
+    assert allworlds.merge("0", "1").to_json()["rows"] == one.to_json()["rows"]
+
+
+@pytest.mark.slow
+def test_a_cluster_changes_nothing(folder):
+    one = allworlds.check("mine.py:walks", workers=1, **WRONG)
+    assert counts(allworlds.check("mine.py:walks", dask="local", workers=1, **WRONG)) == counts(one)
+
+
+def test_one_run_with_its_page_and_a_pytest_take_them(folder):
+    (finding,) = allworlds.check("mine.py:walks", **WRONG).findings
+    run = allworlds.run("mine.py:walks", finding.world, task=WRONG["task"])
+    assert run.finding.law == "task"
+    page = file_of("run", "html", run)
+    assert "done is said" in page
+    assert "models.py:says?word=home" in page
+    assert_explores("mine.py:walks", **ASKED)
+    with pytest.raises(AssertionError, match="task"):
+        assert_explores("mine.py:walks", **WRONG)
+
+
+def test_what_no_motion_tells_apart_under_it_is_told_of(folder):
+    where = "models.py:small?degree=4"
+    census = allworlds.ambiguity.census(edges=3, lighthouse=ASKED["lighthouse"], where=where)
+    one, other = census.pair
+    assert all(max(world.map.degrees) <= 4 for world in census.pair)
+    twins = allworlds.twins(one, other)
+    assert not twins.distinguishable
+    assert twins.bisimulation

@@ -1,0 +1,84 @@
+"""A file with the explorer and with code that judges it: what is lost, and the scope says so."""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ATTACK = Path(__file__).parents[1] / "attacks" / "reaching" / "shares_its_file.py"
+
+HONEST = """
+from allworlds import Estimate, Lighthouse, Percept
+from allworlds.maps import named_map
+
+
+def everything(map_):
+    return True
+
+
+def judge(world, transcript, answer):
+    return "nothing is ever right"
+
+
+class Beacon(Lighthouse):
+    @classmethod
+    def places(cls, map_, start):
+        yield cls()
+
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here])
+
+
+def explore(first):
+    return Estimate(named_map("loop"), 0)
+    yield
+"""
+
+MODELS = {"where": "everything", "task": "judge", "lighthouse": "Beacon"}
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    shutil.copy(ATTACK, tmp_path / "attack.py")
+    (tmp_path / "models.py").write_text(HONEST)
+    (tmp_path / "explorers.py").write_text(HONEST)
+    monkeypatch.chdir(tmp_path)
+
+
+def checked(explorer, option, model):
+    """The verdict, the scope's file, and the text of a check in a process of its own.
+
+    The attack changes what judges in the process that loads the model: here all other tests run.
+    """
+    command = [sys.executable, "-m", "allworlds", "check", f"{explorer}.py:explore", "--edges=2"]
+    command.append(f"--{option}={model}")
+    document, shown = (
+        subprocess.run([*command, *more], capture_output=True, text=True, check=False).stdout
+        for more in (["--json"], [])
+    )
+    report = json.loads(document)
+    return report["verdict"], report["scope"].get("shared_file", ""), " ".join(shown.split())
+
+
+@pytest.mark.parametrize(("option", "name"), MODELS.items())
+def test_an_explorer_in_the_file_of_its_model_can_make_the_verdict_and_the_scope_says_so(
+    folder, option, name
+):
+    verdict, shared, shown = checked("attack", option, f"attack.py:{name}")
+    assert (verdict, shared) == ("holds", "attack.py")
+    assert "attack.py holds the explorer, and code that judges it" in shown
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("option", "name"), MODELS.items())
+def test_a_model_in_a_file_of_its_own_judges_as_it_should(folder, option, name):
+    assert checked("explorers", option, f"models.py:{name}")[:2] == ("refuted", "")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("option", "name"), MODELS.items())
+def test_the_attack_is_lost_where_nobody_who_judges_loads_it(folder, option, name):
+    assert checked("attack", option, f"models.py:{name}")[:2] == ("refuted", "")

@@ -1,0 +1,199 @@
+"""Checks and counts of classes that are narrowed, by ours and by the user's own."""
+
+import pytest
+
+import allworlds
+from allworlds.inputs import InputError
+from allworlds.maps.counting import any_genus, narrowed
+from allworlds.reports import text
+from small import slow
+
+PREDICATES = """
+def even(map_):
+    return all(degree % 2 == 0 for degree in map_.degrees)
+
+
+def below(edges):
+    return lambda map_: map_.edge_count < edges
+
+
+def first_dart(map_):
+    return map_.vertex_of[0] == map_.vertex_of[1]
+
+
+def raises(map_):
+    return 1 // 0
+
+
+def says_one(map_):
+    return 1
+
+
+nothing = 3
+
+
+def goes_on(first):
+    from allworlds import Move
+
+    while True:
+        yield Move(1)
+
+
+def explore(first, *, choices):
+    from allworlds.explorers import algorithm1
+
+    return (yield from algorithm1(first, choices=choices))
+"""
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    (tmp_path / "mine.py").write_text(PREDICATES)
+    (tmp_path / "alone.py").write_text(PREDICATES)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize(("where", "worlds"), [("eulerian", 11), ("trees", 8), (None, 86)])
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_check_is_of_the_maps_of_which_it_is_true(where, worlds, workers):
+    report = allworlds.check(edges=3, where=where, workers=workers)
+    expected = sum(1 for _ in allworlds.worlds(edges=3, where=where))
+    assert report.verdict.value == "holds"
+    assert report.worlds == expected
+    gate = report.to_json()["scope"]["gate"]
+    assert sum(cell["counted"] for cell in gate) == sum(cell["enumerated"] for cell in gate)
+    assert sum(cell["counted"] for cell in gate) == expected
+    assert report.to_json()["scope"].get("where") == where
+
+
+def test_a_predicate_of_ones_own_is_the_same_as_ours(folder):
+    ours = allworlds.check("mine.py:explore", edges=3, where="eulerian", workers=1)
+    theirs = allworlds.check("mine.py:explore", edges=3, where="alone.py:even", workers=2)
+    assert ours.rows == theirs.rows
+    assert "no source counts" in text("check", theirs, 100)
+    same = allworlds.check("mine.py:explore", edges=2, where="mine.py:even", workers=1)
+    assert same.scope.shared_file == "mine.py"
+    assert theirs.scope.shared_file == ""
+    with pytest.raises(InputError, match="does not know the condition"):
+        allworlds.check(edges=3, where="alone.py:even", engine="kernel")
+
+
+def test_a_count_is_compared_with_the_source_of_the_condition_if_it_has_one(folder):
+    report = allworlds.count(edges=4, where="trees")
+    assert [row.rooted for row in report.rows] == [1, 2, 5, 14]
+    assert report.gate.source == "Catalan numbers"
+    assert report.gate.agrees
+    assert "(Catalan numbers)" in text("count", report, 1000)
+    assert allworlds.count(edges=9, where="cubic").rows[-1].rooted == 1105  # OEIS A062980
+    own = allworlds.count(edges=4, where="mine.py:below?edges=3")
+    assert own.rows[-1].rooted == 0
+    assert own.to_json()["gate"] is None
+    assert own.exit_code == 0
+    assert "no source counts" in text("count", own, 100)
+    assert allworlds.count(edges=2, where="girth:9", map_class="maps").rows[0].rooted == 1
+
+
+def test_a_wrong_count_under_a_condition_is_an_error(monkeypatch):
+    right = any_genus.catalan
+    monkeypatch.setattr(narrowed, "catalan", lambda m: right(m) + (m == 3))
+    assert allworlds.count(edges=3, where="trees").exit_code == 70
+    report = allworlds.check(edges=3, where="trees")
+    assert report.verdict.value == "error"
+    assert "but Catalan numbers counts 6" in text("check", report, 1000)
+    assert allworlds.worst("greedy", edges=3, where="trees").exit_code == 70
+    assert allworlds.ambiguity.census(edges=3, where="trees").exit_code == 70
+
+
+@pytest.mark.parametrize("where", ["cubic", "trees", "triangulation", "genus:1", "girth:2"])
+def test_shards_under_a_condition_are_the_whole(where, tmp_path):
+    whole = allworlds.check(edges=4, where=where)
+    for shard in (0, 1, 2):
+        allworlds.check(edges=4, where=where, shard=(shard, 3), run=tmp_path / f"{shard}")
+    merged = allworlds.merge(*(tmp_path / f"{shard}" for shard in (0, 1, 2)))
+    assert merged.to_json()["rows"] == whole.to_json()["rows"]
+    assert merged.to_json()["scope"]["gate"] == whole.to_json()["scope"]["gate"]
+
+
+@pytest.mark.parametrize("edges", [2, slow(3)])
+def test_the_worst_cost_under_a_condition(folder, edges):
+    plain = [row.to_json() for row in allworlds.worst(edges=edges, transit="simple").rows]
+    for where in ("girth:1", "alone.py:below?edges=9"):
+        report = allworlds.worst(edges=edges, where=where)
+        assert (report.exit_code, report.transit) == (0, None)
+        for row, same in zip(report.rows, plain, strict=True):
+            told = row.to_json()
+            for key in ("edges", "vertices", "worlds", "worst", "bound"):
+                assert told[key] == same[key]
+    assert report.to_json()["gate"] is None
+    assert "absent: no source counts the maps that are alone" in text("worst", report, 100)
+    with pytest.raises(InputError, match="in all maps of a class"):
+        allworlds.worst(edges=3, where="trees", transit="simple")
+    merged = allworlds.worst("greedy", edges=3, where="trees", run="rd")
+    assert allworlds.merge("rd").to_json() == merged.to_json()
+
+
+@pytest.mark.parametrize("where", ["cubic", "alone.py:even", "genus:2"])
+def test_random_worlds_under_a_condition(where, folder):
+    options = {"edges": 9, "min_edges": 5, "runs": 20, "where": where}
+    report = allworlds.fuzz("algorithm1", workers=1, **options)
+    assert report.verdict.value == "not-refuted"
+    assert report.runs == 20
+    assert report.scope.where == where
+    assert {row.edges for row in report.rows} <= {5, 6, 7, 8, 9}
+    assert where != "cubic" or {row.edges for row in report.rows} == {6, 9}
+    assert allworlds.fuzz("algorithm1", workers=2, **options).rows == report.rows
+
+
+def test_a_shrunk_world_keeps_the_condition(folder):
+    options = {"lighthouse": "none", "task": "cover:edges", "workers": 1}
+    for where in ("cubic", "alone.py:even"):
+        report = allworlds.fuzz(
+            "mine.py:goes_on", edges=9, min_edges=6, runs=5, where=where, **options
+        )
+        (finding,) = report.findings
+        degrees = finding.world.map.degrees
+        assert all(d == 3 if where == "cubic" else d % 2 == 0 for d in degrees)
+
+
+@pytest.mark.parametrize("where", ["cubic", "mine.py:below?edges=2"])
+def test_a_condition_that_is_true_of_no_drawn_map_is_refused_in_one_line(folder, where):
+    with pytest.raises(InputError, match="were drawn, and it is true of none") as error:
+        allworlds.fuzz("algorithm1", edges=4, min_edges=4, runs=2, where=where, workers=1)
+    assert "\n" not in str(error.value)
+
+
+def test_explorers_are_compared_in_it():
+    report = allworlds.compare("algorithm1", "greedy", edges=3, where="trees")
+    assert sum(row.runs for row in report.rows if row.edges == 3) > 0
+    assert {row.vertices - row.edges for row in report.rows} == {1}
+
+
+def test_a_run_directory_is_of_its_content(folder):
+    first = allworlds.check(edges=2, where="alone.py:even", run="rd")
+    assert allworlds.merge("rd").to_json()["rows"] == first.to_json()["rows"]
+    (folder / "alone.py").write_text(PREDICATES + "\n")
+    with pytest.raises(InputError, match="is of another text of 'alone"):
+        allworlds.check(edges=2, where="alone.py:even", run="rd")
+
+
+def test_where_nothing_is_true_the_check_is_vacuous(folder):
+    assert allworlds.check(edges=2, where="mine.py:below?edges=1").verdict.value == "vacuous"
+
+
+@pytest.mark.parametrize(
+    ("where", "said"),
+    [
+        ("mine.py:first_dart", "depends on the numbering of the darts: it says"),
+        ("mine.py:raises", "raises ZeroDivisionError"),
+        ("mine.py:says_one", "returns 1, not True or False"),
+        ("mine.py:nothing", "is no function, but 3"),
+        ("mine.py:below?vertices=3", "unexpected keyword argument"),
+        ("mine.py:absent", "has no 'absent'"),
+        ("planar", "'planar' is not one of cubic, regular:D"),
+    ],
+)
+def test_what_is_no_condition_is_refused_in_one_line(folder, where, said):
+    with pytest.raises(InputError, match=said) as error:
+        allworlds.check(edges=2, where=where)
+    assert "\n" not in str(error.value)
