@@ -15,13 +15,12 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-import typer
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
 import allworlds
-from allworlds.cli.app import app
+from allworlds.cli import app
 from allworlds.reports.schemas import schemas
 from allworlds.verbs import GROUPS, VERBS, Verb
 
@@ -42,7 +41,7 @@ def pages() -> dict[str, str]:
         "reference/command-line.md": command_line(),
         "reference/python.md": names(),
         "reference/header.md": header(),
-        **{f"reference/parts/{name}.md": part(name) for name in parts()},
+        **{f"internals/{name}.md": part(name) for name in parts()},
     }
 
 
@@ -58,7 +57,7 @@ def command_line() -> str:
         "\nWith `--json` a verb prints one document: [its keys](../documents.md). "
         "[Exit codes](../verdicts.md#verdicts-and-exit-codes) are the same for all verbs.\n"
     )
-    root = typer.main.get_command(app)
+    root = app.command_line()
     return text + "".join(_verb_text(verb, _command(root, verb)) for verb in VERBS)
 
 
@@ -113,21 +112,37 @@ def _cell(text: str) -> str:
 # ---------------------------------------------------------------- Python
 
 
+MODULES = {
+    "testing": "Assertions for tests: [how to use them](../how-to/pytest.md).",
+    "strategies": "Hypothesis strategies: [how to use them](../how-to/pytest.md).",
+}
+"""The modules of the public API beside ``import allworlds``."""
+
+
 def names() -> str:
-    """The names of ``import allworlds``, with what their docstrings say."""
-    return (
-        "# Names of the package\n\nWhat `import allworlds` gives. An explorer needs the classes, "
-        "and the functions are the verbs: they take the options of the "
-        "[command line](command-line.md) as keywords.\n\n"
-        + "".join(_reference(f"allworlds.{name}") for name in allworlds.__all__ if _is_told(name))
+    """The public API: the names of ``import allworlds`` and of the modules beside it."""
+    verbs = [verb.function.replace(":", ".") for verb in VERBS if verb.python.count(".") > 1]
+    text = (
+        "# Python\n\nThe public API: the names of `import allworlds` and of two modules. An "
+        "explorer needs the classes, and the functions are the verbs: they take the options of the "
+        "[command line](command-line.md) as keywords. Everything else in the package may change "
+        "without notice; *Inside the package* describes it.\n\n"
     )
+    text += "".join(_reference(f"allworlds.{name}") for name in allworlds.__all__ if _is_told(name))
+    text += "# allworlds.ambiguity\n\n"
+    text += "".join(_reference(f"allworlds.{path}") for path in verbs)
+    for name, told in MODULES.items():
+        text += f"# allworlds.{name}\n\n{told}\n\n"
+        paths = [f"allworlds.{name}.{public}" for public in _public(f"allworlds.{name}")]
+        text += "".join(map(_reference, paths))
+    return text
 
 
 def parts() -> list[str]:
-    """The modules and packages of the package that have names for others."""
+    """The modules and packages inside the package: those with names for other parts."""
     found = []
     for module in pkgutil.iter_modules(allworlds.__path__):
-        if module.name != "__main__" and _public(f"allworlds.{module.name}"):
+        if module.name not in ("__main__", *MODULES) and _public(f"allworlds.{module.name}"):
             found.append(module.name)
     return found
 
@@ -135,7 +150,10 @@ def parts() -> list[str]:
 def part(name: str) -> str:
     """The names at the door of a part, with what their docstrings say."""
     module = importlib.import_module(f"allworlds.{name}")
-    text = f"# allworlds.{name}\n\n```text\n{inspect.cleandoc(module.__doc__ or '')}\n```\n\n"
+    text = (
+        f"# allworlds.{name}\n\nPart of the inside of the package, and not of the public API.\n\n"
+        f"```text\n{inspect.cleandoc(module.__doc__ or '')}\n```\n\n"
+    )
     return text + "".join(
         _reference(f"allworlds.{name}.{public}") for public in _public(module.__name__)
     )
@@ -176,8 +194,8 @@ def header() -> str:
     """``allworlds.h`` as it is printed by ``allworlds init --header``."""
     text = (files("allworlds.explorers.shared_library") / "allworlds.h").read_text(encoding="utf-8")
     return (
-        "# allworlds.h\n\nThe header of [explorers in shared libraries](../native.md), as "
-        f"`allworlds init --header` prints it.\n\n```c\n{text.rstrip()}\n```\n"
+        "# allworlds.h\n\nThe header of [explorers in shared libraries](../how-to/languages.md), "
+        f"as `allworlds init --header` prints it.\n\n```c\n{text.rstrip()}\n```\n"
     )
 
 

@@ -1,0 +1,58 @@
+"""The data of the tables and the figure of large worlds in ``docs/explorers.md``.
+
+    allworlds compare EXPLORER ... --family lattice,torus --to 200 --by world --csv a.csv
+    python docs/figures/growth.py a.csv ... > docs/figures/growth.csv
+
+keeps the columns of numbers: family and seed name each world, so that its code is left out.
+"""
+
+from __future__ import annotations
+
+import csv
+import sys
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TypeAlias
+
+FILE = Path(__file__).with_suffix(".csv")
+KEPT = ("family", "seed", "edges", "vertices", "explorer", "runs", "places", "mean", "worst")
+COLUMNS = (*KEPT, "bound")
+
+Row: TypeAlias = dict[str, str]
+Costs: TypeAlias = dict[int, list[float]]
+"""The mean cost in each world, by the number of edges."""
+
+
+def kept(rows: Iterable[Row]) -> Iterator[Row]:
+    """The columns that are kept, of each row."""
+    return ({name: row[name] for name in COLUMNS} for row in rows)
+
+
+def read(file: Path = FILE) -> list[Row]:
+    """The rows of a file."""
+    with file.open(encoding="utf-8", newline="") as opened:
+        return [*csv.DictReader(opened)]
+
+
+def by_family(rows: Iterable[Row]) -> dict[str, list[Row]]:
+    """The rows of each family, by its name without a size."""
+    found: dict[str, list[Row]] = {}
+    for row in rows:
+        found.setdefault(row["family"].partition(":")[0], []).append(row)
+    return found
+
+
+def costs(rows: Iterable[Row], explorer: str) -> Costs:
+    """The costs of one explorer in rows of one family."""
+    found: Costs = {}
+    for row in rows:
+        if row["explorer"] == explorer:
+            found.setdefault(int(row["edges"]), []).append(float(row["mean"]))
+    return dict(sorted(found.items()))
+
+
+if __name__ == "__main__":
+    writer = csv.DictWriter(sys.stdout, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    for name in sys.argv[1:]:
+        writer.writerows(kept(read(Path(name))))
