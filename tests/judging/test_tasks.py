@@ -99,7 +99,7 @@ def test_an_estimate_gets_to_a_judge_as_it_is(tmp_path, monkeypatch):
         wrong("judges.py:numbers", EDGE, [], Said(None))
     with pytest.raises(InputError, match="is no function, but 3"):
         task_named("judges.py:nothing")
-    with pytest.raises(InputError, match=r"'there' is not one of count:m, .*, stop, path/to"):
+    with pytest.raises(InputError, match=r"'there' is not one of map, .*, face, path/to"):
         task_named("there")
 
 

@@ -92,11 +92,10 @@ def test_a_run_directory_is_of_its_content(folder):
     first = allworlds.check("mine.py:explore", run="rd", **asked)
     assert counts(allworlds.check("mine.py:explore", run="rd", **asked)) == counts(first)
     assert counts(allworlds.merge("rd")) == counts(first)
-    (folder / "parity.py").write_text(PARITY.replace("modulus = 2", "modulus = 3"))
+    (folder / "parity.py").write_text(PARITY.replace("modulus: int = 2", "modulus: int = 3"))
     with pytest.raises(InputError, match=r"is of another text of 'parity\.py:Parity'"):
         allworlds.check("mine.py:explore", run="rd", **asked)
-    with pytest.raises(InputError, match="has another text now than is recorded"):
-        allworlds.merge("rd")
+    assert counts(allworlds.merge("rd")) == counts(first)  # of the text that was recorded
     with pytest.raises(InputError, match="has another text now"):
         Finding.from_json(first.findings[0].to_json())
 
@@ -133,7 +132,7 @@ def test_arguments_of_a_name_make_an_explorer(folder):
         assert report.findings[0].explorer == f"told.py:asks?depth={depth}"
         assert max(row.max_cost for row in report.rows) == depth
         assert allworlds.replay(report.findings[0]).outcome == "reproduced"
-    with pytest.raises(InputError, match="unexpected keyword argument 'width'"):
+    with pytest.raises(InputError, match="takes no argument 'width'; legal are depth"):
         allworlds.check("told.py:asks?width=2", edges=1)
 
 

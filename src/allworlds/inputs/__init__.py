@@ -48,7 +48,6 @@ if TYPE_CHECKING:
         Taken as Taken,
         answer as answer,
         answers as answers,
-        codes_in as codes_in,
         ensure_takes as ensure_takes,
         fields_of as fields_of,
         meant as meant,

@@ -214,18 +214,14 @@ def meant(request: object) -> dict[str, Any]:
     """All that the answer to a request depends on, but for the explorer, as JSON has it.
 
     A value that JSON does not have stands there by its name, which is its text; of the user's
-    code there is the digest.
+    code there is the record, from which it can be loaded again.
     """
     told = {key: getattr(request, name) for key, name in _keys(type(request)).items()}
-    digests = {code.name: code.digest for code in codes_in(request)}
+    records = {
+        code.plain: code.record for value in told.values() for code in getattr(value, "codes", ())
+    }
     found = {key: _as_json(value) for key, value in told.items()}
-    return {**found, "code": digests} if digests else found
-
-
-def codes_in(request: object) -> list[Any]:
-    """The user's code that values of a request stand for, each with its name and its digest."""
-    values = (getattr(request, name) for name in _keys(type(request)).values())
-    return [code for value in values for code in getattr(value, "codes", ())]
+    return {**found, "code": records} if records else found
 
 
 def _as_json(value: object) -> object:

@@ -24,7 +24,10 @@ if TYPE_CHECKING:
 
 
 class Condition(Protocol):
-    """A property of maps that does not depend on the numbering of darts."""
+    """A property of maps that does not depend on the numbering of darts.
+
+    It may have a method ``may_begin`` of a partial gluing: whether such a map may begin so.
+    """
 
     @property
     def name(self) -> str:

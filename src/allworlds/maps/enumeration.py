@@ -9,7 +9,7 @@ Only histories that can be finished are begun (classes ``maps`` and ``planar``):
 dart may not close while darts are still owed.  In the plane a dart is glued only within its
 own face of the open boundary, and the vertices to come must be enough to even out every
 face with an odd number of open darts.  In the simple classes a vertex needs enough partners left;
-there the rule is only necessary, so a few histories end without a map.  A condition with a name
+there the rule is only necessary, so a few histories end without a map.  A condition
 cuts off, in the same way, what can become no map of which it holds; one on the faces of a map is
 one on the vertices of its dual, which is glued together in its place.
 """
@@ -21,7 +21,7 @@ from typing import TypeAlias
 
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.maps.conditions import Condition, NamedCondition
+from allworlds.maps.conditions import Condition
 
 Decision: TypeAlias = int
 """A decision about the oldest open dart: ``z >= 0``: it is glued to the open dart ``z``;
@@ -51,8 +51,8 @@ class Gluing:
         vertices: int | None = None,
         where: Condition | None = None,
     ) -> None:
-        self._where = where if isinstance(where, NamedCondition) else None
-        self._dual = self._where is not None and self._where.dual
+        self._may_begin = getattr(where, "may_begin", None)
+        self._dual = getattr(where, "dual", False)
         self.edges = edges
         self.limit = edges + 1
         if vertices is not None and not self._dual:
@@ -139,7 +139,7 @@ class Gluing:
         twin.alpha, twin.vertex = self.alpha[:], self.vertex[:]
         twin.degrees, twin.neighbours = self.degrees[:], self.neighbours[:]
         twin.faces, twin.newest = self.faces, self.newest
-        twin._where, twin._dual = self._where, self._dual
+        twin._may_begin, twin._dual = self._may_begin, self._dual
         return twin
 
     def _new_vertex(self, degree: int) -> Dart:
@@ -163,7 +163,7 @@ class Gluing:
         return self.simple and (u == v or bool(self.neighbours[u] >> v & 1))
 
     def _may_be_meant(self) -> bool:
-        return self._where is None or self._where.may_begin(self)
+        return self._may_begin is None or self._may_begin(self)
 
     def _can_be_finished(self) -> bool:
         owed = self.owed

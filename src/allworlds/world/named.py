@@ -28,13 +28,14 @@ from allworlds.maps import (
     rooted_code,
 )
 from allworlds.world.adversary import FORM, PREFIX
+from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import (
     GivenLighthouse,
     LighthouseKind,
+    kind_of,
     lighthouse_from_json,
-    lighthouse_kind,
 )
 from allworlds.world.world import World
 
@@ -53,7 +54,12 @@ def world_named(
     Raises:
         InputError: naming a text that is none of these, or a seed that has no effect.
     """
-    kind = lighthouse_kind(kind)
+    world = _world_named(text, tried_kind(kind), seed)
+    tried_kind(kind_of(world.lighthouse))  # the text may name another one
+    return world
+
+
+def _world_named(text: str, kind: LighthouseKind, seed: int | None) -> World:
     if seed is not None and (_is_json(text) or text.partition(":")[0] not in _families()):
         raise InputError(f"seed {seed} has no effect on world {show(text)}, which is no family")
     if text.startswith("@"):
@@ -160,7 +166,7 @@ class FamilyWords(Request):
         """Return that world, started at dart 0, with a lighthouse at its default place."""
         assert self.family is not None
         map_ = map_of_family(self.family, self.holes, self.seed)
-        return World(map_, lighthouse_from_json(None, map_, 0, kind))
+        return World(map_, lighthouse_from_json(None, map_, 0, tried_kind(kind)))
 
 
 def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 from random import Random
 from typing import Annotated, TypeAlias
 
-from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, let_users_interrupt, show
-from allworlds.maps import LEGAL, CombinatorialMap, Condition, condition_named, rooted_maps
-from allworlds.protocol import UserCode, find_code, function_of, said
+from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, a_text, show
+from allworlds.maps import LEGAL, CombinatorialMap, Condition, Gluing, condition_named, rooted_maps
+from allworlds.protocol import LocalCode, Role, UserCode, tried
 
-ENTRY_POINTS = "allworlds.predicates"
+PREDICATE = Role(
+    "where",
+    "allworlds.predicates",
+    "def predicate(map), which returns True or False",
+    (LEGAL,),
+)
 
 TRIED_EDGES = 3
 """In all maps with so many edges a predicate must not depend on the numbering of the darts."""
@@ -23,15 +27,23 @@ Predicate: TypeAlias = Callable[[CombinatorialMap], bool]
 
 @dataclass(frozen=True, slots=True)
 class OwnCondition:
-    """A predicate of the user's; it is loaded where maps are made."""
+    """A predicate of the user's; it is loaded where maps are made.
 
-    name: str
-    code: UserCode
+    Its function may have an attribute ``begins``: a function of a partial gluing that says whether
+    a map of which the predicate is true may begin so.
+    """
+
+    code: UserCode | LocalCode
+
+    @property
+    def name(self) -> str:
+        """As ``--where`` takes it."""
+        return self.code.name
 
     @property
     def codes(self) -> tuple[UserCode, ...]:
-        """The predicate."""
-        return (self.code,)
+        """The predicate, if other processes can load it."""
+        return (self.code,) if isinstance(self.code, UserCode) else ()
 
     def holds(self, map_: CombinatorialMap) -> bool:
         """Whether the predicate says so.
@@ -39,67 +51,96 @@ class OwnCondition:
         Raises:
             InputError: if it raises, or says neither True nor False.
         """
-        predicate = _predicate(self.code)
-        try:
-            found = predicate(map_)
-        except BaseException as error:  # noqa: BLE001  # a predicate may raise anything
-            let_users_interrupt(error)
-            raise InputError(f"where {show(self.name)} raises {said(error)}") from None
+        return self._decided("", self.code(map_))
+
+    def may_begin(self, gluing: Gluing) -> bool:
+        """Whether a map of which the predicate is true may begin so, as far as it knows.
+
+        Raises:
+            InputError: as :meth:`holds`.
+        """
+        begins = getattr(self.code.function, "begins", None)
+        if begins is None:
+            return True
+        what = f"begins of where {show(self.name)}"
+        return self._decided("begins of ", tried(what, lambda: begins(gluing)))
+
+    def _decided(self, part: str, found: object) -> bool:
         if type(found) is not bool:
-            raise InputError(f"where {show(self.name)} returns {show(found)}, not True or False")
+            raise InputError(
+                f"{part}where {show(self.name)} returns {show(found)}, not True or False"
+            )
         return found
 
     def __str__(self) -> str:
         return self.name
 
 
-@cache
-def _predicate(code: UserCode) -> Predicate:
-    shape = "def predicate(map), which returns True or False"
-    predicate: Predicate = function_of("where", code, ENTRY_POINTS, shape)
-    return predicate
-
-
 def a_condition(given: object) -> Condition | None:
-    """The condition of a name, tried on small maps if it is the user's.
+    """The condition of a name or of a function, tried on small maps if it is the user's.
 
     Raises:
         InputError: naming the legal ones, or two numberings of one map that it takes apart.
     """
-    if given is None or isinstance(given, OwnCondition):
+    if given is None or (hasattr(given, "holds") and hasattr(given, "name")):
         return given
-    if not isinstance(given, str):
-        if hasattr(given, "holds") and hasattr(given, "name"):
-            return given
-        raise InputError(f"where = {show(given)} is not a text")
-    if (ours := condition_named(given)) is not None:
+    if isinstance(given, str) and (ours := condition_named(given)) is not None:
         return ours
-    own = OwnCondition(given, find_code("where", given, ENTRY_POINTS, (LEGAL,)))
-    _ensure_no_numbering_counts(own)
-    return own
+    code = PREDICATE.of(given) if callable(given) else PREDICATE.find(a_text("where", given))
+    return _tried(OwnCondition(code))
 
 
-def _ensure_no_numbering_counts(own: OwnCondition) -> None:
-    """Raise InputError if the condition holds of a map and not of the same with other names."""
+def a_local_condition(given: object) -> Condition | None:
+    """The condition of a name or of any function, for use in this process alone.
+
+    Raises:
+        InputError: as :func:`a_condition`.
+    """
+    if callable(given) and not hasattr(given, "holds"):
+        return _tried(OwnCondition(LocalCode(PREDICATE, given)))
+    return a_condition(given)
+
+
+def _tried(own: OwnCondition) -> OwnCondition:
+    """The condition itself, unless it was recorded, and so tried before.
+
+    Raises:
+        InputError: if it is no function of the map, or if ``begins`` cuts off a map that it is
+            true of.
+    """
+    if own.codes and own.codes[0].recorded:
+        return own
     names = Random(TRIED_EDGES)  # noqa: S311  # any names
     for edges in range(1, TRIED_EDGES + 1):
+        begun = {*rooted_maps(edges, where=own)}
         for map_ in rooted_maps(edges):
+            says = own.holds(map_)
+            if own.holds(map_) != says:
+                raise InputError(
+                    f"where {show(own.name)} is no function of the map: asked twice, it says "
+                    f"{says} and {not says} of {map_}"
+                )
             other = [*map_.darts]
             names.shuffle(other)
             renamed = map_.relabelled(other)
-            if own.holds(map_) != own.holds(renamed):
+            if own.holds(renamed) != says:
                 raise InputError(
                     f"where {show(own.name)} depends on the numbering of the darts: it says "
-                    f"{own.holds(map_)} of {map_}, and {own.holds(renamed)} of the same map as "
-                    f"{renamed}"
+                    f"{says} of {map_}, and {not says} of the same map as {renamed}"
                 )
+            if says and map_ not in begun:
+                raise InputError(
+                    f"where {show(own.name)} is true of {map_}, and its begins says that no such "
+                    "map begins as this one does"
+                )
+    return own
 
 
 class AskedWhere(Request):
     """The part of a request that adds a condition on the maps."""
 
     where: Annotated[
-        Taken[str | Condition | None, Condition | None],
+        Taken[str | Predicate | Condition | None, Condition | None],
         Option(
             SCOPE,
             "WHERE",
@@ -116,5 +157,4 @@ class AskedWhere(Request):
 
 def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
     """The files of the user's that a condition needs."""
-    codes = condition.codes if isinstance(condition, OwnCondition) else ()
-    return tuple(code.file(ENTRY_POINTS) for code in codes)
+    return tuple(file for code in getattr(condition, "codes", ()) for file in code.files)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import field
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 from allworlds.document import Different, Document, IfAny, Positive, Text, about
 from allworlds.explorers import Subject
@@ -26,8 +26,8 @@ from allworlds.inputs import (
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.laws.bounds import Bound, bound_named, paper_bound
 from allworlds.judging.laws.law_table import LAWS, JudgedLaw, Setting
-from allworlds.judging.tasks import ENTRY_POINTS, MAP, TASKS, Task, task_named
-from allworlds.maps import CombinatorialMap
+from allworlds.judging.tasks import MAP, TASKS, Judge, Task, task_named
+from allworlds.maps import CombinatorialMap, Condition
 from allworlds.protocol import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
 from allworlds.world import (
     Directional,
@@ -87,7 +87,7 @@ class AskedRules(Request):
     """The part of a request that says how runs are played and judged."""
 
     task: Annotated[
-        Taken[str | Task, Task],
+        Taken[str | Judge | Task, Task],
         Option(
             RULES,
             "TASK",
@@ -134,7 +134,12 @@ class AskedRules(Request):
     ] = Taken(_step_budget, None)
 
     def rules_of(
-        self, subject: Subject, lighthouse: GivenLighthouse, *, promised: bool = False
+        self,
+        subject: Subject,
+        lighthouse: GivenLighthouse,
+        *,
+        promised: bool = False,
+        among: Among | None = None,
     ) -> Rules:
         """The rules under a lighthouse, with the bound and the budget that the explorer brings.
 
@@ -145,7 +150,26 @@ class AskedRules(Request):
         if self.step_budget is None:
             told["step_budget"] = subject.step_budget
         own = subject.bound_under(str(lighthouse_kind(lighthouse)))
-        return Rules(lighthouse, promised=promised, own_bound=own, **told)
+        return Rules(lighthouse, promised=promised, own_bound=own, among=among, **told)
+
+
+class Among(NamedTuple):
+    """A condition on the maps of a check: among these its findings are minimal.
+
+    Attributes:
+        name: as ``--where`` takes it.
+        digest: of the predicate's file, where it is the user's.
+    """
+
+    name: str
+    digest: str | None = None
+
+    @classmethod
+    def of(cls, where: Condition | None) -> Among | None:
+        """The condition of a request."""
+        if where is None:
+            return None
+        return cls(where.name, next((code.digest for code in getattr(where, "codes", ())), None))
 
 
 class Rules(AskedRules, kw_only=False):
@@ -156,11 +180,13 @@ class Rules(AskedRules, kw_only=False):
         promised: whether the worlds keep a promise, such as planarity, that can make an explorer
             right without folding.
         own_bound: the explorer's own bound for this lighthouse; None if it has none.
+        among: the condition on the maps, for findings; runs do not depend on it.
     """
 
     lighthouse: Taken[GivenLighthouse, LighthouseKind] = Taken(lighthouse_kind, Directional.kind)
     promised: bool = field(default=False, kw_only=True)
     own_bound: str | None = field(default=None, kw_only=True)
+    among: Among | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
         for law in self.laws or ():
@@ -180,8 +206,8 @@ class Rules(AskedRules, kw_only=False):
     @property
     def files(self) -> tuple[Path, ...]:
         """The files of the user's from which code is loaded where runs are judged."""
-        judge = self.task.code
-        return (*self.lighthouse.files, *([judge.file(ENTRY_POINTS)] if judge else ()))
+        codes = (*self.lighthouse.codes, *self.task.codes)
+        return tuple(file for code in codes for file in code.files)
 
     @cached_property
     def the_bound(self) -> Bound:
@@ -272,6 +298,8 @@ class Rules(AskedRules, kw_only=False):
             laws=self.applying,
             task=None if self.task.is_map else self.task.name,
             task_digest=self.task.code.digest if self.task.code else None,
+            where=self.among.name if self.among else None,
+            where_digest=self.among.digest if self.among else None,
         )
 
 
@@ -303,6 +331,12 @@ class RecordedRules(Document, forbid_unknown_fields=False):
     task_digest: Annotated[
         IfAny[Text | None], about("SHA-256 of the judge's file, where it is the user's")
     ] = None
+    where: Annotated[
+        IfAny[Text | None], about("the condition on the maps among which it is minimal, if any")
+    ] = None
+    where_digest: Annotated[
+        IfAny[Text | None], about("SHA-256 of the predicate's file, where it is the user's")
+    ] = None
 
     def rules(self, world: World, own_bound: str | None = None) -> Rules:
         """The rules in a world; the explorer of a finding may bring a bound of its own.
@@ -313,8 +347,8 @@ class RecordedRules(Document, forbid_unknown_fields=False):
             InputError: naming the offending option.
         """
         bound, laws, task = self.bound, self.laws, task_named(self.task or MAP)
-        if task.code and self.task_digest not in (None, task.code.digest):
-            raise InputError(f"task {show(task.name)} has another text now than is recorded")
+        if task.code:
+            task.code.ensure_recorded(self.task_digest)
         if laws is not None:
             default = (own_bound or world.lighthouse.default_bound) if task.is_map else "none"
             if (default if bound is None else bound) == "none":
@@ -331,4 +365,5 @@ class RecordedRules(Document, forbid_unknown_fields=False):
             laws=laws,
             step_budget=self.step_budget,
             own_bound=own_bound,
+            among=Among(self.where, self.where_digest) if self.where else None,
         )

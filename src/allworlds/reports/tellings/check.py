@@ -205,6 +205,7 @@ def _corpus(past: UserCorpus) -> str:
             ("past findings reproduced", past.reproduced),
             *([("still refuted, but beyond the scope", past.beyond)] if past.beyond else []),
             ("fixed and kept", past.fixed),
+            *([("stale and not tried", past.stale)] if past.stale else []),
             ("written", past.written),
         )
     )

@@ -29,7 +29,7 @@ from allworlds.world import (
     LighthouseKind,
     Position,
     World,
-    lighthouse_kind,
+    tried_kind,
 )
 
 DEFAULT_LIMIT = 1000
@@ -44,7 +44,7 @@ class CensusRequest(
     lighthouse: Annotated[
         Taken[GivenLighthouse, LighthouseKind],
         Option(SCOPE, "KIND", f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}."),
-    ] = Taken(lighthouse_kind, Position.kind)
+    ] = Taken(tried_kind, Position.kind)
 
 
 class AskedMembers(AskedClass):

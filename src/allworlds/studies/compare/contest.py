@@ -27,7 +27,7 @@ from allworlds.engines import (
     level_size,
 )
 from allworlds.inputs import InputError, ensure_takes, show
-from allworlds.judging import Task
+from allworlds.judging import Judge, Task
 from allworlds.maps import CombinatorialMap, Condition, Extent
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped
 from allworlds.studies.check import GateCell, count_gate
@@ -51,7 +51,7 @@ from allworlds.studies.compare.growing_families import Member, form_of
 from allworlds.studies.compare.growth import Growth
 from allworlds.studies.compare.in_world import InWorld
 from allworlds.studies.compare.side_by_side import CostsOfAll, UnitOfOne
-from allworlds.world import GivenLighthouse, World
+from allworlds.world import GivenLighthouse, Predicate, World
 
 
 class SameWorldsOptions(TypedDict, total=False):
@@ -64,12 +64,12 @@ class SameWorldsOptions(TypedDict, total=False):
     edges: int | None
     vertices: int | None
     map_class: str
-    where: str | Condition | None
+    where: str | Predicate | Condition | None
     family: str | Sequence[str] | None
     holes: str | None
     seed: int | None
     lighthouse: GivenLighthouse | None
-    task: str | Task
+    task: str | Judge | Task
     policy: str
     bound: str | int | None
     laws: Iterable[str] | None

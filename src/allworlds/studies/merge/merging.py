@@ -9,6 +9,7 @@ from typing import Any
 from allworlds.engines import WHOLE, Listener, Silent, merged
 from allworlds.inputs import InputError, show
 from allworlds.lazy import loaded
+from allworlds.protocol import as_recorded
 from allworlds.verbs import BY_NAME
 from allworlds.version import __version__
 
@@ -58,5 +59,6 @@ def merge(*runs: str | Path, listener: Listener | None = None) -> MergedReport:
                 f"{show(__version__)}"
             )
         kind = loaded(BY_NAME[identity.verb].sweep)
-        report = kind.known(identity, WHOLE, listener or Silent()).merged(records)
+        with as_recorded(identity.code):
+            report = kind.known(identity, WHOLE, listener or Silent()).merged(records)
     return MergedReport(identity.verb, report)

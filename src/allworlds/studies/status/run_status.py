@@ -20,6 +20,7 @@ from allworlds.document import (
 from allworlds.engines import ENDED, Silent, in_use, reading, shards_of
 from allworlds.inputs import a_path
 from allworlds.lazy import loaded
+from allworlds.protocol import as_recorded
 from allworlds.verbs import BY_NAME
 
 State: TypeAlias = Literal["running", "finished", "unfinished"]
@@ -77,7 +78,7 @@ def status(run: str | Path) -> Standing:
     """
     path = a_path("run", run)
     running = in_use(path)
-    with reading(path) as database:
+    with reading(path) as database, as_recorded(database.identity.code):
         identity = database.identity
         sweep = loaded(BY_NAME[identity.verb].sweep).known(identity, identity.portion, Silent())
         ended = database.recall("ended") == ENDED
