@@ -118,6 +118,46 @@ def test_an_error_in_it_ends_a_check_whoever_comes_upon_it(folder):
             allworlds.check(explorer, edges=2, lighthouse="late.py:Parity", workers=1)
 
 
+LATE = """
+from allworlds import Drop, Estimate, Lighthouse, Move
+
+
+class Chalk(Lighthouse):
+    leaves_marks = True
+
+    @classmethod
+    def places(cls, map_, start):
+        yield cls()
+
+    def refusal(self, action, lying, hand):
+        return "" if type(action) is Drop else "a Move or Drop"
+
+    def acted(self, map_, state, action):
+        return state if map_.edge_count < 4 else 5
+
+    def left_marks(self, map_, state):
+        return 0 if map_.edge_count < 5 else 1 // 0
+
+
+def drops(first):
+    yield Drop()
+    while True:
+        yield Move(1)
+"""
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_an_error_in_marks_beyond_the_trial_is_no_fault_of_the_explorer(folder, workers):
+    (folder / "late.py").write_text(LATE)
+    (folder / "drops.py").write_text(LATE)
+    asked = {"lighthouse": "late.py:Chalk", "task": "cover", "where": "trees", "workers": workers}
+    held = allworlds.check("drops.py:drops", edges=3, **asked)
+    assert held.verdict.value == "holds"
+    for verb, more in ((allworlds.check, {}), (allworlds.fuzz, {"runs": 20})):
+        with pytest.raises(InputError, match=r"^acted of the lighthouse .late.py:Chalk. gives 5"):
+            verb("drops.py:drops", edges=4, **asked, **more)
+
+
 def test_what_is_told_is_a_dictionary_and_each_play_gets_its_own(folder):
     report = allworlds.check("told.py:counts", edges=1, lighthouse="told:n,m", workers=1)
     assert report.verdict.value == "holds"

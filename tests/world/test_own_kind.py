@@ -276,7 +276,8 @@ def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):
         "from dataclasses import dataclass\nfrom typing import ClassVar\n"
         "from allworlds import Lighthouse, Percept\n"
         "@dataclass(frozen=True, slots=True)\nclass Lamp(Lighthouse):\n"
-        "    darts: tuple[int, ...]\n    often: int = 1\n    name: str = 'a'\n    lit: bool = True\n"
+        "    darts: tuple[int, ...]\n    often: int = 1\n"
+        "    name: str = 'a'\n    lit: bool = True\n"
         "    height: ClassVar[int] = 3\n"
         "    @classmethod\n    def places(cls, map_, start):\n        yield cls((start,))\n"
         "    def sensed(self, map_, here):\n"
@@ -312,7 +313,7 @@ def test_options_stand_beside_the_name_of_a_kind_and_not_in_it(folder):
     own = World(EDGE, next(lighthouse_named("parity.py:Parity").places(EDGE, 0))).to_json()
     for kind in ("ports:states=3", "parity.py:Parity?modulus=3", "compass+movable"):
         lighthouse = {**own["lighthouse"], "kind": kind}
-        with pytest.raises(InvalidWorld, match="is more than a name|needs the key parts"):
+        with pytest.raises(InvalidWorld, match=r"is more than a name|needs the key parts"):
             World.from_json({**own, "lighthouse": lighthouse})
     ports = World.from_json({**EDGE.to_json(), "lighthouse": {"kind": "ports", "states": 3}})
     assert str(kind_of(ports.lighthouse)) == "ports:states=3"

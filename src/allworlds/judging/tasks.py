@@ -163,8 +163,22 @@ class Task:
 
     def environment(self, world: World) -> World | JudgedWorld:
         """The world as an explorer is run in it: it may end the run."""
-        over = getattr(self._judge, "over", None)
-        return JudgedWorld(world, self._asked("over of ", over)) if over else world
+        return JudgedWorld(world, self) if hasattr(self._judge, "over") else world
+
+    def is_over(self, walk: WalkLog) -> bool:
+        """Whether a run ends here, as the judge says.
+
+        Raises:
+            InputError: if the user's judge raises, or says neither True nor False.
+        """
+        found = self._asked("over of ", self._judge.over)(walk.world, walk)
+        if type(found) is not bool:
+            raise InputError(f"over of task {show(self.name)} returns {show(found)}, no boolean")
+        return found
+
+    def over_at_the_end(self, world: World, transcript: Transcript) -> bool:
+        """Whether the harness ended that walk, since all was done."""
+        return hasattr(self._judge, "over") and self.is_over(WalkLog.of(world, transcript))
 
     def flaw(self, world: World, transcript: Transcript, ending: Ending) -> str | None:
         """The fault of a finished run; None if there is none.
@@ -182,12 +196,6 @@ class Task:
         """The function itself, or one of the user's whose errors name it."""
         what = f"{part}task {show(self.name)}"
         return function if self.code is None else lambda *a: tried(what, lambda: function(*a))
-
-    def over_at_the_end(self, world: World, transcript: Transcript) -> bool:
-        """Whether the harness ended that walk, since all was done."""
-        over = getattr(self._judge, "over", None)
-        asked = self._asked("over of ", over) if over else None
-        return asked is not None and asked(world, WalkLog.of(world, transcript)) is True
 
 
 def task_named(given: object) -> Task:
@@ -216,12 +224,12 @@ class JudgedWorld:
 
     Attributes:
         world: in which one run takes place.
-        asked: the judge's decision.
+        task: with the judge.
         walk: so far.
     """
 
     world: World
-    asked: Ends
+    task: Task
     walk: WalkLog = field(init=False)
 
     def __post_init__(self) -> None:
@@ -245,10 +253,7 @@ class JudgedWorld:
     @property
     def over(self) -> bool:
         """Whether the judge says so."""
-        found = self.asked(self.world, self.walk)
-        if type(found) is not bool:
-            raise InputError(f"over of a task returns {show(found)}, not True or False")
-        return found
+        return self.task.is_over(self.walk)
 
     def step(self, state: State, action: Action) -> tuple[State, Percept]:
         """The state after the action, and what is sensed there."""

@@ -16,6 +16,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, replace
 from functools import cache
+from importlib.metadata import EntryPoint
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
@@ -70,9 +71,8 @@ class Role:
         plain, _ = arguments_of(name)
         if (record := _RECORDED.get().get(plain)) is not None:
             return UserCode(name, self, *_as_recorded(plain, record))
-        points = points_of(self.group)
-        if plain in points:
-            return UserCode(name, self, None, digest_of_file(module_file(points[plain].module)))
+        if point := self.offered(plain):
+            return UserCode(name, self, None, digest_of_file(module_file(point.module)))
         place, colon, attribute = plain.rpartition(":")
         if not colon or not re.fullmatch(r"[^\W\d][\w.]*", attribute) or not place:
             raise InputError(self._legal(name))
@@ -83,6 +83,10 @@ class Role:
             return UserCode(name, self, None, digest_of_file(module_file(place)))
         except InputError as error:
             raise InputError(f"{self._legal(name)}: {error}") from None
+
+    def offered(self, name: str) -> EntryPoint | None:
+        """The entry point of that name, which has no colon; None if no package offers it."""
+        return None if ":" in name else points_of(self.group).get(name)
 
     def of(self, given: Any) -> UserCode:
         """The code of a function or class that other processes can import.
@@ -160,9 +164,8 @@ class UserCode:
         """The file in which it stands."""
         if self.source is not None:
             return Path(self.source.path)
-        points, plain = points_of(self.role.group), self.plain
-        module = points[plain].module if plain in points else plain.rpartition(":")[0]
-        return module_file(module).resolve()
+        point = self.role.offered(self.plain)
+        return module_file(point.module if point else self.plain.rpartition(":")[0]).resolve()
 
     @property
     def files(self) -> frozenset[Path]:
@@ -312,9 +315,8 @@ def _loaded(code: UserCode) -> _Loaded:
     if code.source is None and digest_of_file(code.file) != code.digest:
         raise InputError(f"{show(code.name)} has another text here")
     before = {*sys.modules}
-    points, found = points_of(code.role.group), None
-    if code.name in points:
-        found = imported(code.name, points[code.name].load)
+    if point := code.role.offered(code.name):
+        found = imported(code.name, point.load)
     else:
         place, _, attribute = code.name.rpartition(":")
         module = module_named(place) if code.source is None else _module(place, code.source)

@@ -87,9 +87,9 @@ def _flaw_at(world: World, other: Sequence[int]) -> str:
         return f"asked twice, {place} tells something else"
     if world.told != renamed.told:
         return f"{place} tells {world.told}, and {renamed.told} {named}"
-    if not place.gives_marks and any(percept.marks for percept in sensed):
+    if not place.as_kind.gives_marks and any(percept.marks for percept in sensed):
         return f"{place} gives marks, but gives_marks is False"
-    if not place.gives_bearings and any(percept.bearing is not None for percept in sensed):
+    if not place.as_kind.gives_bearings and any(percept.bearing is not None for percept in sensed):
         return f"{place} gives bearings, but gives_bearings is False"
     if World.from_json(world.to_json()) != world:
         return f"{place} is read otherwise than it is written"
@@ -98,16 +98,16 @@ def _flaw_at(world: World, other: Sequence[int]) -> str:
 
 def _flaw_on_a_walk(world: World, renamed: World, named: str) -> str:
     """Why the marks that the robot leaves are no function of what it does; empty if they are."""
-    place, state, there = world.lighthouse, world.initial, renamed.initial
+    kind, state, there = world.lighthouse.as_kind, world.initial, renamed.initial
     if state.hand != there.hand:
         return f"in_hand is {state.hand}, and {there.hand} {named}"
     random, done = Random(len(world.map.darts)), ""  # noqa: S311  # any walk
-    for _ in range(STEPS):
-        legal = [Move(k) for k in range(world.percepts[state.dart].degree)]
+    for _ in range(STEPS if kind.leaves_marks else 1):
+        moves = [Move(k) for k in range(world.percepts[state.dart].degree)]
         free = [a for a in (Drop(), Pick(), Write(0), Write(1)) if not refused(world, state, a)]
-        if free and not place.leaves_marks:
+        if free and not kind.leaves_marks:
             return f"the robot may {free[0]}, but leaves_marks is False"
-        action = random.choice([*legal, *free * len(legal)])
+        action = random.choice([*moves, *free * len(moves)])
         done += f"{', ' if done else ''}{action}"
         if refused(renamed, there, action):
             return f"'{action}' is legal after '{done}', and not so {named}"
