@@ -84,6 +84,12 @@ def call_choose(_context, address, state, pick, context):
 
 
 @intrinsic
+def call_clone(_context, address, source, target):
+    """Call ``clone(source, target)``."""
+    return types.void(address, source, target), _call
+
+
+@intrinsic
 def ask_answer(_context, address, state, capacity, sigma, alpha, here):
     """Call ``answer(state, capacity, sigma, alpha, &here)``; return the number of darts."""
     return types.int32(address, state, capacity, sigma, alpha, here), _ask

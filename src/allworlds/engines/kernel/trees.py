@@ -1,0 +1,104 @@
+"""Memory for a tree of runs, shared by a referee and a player; compiled code is not loaded with it.
+
+A tree of runs is walked chunk by chunk, and every chunk begins at the start of a run.  The first
+player writes the log of a chunk: the bytes of one run after the other, each from the branch on at
+which it leaves the one before.  For the second player a chunk is cut into segments, between two
+branches: what is sensed there, and where its bytes stand in the log.
+"""
+
+from __future__ import annotations
+
+import mmap
+from dataclasses import dataclass
+from typing import Any
+
+from numpy import frombuffer, int32, uint8
+
+LOG_BYTES = 1 << 20
+"""Room for the log of a chunk; a player begins no run behind half of it."""
+
+MOST_RUNS = 1 << 14
+"""The largest number of runs in a chunk."""
+
+MOST_SINGLES = 16
+"""The largest number of runs of earlier chunks that are played again with a chunk, each from its
+start: without a copy."""
+
+LONGEST_SINGLE = 4096
+"""The largest number of bytes of such a run, log and percepts together."""
+
+MOST_SEGMENTS = 2 * MOST_RUNS + MOST_SINGLES
+"""Room for segments: each run but the first ends at most two."""
+
+PERCEPT_BYTES = 2 * LOG_BYTES
+"""Room for percepts."""
+
+# The columns of a segment: where its bytes and its percepts stand, how many motions it has, the
+# next segment behind the same branch, and the first one behind the branch at its end.  In place of
+# the latter: NO_BRANCH for the end of a run, and of one that cannot go on in any world.
+AT, PERCEPTS, MOTIONS, NEXT, INSIDE = range(5)
+SEGMENT = 5
+LAST, END_OF_RUN, DEAD_END = -1, -2, -3
+
+
+@dataclass(frozen=True, slots=True)
+class TreeRequest:
+    """The data of a unit's tree that a player needs.
+
+    Attributes:
+        edges, limit, simple, planar, lighthouse, policy, budgets: those of a
+            :class:`~allworlds.engines.kernel.rows.Level`.
+        prefix: the decisions with which each map of the unit begins.
+    """
+
+    edges: int
+    limit: int
+    simple: bool
+    planar: bool
+    lighthouse: str
+    policy: str
+    budgets: tuple[int, ...]
+    prefix: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Chunk:
+    """The beginning of a chunk.
+
+    Attributes:
+        place: the number of the lighthouse's place.
+        path: the ways taken at the branches from the start on of the last run before, which is
+            repeated; empty where the tree of the place begins.
+    """
+
+    place: int = 0
+    path: tuple[int, ...] = ()
+
+
+class TreeMemory:
+    """Memory for a chunk.
+
+    Args:
+        memory: shared; of :meth:`size` bytes.
+
+    Attributes:
+        segments: a row for each.
+        percepts: three bytes each.
+        logs: the log of the chunk.
+    """
+
+    def __init__(self, memory: mmap.mmap) -> None:
+        self._memory, self._at = memory, 0
+        self.segments = self._array(int32, MOST_SEGMENTS * SEGMENT).reshape(-1, SEGMENT)
+        self.percepts = self._array(uint8, PERCEPT_BYTES)
+        self.logs = self._array(uint8, LOG_BYTES)
+
+    @staticmethod
+    def size() -> int:
+        """The number of bytes of the whole memory."""
+        return 4 * MOST_SEGMENTS * SEGMENT + PERCEPT_BYTES + LOG_BYTES
+
+    def _array(self, kind: Any, count: int) -> Any:
+        found: Any = frombuffer(self._memory, kind, count, self._at)
+        self._at += found.nbytes
+        return found
