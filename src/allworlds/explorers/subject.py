@@ -114,10 +114,28 @@ class Subject:
         """Whether the explorer takes choices, so that its schedules can be enumerated."""
         return "choices" in self.keywords
 
+    @property
+    def copies(self) -> bool:
+        """Whether it can be copied, and is run here."""
+        return self.native is not None and self.native.library.clone is not None
+
     def player(self, notice: Callable[[str], None] = nobody) -> Player:
         """The explorer with its keywords bound; its code must be in this process."""
-        explore, keywords = self.explore, self.keywords
-        assert explore is not None
+        assert self.explore is not None
+        return self._bound(self.explore, notice)
+
+    def second_player(self) -> Player:
+        """The explorer as it is played once more: by copies, if it can be copied."""
+        if self.native is not None and self.copies:
+            return self._bound(self.native.explore_by_copies)
+        return self.player()
+
+    def _bound(
+        self,
+        explore: Callable[..., Generator[Any, Any, Any]],
+        notice: Callable[[str], None] = nobody,
+    ) -> Player:
+        keywords = self.keywords
 
         def play(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
             offered = {"choices": choices, "told": told, "notice": notice}

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from random import Random
 from typing import Any, NamedTuple
 
-from numpy import array, asarray, int32, int64, uint8, zeros
+from numpy import array, asarray, int32, int64, searchsorted, uint8, zeros
 
 from allworlds.engines.kernel import tree_judge, tree_player
 from allworlds.engines.kernel.batches import NativePlayer, any_level, no_player
@@ -24,6 +24,7 @@ from allworlds.engines.kernel.rows import Level, Rows
 from allworlds.engines.kernel.tree_judge import ALPHA, BYTES, COST, HEAD, PLACE, ROOM, SENSED, SIGMA
 from allworlds.engines.kernel.tree_records import BRANCHES, DEMAND, HEARING
 from allworlds.engines.kernel.tables import gluing_rule
+from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
 from allworlds.engines.kernel.trees import (
     END_OF_RUN,
     LAST,
@@ -33,9 +34,7 @@ from allworlds.engines.kernel.trees import (
     MOST_SEGMENTS,
     PERCEPT_BYTES,
     SEGMENT,
-    Chunk,
     TreeMemory,
-    TreeRequest,
 )
 
 
@@ -55,6 +54,15 @@ class SingleRun(NamedTuple):
     motions: int
     percepts: Any
     log: Any
+
+
+class _JudgedChunk(NamedTuple):
+    """A chunk: its beginning, the log of the run that is repeated, its size in bytes."""
+
+    chunk: Chunk
+    before: Any
+    size: int
+    last: bool
 
 
 class UnitTree:
@@ -87,6 +95,8 @@ class UnitTree:
         ask(self._hearing.demand, request)
         self._before = zeros(0, uint8)
         self._size = 0
+        self._judged = _JudgedChunk(Chunk(), self._before, 0, last=False)
+        self._singles: list[tuple[int, SingleRun]] = []
         self.roots: list[int] = []
         """The first segments of the trees in the second memory."""
         self.next: Chunk | None = Chunk()
@@ -105,23 +115,16 @@ class UnitTree:
             singles: runs that are played again with the chunk.
             last: whether it is the last chunk of the tree, as the player has it.
         """
-        h, asked, reader = self._hearing, self._asked, self._reader
         chunk = self.next
         assert chunk is not None
         size = max(0, min(size, LOG_BYTES))
         _LOGS[:size] = self._first.logs[:size]
-        h.demand.place, h.demand.given = chunk.place, len(chunk.path)
-        samples = sorted(self._random.sample(range(MOST_RUNS), _SAMPLES))
-        scale = max(1, size // _BYTES_OF_A_RUN)
-        wanted = array([*sorted({each * scale // MOST_RUNS for each in samples}), -1], int64)
-        _HEADS[:, BYTES] = 0
-        tree_judge.judge_tree(
-            h, self._job, reader, self._prefix, self._viable, self._budgets,
-            *asked.arguments[2:4], *asked.arguments[5:9], _NEVER, _LOGS[: size + ROOM], last,
-            self._before, _SEGMENTS, _PERCEPTS, wanted, _KEPT, _HEADS,
-        )  # fmt: skip
-        if h.strange:
+        runs = max(1, size // _BYTES_OF_A_RUN)
+        wanted = sorted({self._random.randrange(runs) for _ in _KEPT})
+        self._judged = _JudgedChunk(chunk, self._before, size, last)
+        if not self._judge(self._judged, wanted):
             return None
+        h = self._hearing
         self._before = asarray(h.log)[: h.bytes].copy()
         path = tuple(asarray(h.demand.path)[: h.demand.ways].tolist())
         if not path:
@@ -129,8 +132,22 @@ class UnitTree:
         self.next = None if last else Chunk(int(h.demand.place), path)
         if self.next == chunk:
             return None
-        self._hand_over(size, singles)
+        self._hand_over(singles)
         return int(h.runs)
+
+    def _judge(self, judged: _JudgedChunk, wanted: Sequence[int]) -> bool:
+        """Judge a chunk, and keep the runs of these numbers; return whether that was possible."""
+        h, asked, chunk = self._hearing, self._asked, judged.chunk
+        h.demand.place, h.demand.given = chunk.place, len(chunk.path)
+        asarray(h.demand.path)[: len(chunk.path)] = chunk.path
+        _HEADS[:, BYTES] = 0
+        tree_judge.judge_tree(
+            h, self._job, self._reader, self._prefix, self._viable, self._budgets,
+            *asked.arguments[2:4], *asked.arguments[5:9], _NEVER, _LOGS[: judged.size + ROOM],
+            judged.last, judged.before, _SEGMENTS, _PERCEPTS, _STOPS, array([*wanted, -1], int64),
+            _KEPT, _HEADS,
+        )  # fmt: skip
+        return not h.strange
 
     @property
     def undefined(self) -> bool:
@@ -156,19 +173,32 @@ class UnitTree:
 
     def difference(self) -> int | None:
         """The first byte in which the log of the second play differs from that of the first."""
-        first = _LOGS[: self._size]
-        unlike = first != self._second.logs[: self._size]
-        return int(unlike.argmax()) if unlike.any() else None
+        at = int(tree_judge.first_difference(_LOGS, self._second.logs, self._size))
+        return None if at == self._size else at
 
-    def _hand_over(self, size: int, singles: Sequence[SingleRun]) -> None:
+    def run_at(self, byte: int) -> SingleRun | None:
+        """A run of the chunk to whose log that byte belongs; None if it is too long to be kept.
+
+        The tallies are void after that.
+        """
+        for start, single in reversed(self._singles):
+            if byte >= start:
+                return single
+        number = int(searchsorted(_STOPS[: self._hearing.runs], byte, "right"))
+        self._judge(self._judged, [number])
+        return next(iter(self.kept()), None)
+
+    def _hand_over(self, singles: Sequence[SingleRun]) -> None:
         """Hand the segments of the chunk, and other runs, to the second player."""
-        h, second = self._hearing, self._second
+        h, second, size = self._hearing, self._second, self._judged.size
         segments, noted = int(h.segments), int(h.noted)
         self.roots = asarray(h.roots)[: h.rooted].tolist()
+        self._singles = []
         for single in singles:
             room = PERCEPT_BYTES - noted, LOG_BYTES - size
             if len(single.percepts) > room[0] or len(single.log) > room[1]:
                 break
+            self._singles.append((size, single))
             _SEGMENTS[segments] = size, noted, single.motions, LAST, END_OF_RUN
             self.roots.append(segments)
             _PERCEPTS[noted : noted + len(single.percepts)] = single.percepts
@@ -185,15 +215,13 @@ class CopyingPlayer:
 
     Args:
         native: the same explorer, which plays stretches.
-        clone: the address of ``allworlds_clone``.
-        states: addresses of states, one for each branch that there can be.
+        states: the addresses of ``allworlds_clone`` and ``allworlds_new``.
     """
 
-    def __init__(self, native: NativePlayer, clone: int, states: Sequence[int]) -> None:
-        self._native, self._clone = native, clone
-        self._pool = array(states, int64)
+    def __init__(self, native: NativePlayer, states: Sequence[int]) -> None:
+        self._native, self._states = native, array(states, int64)
         self._demand = new(DEMAND)
-        self._waiting = zeros(BRANCHES, int64)
+        self._pool, self._waiting = zeros(_DEEPEST, int64), zeros(_DEEPEST, int64)
 
     def play(
         self, memory: TreeMemory, request: TreeRequest, chunk: Chunk, runs: int
@@ -215,7 +243,7 @@ class CopyingPlayer:
             )  # fmt: skip
         )
         places = -prefix[0] if d.kind == POINTED else 1
-        return size, d.place == places
+        return size, bool(d.place == places)
 
     def play_again(self, memory: TreeMemory, policy: str, roots: Sequence[int]) -> int:
         """Play segments; return 0, or -1 if they cannot be played so."""
@@ -227,7 +255,7 @@ class CopyingPlayer:
         )
 
     def _common(self, policy: str) -> tuple[Any, ...]:
-        return (*self._native.handed(policy), self._clone, self._pool)
+        return (*self._native.handed(policy), self._states, self._pool)
 
 
 def ask(d: Any, request: TreeRequest) -> None:
@@ -255,7 +283,7 @@ def load_trees() -> None:
         memory = TreeMemory(mmap.mmap(-1, TreeMemory.size()))
         tree = UnitTree(level, request, 1, memory, memory, Random(0))  # noqa: S311  # nothing is drawn
         tree.judge(0, last=False)
-        player = CopyingPlayer(no_player(), 0, [0] * BRANCHES)
+        player = CopyingPlayer(no_player(), (0, 0))
         player.play(memory, request, Chunk(), 0)
         player.play_again(memory, "fifo", [])
 
@@ -265,6 +293,12 @@ _LOGS = zeros(LOG_BYTES + ROOM, uint8)
 
 _SEGMENTS = zeros((MOST_SEGMENTS, SEGMENT), int32)
 _PERCEPTS = zeros(PERCEPT_BYTES, uint8)
+
+_DEEPEST = BRANCHES + 1
+"""Room for the states at the branches of the second play."""
+
+_STOPS = zeros(2 * MOST_RUNS, int32)
+"""Where the log of each run of a chunk ends."""
 
 _SAMPLES = 8
 """The number of runs of a chunk that are kept."""

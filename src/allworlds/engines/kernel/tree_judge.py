@@ -14,7 +14,7 @@ from numpy import int64
 
 from allworlds.engines.kernel.answers import answer_law
 from allworlds.engines.kernel.bits import lowest
-from allworlds.engines.kernel.calls import address_of, byte_of, copy, copy_bytes, put_entry
+from allworlds.engines.kernel.calls import address_of, copy, copy_bytes, put_entry, word_of
 from allworlds.engines.kernel.compiling import entry, inlined, inner
 from allworlds.engines.kernel.embedding import grown
 from allworlds.engines.kernel.folding import begin_fold, fold_step, unfold
@@ -23,13 +23,13 @@ from allworlds.engines.kernel.law_numbers import BOUND, FOLDING
 from allworlds.engines.kernel.log_codes import (
     ANSWERED,
     ILLEGAL,
+    LARGEST_MOTION,
     MOST_PUBLISHED,
     OVER_BUDGET,
     SHOWN,
     SHOWN_TOO_OFTEN,
-    STRANGE,
 )
-from allworlds.engines.kernel.logs import span
+from allworlds.engines.kernel.logs import percept_of, span
 from allworlds.engines.kernel.on_demand import (
     NOWHERE,
     SEVERAL,
@@ -48,6 +48,7 @@ from allworlds.engines.kernel.runs import (
     count_world,
     judged_run,
 )
+from allworlds.engines.kernel.worlds import arrival
 from allworlds.engines.kernel.tree_records import PATH_BYTES
 from allworlds.engines.kernel.trees import (
     AT,
@@ -72,7 +73,7 @@ HEAD = ALPHA + DARTS
 @entry
 def judge_tree(
     h, job, reader, prefix, viable, budgets, bounds, met, counts, most_expensive, least, row, beat,
-    logs, last, before, segments, percepts, samples, kept, heads,
+    logs, last, before, segments, percepts, stops, samples, kept, heads,
 ):  # fmt: skip
     """Judge a chunk of a tree, and cut it into segments for the second play.
 
@@ -93,6 +94,7 @@ def judge_tree(
         before: the bytes of the log of the run that is repeated; empty if the tree begins.
         segments: is written.
         percepts: is written.
+        stops: is written: where the log of each run ends.
         samples: the numbers of runs in this chunk that are kept, ascending; ends with -1.
         kept, heads: a row for each of them: percepts and log in bytes; and the columns below.
     """
@@ -101,13 +103,11 @@ def judge_tree(
     h.runs = h.segments = h.noted = h.rooted = h.strange = h.undefined = 0
     _begin(h, prefix, budgets, segments, percepts, at)
     while True:
-        full = h.noted + 4 > len(percepts) or h.segments + 1 >= len(segments)
-        if full or at >= size or h.bytes + ROOM > PATH_BYTES:
+        full = h.runs == len(stops) or h.segments + 1 >= len(segments)
+        if full or at >= size or h.noted + 4 > len(percepts):
             h.strange = 1
             return
         code = int64(logs[at])
-        h.log[h.bytes] = code
-        h.bytes += 1
         at += 1
         if code < d.world.degree[h.dart] and d.cost < d.budget:
             if _move(h, code, viable, budgets, segments, percepts, at):
@@ -122,24 +122,27 @@ def judge_tree(
             if h.strange:
                 return
             _close(h, segments, END_OF_RUN)
+            h.ends[d.ways] = at
             if resumed:
                 resumed = False
                 d.given = 0
-                h.strange = not _repeats(h, before)
+                h.strange = not _repeats(h, logs, before)
             else:
                 if h.runs == samples[sampled]:
-                    _keep(h, kept[sampled], heads[sampled])
+                    _keep(h, logs, kept[sampled], heads[sampled])
                     sampled += 1
+                stops[h.runs] = at
                 h.runs += 1
                 ways = d.ways
                 _count(
                     h, job, reader, viable, budgets, bounds, met, counts, most_expensive, least,
-                    row, beat, code,
+                    row, beat, logs, code,
                 )  # fmt: skip
                 d.ways = ways
             if h.strange or h.undefined:
                 return
             if at == size and not last:
+                _gather(h, logs)
                 if not d.depth:
                     d.place += 1
                     d.ways = 0
@@ -160,7 +163,8 @@ def _begin(h, prefix, budgets, segments, percepts, at):
     d, judged = h.demand, h.judged
     begin(d, prefix, budgets)
     d.world.darts = 2 * d.gluing.edges
-    h.dart = h.walked = h.bytes = h.sensed = 0
+    h.dart = h.walked = 0
+    h.begins[0] = at
     judged.broken = judged.shown = judged.known = 0
     begin_fold(d.world, h.fold)
     _open(h, segments, at)
@@ -178,10 +182,13 @@ def _move(h, motion, viable, budgets, segments, percepts, at):
     if y >= world.first[h.dart] + world.degree[h.dart]:
         y -= world.degree[h.dart]
     if d.gluing.open >> y & 1:
+        ways = d.ways
         way = decide(d, y, viable, budgets)
         if way == NOWHERE:
             _close(h, segments, DEAD_END)
             return False
+        if d.ways > ways:
+            h.ends[ways] = h.begins[d.ways] = at
         if way == SEVERAL:
             _close(h, segments, LAST)
             _save(h, h.branches[d.depth - 1])
@@ -199,6 +206,7 @@ def _go_on(h, viable, budgets, segments, percepts, at):
         if way != NOWHERE:
             branch = d.depth - (way == SEVERAL)
             _restore(h, h.branches[branch])
+            h.begins[d.ways] = at
             _branch_off(h, segments, at)
             _arrive(h, d.branches[branch].y, percepts)
             return True
@@ -219,13 +227,9 @@ def _arrive(h, y, percepts):
 
 @inner
 def _sense(h, percepts):
-    """Note what the robot senses."""
-    world, dart = h.demand.world, h.dart
-    sensed = world.degree[dart] | world.marks[dart] << 8 | (world.bearing[dart] + 1) << 16
-    put_entry(address_of(percepts) + h.noted, 0, sensed)
-    put_entry(address_of(h.percepts) + h.sensed, 0, sensed)
+    """Note the robot's percept."""
+    put_entry(address_of(percepts) + h.noted, 0, percept_of(h.demand.world, h.dart))
     h.noted += 3
-    h.sensed += 3
 
 
 @inlined
@@ -233,7 +237,7 @@ def _save(h, branch):
     """Note the run up to a branch."""
     fold, judged = h.fold, h.judged
     branch.dart, branch.walked = h.dart, h.walked
-    branch.bytes, branch.sensed, branch.segment = h.bytes, h.sensed, h.segment
+    branch.segment = h.segment
     branch.open, branch.node = fold.open, fold.node
     branch.nodes, branch.changes = fold.nodes, fold.changes
     branch.broken, branch.shown, branch.t = judged.broken, judged.shown, judged.t
@@ -251,7 +255,7 @@ def _restore(h, branch):
     """
     fold, judged = h.fold, h.judged
     h.dart, h.walked = branch.dart, branch.walked
-    h.bytes, h.sensed, h.segment = branch.bytes, branch.sensed, branch.segment
+    h.segment = branch.segment
     unfold(fold, branch.changes)
     fold.open, fold.node, fold.nodes = branch.open, branch.node, branch.nodes
     judged.broken, judged.shown, judged.t = branch.broken, branch.shown, branch.t
@@ -304,7 +308,7 @@ def _branch_off(h, segments, at):
 def _look(h, published, reader, logs, at):
     """Look at a checkpoint; return the place behind it."""
     h.demand.shown += 1
-    at = _copy_map(h, published, reader, logs, at)
+    at = _find_map(h, published, reader, logs, at)
     if not h.strange:
         look_at(h.judged, published, h.demand.world, h.dart, h.walked)
     return at
@@ -314,58 +318,81 @@ def _look(h, published, reader, logs, at):
 def _end(h, published, reader, logs, at, code):
     """Return the place behind the end of a run."""
     if code == ANSWERED:
-        return _copy_map(h, published, reader, logs, at)
+        return _find_map(h, published, reader, logs, at)
     h.strange = code != ILLEGAL and code != OVER_BUDGET and code != SHOWN_TOO_OFTEN
     return at
 
 
 @inner
-def _copy_map(h, published, reader, logs, at):
-    """Copy a published map to the log of the run; return the place behind it."""
+def _find_map(h, published, reader, logs, at):
+    """Find the published map in the log; return the place behind it."""
     darts = int64(logs[at])
     length = 2 + span(darts)
     if darts < 1 or darts > MOST_PUBLISHED or at + length > len(logs) - ROOM:
         h.strange = 1
         return at
-    source, target = address_of(logs) + at, address_of(h.log) + h.bytes
-    for i in range(0, length, 32):
-        copy_bytes(target + i, source + i)
-    h.bytes += length
     published.darts, published.here = darts, logs[at + 1]
-    published.bytes = target + 2
+    published.bytes = address_of(logs) + at + 2
     published.sigma, published.alpha = address_of(reader.sigma), address_of(reader.alpha)
     return at + length
 
 
+@inner
+def _gather(h, logs):
+    """Copy the log of the run, which has ended, to one place."""
+    h.bytes = 0
+    for part in range(h.demand.ways + 1):
+        begin, length = h.begins[part], h.ends[part] - h.begins[part]
+        if h.bytes + length > PATH_BYTES:
+            h.strange = 1
+            return
+        for i in range(length):
+            h.log[h.bytes + i] = logs[begin + i]
+        h.bytes += length
+
+
 @inlined
-def _repeats(h, before):
+def _repeats(h, logs, before):
     """Whether the log of this run is the one that was read before."""
-    same = h.bytes == len(before)
+    _gather(h, logs)
+    same = h.bytes == len(before) and not h.strange
     for i in range(min(h.bytes, len(before))):
         same = same and h.log[i] == before[i]
     return same
 
 
 @inlined
-def _keep(h, kept, head):
+def _keep(h, logs, kept, head):
     """Keep the run, if there is room for it; its world must have been decided."""
     d, world = h.demand, h.demand.world
+    _gather(h, logs)
     head[BYTES] = 0
-    if not d.whole or h.bytes + h.sensed > len(kept):
+    sensed = 3 * (d.cost + 1)
+    if not d.whole or h.bytes + sensed + 1 > len(kept):
         return
-    head[BYTES], head[SENSED], head[COST], head[PLACE] = h.bytes, h.sensed, d.cost, d.place
+    head[BYTES], head[SENSED], head[COST], head[PLACE] = h.bytes, sensed, d.cost, d.place
     for dart in range(world.darts):
         head[SIGMA + dart], head[ALPHA + dart] = world.sigma[dart], world.alpha[dart]
+    at = h.bytes
+    dart, i = 0, 0
+    while True:
+        put_entry(address_of(kept) + at, 0, percept_of(world, dart))
+        at += 3
+        while i < h.bytes and h.log[i] == SHOWN:
+            i += 3 + span(int64(h.log[i + 1]))
+        if i >= h.bytes or h.log[i] > LARGEST_MOTION or at >= h.bytes + sensed:
+            break
+        dart = arrival(world, dart, int64(h.log[i]))
+        i += 1
     for i in range(h.bytes):
         kept[i] = h.log[i]
-    for i in range(h.sensed):
-        kept[h.bytes + i] = h.percepts[i]
 
 
 @inlined
 def _count(
-    h, job, reader, viable, budgets, bounds, met, counts, most_expensive, least, row, beat, code
-):
+    h, job, reader, viable, budgets, bounds, met, counts, most_expensive, least, row, beat, logs,
+    code,
+):  # fmt: skip
     """Count a run: in the world that is decided, or in all worlds that it may be."""
     d, world, judged = h.demand, h.demand.world, h.judged
     if d.whole and code == ANSWERED:
@@ -384,6 +411,9 @@ def _count(
                 count_world(world, counts)
             count_run(world, d.cost, d.shown, int64(0), counts, most_expensive)
             return
+    _gather(h, logs)
+    if h.strange:
+        return
     base, going = d.depth, True
     while going:
         while d.gluing.open and decide(d, lowest(d.gluing.open), viable, budgets) != NOWHERE:
@@ -435,3 +465,17 @@ def _count_single(
     count_run(world, job.log.cost, job.log.checkpoints, law, counts, most_expensive)
     if law:
         blame(world, law, least, row)
+
+
+@entry
+def first_difference(one, other, length):
+    """The first of so many places at which the bytes differ; ``length`` if there is none.
+
+    Behind both there must be seven bytes more.
+    """
+    a, b = address_of(one), address_of(other)
+    for at in range(0, length, 8):
+        differ = word_of(a, at) ^ word_of(b, at)
+        if differ:
+            return min(length, at + lowest(differ) // 8)
+    return length

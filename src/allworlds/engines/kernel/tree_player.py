@@ -19,6 +19,7 @@ from allworlds.engines.kernel.calls import (
     byte_of,
     call_clone,
     call_choose,
+    call_new,
     call_start,
     call_step,
     put_word,
@@ -58,10 +59,13 @@ from allworlds.engines.kernel.on_demand import (
 from allworlds.engines.kernel.records import NONE
 from allworlds.engines.kernel.trees import AT, DEAD_END, INSIDE, LAST, MOTIONS, NEXT, PERCEPTS
 
+# The functions that copy a state, and make one.
+CLONE, NEW = range(2)
+
 
 @entry
 def play_tree(
-    d, explorer, percept, action, here, room, asked, clone, pool, prefix, viable, budgets, logs,
+    d, explorer, percept, action, here, room, asked, states, pool, prefix, viable, budgets, logs,
     runs, beat,
 ):  # fmt: skip
     """Play a chunk of a tree; return the number of bytes of its log, -1 if it cannot be played so.
@@ -71,8 +75,8 @@ def play_tree(
             the place, and the ways from the start that are given.
         explorer: its addresses, as for :func:`allworlds.engines.kernel.native.play_worlds`, and so
             are ``percept`` to ``asked``, and ``beat``.
-        clone: the address of the function that copies states.
-        pool: addresses of states, one for each branch.
+        states: the addresses of the functions that copy a state and make one.
+        pool: addresses of states for the branches; 0 where none has been made yet.
         prefix: decisions that each map begins with.
         viable: as for :func:`allworlds.engines.kernel.gluing.advance`.
         budgets: as for :func:`allworlds.engines.kernel.on_demand.begin`.
@@ -91,7 +95,7 @@ def play_tree(
         turn += 1
         beat[1] = turn
         at, due, dart, going = _act(
-            d, explorer, handed, asked, clone, pool, viable, budgets, logs, at, due, dart
+            d, explorer, handed, asked, states, pool, viable, budgets, logs, at, due, dart
         )
         if at < 0:
             return at
@@ -101,7 +105,7 @@ def play_tree(
                 d.given = 0
                 if played >= runs or at >= len(logs) // 2:
                     break
-            dart = _go_on(d, explorer, clone, pool, viable, budgets)
+            dart = _go_on(d, explorer, states, pool, viable, budgets)
             if dart == NONE:
                 d.place += 1
                 if d.place >= places(d, prefix):
@@ -120,7 +124,7 @@ def play_tree(
 
 
 @inlined
-def _act(d, explorer, handed, asked, clone, pool, viable, budgets, logs, at, due, dart):
+def _act(d, explorer, handed, asked, states, pool, viable, budgets, logs, at, due, dart):
     """Do what the explorer asks for.
 
     Return the place in the log (-1: only another engine can), the map that is due, the robot's dart
@@ -145,7 +149,7 @@ def _act(d, explorer, handed, asked, clone, pool, viable, budgets, logs, at, due
             if way == NOWHERE:
                 return at + 1, due, int64(NONE), False
             if way == SEVERAL:
-                call_clone(clone, explorer[STATE], pool[d.depth - 1])
+                _store(explorer, states, pool, d.depth - 1)
             d.cost += 1
         dart = world.alpha[y]
         _sense(world, dart, percept)
@@ -161,6 +165,14 @@ def _act(d, explorer, handed, asked, clone, pool, viable, budgets, logs, at, due
     return (int64(-1) if strange else at + 1), due, dart, False
 
 
+@inner
+def _store(explorer, states, pool, place):
+    """Copy the explorer's state to the pool."""
+    if pool[place] == 0:
+        pool[place] = call_new(states[NEW])
+    call_clone(states[CLONE], explorer[STATE], pool[place])
+
+
 @inlined
 def _write_motion(logs, at, action, degree):
     """The motion modulo the degree, which is written to the log."""
@@ -172,7 +184,7 @@ def _write_motion(logs, at, action, degree):
 
 
 @inlined
-def _go_on(d, explorer, clone, pool, viable, budgets):
+def _go_on(d, explorer, states, pool, viable, budgets):
     """Go on from the last branch in its next way; return the dart behind it, or NONE at the end.
 
     The explorer's state is a copy of that at the branch; for the last way, that one itself.
@@ -180,7 +192,7 @@ def _go_on(d, explorer, clone, pool, viable, budgets):
     while d.depth:
         way = decide_again(d, viable, budgets)
         if way == SEVERAL:
-            call_clone(clone, pool[d.depth - 1], explorer[STATE])
+            call_clone(states[CLONE], pool[d.depth - 1], explorer[STATE])
         elif way == ONE_WAY:
             pool[d.depth], explorer[STATE] = explorer[STATE], pool[d.depth]
         if way != NOWHERE:
@@ -209,7 +221,7 @@ def _begin(explorer, action, asked, beat):
 
 @entry
 def play_segments(
-    explorer, percept, action, here, room, asked, clone, pool, roots, segments, percepts, waiting,
+    explorer, percept, action, here, room, asked, states, pool, roots, segments, percepts, waiting,
     logs, beat,
 ):  # fmt: skip
     """Play trees of recorded segments; return 0, or -1 if one of them cannot be played so.
@@ -241,7 +253,7 @@ def play_segments(
             if due[0] < -1:
                 return -1
             segment, depth = _next(
-                explorer, clone, pool, segments, segment, going, waiting, depth
+                explorer, states, pool, segments, segment, going, waiting, depth
             )
     beat[1] = 0
     write(explorer, logs, due)
@@ -286,7 +298,7 @@ def _play_segment(explorer, handed, asked, segment, percepts, logs, due, beat):
 
 
 @inlined
-def _next(explorer, clone, pool, segments, segment, going, waiting, depth):
+def _next(explorer, states, pool, segments, segment, going, waiting, depth):
     """The next segment, or -1 at the end of the tree, and the number of branches with ways left.
 
     ``pool`` holds the explorer's states at these branches.
@@ -296,7 +308,7 @@ def _next(explorer, clone, pool, segments, segment, going, waiting, depth):
         after = int64(segments[inside, NEXT])
         if after != LAST:
             waiting[depth] = after
-            call_clone(clone, explorer[STATE], pool[depth])
+            _store(explorer, states, pool, depth)
             depth += 1
         return inside, depth
     if depth == 0:
@@ -305,7 +317,7 @@ def _next(explorer, clone, pool, segments, segment, going, waiting, depth):
     after = int64(segments[segment, NEXT])
     if after != LAST:
         waiting[depth - 1] = after
-        call_clone(clone, pool[depth - 1], explorer[STATE])
+        call_clone(states[CLONE], pool[depth - 1], explorer[STATE])
     else:
         depth -= 1
         pool[depth], explorer[STATE] = explorer[STATE], pool[depth]

@@ -10,7 +10,7 @@ BRANCHES = DEPTHS + 1
 """Room for the darts that can be decided in several ways: fewer than there are edges."""
 
 PATH_BYTES = 1 << 16
-"""Room for the log of one run, and for its percepts."""
+"""Room for the log of one run."""
 
 BRANCH = dtype(
     [
@@ -80,9 +80,7 @@ HEARD = dtype(
         ("explored", int64),
         ("taken", int64),
         ("alpha", uint8, DARTS),
-        # How many bytes the log of the run has so far, and its percepts; the segment that ends.
-        ("bytes", int64),
-        ("sensed", int64),
+        # The segment that ends there.
         ("segment", int64),
     ],
     align=True,
@@ -95,15 +93,16 @@ HEARING = dtype(
         ("branches", HEARD, BRANCHES),
         ("judged", JUDGED),
         ("fold", FOLD),
-        # The run on its way: the robot's dart, the darts of the edges walked, as a set, its log and
-        # its percepts in bytes, and its segment.
+        # The run on its way, as above.
         ("dart", int64),
         ("walked", int64),
-        ("bytes", int64),
-        ("sensed", int64),
         ("segment", int64),
+        # The parts of its log in that of the chunk: from the start to the first branch, and so on.
+        ("begins", int64, BRANCHES + 1),
+        ("ends", int64, BRANCHES + 1),
+        # Its log in one piece, where that is needed.
+        ("bytes", int64),
         ("log", uint8, PATH_BYTES),
-        ("percepts", uint8, PATH_BYTES),
         # Of the chunk: runs, segments, bytes of percepts, and trees of segments; whether
         # it cannot be judged here, and whether a run has a bound without a value.
         ("runs", int64),

@@ -9,13 +9,15 @@ branches: what is sensed there, and where its bytes stand in the log.
 from __future__ import annotations
 
 import mmap
-from dataclasses import dataclass
 from typing import Any
 
 from numpy import frombuffer, int32, uint8
 
-LOG_BYTES = 1 << 20
+LOG_BYTES = 1 << 21
 """Room for the log of a chunk; a player begins no run behind half of it."""
+
+SLACK = 8
+"""The number of bytes behind a log that may be read."""
 
 MOST_RUNS = 1 << 14
 """The largest number of runs in a chunk."""
@@ -41,40 +43,6 @@ SEGMENT = 5
 LAST, END_OF_RUN, DEAD_END = -1, -2, -3
 
 
-@dataclass(frozen=True, slots=True)
-class TreeRequest:
-    """The data of a unit's tree that a player needs.
-
-    Attributes:
-        edges, limit, simple, planar, lighthouse, policy, budgets: those of a
-            :class:`~allworlds.engines.kernel.rows.Level`.
-        prefix: the decisions with which each map of the unit begins.
-    """
-
-    edges: int
-    limit: int
-    simple: bool
-    planar: bool
-    lighthouse: str
-    policy: str
-    budgets: tuple[int, ...]
-    prefix: tuple[int, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Chunk:
-    """The beginning of a chunk.
-
-    Attributes:
-        place: the number of the lighthouse's place.
-        path: the ways taken at the branches from the start on of the last run before, which is
-            repeated; empty where the tree of the place begins.
-    """
-
-    place: int = 0
-    path: tuple[int, ...] = ()
-
-
 class TreeMemory:
     """Memory for a chunk.
 
@@ -91,12 +59,12 @@ class TreeMemory:
         self._memory, self._at = memory, 0
         self.segments = self._array(int32, MOST_SEGMENTS * SEGMENT).reshape(-1, SEGMENT)
         self.percepts = self._array(uint8, PERCEPT_BYTES)
-        self.logs = self._array(uint8, LOG_BYTES)
+        self.logs = self._array(uint8, LOG_BYTES + SLACK)
 
     @staticmethod
     def size() -> int:
         """The number of bytes of the whole memory."""
-        return 4 * MOST_SEGMENTS * SEGMENT + PERCEPT_BYTES + LOG_BYTES
+        return 4 * MOST_SEGMENTS * SEGMENT + PERCEPT_BYTES + LOG_BYTES + SLACK
 
     def _array(self, kind: Any, count: int) -> Any:
         found: Any = frombuffer(self._memory, kind, count, self._at)

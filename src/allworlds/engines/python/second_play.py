@@ -67,6 +67,11 @@ OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
 )
 
+COPIES = (
+    "it went on from copies of its state, and from its start it goes as before: does a copy leave "
+    "something out, or share memory with what it was copied from?"
+)
+
 GOES_BY_HASHES = "the explorer goes by hashes: where PYTHONHASHSEED is another one, so is its walk"
 
 FIRST, KEPT = 64, 256
@@ -88,8 +93,17 @@ class Players(Protocol):
         A run that has killed its process twice has one log, with that fault.
         """
 
-    def send_records(self, records: Sequence[Record], policy: str) -> None:
-        """Begin to play these once more, in another order, without a world."""
+    def send_records(
+        self, records: Sequence[Record], policy: str, *, plain: bool = False
+    ) -> None:
+        """Begin to play these once more, in another order, without a world.
+
+        If ``plain``, each is played from its start, as in the first play, and not by copies.
+        """
+
+    @property
+    def copies(self) -> bool:
+        """Whether an explorer goes on from copies of itself in the second play."""
 
     def receive_logs(self) -> list[Log]:
         """Return the logs of the records that were sent, in their order."""
@@ -333,7 +347,7 @@ class PlayedTwice:
                 elif self._may_go_by_seed and difference_of(play.log, second):
                     unlike.append(_Unlike(play, second, seed, outcome))
                 else:
-                    settled = overruled(outcome, play.log, second)
+                    settled = self._blamed(play, overruled(outcome, play.log, second))
                     if settled.violation is None:
                         self.earlier.keep(play)
                     yield play.one, self._seeded(settled)
@@ -374,6 +388,17 @@ class PlayedTwice:
                 yield each.play.one, settled
             elif isinstance(settled, LostRun) or settled.violation is not None:
                 self._belated.append((each.play.one, settled))
+
+    def _blamed(self, play: _Play, settled: Outcome) -> Outcome:
+        """The outcome; if the second play differs since it is one of copies, it says so."""
+        broken = settled.violation
+        if broken is None or broken.law != "nondeterministic" or not self.players.copies:
+            return settled
+        self.players.send_records([play.record], self._policy, plain=True)
+        (log,) = self.players.receive_logs()
+        if difference_of(play.log, log):
+            return settled
+        return replace(settled, violation=nondeterministic(f"{broken.seen}; {COPIES}"))
 
     def _repeats(self, play: _Play, seed: int, before: Log) -> bool:
         """Whether the record is played as before, with that hash seed and other addresses."""
