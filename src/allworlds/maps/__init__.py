@@ -127,6 +127,7 @@ if TYPE_CHECKING:
         pose_count as pose_count,
     )
     from allworlds.maps.enumeration import (
+        Decision as Decision,
         Gluing as Gluing,
         prefixes as prefixes,
         rooted_maps as rooted_maps,

@@ -25,6 +25,7 @@ from allworlds.engines.kernel.tree_requests import TreeRequest
 from allworlds.engines.kernel.trees import MOST_RUNS, MOST_SINGLES
 from allworlds.engines.python.runs_of_unit import LevelRuns
 from allworlds.engines.python.second_play import EarlierPlays
+from allworlds.engines.python.tour import SPELL
 
 MOST_GIVEN_UP = 3
 """The number of units one after the other after which no more are walked as trees."""
@@ -103,7 +104,9 @@ class TreesOfRuns:
         random = self.players.random
         tree = UnitTree(level, request, self.keep, memory.first, memory.second, random)
         while tree.next is not None:
-            played = memory.play(self.players, request, tree.next, MOST_RUNS)
+            # At first the second player changes soon.
+            most = MOST_RUNS if self.players.tour.complete else SPELL
+            played = memory.play(self.players, request, tree.next, most)
             if played is None or played.size < 0:
                 return Walked(None, lost=played is None)
             singles = self._kept.draw(MOST_SINGLES)

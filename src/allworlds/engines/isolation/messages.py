@@ -49,12 +49,13 @@ class RecordLogs(_Message, frozen=True):
 class StretchResult(_Message, frozen=True):
     """The number of bytes of the logs (-1: there are none), and of threads left behind.
 
-    Of a tree also whether it ends here.
+    Of a tree also whether it ends here; and whether the explorer can be copied.
     """
 
     size: int
     threads: int
     last: bool = False
+    copies: bool = False
 
 
 class TraceEvent(_Message, frozen=True):

@@ -142,11 +142,11 @@ class PlayerProcess:
             if subject.native is not None and job.compiled:
                 self._stretches = LibraryPlayer(subject.native, self._beat)
             else:
-                players = subject.player(), subject.second_player()
+                players = subject.player(), subject.second_player(), subject.runs_of_copies()
                 self._stretches = GeneratorPlayer(*players, self._beat, self._intact)
         result = self._stretches.play(job)
         self._intact()
-        return result
+        return StretchResult(result.size, result.threads, result.last, subject.copies)
 
     def _play_runs(self, runner: ExplorerRunner, job: PlayRuns) -> None:
         logs: list[tuple[int, Log]] = []

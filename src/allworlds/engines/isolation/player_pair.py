@@ -195,8 +195,8 @@ class PlayerPair:
 
     @property
     def in_trees(self) -> bool:
-        """Whether compiled code can walk trees: in both players, and by copies."""
-        return self._at_home and self._copies
+        """Whether both players can walk trees, which compiled code does for a library."""
+        return self._copies and (self._at_home or not is_library(self.setup.name))
 
     def close(self) -> None:
         """End both processes."""
@@ -337,6 +337,7 @@ class PlayerPair:
             self._end(which)
             return None
         if isinstance(message, StretchResult):
+            self._copies = message.copies
             return message
         self._end(which)
         return None

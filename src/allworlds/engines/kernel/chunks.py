@@ -25,15 +25,17 @@ from allworlds.engines.kernel.tree_judge import ALPHA, BYTES, COST, HEAD, PLACE,
 from allworlds.engines.kernel.tree_records import BRANCHES, DEMAND, HEARING
 from allworlds.engines.kernel.tables import gluing_rule
 from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
-from allworlds.engines.kernel.trees import (
+from allworlds.engines.kernel.tree_requests import (
     END_OF_RUN,
     LAST,
+    SEGMENT,
+)
+from allworlds.engines.kernel.trees import (
     LOG_BYTES,
     LONGEST_SINGLE,
     MOST_RUNS,
     MOST_SEGMENTS,
     PERCEPT_BYTES,
-    SEGMENT,
     TreeMemory,
 )
 

@@ -50,7 +50,7 @@ from allworlds.engines.kernel.runs import (
 )
 from allworlds.engines.kernel.worlds import arrival
 from allworlds.engines.kernel.tree_records import PATH_BYTES
-from allworlds.engines.kernel.trees import (
+from allworlds.engines.kernel.tree_requests import (
     AT,
     DEAD_END,
     END_OF_RUN,

@@ -57,7 +57,15 @@ from allworlds.engines.kernel.on_demand import (
     places,
 )
 from allworlds.engines.kernel.records import NONE
-from allworlds.engines.kernel.trees import AT, DEAD_END, INSIDE, LAST, MOTIONS, NEXT, PERCEPTS
+from allworlds.engines.kernel.tree_requests import (
+    AT,
+    DEAD_END,
+    INSIDE,
+    LAST,
+    MOTIONS,
+    NEXT,
+    PERCEPTS,
+)
 
 # The functions that copy a state, and make one.
 CLONE, NEW = range(2)

@@ -1,8 +1,21 @@
-"""What a player is asked for that walks a tree of runs; nothing is loaded with it."""
+"""What a player is asked for that walks a tree of runs, and how its segments are written.
+
+Nothing is loaded with it, so that a process that only plays starts fast.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+
+# The columns of a segment: where its bytes and its percepts stand, how many motions it has, the
+# next segment behind the same branch, and the first one behind the branch at its end.  In place of
+# the latter: NO_BRANCH for the end of a run, and of one that cannot go on in any world.
+AT, PERCEPTS, MOTIONS, NEXT, INSIDE = range(5)
+SEGMENT = 5
+LAST, END_OF_RUN, DEAD_END = -1, -2, -3
+
+PERCEPT = 3
+"""The number of bytes of a percept."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,8 @@ from typing import Any
 
 from numpy import frombuffer, int32, uint8
 
+from allworlds.engines.kernel.tree_requests import SEGMENT
+
 LOG_BYTES = 1 << 21
 """Room for the log of a chunk; a player begins no run behind half of it."""
 
@@ -34,13 +36,6 @@ MOST_SEGMENTS = 2 * MOST_RUNS + MOST_SINGLES
 
 PERCEPT_BYTES = 2 * LOG_BYTES
 """Room for percepts."""
-
-# The columns of a segment: where its bytes and its percepts stand, how many motions it has, the
-# next segment behind the same branch, and the first one behind the branch at its end.  In place of
-# the latter: NO_BRANCH for the end of a run, and of one that cannot go on in any world.
-AT, PERCEPTS, MOTIONS, NEXT, INSIDE = range(5)
-SEGMENT = 5
-LAST, END_OF_RUN, DEAD_END = -1, -2, -3
 
 
 class TreeMemory:
@@ -65,6 +60,13 @@ class TreeMemory:
     def size() -> int:
         """The number of bytes of the whole memory."""
         return 4 * MOST_SEGMENTS * SEGMENT + PERCEPT_BYTES + LOG_BYTES + SLACK
+
+    def put(self, log: bytes | bytearray, at: int = 0) -> int:
+        """Write bytes of a log; return their number, or -1 if there is no room."""
+        if at + len(log) > LOG_BYTES:
+            return -1
+        self.logs[at : at + len(log)] = frombuffer(log, uint8)
+        return len(log)
 
     def _array(self, kind: Any, count: int) -> Any:
         found: Any = frombuffer(self._memory, kind, count, self._at)
