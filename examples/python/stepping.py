@@ -2,8 +2,8 @@
 
     allworlds check examples/python/stepping.py --edges 5
 
-Between two calls of ``step`` all that the robot knows stands in attributes, so that ``copy`` is short.
-A generator keeps a part of it in its frame, and cannot be copied.
+Between two calls of ``step`` all that the robot knows stands in attributes, so that ``copy`` is
+short.  A generator keeps a part of it in its frame, and cannot be copied.
 """
 
 from __future__ import annotations
@@ -131,8 +131,8 @@ class Stepping:
         return ring
 
     def nearer(self, dart: int, goal: int) -> int:
-        """The first dart of the vertex of one dart that leads one step nearer to that of another."""
-        steps, queue = {d: 0 for d in self.ring(goal)}, [goal]
+        """The first dart beside this one that leads one step nearer to the vertex of the goal."""
+        steps, queue = dict.fromkeys(self.ring(goal), 0), [goal]
         for at in queue:
             for d in self.ring(at):
                 if (e := self.alpha[d]) not in steps:

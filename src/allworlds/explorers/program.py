@@ -56,7 +56,7 @@ SHORT = 64
 """Lines of fewer bytes, as most are, are parsed once."""
 
 
-class Answered(NamedTuple):
+class EpisodeEnd(NamedTuple):
     """The answer of an episode, which is over."""
 
     answer: object
@@ -115,7 +115,7 @@ class Program:
         finished = False
         try:
             message = self.begin(first, told)
-            while not isinstance(message, Answered):
+            while not isinstance(message, EpisodeEnd):
                 percept = yield message
                 message = self.go_on(percept)
             finished = True
@@ -139,7 +139,7 @@ class Program:
         finished = False
         try:
             message = self.begin(first, told)
-            while not isinstance(message, Answered):
+            while not isinstance(message, EpisodeEnd):
                 percept = yield message
                 if self.forks and not isinstance(message, Checkpoint):
                     self.fork(0)
@@ -154,7 +154,7 @@ class Program:
             if not finished:
                 self._kill()
 
-    def begin(self, first: Percept, told: Told) -> Action | Checkpoint | Answered:
+    def begin(self, first: Percept, told: Told) -> Action | Checkpoint | EpisodeEnd:
         """Begin an episode; return the first message.
 
         Raises:
@@ -163,7 +163,7 @@ class Program:
         self._begin(first, told)
         return self._next_message()
 
-    def go_on(self, percept: Percept | None) -> Action | Checkpoint | Answered:
+    def go_on(self, percept: Percept | None) -> Action | Checkpoint | EpisodeEnd:
         """Answer an action, and return the next message; a checkpoint is not answered.
 
         Raises:
@@ -186,10 +186,12 @@ class Program:
     def goto(self, number: int) -> None:
         """Let the program go on from that state with the next percept."""
         if self._process is None:
-            raise ExplorerFault("crash", "the program that kept states has been ended", machine=True)
+            raise ExplorerFault(
+                "crash", "the program that kept states has been ended", machine=True
+            )
         self._from, self._unanswered = number, False
 
-    def _next_message(self) -> Action | Checkpoint | Answered:
+    def _next_message(self) -> Action | Checkpoint | EpisodeEnd:
         """The program's next message."""
         line = self._line()
         action = _short_action(line) if len(line) < SHORT else None
@@ -211,7 +213,7 @@ class Program:
         if message.keys() & ANSWERS:
             if self._out:
                 raise self._fault("illegal-action", f"a line after its answer: {_text(self._out)}")
-            return Answered(_answer(message))
+            return EpisodeEnd(_answer(message))
         raise self._fault("illegal-action", f"the line {_short(message)}")
 
     def close(self) -> None:
@@ -523,10 +525,10 @@ class ProgramRuns:
         """Go on from the state that is kept by that number."""
         self._program.goto(place)
 
-    def _message(self, asked: Callable[[], Action | Checkpoint | Answered]) -> object:
+    def _message(self, asked: Callable[[], Action | Checkpoint | EpisodeEnd]) -> object:
         try:
             message = asked()
         except BaseException:
             self._program.end()
             raise
-        return message.answer if isinstance(message, Answered) else message
+        return message.answer if isinstance(message, EpisodeEnd) else message

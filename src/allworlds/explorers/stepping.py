@@ -1,7 +1,7 @@
 """Explorers as objects: ``step(percept)`` returns the next action, and in the end the answer.
 
-An object that has ``copy()``, or ``__copy__()``, can be copied in the middle of a run.  Then worlds are
-decided where the robot looks, and what many worlds have in common is explored once.
+An object that has ``copy()``, or ``__copy__()``, can be copied in the middle of a run.  Then worlds
+are decided where the robot looks, and what many worlds have in common is explored once.
 """
 
 from __future__ import annotations
@@ -135,7 +135,7 @@ def stepping(name: str, found: Any, **arguments: Any) -> SteppingExplorer | None
     if not inspect.isclass(found):
         if not copies:
             raise InputError(
-                f"{name} is one object for all runs, and has no copy(); name its class, or give it one"
+                f"{name} is one object for all runs, and has no copy(): name its class instead"
             )
         return SteppingExplorer(partial(copied, found), frozenset(), copies=True)
     try:

@@ -79,8 +79,9 @@ class Gluing:
     def successors(self, dart: Dart | None = None) -> Iterator[tuple[Decision, Gluing]]:
         """The legal decisions about an open dart, the oldest one unless another is named.
 
-        They come in the fixed order: gluings ascending, then degrees ascending. Each successor can be followed up to a finished map (simple classes: as far as the
-        counting of partners can tell).  Cost: O(m) for each.
+        They come in the fixed order: gluings ascending, then degrees ascending.  Each successor can
+        be followed up to a finished map (simple classes: as far as the counting of partners can
+        tell).  Cost: O(m) for each.
         """
         if not self.degrees:
             most = self.edges if self.simple else 2 * self.edges
@@ -97,7 +98,7 @@ class Gluing:
                 yield decision, after
 
     def apply(self, decision: Decision, dart: Dart | None = None) -> None:
-        """Take a decision about an open dart, the oldest one unless another is named.  Cost: O(m)."""
+        """Take a decision about an open dart, the oldest unless another is named.  Cost: O(m)."""
         if not self.degrees:
             self._new_vertex(-decision)
             self.faces = [list(range(-decision))]

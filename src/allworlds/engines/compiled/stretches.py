@@ -12,7 +12,7 @@ twice; if the judges differ, the engines disagree.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, MutableSequence, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import islice
@@ -20,41 +20,27 @@ from typing import Any, NamedTuple
 
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.tallies import tally_of
-from allworlds.engines.compiled.trees import TreesOfRuns, Walked
-from allworlds.engines.isolation.generator_player import load as load_generators
 from allworlds.engines.isolation.player_pair import PlayerPair
-from allworlds.engines.isolation.process import guardian
 from allworlds.engines.isolation.shared_logs import StretchMemory
-from allworlds.engines.job import Job
-from allworlds.engines.kernel import engine as kernel
-from allworlds.engines.kernel.batches import LaidOutRuns, ReplayableRun, UnitJudge, load_native
-from allworlds.engines.kernel.chunks import SingleRun, load_trees
-from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.native import play_worlds
+from allworlds.engines.kernel.batches import LaidOutRuns, ReplayableRun, UnitJudge
 from allworlds.engines.kernel.rows import BrokenRun, Level, Rows
-from allworlds.engines.kernel.runs import examine
 from allworlds.engines.kernel.stretch import LONGEST_STRETCH, MOST_EARLIER
 from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.comparison import nondeterministic
 from allworlds.engines.python.examiner import LOST, Outcome, Referee
 from allworlds.engines.python.python_engine import PythonEngine
-from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree, PartwiseEngine
+from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, NumberedRun, UnitOfRuns
-from allworlds.engines.python.scope import Scope
-from allworlds.engines.python.second_play import COPIES, KEPT, EarlierPlays, OneRun, PlayedTwice
+from allworlds.engines.python.second_play import KEPT, EarlierPlays, OneRun, PlayedTwice
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.python.tour import SPELL
-from allworlds.explorers import Subject
-from allworlds.judging import Fault, Finding, Log, UncheckedAnswer, Violation, retold
+from allworlds.judging import Fault, Finding, Log, LostRun, UncheckedAnswer, Violation, retold
 from allworlds.maps import Code, CombinatorialMap
 from allworlds.world import World
 
 AGREEMENT_EDGES = 3
 """The largest m for which both judges judge every log, and must agree, and the general engine plays
 everything, too."""
-
-COMPARED_EDGES = 4
-"""The largest m for which runs that are walked as a tree are also played by themselves."""
 
 AT_FIRST, AFTER_LOSS, LEAST = 64, 64, 16
 """The runs of the first stretch, of the one after a loss, and of the shortest.  Each stretch has
@@ -69,51 +55,6 @@ ANEW = 8
 DIFFERENT = "the second walk or answer differs"
 
 THIRD = "when it was played once more, the walk or the answer was another"
-
-
-def load() -> None:
-    """Load the kernel, and with it this module and all that players need."""
-    load_native()
-    load_trees()
-    load_generators()
-
-
-@dataclass(frozen=True, slots=True)
-class StretchEngine:
-    """The engine in which a user's explorer plays in stretches, and the kernel judges.
-
-    Attributes:
-        scope, keep: as for the general engine.
-    """
-
-    scope: Scope
-    keep: int
-
-    def tally(self) -> Tally:
-        """Return an empty tally."""
-        return Tally(self.keep)
-
-    @staticmethod
-    def compiled(job: Job) -> None:
-        """Compile or load the kernel in the guardian, before it forks."""
-        if not (is_compiled(play_worlds) and is_compiled(examine)):
-            job.notice(kernel.COMPILING)
-        guardian().prepare(__name__, load.__name__)
-
-    def for_built_in(
-        self,
-        subject: Subject,
-        beat: MutableSequence[int] | None = None,
-    ) -> PartwiseEngine:
-        """Return the engine with a built-in explorer, of the interface ``WorkerEngine``."""
-        return PythonEngine(self.scope, self.keep).for_built_in(subject, beat)
-
-    def for_users(
-        self, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
-    ) -> PartwiseEngine:
-        """Return the engine with a user's explorer, of the interface ``WorkerEngine``."""
-        players.in_stretches = True
-        return PlayedByStretches(PythonEngine(self.scope, self.keep), explorer, players, earlier)
 
 
 class _EarlierRun(NamedTuple):
@@ -150,10 +91,8 @@ class PlayedByStretches:
     _kept: EarlierPlays[_EarlierRun] = field(default_factory=EarlierPlays)
     _seed: int | None = None
     _stash: list[Finding] = field(default_factory=list)
-    _trees: TreesOfRuns = field(init=False)
 
     def __post_init__(self) -> None:
-        self._trees = TreesOfRuns(self.players, self.engine.keep)
         self._general = PlayedTwice(self.engine, self.explorer, self.players, self.earlier)
         self._referee = Referee(self.explorer, self.engine.scope.rules)
         self._worst = Tally(self.engine.keep)
@@ -164,69 +103,7 @@ class PlayedByStretches:
             # The rest of a unit whose referee was lost.
             yield from self._general.parts(unit, start)
             return
-        scope = self.engine.scope
-        level = level_of(self.explorer, scope.rules, scope.extent, unit.edges)
-        if unit.edges <= AGREEMENT_EDGES or not self._trees.can_walk(level):
-            yield from self._run_by_run(unit, level)
-        else:
-            yield from self._as_tree(unit, level)
-
-    def _as_tree(self, unit: LevelRuns, level: Level) -> Iterator[tuple[int, Tally]]:
-        """Yield the tally of a unit that is walked as a tree, or, if it is given up, run by run.
-
-        In the smallest of these levels both are done, and must agree.
-        """
-        walking = self._trees.walk(unit, level)
-        while True:
-            try:
-                next(walking)
-            except StopIteration as end:
-                walked: Walked = end.value
-                break
-            yield 0, self.engine.tally()
-        tally = self._tally_of_tree(unit, walked)
-        if tally is not None and unit.edges > COMPARED_EDGES:
-            yield tally.runs + tally.left_out, tally
-            return
-        whole = self.engine.tally()
-        for number, part in self._run_by_run(unit, level):
-            whole.add(part)
-            yield number, part
-        settled = whole.findings or whole.remarks
-        if tally is not None and not settled and _counts(tally) != _counts(whole):
-            raise EnginesDisagree(
-                f"runs of the unit {unit.key} by themselves, and as a tree, count differently: "
-                f"{_counts(whole)} and {_counts(tally)}"
-            )
-        if walked.lost:
-            self._trees.settle_loss(repeated=bool(settled))
-        if walked.suspect and not settled:
-            found = self.engine.tally()
-            self._find_out_of_step(walked.suspect, found)
-            yield number, found
-
-    def _tally_of_tree(self, unit: LevelRuns, walked: Walked) -> Tally | None:
-        """The tally of a tree; None if it was given up, or a law is not broken as it is there."""
-        if walked.rows is None:
-            return None
-        tally = tally_of(walked.rows, unit, self.engine.scope, self.engine.keep)
-        for broken in walked.rows.broken:
-            if not self._find(unit, broken, tally):
-                return None
-        return tally
-
-    def _find_out_of_step(self, run: SingleRun, tally: Tally) -> None:
-        """Find a run that goes another way from copies than from its start."""
-        one = self._placed(run.sigma, run.alpha, run.place)
-        given = GivenWorlds(((one.world, one.place),))
-        for again, outcome in self._general.outcomes(given, {0: one}):
-            settled = outcome
-            if isinstance(outcome, Outcome) and outcome.violation is None:
-                settled = replace(outcome, violation=nondeterministic(f"{DIFFERENT}; {COPIES}"))
-            tally.find(self._general.finding(again, settled))
-
-    def _run_by_run(self, unit: LevelRuns, level: Level) -> Iterator[tuple[int, Tally]]:
-        """Yield the number of the next run and the tally since, after each stretch."""
+        level = self.level(unit)
         first, second = _memory(unit.edges)
         keep = self.engine.keep
         judge = UnitJudge(level, unit.prefix, keep, first.stretch, second.stretch)
@@ -253,6 +130,20 @@ class PlayedByStretches:
                     for found in general.findings:
                         tally.find(found)
             yield batch.until, tally
+
+    def level(self, unit: LevelRuns) -> Level:
+        """The kernel's request for the level of a unit."""
+        scope = self.engine.scope
+        return level_of(self.explorer, scope.rules, scope.extent, unit.edges)
+
+    def outcomes(self, one: OneRun) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
+        """The outcome of a run that is played anew, by the general engine."""
+        given = GivenWorlds(((one.world, one.place),))
+        return self._general.outcomes(given, {one.number: one})
+
+    def finding(self, one: OneRun, outcome: Outcome | LostRun) -> Finding:
+        """The finding of a run that breaks a law, or that was lost."""
+        return self._general.finding(one, outcome)
 
     def _compiled(self, unit: LevelRuns, judge: UnitJudge, batch: LaidOutRuns) -> Tally | None:
         """The tally of a stretch; None if the general engine must make it."""
@@ -313,9 +204,9 @@ class PlayedByStretches:
             yield
         else:
             for each in broken:
-                if not self._find(unit, each, tally):
+                if not self.find(unit, each, tally):
                     self._confirm(unit, batch, judge, each)
-                    self._find(unit, each, tally, otherwise=nondeterministic(THIRD))
+                    self.find(unit, each, tally, otherwise=nondeterministic(THIRD))
                 yield
         for play in differing.earlier:
             self._find_differing(play.unit, [play.number], tally)
@@ -334,7 +225,7 @@ class PlayedByStretches:
         counted, judged = tally_of(rows, unit, scope, keep), self.engine.tally()
         for one, outcome in self._outcomes(unit, batch, judge, judged):
             self.engine.count_outcome(self._referee, one.world, one.place, outcome, judged)
-        kernels, pythons = _counts(counted), _counts(judged)
+        kernels, pythons = counts_of(counted), counts_of(judged)
         broken = sorted((_key(unit, each), each.law) for each in rows.broken)
         found = sorted((each.key[:4], each.law) for each in judged.findings)
         if kernels != pythons or broken != found:
@@ -356,7 +247,7 @@ class PlayedByStretches:
                 yield OneRun(run.number, run.place, world), outcome
                 row += 1
 
-    def _find(
+    def find(
         self,
         unit: LevelRuns,
         broken: BrokenRun,
@@ -373,11 +264,10 @@ class PlayedByStretches:
         worst = self._worst.findings
         if not small and len(worst) >= self.engine.keep and key >= worst[-1].key:
             return True
-        one = self._placed(broken.sigma, broken.alpha, key[-1])
-        given = GivenWorlds(((one.world, one.place),))
-        for again, outcome in self._general.outcomes(given, {0: one}):
+        one = self.placed(broken.sigma, broken.alpha, key[-1])
+        for again, outcome in self.outcomes(one):
             if not isinstance(outcome, Outcome):
-                tally.find(self._general.finding(again, outcome))
+                tally.find(self.finding(again, outcome))
                 continue
             settled, law = outcome, _law(outcome)
             # Of a run without an answer the general engine alone knows why.
@@ -386,12 +276,12 @@ class PlayedByStretches:
                 if otherwise is None:
                     return False
                 settled = replace(outcome, violation=otherwise)
-            finding = self._general.finding(again, settled)
+            finding = self.finding(again, settled)
             tally.find(finding)
             self._worst.find(finding)
         return True
 
-    def _placed(self, sigma: Sequence[int], alpha: Sequence[int], place: int) -> OneRun:
+    def placed(self, sigma: Sequence[int], alpha: Sequence[int], place: int) -> OneRun:
         """The run in this map, rooted at dart 0, at that place of the lighthouse."""
         map_ = CombinatorialMap(sigma, alpha)
         lighthouse = next(islice(self.engine.scope.rules.kind.places(map_, 0), place, None))
@@ -445,7 +335,7 @@ def _one(run: NumberedRun) -> OneRun:
     return OneRun(run.number, run.place, World(run.map, run.lighthouse, 0))
 
 
-def _counts(tally: Tally) -> object:
+def counts_of(tally: Tally) -> object:
     """All that is counted of the runs of a unit."""
     rows = [row for _, row in sorted(tally.rows.items())]
     return rows, _most_expensive(tally), tally.left_out, tally.checkpoints, +tally.witnesses

@@ -1,7 +1,7 @@
 """Trees of runs, walked by an explorer in Python, or by a program, that can be copied.
 
-The twin is :mod:`allworlds.engines.kernel.tree_player`, which walks those of shared libraries; the logs
-are the same.
+The twin is :mod:`allworlds.engines.kernel.tree_player`, which walks those of shared libraries; the
+logs are the same.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.shared_logs import OpenedMemories
 from allworlds.engines.kernel.tree_requests import END_OF_RUN, INSIDE, LAST, NEXT, PERCEPT
 from allworlds.engines.kernel.writing import LogEnd, answer_entry, shown_entry
-from allworlds.engines.python.on_demand import PartialWorld, beginning, places
+from allworlds.engines.python.partial_world import PartialWorld, beginning, places
 from allworlds.explorers import CopyingExplorer
 from allworlds.inputs import integer, let_users_interrupt
 from allworlds.judging import UncheckedAnswer, ending_of, integers
@@ -23,7 +23,7 @@ from allworlds.maps import Decision, MapClass
 from allworlds.protocol import Ambiguous, Checkpoint, ExplorerFault, Move, Percept
 
 if TYPE_CHECKING:
-    from allworlds.engines.kernel.trees import TreeMemory
+    from allworlds.engines.kernel.tree_memory import TreeMemory
 
 _CLASSES = {(each.simple, each.planar): each for each in MapClass}
 
@@ -33,7 +33,7 @@ class _CannotBeTold(Exception):
 
 
 class _Branch(NamedTuple):
-    """A dart that can still be decided in other ways: these, and the run before the motion there."""
+    """The other ways to decide a dart, and the run before the motion there."""
 
     ways: Iterator[tuple[Decision | None, PartialWorld]]
     cost: int
@@ -100,7 +100,7 @@ class _Actor:
     def _guarded(work: Callable[[], None]) -> None:
         try:
             work()
-        except BaseException as error:
+        except BaseException as error:  # noqa: BLE001  # a copy may raise anything
             let_users_interrupt(error)
             raise _CannotBeTold from None
 
@@ -112,21 +112,19 @@ def _motion(message: Move, degree: int) -> int:
 
 def _entry(message: object) -> bytes:
     """The bytes of a message that is no motion."""
+    if type(message) is Ambiguous:
+        raise _CannotBeTold
     try:
         if type(message) is Checkpoint:
             sigma, alpha = integers(message.sigma), integers(message.alpha)
             entry = shown_entry(sigma, alpha, integer(message.here))
         elif isinstance(message, LogEnd):
             entry = bytes((message,))
-        elif type(message) is Ambiguous:
-            raise _CannotBeTold
         else:
             ending = ending_of(message)
             if type(ending) is not UncheckedAnswer:
                 return bytes((LogEnd.WITHOUT_ANSWER,))
             entry = answer_entry(ending.sigma, ending.alpha, ending.here)
-    except _CannotBeTold:
-        raise
     except BaseException as error:  # noqa: BLE001  # what is published may raise anything
         let_users_interrupt(error)
         return bytes((LogEnd.WITHOUT_ANSWER,))
@@ -162,8 +160,9 @@ class _Walk(_Actor):
         maps = request.edges, of_class, request.limit, request.prefix
         for place in range(self._place, places(request.prefix, request.lighthouse)):
             self._cost = self._shown = 0
-            world: PartialWorld | None = beginning(*maps, request.lighthouse, place)
-            message = self.heard(world.percept(), first=True)
+            start = beginning(*maps, request.lighthouse, place)
+            message = self.heard(start.percept(), first=True)
+            world: PartialWorld | None = start
             while world is not None:
                 if self._ends(world, message):
                     runs, self._given = runs + 1, ()

@@ -23,8 +23,8 @@ class _Message(Struct, frozen=True, array_like=True, forbid_unknown_fields=True,
 class ExplorerDescription(_Message, frozen=True):
     """The keywords that the explorer takes, and the digest of its code, if it is known.
 
-    An explorer that has a shield of its own says so, since its bound is that of a shield, and so does
-    one that can be copied.
+    An explorer that has a shield of its own says so, since its bound is that of a shield, and so
+    does one that can be copied.
     """
 
     keywords: frozenset[str]

@@ -342,9 +342,7 @@ class PlayerPair:
         self._end(which)
         return None
 
-    def send_records(
-        self, records: Sequence[Record], policy: str, *, plain: bool = False
-    ) -> None:
+    def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
         """Begin to play these once more."""
         self._sent = PlayRecords(tuple(records), policy, self.random.getrandbits(64), plain)
         if records:

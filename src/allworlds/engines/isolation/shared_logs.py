@@ -17,7 +17,7 @@ from allworlds.explorers import NativeExplorer, threads_left, threads_now
 if TYPE_CHECKING:
     from allworlds.engines.kernel.chunks import CopyingPlayer
     from allworlds.engines.kernel.stretch import Stretch
-    from allworlds.engines.kernel.trees import TreeMemory
+    from allworlds.engines.kernel.tree_memory import TreeMemory
 
 
 class StretchMemory:
@@ -64,7 +64,7 @@ class TreeMemoryPair:
     """Memory for chunks of trees, which a referee shares with its first and its second player."""
 
     def __init__(self) -> None:
-        from allworlds.engines.kernel.trees import TreeMemory
+        from allworlds.engines.kernel.tree_memory import TreeMemory
 
         self._files = [os.memfd_create("allworlds") for _ in range(2)]
         for file in self._files:
@@ -115,7 +115,7 @@ class OpenedMemories:
 
     def tree(self, job: PlayTree | PlaySegments) -> TreeMemory:
         """The memory of a tree."""
-        from allworlds.engines.kernel.trees import TreeMemory
+        from allworlds.engines.kernel.tree_memory import TreeMemory
 
         if job.memory not in self._opened:
             self._opened[job.memory] = TreeMemory(_mapped(job.memory, TreeMemory.size()))

@@ -1,7 +1,7 @@
 """Trees of runs of an explorer that can be copied: judged here, walked in other processes.
 
-:class:`UnitTree` is the judge of a unit, and has no explorer; :class:`CopyingPlayer` is the explorer's
-side.  Memory that is shared with users' code is copied before it is read.
+:class:`UnitTree` is the judge of a unit, and has no explorer; :class:`CopyingPlayer` is the
+explorer's side.  Memory that is shared with users' code is copied before it is read.
 """
 
 from __future__ import annotations
@@ -21,16 +21,10 @@ from allworlds.engines.kernel.engine import asked_of, rows_of, set_up
 from allworlds.engines.kernel.on_demand import KINDS, POINTED
 from allworlds.engines.kernel.records import JOB, READER, ROBOT, new
 from allworlds.engines.kernel.rows import Level, Rows
-from allworlds.engines.kernel.tree_judge import ALPHA, BYTES, COST, HEAD, PLACE, ROOM, SENSED, SIGMA
-from allworlds.engines.kernel.tree_records import BRANCHES, DEMAND, HEARING
 from allworlds.engines.kernel.tables import gluing_rule
-from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
-from allworlds.engines.kernel.tree_requests import (
-    END_OF_RUN,
-    LAST,
-    SEGMENT,
-)
-from allworlds.engines.kernel.trees import (
+from allworlds.engines.kernel.tree_ends import ALPHA, BYTES, COST, HEAD, PLACE, SENSED, SIGMA
+from allworlds.engines.kernel.tree_judge import ROOM
+from allworlds.engines.kernel.tree_memory import (
     LOG_BYTES,
     LONGEST_SINGLE,
     MOST_RUNS,
@@ -38,9 +32,17 @@ from allworlds.engines.kernel.trees import (
     PERCEPT_BYTES,
     TreeMemory,
 )
+from allworlds.engines.kernel.tree_records import BRANCHES, DEMAND, HEARING
+from allworlds.engines.kernel.tree_requests import (
+    END_OF_RUN,
+    LAST,
+    SEGMENT,
+    Chunk,
+    TreeRequest,
+)
 
 
-class SingleRun(NamedTuple):
+class RunOfTree(NamedTuple):
     """A run of a chunk that can be played again from its start.
 
     Attributes:
@@ -98,15 +100,13 @@ class UnitTree:
         self._before = zeros(0, uint8)
         self._size = 0
         self._judged = _JudgedChunk(Chunk(), self._before, 0, last=False)
-        self._singles: list[tuple[int, SingleRun]] = []
+        self._singles: list[tuple[int, RunOfTree]] = []
         self.roots: list[int] = []
         """The first segments of the trees in the second memory."""
         self.next: Chunk | None = Chunk()
         self._hearing.random = random.getrandbits(62) | 1
 
-    def judge(
-        self, size: int, singles: Sequence[SingleRun] = (), *, last: bool
-    ) -> int | None:
+    def judge(self, size: int, singles: Sequence[RunOfTree] = (), *, last: bool) -> int | None:
         """Judge the chunk in the first memory; return its runs, or None if that is not possible.
 
         Segments and percepts for the second play are written to its memory.  ``next`` is then the
@@ -144,11 +144,25 @@ class UnitTree:
         asarray(h.demand.path)[: len(chunk.path)] = chunk.path
         _HEADS[:, BYTES] = 0
         tree_judge.judge_tree(
-            h, self._job, self._reader, self._prefix, self._viable, self._budgets,
-            *asked.arguments[2:4], *asked.arguments[5:9], _NEVER, _LOGS[: judged.size + ROOM],
-            judged.last, judged.before, _SEGMENTS, _PERCEPTS, _STOPS, array([*wanted, -1], int64),
-            _KEPT, _HEADS,
-        )  # fmt: skip
+            h,
+            self._job,
+            self._reader,
+            self._prefix,
+            self._viable,
+            self._budgets,
+            *asked.arguments[2:4],
+            *asked.arguments[5:9],
+            _NEVER,
+            _LOGS[: judged.size + ROOM],
+            judged.last,
+            judged.before,
+            _SEGMENTS,
+            _PERCEPTS,
+            _STOPS,
+            array([*wanted, -1], int64),
+            _KEPT,
+            _HEADS,
+        )
         return not h.strange
 
     @property
@@ -161,7 +175,7 @@ class UnitTree:
         """The rows of all chunks so far."""
         return rows_of(self._asked, self._job, self._robot)
 
-    def kept(self) -> list[SingleRun]:
+    def kept(self) -> list[RunOfTree]:
         """Some runs of the chunk that was judged last, drawn."""
         found = []
         darts = 2 * int(self._job.gluing.edges)
@@ -170,7 +184,7 @@ class UnitTree:
             if length:
                 sigma, alpha = (tuple(head[at : at + darts]) for at in (SIGMA, ALPHA))
                 log, percepts = kept[:length].copy(), kept[length : length + sensed].copy()
-                found.append(SingleRun(sigma, alpha, head[PLACE], head[COST], percepts, log))
+                found.append(RunOfTree(sigma, alpha, head[PLACE], head[COST], percepts, log))
         return found
 
     def difference(self) -> int | None:
@@ -178,19 +192,20 @@ class UnitTree:
         at = int(tree_judge.first_difference(_LOGS, self._second.logs, self._size))
         return None if at == self._size else at
 
-    def run_at(self, byte: int) -> SingleRun | None:
+    def run_at(self, byte: int) -> RunOfTree | None:
         """A run of the chunk to whose log that byte belongs; None if it is too long to be kept.
 
         The tallies are void after that.
         """
-        for start, single in reversed(self._singles):
-            if byte >= start:
-                return single
+        singles = [single for start, single in self._singles if start <= byte]
+        if singles:
+            return singles[-1]
         number = int(searchsorted(_STOPS[: self._hearing.runs], byte, "right"))
         self._judge(self._judged, [number])
-        return next(iter(self.kept()), None)
+        kept: list[RunOfTree] = self.kept()
+        return kept[0] if kept else None
 
-    def _hand_over(self, singles: Sequence[SingleRun]) -> None:
+    def _hand_over(self, singles: Sequence[RunOfTree]) -> None:
         """Hand the segments of the chunk, and other runs, to the second player."""
         h, second, size = self._hearing, self._second, self._judged.size
         segments, noted = int(h.segments), int(h.noted)
@@ -239,10 +254,15 @@ class CopyingPlayer:
         prefix = array(request.prefix, int64)
         size = int(
             tree_player.play_tree(
-                d, *self._common(request.policy), prefix,
-                gluing_rule(request.edges), budget_table(request), memory.logs, runs,
+                d,
+                *self._common(request.policy),
+                prefix,
+                gluing_rule(request.edges),
+                budget_table(request),
+                memory.logs,
+                runs,
                 self._native.beat,
-            )  # fmt: skip
+            )
         )
         places = -prefix[0] if d.kind == POINTED else 1
         return size, bool(d.place == places)
@@ -251,9 +271,14 @@ class CopyingPlayer:
         """Play segments; return 0, or -1 if they cannot be played so."""
         return int(
             tree_player.play_segments(
-                *self._common(policy), array(roots, int64), memory.segments, memory.percepts,
-                self._waiting, memory.logs, self._native.beat,
-            )  # fmt: skip
+                *self._common(policy),
+                array(roots, int64),
+                memory.segments,
+                memory.percepts,
+                self._waiting,
+                memory.logs,
+                self._native.beat,
+            )
         )
 
     def _common(self, policy: str) -> tuple[Any, ...]:
@@ -270,7 +295,7 @@ def ask(d: Any, request: TreeRequest) -> None:
 
 
 def budget_table(request: TreeRequest) -> Any:
-    """The largest number of traversals, by vertices; below it the least for so many and for more."""
+    """The budgets, by vertices; below each the least of it and of those of more vertices."""
     budgets = array([request.budgets] * 2, int64)
     for n in range(min(request.limit, request.edges + 1) - 1, 0, -1):
         budgets[1, n] = min(budgets[1, n], budgets[1, n + 1])
@@ -280,7 +305,16 @@ def budget_table(request: TreeRequest) -> Any:
 def load_trees() -> None:
     """Load or compile the code that trees need."""
     level = any_level()
-    request = TreeRequest(1, 2, False, False, "none", "fifo", level.budgets, (-1,))
+    request = TreeRequest(
+        1,
+        2,
+        simple=False,
+        planar=False,
+        lighthouse="none",
+        policy="fifo",
+        budgets=level.budgets,
+        prefix=(-1,),
+    )
     with uncollected():
         memory = TreeMemory(mmap.mmap(-1, TreeMemory.size()))
         tree = UnitTree(level, request, 1, memory, memory, Random(0))  # noqa: S311  # nothing is drawn

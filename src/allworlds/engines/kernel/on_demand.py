@@ -1,14 +1,14 @@
 """A world that is decided on demand: where the robot is about to cross an open dart.
 
-The world is a partial map, as in :mod:`allworlds.engines.kernel.gluing`.  An open dart that the robot
-leaves by is decided in every way in turn: it is glued to another open dart, partners ascending,
-or to the first dart of a new vertex, degrees ascending.  Only ways are taken from which the map
-can be finished; in the classes smaller than ``maps`` a way may turn out to have no end.  So each
-finished map is met exactly once, whatever the robot does: each decision splits the maps that are
-left.
+The world is a partial map, as in :mod:`allworlds.engines.kernel.gluing`.  An open dart that the
+robot leaves by is decided in every way in turn: it is glued to another open dart, partners
+ascending, or to the first dart of a new vertex, degrees ascending.  Only ways are taken from
+which the map can be finished; in the classes smaller than ``maps`` a way may turn out to have no
+end.  So each finished map is met exactly once, whatever the robot does: each decision splits the
+maps that are left.
 
 The robot's percepts are those of its vertex alone, so the kinds of lighthouses are those that
-need nothing else to be known.  The twin is :mod:`allworlds.world.on_demand`.
+need nothing else to be known.  The twin is :mod:`allworlds.engines.python.partial_world`.
 """
 
 from __future__ import annotations
@@ -180,15 +180,13 @@ def _skip(branch, way):
 @inlined
 def _ways_left(g, branch, viable):
     """The number of ways that are left; 2 stands for more, too."""
-    ways = size(branch.untried)
-    if ways > 1:
+    partners = size(branch.untried)
+    if partners > 1:
         return int64(2)
     degree = _next_degree(g, branch, viable, branch.degree)
-    if degree:
-        ways += 1
-        if ways == 1 and _next_degree(g, branch, viable, degree + 1):
-            ways = int64(2)
-    return ways
+    if not degree or partners:
+        return int64(partners + (degree > 0))
+    return int64(1 + (_next_degree(g, branch, viable, degree + 1) > 0))
 
 
 @inlined

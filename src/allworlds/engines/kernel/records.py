@@ -25,8 +25,8 @@ FOLDED = LONG // 16
 """Room for the nodes of an unfolded log: more than the traversals of the largest budget."""
 
 CHANGES = 4 * FOLDED
-"""Room for the changes of a log that is being folded: at most two a step, and two for each node that
-becomes a part of another one."""
+"""Room for the changes of a log that is being folded: at most two a step, and two for each node
+that becomes a part of another one."""
 
 NONE = -1
 """The entry for no dart, no bearing, no number told."""

@@ -2,28 +2,21 @@
 
 The world is decided as the first player has decided it (:mod:`allworlds.engines.kernel.on_demand`).
 On the way the log is folded, and checkpoints are looked at; at a branch the state of both is kept.
-Where a run ends with all of its world decided, all laws kept and the right answer, it is counted.
-Every other run is left to the judge of single runs (:mod:`allworlds.engines.kernel.runs`), with the
-bytes of its log: so it alone says which law is broken.  If a run ends before all of the world is
-decided, that is done for every way to finish the world.
+What becomes of a run at its end is in :mod:`allworlds.engines.kernel.tree_ends`.
 """
 
 from __future__ import annotations
 
 from numpy import int64
 
-from allworlds.engines.kernel.answers import answer_law
 from allworlds.engines.kernel.bits import lowest
-from allworlds.engines.kernel.calls import address_of, copy, copy_bytes, put_entry, word_of
+from allworlds.engines.kernel.calls import address_of, copy_bytes, put_entry, word_of
 from allworlds.engines.kernel.compiling import entry, inlined, inner
-from allworlds.engines.kernel.embedding import grown
 from allworlds.engines.kernel.folding import begin_fold, fold_step, unfold
-from allworlds.engines.kernel.invariants import look_at, variant_at_the_end
-from allworlds.engines.kernel.law_numbers import BOUND, FOLDING
+from allworlds.engines.kernel.invariants import look_at
 from allworlds.engines.kernel.log_codes import (
     ANSWERED,
     ILLEGAL,
-    LARGEST_MOTION,
     MOST_PUBLISHED,
     OVER_BUDGET,
     SHOWN,
@@ -38,18 +31,7 @@ from allworlds.engines.kernel.on_demand import (
     decide_again,
     places,
 )
-from allworlds.engines.kernel.records import DARTS
-from allworlds.engines.kernel.runs import (
-    RUNS,
-    UNDEFINED,
-    blame,
-    bound_of,
-    count_run,
-    count_world,
-    judged_run,
-)
-from allworlds.engines.kernel.worlds import arrival
-from allworlds.engines.kernel.tree_records import PATH_BYTES
+from allworlds.engines.kernel.tree_ends import count, gather, keep, repeats
 from allworlds.engines.kernel.tree_requests import (
     AT,
     DEAD_END,
@@ -64,39 +46,48 @@ from allworlds.engines.kernel.tree_requests import (
 ROOM = 512
 """Bytes that are free behind a log, and in that of a run before each action."""
 
-# The columns of a run that is kept: bytes of log and percepts, traversals, place, then its world.
-BYTES, SENSED, COST, PLACE, SIGMA = range(5)
-ALPHA = SIGMA + DARTS
-HEAD = ALPHA + DARTS
-
 
 @entry
 def judge_tree(
-    h, job, reader, prefix, viable, budgets, bounds, met, counts, most_expensive, least, row, beat,
-    logs, last, before, segments, percepts, stops, samples, kept, heads,
-):  # fmt: skip
+    h,
+    job,
+    reader,
+    prefix,
+    viable,
+    budgets,
+    bounds,
+    met,
+    counts,
+    most_expensive,
+    least,
+    row,
+    beat,
+    logs,
+    last,
+    before,
+    segments,
+    percepts,
+    stops,
+    samples,
+    kept,
+    heads,
+):
     """Judge a chunk of a tree, and cut it into segments for the second play.
 
     ``h.strange`` is not 0 if it is no chunk, or only another engine can judge it; the tallies are
-    void then.  The next chunk begins at ``h.demand.place`` with the first ``h.demand.ways`` of the path
-    there.
+    void then.  The next chunk begins at ``h.demand.place`` with the first ``h.demand.ways`` ways
+    of the path there.
 
-    Args:
-        h: with the request filled in, as for :func:`allworlds.engines.kernel.tree_player.play_tree`.
-        job: the judge of single runs, with the request filled in.
-        reader: reads the log of a run for it.
-        prefix: as for ``play_tree``, and so are ``viable`` and ``budgets``.
-        bounds: as for :func:`allworlds.engines.kernel.runs.examine`, and so are the arguments up
-            to ``row``.
-        beat: room for a heartbeat.
-        logs: the bytes of the chunk, and slack behind them.
-        last: whether the tree of the unit ends with the chunk; it is strange if not.
-        before: the bytes of the log of the run that is repeated; empty if the tree begins.
-        segments: is written.
-        percepts: is written.
-        stops: is written: where the log of each run ends.
-        samples: the numbers of runs in this chunk that are kept, ascending; ends with -1.
-        kept, heads: a row for each of them: percepts and log in bytes; and the columns below.
+    ``h`` has the request filled in, as for :func:`allworlds.engines.kernel.tree_player.play_tree`,
+    ``job`` that of the judge of single runs, to which ``reader`` reads; ``prefix`` to ``budgets``
+    are as for ``play_tree``, and ``bounds`` to ``row`` as for
+    :func:`allworlds.engines.kernel.runs.examine`.  ``beat`` is room for a heartbeat.  ``logs`` are
+    the bytes of the chunk, with slack behind them; ``last``: the tree of the unit ends with it.
+    ``before`` is the log of the run that is repeated, empty where a tree begins.
+
+    Written are ``segments``, ``percepts`` and, in ``stops``, where the log of each run ends.  The
+    runs whose numbers are the ``samples``, ascending and -1 at the end, are written to rows of
+    ``kept``, log and percepts in bytes, and of ``heads``, with the columns above.
     """
     d = h.demand
     size, at, sampled, resumed = len(logs) - ROOM, int64(0), 0, len(before) > 0
@@ -126,23 +117,35 @@ def judge_tree(
             if resumed:
                 resumed = False
                 d.given = 0
-                h.strange = not _repeats(h, logs, before)
+                h.strange = not repeats(h, logs, before)
             else:
                 if h.runs == samples[sampled]:
-                    _keep(h, logs, kept[sampled], heads[sampled])
+                    keep(h, logs, kept[sampled], heads[sampled])
                     sampled += 1
                 stops[h.runs] = at
                 h.runs += 1
                 ways = d.ways
-                _count(
-                    h, job, reader, viable, budgets, bounds, met, counts, most_expensive, least,
-                    row, beat, logs, code,
-                )  # fmt: skip
+                count(
+                    h,
+                    job,
+                    reader,
+                    viable,
+                    budgets,
+                    bounds,
+                    met,
+                    counts,
+                    most_expensive,
+                    least,
+                    row,
+                    beat,
+                    logs,
+                    code,
+                )
                 d.ways = ways
             if h.strange or h.undefined:
                 return
             if at == size and not last:
-                _gather(h, logs)
+                gather(h, logs)
                 if not d.depth:
                     d.place += 1
                     d.ways = 0
@@ -335,136 +338,6 @@ def _find_map(h, published, reader, logs, at):
     published.bytes = address_of(logs) + at + 2
     published.sigma, published.alpha = address_of(reader.sigma), address_of(reader.alpha)
     return at + length
-
-
-@inner
-def _gather(h, logs):
-    """Copy the log of the run, which has ended, to one place."""
-    h.bytes = 0
-    for part in range(h.demand.ways + 1):
-        begin, length = h.begins[part], h.ends[part] - h.begins[part]
-        if h.bytes + length > PATH_BYTES:
-            h.strange = 1
-            return
-        for i in range(length):
-            h.log[h.bytes + i] = logs[begin + i]
-        h.bytes += length
-
-
-@inlined
-def _repeats(h, logs, before):
-    """Whether the log of this run is the one that was read before."""
-    _gather(h, logs)
-    same = h.bytes == len(before) and not h.strange
-    for i in range(min(h.bytes, len(before))):
-        same = same and h.log[i] == before[i]
-    return same
-
-
-@inlined
-def _keep(h, logs, kept, head):
-    """Keep the run, if there is room for it; its world must have been decided."""
-    d, world = h.demand, h.demand.world
-    _gather(h, logs)
-    head[BYTES] = 0
-    sensed = 3 * (d.cost + 1)
-    if not d.whole or h.bytes + sensed + 1 > len(kept):
-        return
-    head[BYTES], head[SENSED], head[COST], head[PLACE] = h.bytes, sensed, d.cost, d.place
-    for dart in range(world.darts):
-        head[SIGMA + dart], head[ALPHA + dart] = world.sigma[dart], world.alpha[dart]
-    at = h.bytes
-    dart, i = 0, 0
-    while True:
-        put_entry(address_of(kept) + at, 0, percept_of(world, dart))
-        at += 3
-        while i < h.bytes and h.log[i] == SHOWN:
-            i += 3 + span(int64(h.log[i + 1]))
-        if i >= h.bytes or h.log[i] > LARGEST_MOTION or at >= h.bytes + sensed:
-            break
-        dart = arrival(world, dart, int64(h.log[i]))
-        i += 1
-    for i in range(h.bytes):
-        kept[i] = h.log[i]
-
-
-@inlined
-def _count(
-    h, job, reader, viable, budgets, bounds, met, counts, most_expensive, least, row, beat, logs,
-    code,
-):  # fmt: skip
-    """Count a run: in the world that is decided, or in all worlds that it may be."""
-    d, world, judged = h.demand, h.demand.world, h.judged
-    if d.whole and code == ANSWERED:
-        n = d.gluing.vertices
-        world.vertices = n
-        bound = bound_of(world, bounds, met)
-        if bound == UNDEFINED:
-            h.undefined = 1
-            return
-        variant_at_the_end(judged)
-        folded = h.fold.open == 0 or not job.laws >> FOLDING & 1
-        cheap = d.cost <= bound or not job.laws >> BOUND & 1
-        if judged.broken == 0 and folded and cheap and _is_answered(h, job):
-            counts[n, RUNS] += 1
-            if d.place == 0:
-                count_world(world, counts)
-            count_run(world, d.cost, d.shown, int64(0), counts, most_expensive)
-            return
-    _gather(h, logs)
-    if h.strange:
-        return
-    base, going = d.depth, True
-    while going:
-        while d.gluing.open and decide(d, lowest(d.gluing.open), viable, budgets) != NOWHERE:
-            pass
-        if not d.gluing.open:
-            _count_single(
-                h, job, reader, budgets, bounds, met, counts, most_expensive, least, row, beat
-            )
-            if h.strange or h.undefined:
-                return
-        going = False
-        while d.depth > base and not going:
-            going = decide_again(d, viable, budgets) != NOWHERE
-
-
-@inlined
-def _is_answered(h, job):
-    """Whether the answer is right."""
-    world, published = h.demand.world, job.log.published
-    if grown(h.judged, published, world, h.dart, -1) and h.judged.explored == world.darts:
-        return True
-    # The room of the other judge: this one still needs its embedding.
-    job.judged.known = 0
-    return answer_law(published, world, h.dart, job.judged) == 0
-
-
-@inner
-def _count_single(
-    h, job, reader, budgets, bounds, met, counts, most_expensive, least, row, beat
-):
-    """Let the judge of single runs judge and count the run, in the world that is decided."""
-    d = h.demand
-    world = job.world
-    d.world.vertices = n = d.gluing.vertices
-    copy(world, d.world)
-    bound = bound_of(world, bounds, met)
-    if bound == UNDEFINED:
-        h.undefined = 1
-        return
-    reader.logs, reader.size = address_of(h.log), h.bytes
-    reader.run = reader.noted = reader.strange = 0
-    law = judged_run(job, reader, budgets[0, n], bound, beat)
-    if reader.strange:
-        h.strange = 1
-        return
-    counts[n, RUNS] += 1
-    if world.place == 0:
-        count_world(world, counts)
-    count_run(world, job.log.cost, job.log.checkpoints, law, counts, most_expensive)
-    if law:
-        blame(world, law, least, row)
 
 
 @entry

@@ -1,7 +1,7 @@
 """A tree of runs, walked by an explorer that can be copied: in worlds, and against records.
 
-Where the world is not decided yet the tree branches.  Behind a branch the explorer goes on from a copy
-of its state, once for every way, so that the common part of several runs is walked once.
+Where the world is not decided yet the tree branches.  Behind a branch the explorer goes on from a
+copy of its state, once for every way, so that the common part of several runs is walked once.
 
 The first play decides the world on demand (:mod:`allworlds.engines.kernel.on_demand`); the second
 one has no world: it walks along the recorded segments, in another order.  The bytes that both write
@@ -16,9 +16,8 @@ from numpy import int64
 
 from allworlds.engines.kernel.calls import (
     address_of,
-    byte_of,
-    call_clone,
     call_choose,
+    call_clone,
     call_new,
     call_start,
     call_step,
@@ -26,7 +25,6 @@ from allworlds.engines.kernel.calls import (
 )
 from allworlds.engines.kernel.compiling import entry, inlined, inner
 from allworlds.engines.kernel.log_codes import (
-    ANSWERED,
     OVER_BUDGET,
     SHOWN,
     STRANGE,
@@ -73,23 +71,32 @@ CLONE, NEW = range(2)
 
 @entry
 def play_tree(
-    d, explorer, percept, action, here, room, asked, states, pool, prefix, viable, budgets, logs,
-    runs, beat,
-):  # fmt: skip
+    d,
+    explorer,
+    percept,
+    action,
+    here,
+    room,
+    asked,
+    states,
+    pool,
+    prefix,
+    viable,
+    budgets,
+    logs,
+    runs,
+    beat,
+):
     """Play a chunk of a tree; return the number of bytes of its log, -1 if it cannot be played so.
 
-    Args:
-        d: the world that is decided on demand, with the request filled in: the kind of lighthouse,
-            the place, and the ways from the start that are given.
-        explorer: its addresses, as for :func:`allworlds.engines.kernel.native.play_worlds`, and so
-            are ``percept`` to ``asked``, and ``beat``.
-        states: the addresses of the functions that copy a state and make one.
-        pool: addresses of states for the branches; 0 where none has been made yet.
-        prefix: decisions that each map begins with.
-        viable: as for :func:`allworlds.engines.kernel.gluing.advance`.
-        budgets: as for :func:`allworlds.engines.kernel.on_demand.begin`.
-        logs: is written.
-        runs: the number of runs after which the chunk ends, that which is repeated included.
+    ``d`` is the world that is decided on demand, with the request filled in: the kind of
+    lighthouse, the place, and the ways from the start that are given.  ``explorer`` to ``asked``,
+    and ``beat``, are as for :func:`allworlds.engines.kernel.native.play_worlds`.  ``states`` holds
+    the addresses of the functions that copy a state and make one, ``pool`` those of states for
+    the branches, 0 where none has been made yet.  Each map begins with the decisions of
+    ``prefix``; ``viable`` is as for :func:`allworlds.engines.kernel.gluing.advance`, ``budgets``
+    as for :func:`allworlds.engines.kernel.on_demand.begin`.  ``logs`` is written.  The chunk ends
+    after so many ``runs``, that which is repeated included.
     """
     handed = (percept, action, here, room)
     at, due, played, turn = int64(0), NOTHING_DUE, 0, 0
@@ -229,19 +236,27 @@ def _begin(explorer, action, asked, beat):
 
 @entry
 def play_segments(
-    explorer, percept, action, here, room, asked, states, pool, roots, segments, percepts, waiting,
-    logs, beat,
-):  # fmt: skip
+    explorer,
+    percept,
+    action,
+    here,
+    room,
+    asked,
+    states,
+    pool,
+    roots,
+    segments,
+    percepts,
+    waiting,
+    logs,
+    beat,
+):
     """Play trees of recorded segments; return 0, or -1 if one of them cannot be played so.
 
-    Args:
-        explorer: as for :func:`play_tree`, and so are the arguments up to ``pool``.
-        roots: the first segments of trees, in the order in which they are played.
-        segments: as they stand in the memory of a tree.
-        percepts: three bytes each.
-        waiting: room for a segment for each branch.
-        logs: is written where each segment's bytes stand.
-        beat: as for :func:`play_tree`.
+    ``explorer`` to ``pool``, and ``beat``, are as for :func:`play_tree`.  ``roots`` are the first
+    segments of trees, in the order in which they are played; ``segments`` and ``percepts`` are as
+    they stand in the memory of a tree.  ``waiting`` has room for a segment for each branch.
+    ``logs`` is written where each segment's bytes stand.
     """
     handed = (percept, action, here, room)
     due = NOTHING_DUE
@@ -260,9 +275,7 @@ def play_segments(
             )
             if due[0] < -1:
                 return -1
-            segment, depth = _next(
-                explorer, states, pool, segments, segment, going, waiting, depth
-            )
+            segment, depth = _next(explorer, states, pool, segments, segment, going, waiting, depth)
     beat[1] = 0
     write(explorer, logs, due)
     return 0
@@ -274,7 +287,7 @@ FAILED = (int64(-2), int64(0), int64(0))
 
 @inlined
 def _play_segment(explorer, handed, asked, segment, percepts, logs, due, beat):
-    """Play one segment, whose first action is known; return the map due, and whether it branches."""
+    """Play one segment after its first action; return the map due, and whether it branches."""
     percept, action, _, _ = handed
     at, left, inside = int64(segment[AT]), int64(segment[MOTIONS]), segment[INSIDE]
     place = int64(segment[PERCEPTS])

@@ -1,4 +1,4 @@
-"""The records of a tree of runs: a world that is decided on demand, the way there, and its judge."""
+"""The records of a tree of runs: of a world that is decided on demand, and of the judge."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a player is asked for that walks a tree of runs, and how its segments are written.
+"""Requests to a player that walks a tree of runs, and the columns of its segments.
 
 Nothing is loaded with it, so that a process that only plays starts fast.
 """

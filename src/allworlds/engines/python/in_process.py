@@ -54,9 +54,7 @@ class InProcessPlayers:
         if logs:
             yield logs
 
-    def send_records(
-        self, records: Sequence[Record], policy: str, *, plain: bool = False
-    ) -> None:
+    def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
         """Take records that are played once more."""
         order = secrets.randbits(64)
         self._logs = self._runner.play_records(records, policy, order, plain=plain)

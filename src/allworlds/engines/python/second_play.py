@@ -35,6 +35,7 @@ from random import Random
 from typing import Generic, NamedTuple, Protocol, TypeVar
 
 from allworlds.engines.python.comparison import (
+    copies_blamed,
     difference_of,
     differing_or_first,
     ending_in_words,
@@ -67,11 +68,6 @@ OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
 )
 
-COPIES = (
-    "it went on from copies of its state, and from its start it goes as before: does a copy leave "
-    "something out, or share memory with what it was copied from?"
-)
-
 GOES_BY_HASHES = "the explorer goes by hashes: where PYTHONHASHSEED is another one, so is its walk"
 
 FIRST, KEPT = 64, 256
@@ -93,9 +89,7 @@ class Players(Protocol):
         A run that has killed its process twice has one log, with that fault.
         """
 
-    def send_records(
-        self, records: Sequence[Record], policy: str, *, plain: bool = False
-    ) -> None:
+    def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
         """Begin to play these once more, in another order, without a world.
 
         If ``plain``, each is played from its start, as in the first play, and not by copies.
@@ -344,10 +338,12 @@ class PlayedTwice:
                     yield play.one, replace(outcome, violation=nondeterministic(OTHER_CHOICES))
                 elif may_be_the_machine(play.log, second) and matters(play.one):
                     doubtful.append(play)
+                elif self._copies_differ(play, second):
+                    yield play.one, copies_blamed(outcome, play.log, second)
                 elif self._may_go_by_seed and difference_of(play.log, second):
                     unlike.append(_Unlike(play, second, seed, outcome))
                 else:
-                    settled = self._blamed(play, overruled(outcome, play.log, second))
+                    settled = overruled(outcome, play.log, second)
                     if settled.violation is None:
                         self.earlier.keep(play)
                     yield play.one, self._seeded(settled)
@@ -389,16 +385,13 @@ class PlayedTwice:
             elif isinstance(settled, LostRun) or settled.violation is not None:
                 self._belated.append((each.play.one, settled))
 
-    def _blamed(self, play: _Play, settled: Outcome) -> Outcome:
-        """The outcome; if the second play differs since it is one of copies, it says so."""
-        broken = settled.violation
-        if broken is None or broken.law != "nondeterministic" or not self.players.copies:
-            return settled
+    def _copies_differ(self, play: _Play, second: Log) -> bool:
+        """Whether the second play differs since it was one of copies: without them it does not."""
+        if not self.players.copies or difference_of(play.log, second) is None:
+            return False
         self.players.send_records([play.record], self._policy, plain=True)
         (log,) = self.players.receive_logs()
-        if difference_of(play.log, log):
-            return settled
-        return replace(settled, violation=nondeterministic(f"{broken.seen}; {COPIES}"))
+        return difference_of(play.log, log) is None
 
     def _repeats(self, play: _Play, seed: int, before: Log) -> bool:
         """Whether the record is played as before, with that hash seed and other addresses."""

@@ -113,8 +113,8 @@ class NativeExplorer:
 
         The library must have ``clone``.
 
-        The state from which it was copied plays something else then: so a copy that shares its memory
-        does not go on as it should.
+        The state from which it was copied plays something else then: so a copy that shares its
+        memory does not go on as it should.
 
         Raises:
             ExplorerFault: as :meth:`explore`.

@@ -1,6 +1,6 @@
 """A world that is decided on demand, in Python: the twin of the compiled one.
 
-It decides darts in the same order (:mod:`allworlds.engines.kernel.on_demand`), so that the same judge
+It decides darts in the order of :mod:`allworlds.engines.kernel.on_demand`, so that one judge
 follows both.
 """
 
@@ -75,7 +75,7 @@ class PartialWorld:
 
 
 def _ways(gluing: Gluing) -> int:
-    """The number of ways to decide an open dart, before it is known which ones stay in the class."""
+    """The number of ways to decide an open dart, those that leave the class included."""
     owed, others = gluing.owed, sum(map(len, gluing.faces)) - 1
     partners = others if not owed or others > 1 else 0
     room = gluing.limit - len(gluing.degrees)
