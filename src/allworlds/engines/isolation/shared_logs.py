@@ -131,18 +131,21 @@ def _mapped(path: str, size: int) -> mmap.mmap:
 
 
 class LibraryPlayer:
-    """A player's side of stretches, for a shared library: compiled code plays them.
+    """A player's side of stretches and trees, for a shared library: compiled code plays them.
 
     Args:
         explorer: loaded here.
         beat: see :func:`allworlds.judging.episode.play`.
+
+    Attributes:
+        native: the explorer, as compiled code calls it.
     """
 
     def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
         from allworlds.engines.kernel.batches import NativePlayer
 
         addresses, state = explorer.library.addresses(), explorer.state()
-        self._native = NativePlayer(addresses, state, explorer.handed(), beat)
+        self.native = NativePlayer(addresses, state, explorer.handed(), beat)
         self._states = addresses["clone"], addresses["new"]
         self._copying: CopyingPlayer | None = None
         self._memories = OpenedMemories()
@@ -160,11 +163,11 @@ class LibraryPlayer:
         if isinstance(job, PlayStretch):
             stretch = self._memories.stretch(job)
             whole = (stretch, job.runs, job.order, job.policy)
-            return self._native.play(*whole, again=job.again), False
+            return self.native.play(*whole, again=job.again), False
         if self._copying is None:
             from allworlds.engines.kernel.chunks import CopyingPlayer
 
-            self._copying = CopyingPlayer(self._native, self._states)
+            self._copying = CopyingPlayer(self.native, self._states)
         memory = self._memories.tree(job)
         if isinstance(job, PlayTree):
             return self._copying.play(memory, job.request, job.chunk, job.runs)
