@@ -411,7 +411,7 @@ def test_a_stretch_without_room_for_its_logs_says_so():
     player = LibraryPlayer(subject.native, bytearray(16))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(first.stretch, "logs", first.stretch.logs[:10])
-        assert player._native.play(first.stretch, batch.runs, 1, "fifo", again=False) == -1
+        assert player.native.play(first.stretch, batch.runs, 1, "fifo", again=False) == -1
     first.close()
     with pytest.raises(OSError, match="No such file"):
         player.play(PlayStretch("/proc/self/fd/none", 2, 1, 1, "fifo", again=False))
