@@ -5,6 +5,9 @@ each annotated with its type and, by :func:`about`, with one line of meaning.  F
 come the JSON (:meth:`Document.to_json`), the strict reading (:func:`taken`), the JSON Schemas and
 the reference of keys.
 
+The keys of a class may be those of a request's options (``class Scope(Document, of=Request)``),
+whose types and meanings stand beside the options.
+
 Three things are said beside a type:
 
 ``key: T = computed(function)``
@@ -21,10 +24,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import fields as fields_of_dataclass, replace as replace_in_dataclass
+from dataclasses import MISSING, fields as fields_of_dataclass, replace as replace_in_dataclass
 from enum import Enum
 from functools import cache
 from pathlib import PurePath
+from types import NoneType, UnionType
 from typing import (
     Annotated,
     Any,
@@ -33,11 +37,15 @@ from typing import (
     NamedTuple,
     TypeAlias,
     TypeVar,
+    Union,
     dataclass_transform,
+    get_args,
+    get_origin,
     get_type_hints,
 )
 
 from msgspec import (
+    NODEFAULT,
     UNSET,
     Meta,
     Struct,
@@ -51,7 +59,7 @@ from msgspec import (
 )
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs import Field, InputError, Option, in_scope, show
 from allworlds.lazy import loaded
 from allworlds.outcome import Exit, Facts
 
@@ -72,6 +80,8 @@ IfAny: TypeAlias = Annotated[T, IF_ANY]
 
 
 NOTHING = (None, "", ())
+
+_AS_IT_IS = frozenset({int, str, bool, float, NoneType})
 
 
 def read_by(kind: Any) -> Meta:
@@ -144,10 +154,34 @@ EXIT_CODE: Any = computed(lambda report: report.facts.exit)
 
 
 class _Keywords(StructMeta):
-    """A base whose fields are all given by their names, in subclasses too."""
+    """A base whose fields are all given by their names, in subclasses too.
 
-    def __new__(mcs, name: str, bases: Any, namespace: Any, **options: Any) -> Any:
+    A class ``of`` a request has a key for each of its options that a scope tells; a key that the
+    class itself describes comes in its place.
+    """
+
+    def __new__(mcs, name: str, bases: Any, namespace: Any, of: Any = None, **options: Any) -> Any:
+        own = namespace.get("__annotations__", {})
+        asked = () if of is None else [one for one in in_scope(of) if one.name not in own]
+        namespace["__annotations__"] = {one.name: _told(one) for one in asked} | own
+        for one in asked:
+            if one.option != one.name or one.default is not MISSING:
+                default = NODEFAULT if one.default is MISSING else one.default
+                namespace[one.name] = key(default=default, name=one.option)
         return super().__new__(mcs, name, bases, namespace, kw_only=True, **options)
+
+
+def _told(one: Field) -> Any:
+    """The type and the meaning of the key for an option, in a document."""
+    assert isinstance(one.asked, Option)
+    if one.asked.told is not None:
+        return one.asked.told
+    parts = get_args(one.held) if get_origin(one.held) in (Union, UnionType) else (one.held,)
+    if all(part in _AS_IT_IS or get_origin(part) is Literal for part in parts):
+        kind = one.held
+    else:
+        kind = Text | None if NoneType in parts else Text
+    return Annotated[kind, about(one.asked.help.rstrip("."))]
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(key, computed))
@@ -230,9 +264,6 @@ def keys_of(kind: type[Document]) -> tuple[Key, ...]:
         for field in fields(kind)
         if ASIDE not in notes[field.name]
     )
-
-
-_AS_IT_IS = frozenset({int, str, bool, float, type(None)})
 
 
 def plain(value: Any) -> Any:

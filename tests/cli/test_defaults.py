@@ -25,7 +25,7 @@ DEFAULTS = {
     },
     allworlds.fuzz: {**MANY, "explore": "algorithm1", "min_edges": 1, "seed": 0},
     allworlds.run: {**RULES, "choices": ()},
-    allworlds.compare: {},
+    allworlds.compare: MANY,
     allworlds.replay: PATIENCE,
     allworlds.mutants: {"edges": 4},
     allworlds.optimum: {"edges": 3},

@@ -25,6 +25,7 @@ from allworlds.outcome import Verdict
 from allworlds.reports.schemas import main, schema_of, schemas
 from allworlds.verbs import VERBS
 from allworlds.world import World
+from schemas import compare_keywords
 from schemas.generate import package_text
 from schemas.reference import PROTOCOL, REFERENCE, page_text, with_tables
 
@@ -62,6 +63,11 @@ def test_the_package_names_every_verb_for_those_who_do_not_run_it():
     less = "".join(line for line in source.splitlines(keepends=True) if "count" not in line)
     assert less != source
     assert package_text(less) == source
+
+
+def test_the_keywords_of_compare_are_the_fields_of_its_request():
+    source = compare_keywords.MODULE.read_text(encoding="utf-8")
+    assert source == compare_keywords.module_text(), WRITE_ANEW
 
 
 def test_every_key_that_needs_words_has_them():

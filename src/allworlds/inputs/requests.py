@@ -57,6 +57,8 @@ class Option:
         apart: it says where, how long or for whom a job is done; what is found does not depend
             on it.
         repeated: it may be given several times; the field gets a list.
+        told: the type and the meaning of its key in documents; by default its own type, and the
+            help.
     """
 
     panel: str
@@ -68,6 +70,7 @@ class Option:
     default: Any = AS_IN_PYTHON
     apart: bool = False
     repeated: bool = False
+    told: Any = None
 
 
 class Argument(Option):
@@ -127,11 +130,26 @@ class Request:
 
 
 class Field(NamedTuple):
-    """A field of a request: its name, its type for callers, and its option."""
+    """A field of a request.
+
+    Attributes:
+        name: in Python.
+        type: what callers may give.
+        held: the type of its value.
+        asked: its option.
+        default: what is given where it is left out.
+    """
 
     name: str
     type: Any
+    held: Any
     asked: Option | Named | str | None
+    default: Any
+
+    @property
+    def option(self) -> str:
+        """The name of its option, which is that of its key in documents."""
+        return (isinstance(self.asked, Option) and self.asked.name) or self.name
 
 
 def fields_of(request: type[Any]) -> Iterator[Field]:
@@ -141,9 +159,8 @@ def fields_of(request: type[Any]) -> Iterator[Field]:
         kind, asked = hints[told.name], None
         if get_origin(kind) is Annotated:
             kind, asked = get_args(kind)
-        if get_origin(kind) is Taken:
-            kind = get_args(kind)[0]
-        yield Field(told.name, kind, asked)
+        given, held = get_args(kind) if get_origin(kind) is Taken else (kind, kind)
+        yield Field(told.name, given, held, asked, told.default)
 
 
 def values_of(part: type[Request], request: object) -> dict[str, Any]:
@@ -160,22 +177,45 @@ def answers(
     """
 
     def made(answered: Callable[[Asked], Answer]) -> Callable[P, Answer]:
-        plain = inspect.signature(request)
-        of = {each.name: each for each in fields_of(request)}  # type: ignore[arg-type]  # a class
-        taken = [each.replace(annotation=of[name].type) for name, each in plain.parameters.items()]
-        returned = inspect.signature(answered).return_annotation
-        signature = inspect.Signature(taken, return_annotation=returned)
-
         @wraps(answered)
         def function(*args: P.args, **keywords: P.kwargs) -> Answer:
-            ensure_takes(answered.__name__, signature, *args, **keywords)
             return answered(request(*args, **keywords))
 
-        function.__signature__ = signature  # type: ignore[attr-defined]  # for those who ask
-        function.request = request  # type: ignore[attr-defined]  # for the command line
-        told = inspect.cleandoc(answered.__doc__ or "")
-        function.__doc__ = _with_arguments(told, [of[name] for name in plain.parameters])
-        return function
+        return takes_fields(request)(function)
+
+    return made
+
+
+def takes_fields(
+    request: Callable[..., Any], several: str = ""
+) -> Callable[[Callable[P, Answer]], Callable[P, Answer]]:
+    """Give a function the signature and the docstring that tell of a request's fields.
+
+    Args:
+        request: the class of the request.
+        several: the field that the function takes as positional arguments, of any number.
+    """
+
+    def made(function: Callable[P, Answer]) -> Callable[P, Answer]:
+        of = {each.name: each for each in fields_of(request)}  # type: ignore[arg-type]  # a class
+        plain = inspect.signature(request).parameters
+        taken = [each.replace(annotation=of[name].type) for name, each in plain.items()]
+        if several:
+            given = inspect.Parameter(several, inspect.Parameter.VAR_POSITIONAL)
+            taken = [given, *(each for each in taken if each.name != several)]
+        returned = inspect.signature(function).return_annotation
+        signature = inspect.Signature(taken, return_annotation=returned)
+
+        @wraps(function)
+        def checked(*args: P.args, **keywords: P.kwargs) -> Answer:
+            ensure_takes(function.__name__, signature, *args, **keywords)
+            return function(*args, **keywords)
+
+        checked.__signature__ = signature  # type: ignore[attr-defined]  # for those who ask
+        checked.request = request  # type: ignore[attr-defined]  # for the command line
+        told = inspect.cleandoc(function.__doc__ or "")
+        checked.__doc__ = _with_arguments(told, [of[each.name] for each in taken])
+        return checked
 
     return made
 
@@ -196,7 +236,7 @@ def ensure_takes(
 
 def answer(function: Callable[..., Answer], request: object) -> Answer:
     """The answer of such a function, or of one that takes a request, to a finished request."""
-    answered: Answer = getattr(function, "__wrapped__", function)(request)
+    answered: Answer = inspect.unwrap(function)(request)
     return answered
 
 
@@ -216,33 +256,58 @@ def meant(request: object) -> dict[str, Any]:
     A value that JSON does not have stands there by its name, which is its text; of the user's
     code there is the digest.
     """
-    told = {key: getattr(request, name) for key, name in _keys(type(request)).items()}
     digests = {code.name: code.digest for code in codes_in(request)}
-    found = {key: _as_json(value) for key, value in told.items()}
+    found = told_by(type(request), request)
     return {**found, "code": digests} if digests else found
+
+
+def told_by(part: type[Any], request: object) -> dict[str, Any]:
+    """The options of a part of a request on which the answer depends, as JSON has them."""
+    return {each.option: as_json(getattr(request, each.name)) for each in _meant(part)}
 
 
 def codes_in(request: object) -> list[Any]:
     """The user's code that values of a request stand for, each with its name and its digest."""
-    values = (getattr(request, name) for name in _keys(type(request)).values())
+    values = (getattr(request, each.name) for each in _meant(type(request)))
     return [code for value in values for code in getattr(value, "codes", ())]
 
 
-def _as_json(value: object) -> object:
+def as_json(value: object) -> Any:
+    """The JSON value for a value of a request."""
     if isinstance(value, tuple | list):
         return [*value]
     return value if value is None or isinstance(value, str | int | float) else str(value)
 
 
+def given_again(part: type[Any], request: object) -> list[str]:
+    """The options of the command line that give this part of a request again.
+
+    Those that are left out have their defaults.
+    """
+    words, usual = list[str](), part()
+    for each in _meant(part):
+        if (value := getattr(request, each.name)) != getattr(usual, each.name):
+            text = ",".join(map(str, value)) if isinstance(value, tuple) else str(value)
+            words += [f"--{each.option.replace('_', '-')}", text]
+    return words
+
+
 def remembered(request: type, told: Mapping[str, Any]) -> dict[str, Any]:
     """The constructor's keywords for the request that :func:`meant` described."""
-    return {name: told[key] for key, name in _keys(request).items()}
+    return {each.name: told[each.option] for each in _meant(request)}
 
 
-def _keys(request: type) -> dict[str, str]:
-    """The names of the fields for which the condition is true, by the names of their options."""
-    return {
-        (each.asked.name or each.name): each.name
-        for each in fields_of(request)
-        if isinstance(each.asked, Option) and not each.asked.apart
-    }
+def in_scope(request: type[Any]) -> Iterator[Field]:
+    """The fields that stand in the scope of a document: those that say what is asked."""
+    return (
+        each
+        for each in _meant(request)
+        if isinstance(each.asked, Option) and each.asked.panel in (SCOPE, RULES)
+    )
+
+
+def _meant(request: type[Any]) -> Iterator[Field]:
+    """The fields of the options on which the answer depends."""
+    for each in fields_of(request):
+        if isinstance(each.asked, Option) and not each.asked.apart:
+            yield each

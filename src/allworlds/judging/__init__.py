@@ -91,6 +91,7 @@ if TYPE_CHECKING:
         true_walk as true_walk,
     )
     from allworlds.judging.laws.bounds import (
+        Bound as Bound,
         bound_named as bound_named,
         paper_bound as paper_bound,
         printed_bound as printed_bound,
@@ -99,6 +100,7 @@ if TYPE_CHECKING:
     from allworlds.judging.laws.folding import fold as fold
     from allworlds.judging.laws.law_table import (
         ASKED as ASKED,
+        JUDGED as JUDGED,
         LAWS as LAWS,
         PRECEDENCE as PRECEDENCE,
         Check as Check,

@@ -22,7 +22,7 @@ from msgspec.structs import fields
 
 from allworlds.document import IF_ANY, Document, MadeBy, Text, WrittenByFields, keys_of, plain
 from allworlds.engines import ENGINES
-from allworlds.judging import LAWS, PRECEDENCE, Finding, FindingDocument
+from allworlds.judging import JUDGED, PRECEDENCE, Finding, FindingDocument
 from allworlds.lazy import loaded
 from allworlds.maps import MapClass
 from allworlds.outcome import Result, Verdict
@@ -60,7 +60,7 @@ READ = {"finding", "world", "transcript", "manifest"}
 
 NAMES: dict[str, tuple[str, Iterable[Any]]] = {
     "law": ("Law", PRECEDENCE),
-    "judged_law": ("Judged law", LAWS),
+    "judged_law": ("Judged law", JUDGED),
     "class": ("Class of maps", MapClass),
     "verdict": ("Verdict", Verdict),
     "engine": ("Engine", ENGINES),

@@ -9,6 +9,7 @@ from pathlib import Path
 from random import Random
 from typing import Annotated, TypeAlias
 
+from allworlds.document import IfAny, Text, about
 from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, let_users_interrupt, show
 from allworlds.maps import LEGAL, CombinatorialMap, Condition, condition_named, rooted_maps
 from allworlds.protocol import UserCode, find_code, function_of, said
@@ -105,6 +106,7 @@ class AskedWhere(Request):
             "WHERE",
             f"Only maps of which that is true: {LEGAL}, or path/to/file.py:predicate, a function "
             "of a map.",
+            told=Annotated[IfAny[Text | None], about("what besides is true of the maps")],
         ),
     ] = Taken(a_condition, None)
 

@@ -6,7 +6,7 @@ the explorers has no place is left out for all.  Of a growing family a few membe
 drawn from seeds, and isomorphic ones count once; every member has a name that gives it back
 (``allworlds run greedy --family torus:6x6 --seed 1``).
 
-``compare_request``
+``compare_request``, ``compare_keywords``
     what is asked for;
 ``contestants``, ``side_by_side``
     explorers that are run in the same worlds, and how they share the units of a job;

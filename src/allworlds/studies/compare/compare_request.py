@@ -29,7 +29,12 @@ class CompareRequest(AskedDirectory, AskedCluster, ManyWorlds, AskedShard, Asked
     """
 
     explorers: Annotated[
-        Sequence[str | Callable[..., Any]], Named(ExplorersWords, "names or generator functions")
+        Sequence[str | Callable[..., Any]],
+        Named(
+            ExplorersWords,
+            "names, as on the command line, or generator functions; two or more, with ``to`` one "
+            "or more.",
+        ),
     ] = ()
     family: Annotated[
         str | Sequence[str] | None,

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from inspect import signature
 from itertools import groupby
-from pathlib import Path
-from typing import Any, TypedDict, Unpack, overload
+from typing import Any, Unpack, overload
 
 from typing_extensions import override
 
@@ -26,12 +24,12 @@ from allworlds.engines import (
     UnitOfRuns,
     level_size,
 )
-from allworlds.inputs import InputError, ensure_takes, show
-from allworlds.judging import Task
-from allworlds.maps import CombinatorialMap, Condition, Extent
+from allworlds.inputs import InputError, show, takes_fields
+from allworlds.maps import CombinatorialMap, Extent
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped
 from allworlds.studies.check import GateCell, count_gate
 from allworlds.studies.compare.climb import GrowingWorlds, growing
+from allworlds.studies.compare.compare_keywords import CompareKeywords, SameWorldsKeywords
 from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.comparison import (
     ComparedRow,
@@ -51,48 +49,7 @@ from allworlds.studies.compare.growing_families import Member, form_of
 from allworlds.studies.compare.growth import Growth
 from allworlds.studies.compare.in_world import InWorld
 from allworlds.studies.compare.side_by_side import CostsOfAll, UnitOfOne
-from allworlds.world import GivenLighthouse, World
-
-
-class SameWorldsOptions(TypedDict, total=False):
-    """The fields of :class:`CompareRequest` for worlds that do not grow.
-
-    They are listed again here, because types have no other way to describe a list of explorers of
-    any length.
-    """
-
-    edges: int | None
-    vertices: int | None
-    map_class: str
-    where: str | Condition | None
-    family: str | Sequence[str] | None
-    holes: str | None
-    seed: int | None
-    lighthouse: GivenLighthouse | None
-    task: str | Task
-    policy: str
-    bound: str | int | None
-    laws: Iterable[str] | None
-    step_budget: int | None
-    answer_timeout: float
-    start_timeout: float
-    workers: int
-    time_limit: float | None
-    memory: int | None
-    shard: tuple[int, int] | Portion | None
-    run: str | Path | None
-    dask: str | None
-    dask_timeout: float
-    listener: Listener | None
-    by: str | None
-
-
-class CompareOptions(SameWorldsOptions, total=False):
-    """All fields of :class:`CompareRequest` but the explorers."""
-
-    to: int | None
-    worlds: int | None
-    places: int | None
+from allworlds.world import World
 
 
 @overload
@@ -101,33 +58,28 @@ def compare(
     to: int,
     worlds: int | None = ...,
     places: int | None = ...,
-    **options: Unpack[SameWorldsOptions],
+    **options: Unpack[SameWorldsKeywords],
 ) -> Growth: ...
 @overload
 def compare(
-    *explorers: str | Callable[..., Any], **options: Unpack[SameWorldsOptions]
+    *explorers: str | Callable[..., Any], **options: Unpack[SameWorldsKeywords]
 ) -> Comparison: ...
 @overload
 def compare(
-    *explorers: str | Callable[..., Any], **options: Unpack[CompareOptions]
+    *explorers: str | Callable[..., Any], **options: Unpack[CompareKeywords]
 ) -> Comparison | Growth: ...
+@takes_fields(CompareRequest, several="explorers")
 def compare(
-    *explorers: str | Callable[..., Any], **options: Unpack[CompareOptions]
+    *explorers: str | Callable[..., Any], **options: Unpack[CompareKeywords]
 ) -> Comparison | Growth:
     """Run explorers in the same worlds, judge every run, and compare what they walk.
 
     With ``to`` the worlds grow: of each family a few members of each size are run, and how the
     cost grows is fitted; then one explorer is enough.
 
-    Args:
-        explorers: names (see :func:`allworlds.explorers.loading.load`) or generator functions; two
-            or more.
-        options: the worlds, and how runs are judged; see :class:`CompareRequest`.
-
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    ensure_takes("compare", signature(CompareRequest), **options)
     return compared(CompareRequest(explorers=explorers, **options))
 
 

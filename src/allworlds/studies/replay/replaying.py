@@ -99,7 +99,12 @@ def replay(request: ReplayRequest) -> Replay:
             "explorer, too"
         )
     kind = finding.world.lighthouse.kind
-    rules = replace(finding.rules, own_bound=subject.bound_under(kind))
+    rules = replace(
+        finding.rules,
+        own_bound=subject.bound_under(kind),
+        bound=finding.rules.the_bound,
+        laws=finding.rules.applying or None,
+    )
     script = finding.choices if same else ()
     for _ in range(TRIES if finding.law == "nondeterministic" else 1):
         again = single_run(subject, finding.world, rules, script, limits, finding.hash_seed)
