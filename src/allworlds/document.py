@@ -162,7 +162,8 @@ class _Keywords(StructMeta):
 
     def __new__(mcs, name: str, bases: Any, namespace: Any, of: Any = None, **options: Any) -> Any:
         own = namespace.get("__annotations__", {})
-        asked = () if of is None else [one for one in in_scope(of) if one.name not in own]
+        parts = of if isinstance(of, tuple) else (of,) if of else ()
+        asked = [one for part in parts for one in in_scope(part) if one.name not in own]
         namespace["__annotations__"] = {one.name: _told(one) for one in asked} | own
         for one in asked:
             if one.option != one.name or one.default is not MISSING:
@@ -455,10 +456,3 @@ class Report(Document):
         """The rows of ``--csv``, by the names of their columns: ``pandas.DataFrame`` takes them."""
         rows: list[dict[str, Any]] = loaded("reports.notebook:records")(self)
         return rows
-
-
-class Gate(Document):
-    """A count gate: the comparison of every count with an independent source."""
-
-    source: Annotated[Text, about("the independent source of the counts")]
-    agrees: Annotated[bool, about("whether each count equals the source's")]

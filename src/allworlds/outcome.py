@@ -123,6 +123,17 @@ class Facts(NamedTuple):
         cut = not complete
         return cls(interrupted=cut and not stopped, undecided=cut and bool(stopped), **others)
 
+    @classmethod
+    def of_ending(cls, ending: Ending, *, disagrees: bool, refuted: bool, vacuous: bool) -> Facts:
+        """Return the facts of a report of what was finished when a job came to its end."""
+        return cls(
+            disagrees=disagrees or isinstance(ending, Disagreed),
+            interrupted=isinstance(ending, Interrupted),
+            refuted=refuted,
+            undecided=isinstance(ending, Stopped),
+            vacuous=vacuous,
+        )
+
     @property
     def exit(self) -> Exit:
         """The exit code. No other place computes one."""

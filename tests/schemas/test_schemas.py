@@ -128,16 +128,27 @@ DOCUMENTS = {
     **{
         f"{name} interrupted": (
             whole(name),
-            lambda ask=ask: replace(ask(), complete=False).to_json(),
+            lambda ask=ask, cut=cut: replace(ask(), **cut).to_json(),
         )
-        for name, ask in {
-            "count": lambda: count(edges=2),
-            "worst": lambda: worst(edges=2),
-            "mutants": lambda: mutants(edges=1),
-            "optimum": lambda: optimum(edges=1),
-            "bench": benched,
-            "ambiguity-census": lambda: census(edges=2),
-        }.items()
+        for cut, asked in (
+            (
+                {"complete": False},
+                {
+                    "mutants": lambda: mutants(edges=1),
+                    "optimum": lambda: optimum(edges=1),
+                    "bench": benched,
+                },
+            ),
+            (
+                {"ending": Interrupted()},
+                {
+                    "count": lambda: count(edges=2),
+                    "worst": lambda: worst(edges=2),
+                    "ambiguity-census": lambda: census(edges=2),
+                },
+            ),
+        )
+        for name, ask in asked.items()
     },
     "check refuted": (
         whole("check"),

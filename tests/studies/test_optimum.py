@@ -187,7 +187,7 @@ def test_a_row_leaves_out_explorers_for_which_there_was_no_time(monkeypatch):
     assert "greedy" in first.explorers
     assert [*last.explorers] == [*first.explorers][: [*first.explorers].index("greedy")]
     assert (last.optimum, report.exit_code) == (1, Exit.INCONCLUSIVE)
-    assert [*text("optimum", report, 100).splitlines()[4].split()][-1] == "-"
+    assert [*text("optimum", report, 100).splitlines()[5].split()][-1] == "-"
 
 
 @pytest.mark.parametrize(("replayed", "seen"), [(None, "wrong in some world"), (7, "costs 7")])

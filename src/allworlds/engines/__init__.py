@@ -18,8 +18,9 @@
     the task of an engine, and **the** table of the engines;
 ``progress``
     the listeners to the progress of a long job;
-``sweep``
-    **the** loop through the levels of a study, with its endings;
+``sweep``, ``swept_report``
+    **the** loop through the levels of a study, with its endings, and what all reports of such
+    studies have;
 ``single``
     one run, in this process or in one of its own.
 """
@@ -117,6 +118,17 @@ if TYPE_CHECKING:
         unused_choice as unused_choice,
     )
     from allworlds.engines.sweep import Sweep as Sweep
+    from allworlds.engines.swept_report import (
+        GATE as GATE,
+        EndedReport as EndedReport,
+        Gate as Gate,
+        SweptExit as SweptExit,
+        SweptReport as SweptReport,
+        ToldGate as ToldGate,
+        TriedPlaces as TriedPlaces,
+        told_scope as told_scope,
+        tried_places as tried_places,
+    )
     from allworlds.engines.transports.dask_cluster import Dask as Dask, here_or as here_or
     from allworlds.engines.transports.dask_lanes import ClusterLost as ClusterLost
     from allworlds.engines.transports.inline import ThisThread as ThisThread

@@ -34,6 +34,10 @@ class Silent(Listener):
     """The listener that ignores all events."""
 
 
+NOBODY = Silent()
+"""The listener of a job of which nobody hears any more."""
+
+
 class Once(Silent):
     """A listener that hands on notices alone, and each of them once."""
 

@@ -60,6 +60,7 @@ if TYPE_CHECKING:
         takes_fields as takes_fields,
         told_by as told_by,
         values_of as values_of,
+        without_effort as without_effort,
     )
 else:
     open_door(__name__)

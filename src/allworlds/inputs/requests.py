@@ -11,8 +11,9 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import wraps
+from operator import index
 from textwrap import fill
 from typing import (
     Annotated,
@@ -22,6 +23,7 @@ from typing import (
     Generic,
     NamedTuple,
     ParamSpec,
+    SupportsIndex,
     TypeVar,
     dataclass_transform,
     get_args,
@@ -30,6 +32,7 @@ from typing import (
 )
 
 P = ParamSpec("P")
+T = TypeVar("T")
 Given = TypeVar("Given")
 Value = TypeVar("Value")
 Asked = TypeVar("Asked")
@@ -276,18 +279,21 @@ def as_json(value: object) -> Any:
     """The JSON value for a value of a request."""
     if isinstance(value, tuple | list):
         return [*value]
-    return value if value is None or isinstance(value, str | int | float) else str(value)
+    if value is None or isinstance(value, str | int | float):
+        return value
+    return index(value) if isinstance(value, SupportsIndex) else str(value)
 
 
-def given_again(part: type[Any], request: object) -> list[str]:
+def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> list[str]:
     """The options of the command line that give this part of a request again.
 
-    Those that are left out have their defaults.
+    Those that are left out have their defaults, or are of the fields ``but`` which all are told.
     """
-    words, usual = list[str](), part()
+    words, left = list[str](), {*but}
     for each in _meant(part):
-        if (value := getattr(request, each.name)) != getattr(usual, each.name):
-            text = ",".join(map(str, value)) if isinstance(value, tuple) else str(value)
+        value = as_json(getattr(request, each.name))
+        if value != as_json(each.default) and each.name not in left:
+            text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
             words += [f"--{each.option.replace('_', '-')}", text]
     return words
 
@@ -295,6 +301,16 @@ def given_again(part: type[Any], request: object) -> list[str]:
 def remembered(request: type, told: Mapping[str, Any]) -> dict[str, Any]:
     """The constructor's keywords for the request that :func:`meant` described."""
     return {each.name: told[each.option] for each in _meant(request)}
+
+
+def without_effort(request: T) -> T:
+    """The request with the defaults of all that is apart, but for the shard."""
+    apart = (
+        each
+        for each in fields_of(type(request))
+        if isinstance(each.asked, Option) and each.asked.apart and each.name != "shard"
+    )
+    return replace(request, **{each.name: each.default for each in apart})  # type: ignore[type-var]
 
 
 def in_scope(request: type[Any]) -> Iterator[Field]:

@@ -7,7 +7,7 @@ A module of ``tellings`` makes the telling of a verb's result.  A form of report
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 from allworlds.words import number
@@ -351,9 +351,21 @@ def fact(name: str, text: str) -> ToldFacts:
     return ToldFacts([(name, text)])
 
 
-def interruption(*, complete: bool, stopped: str | None = None) -> list[tuple[str, str]]:
-    """A fact about an interruption or another early end; none about a complete job."""
-    text = "here stands what was finished before; nothing is known of the rest"
-    if stopped:
-        return [("STOPPED", f"{stopped}; {text}")]
-    return [] if complete else [("INTERRUPTED", text)]
+def so_far(
+    headline: Headline | None, *, complete: bool, stopped: str | None = None
+) -> Headline | None:
+    """The headline of a job; of one that was ended early the end comes first.
+
+    Args:
+        headline: of what was finished; None where nothing was.
+        complete: whether the job came to its end.
+        stopped: why not; None for an interruption.
+    """
+    if complete:
+        return headline
+    why = stopped or "interrupted"
+    if headline is None or not headline.text:
+        return Headline("INCONCLUSIVE", f"{why}; nothing was finished before")
+    if headline.verdict in ("refuted", "error"):
+        return replace(headline, text=f"{headline.text}; {why}, and the rest was not tried")
+    return Headline("INCONCLUSIVE", f"{why}; finished before: {headline.text}")

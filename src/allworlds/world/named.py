@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated
 
+from allworlds.document import Text, about
 from allworlds.inputs import (
     SCOPE,
     InputError,
@@ -38,7 +39,12 @@ from allworlds.world.lighthouses.kinds import (
 )
 from allworlds.world.world import World
 
-HOLES = Option(SCOPE, "P%", "Share of a family's edges to remove [default: none].")
+HOLES = Option(
+    SCOPE,
+    "P%",
+    "Share of a family's edges to remove [default: none].",
+    told=Annotated[Text | None, about("the share of a family's edges that was removed")],
+)
 """An option of every verb that takes a family."""
 
 

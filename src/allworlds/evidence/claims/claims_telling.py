@@ -17,8 +17,8 @@ from allworlds.reports import (
     ToldResult,
     ToldTable,
     Words,
-    interruption,
     scene_of,
+    so_far,
 )
 from allworlds.words import number, plural
 
@@ -32,14 +32,14 @@ VERDICTS = {
     1: ("REFUTED", "refuted"),
     3: ("INCONCLUSIVE", "inconclusive"),
     4: ("VACUOUS", "vacuous"),
-    130: ("INTERRUPTED", "inconclusive"),
+    130: ("INCONCLUSIVE", "inconclusive"),
 }
 """The word, and the verdict whose colour it has, by the exit code."""
 
 
 def claims_telling(report: ClaimsReport) -> ToldResult:
     """A row for each claim; for a single claim, and on a page for each, also the details."""
-    facts = interruption(complete=report.complete)
+    facts = []
     for one in report.claims:
         if one.standing in ("unexpected", "vacuous"):
             facts.append(("DIFFERS", f"{one.id}: {'; '.join(one.differences)}"))
@@ -76,7 +76,7 @@ def _heading(section: str) -> str:
     return "Beyond the paper" if section == "ours" else f"Section {section}"
 
 
-def _headline(report: ClaimsReport) -> Headline:
+def _headline(report: ClaimsReport) -> Headline | None:
     """The verdict, and the number of claims with each outcome."""
     standings = Counter(one.standing for one in report.claims)
     checked = [one for one in report.claims if one.standing == "as-expected"]
@@ -95,7 +95,8 @@ def _headline(report: ClaimsReport) -> Headline:
         parts.append(f"{number(standings['not-checked'])} not checked ({_needed(report)})")
     word, verdict = VERDICTS[int(report.exit_code)]
     said = f"{plural(len(report.claims), 'claim')}: {', '.join(parts)}"
-    return Headline(word, said, verdict)
+    told = Headline(word, said, verdict)
+    return so_far(told if report.claims else None, complete=report.complete)
 
 
 def _needed(report: ClaimsReport) -> str:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from allworlds.engines import Given, Row, Sample, Shard
+from allworlds.engines import Given, Row, Sample, Shard, tried_places
 from allworlds.judging import Finding, checked_laws
-from allworlds.maps import Extent, source_of
+from allworlds.maps import source_of
 from allworlds.outcome import Disagreed, Verdict
 from allworlds.reports.telling import (
     Block,
@@ -25,6 +25,7 @@ from allworlds.reports.telling import (
 )
 from allworlds.reports.tellings.finding import finding_section
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
+from allworlds.reports.tellings.scope import SAID, of_the_class, options_told, places_told
 from allworlds.studies.check import (
     CheckReport,
     Guess,
@@ -140,19 +141,15 @@ def _in_shard(report: CheckReport) -> str:
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts. A text without a name continues the one before."""
     scope, rules = report.asked, report.asked.rules
-    bounds = scope.extent
-    limits = [f"at most {plural(bounds.edges, 'edge')}"] if bounds.edges else []
-    if isinstance(scope.coverage, Sample) and scope.coverage.min_edges > 1:
-        limits = [f"{scope.coverage.min_edges} to {plural(scope.extent.levels[-1], 'edge')}"]
-    if bounds.vertices:
-        limits += [f"at most {plural(bounds.vertices, 'vertex', 'vertices')}"]
+    least = scope.coverage.min_edges if isinstance(scope.coverage, Sample) else 1
     shard = f", shard {scope.portion}" if isinstance(scope.portion, Shard) else ""
     what = (
-        f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} of the class "
-        f"{bounds.map_class}{_condition(bounds)} with {' and '.join(limits)}{shard}; "
-        f"{_schedules(report)}"
+        f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} "
+        f"{of_the_class(scope.extent, least)}{shard}; {_schedules(report)}"
     )
     words = [("explorer", f"{report.explorer}, {report.engine} engine"), ("scope", what)]
+    words += places_told(tried_places(rules.lighthouse, scope.extent))
+    words += options_told(report, CHECK_SAID)
     if not report.complete and not isinstance(scope.coverage, Sample):
         finished = ", ".join(map(str, report.levels)) or "none"
         words.append(("", f"NOT complete: finished levels (edges): {finished}"))
@@ -180,13 +177,15 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     return words
 
 
-def _condition(extent: Extent) -> str:
-    return f", {extent.where.name}," if extent.where else ""
+CHECK_SAID = (*SAID, "task", "laws", "schedules", "min_edges", "runs", "max_findings", "engine")
+"""The fields of the request of which the scope, and other facts, tell."""
 
 
 def _which(report: CheckReport) -> str:
-    some = isinstance(report.asked.coverage, Sample | Given)
-    return "one start and marker" if some else "every start and marker"
+    if isinstance(report.asked.coverage, Sample | Given):
+        return "one start and marker"
+    some = tried_places(report.asked.rules.lighthouse, report.extent)
+    return "every start and the places told below" if some else "every start and marker"
 
 
 def _maps(report: CheckReport) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
+from allworlds.document import Text, about
 from allworlds.engines import AskedCluster, AskedDirectory, AskedListener, AskedShard, AskedTime
 from allworlds.inputs import (
     EFFORT,
@@ -43,7 +44,12 @@ class CensusRequest(
 
     lighthouse: Annotated[
         Taken[GivenLighthouse, LighthouseKind],
-        Option(SCOPE, "KIND", f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}."),
+        Option(
+            SCOPE,
+            "KIND",
+            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}.",
+            told=Annotated[Text, about("`KIND[:key=value,...]`")],
+        ),
     ] = Taken(lighthouse_kind, Position.kind)
 
 

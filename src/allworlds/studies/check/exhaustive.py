@@ -211,12 +211,12 @@ class CheckSweep(TallySweep[CheckReport]):
     @override
     def report(self, ending: Ending) -> CheckReport:
         report = CheckReport(
+            **self.ended(ending, self.scope.extent),
             explorer=self.job.subject.name,
             engine=self._engine.name,
             asked=self.scope,
             tally=self._tally,
             levels=tuple(self._levels),
-            ending=ending,
             cells=tuple(self._gate),
             past=self._corpus,
             symmetry=self._engine.symmetry(self.scope, self.job.subject),

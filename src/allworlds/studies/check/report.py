@@ -5,39 +5,42 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Literal, TypeAlias
 
+from typing_extensions import override
+
 from allworlds.document import (
     EXIT_CODE,
     Aside,
-    Bounded,
     Different,
     Document,
     IfAny,
     Natural,
     Positive,
-    Report,
     Text,
     WhichShard,
     about,
     computed,
-    key,
-    one_of,
 )
-from allworlds.engines import EngineName, Given, Sample, Scope, Shard, Tally
+from allworlds.engines import (
+    EndedReport,
+    EngineName,
+    Given,
+    Portion,
+    Sample,
+    Scope,
+    Shard,
+    SweptExit,
+    Tally,
+    TriedPlaces,
+    told_scope,
+    tried_places,
+)
 from allworlds.explorers import files_of_explorer
-from allworlds.judging import Finding, JudgedLaw
-from allworlds.maps import MapClass, source_of
-from allworlds.outcome import (
-    Completed,
-    Disagreed,
-    Ending,
-    Exit,
-    Facts,
-    Interrupted,
-    Stopped,
-    Verdict,
-)
+from allworlds.judging import Finding
+from allworlds.maps import source_of
+from allworlds.outcome import Completed, Interrupted, Verdict
 from allworlds.studies.check.gate import GateCell
 from allworlds.studies.check.known_findings import CorpusReport, UserCorpus
+from allworlds.studies.check.requests import CheckRequest
 from allworlds.world import files_of_condition
 
 
@@ -54,28 +57,12 @@ Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the mer
 """The state of the count gate."""
 
 
-class CheckedScope(Document):
+class CheckedScope(Document, of=CheckRequest):
     """The scope of a check: every option that its counts and its verdict depend on."""
 
-    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    edges: Bounded
-    vertices: Bounded
-    where: Annotated[IfAny[Text | None], about("what besides is true of the maps")]
-    lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")]
-    task: Annotated[
-        IfAny[Text | None], about("what counted as done; where it is left out, the map")
-    ]
+    places: TriedPlaces
     shared_file: Annotated[
         IfAny[str], about("the explorer's file, where judges load code from it, too: see trust")
-    ]
-    policy: Annotated[Text, about("who answered the explorer's choices")]
-    schedules: Annotated[Literal["one", "all"], about("the policy's, or every sequence of choices")]
-    laws: Annotated[Different[JudgedLaw], about("the laws that were checked")]
-    bound: Annotated[
-        Text, about("the bound on the traversals; `none` where the law was not checked")
-    ]
-    step_budget: Annotated[
-        Positive | None, about("the largest legal number of traversals; null: default")
     ]
     shard: WhichShard
     sample: Annotated[SampleReport | None, about("of `fuzz`: how the worlds were drawn")]
@@ -108,26 +95,19 @@ class CheckRow(Document):
     bound: Annotated[int | None, about("the largest bound of a run; null without a bound")]
 
 
-class CheckReport(Report):
+class CheckReport(EndedReport):
     """Report of 'check' and of 'fuzz'.
 
     What a check has seen, and what follows from it.
 
     ``asked`` is what was to be checked, ``tally`` holds the counts of the finished levels and the
-    smallest findings, ``ending`` tells how the check came to its end, ``cells`` are the
-    comparisons of the count gate.
+    smallest findings, ``cells`` are the comparisons of the count gate.
     """
 
     verdict: Annotated[Verdict, about("about this scope alone")] = computed(
         lambda report: report.judged
     )
-    exit_code: Annotated[
-        Exit,
-        one_of(
-            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
-            Exit.INTERRUPTED,
-        ),
-    ] = EXIT_CODE
+    exit_code: SweptExit = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     engine: Annotated[EngineName, about("the engine that ran")]
     scope: Annotated[CheckedScope, about("what was checked")] = computed(
@@ -175,10 +155,14 @@ class CheckReport(Report):
     asked: Aside[Scope]
     tally: Aside[Tally]
     levels: Aside[tuple[int, ...]]
-    ending: Aside[Ending]
     cells: Aside[tuple[GateCell, ...]] = ()
     past: Aside[UserCorpus | None] = None
     symmetry: Aside[str] = ""
+
+    @property
+    @override
+    def portion(self) -> Portion:
+        return self.asked.portion
 
     @property
     def complete(self) -> bool:
@@ -191,19 +175,20 @@ class CheckReport(Report):
         return isinstance(self.ending, Interrupted)
 
     @property
-    def facts(self) -> Facts:
-        """The facts that decide the exit code and the verdict."""
-        ending, coverage = self.ending, self.asked.coverage
-        nothing = not self.tally.runs and not isinstance(self.asked.portion, Shard)
-        empty_sample = isinstance(coverage, Sample) and nothing
-        lacking = isinstance(ending, Completed) and bool(ending.missing)
-        return Facts(
-            disagrees=isinstance(ending, Disagreed) or not all(c.agrees for c in self.cells),
-            interrupted=self.interrupted,
-            refuted=bool(self.tally.findings),
-            undecided=isinstance(ending, Stopped) or empty_sample,
-            vacuous=nothing or lacking,
-        )
+    @override
+    def agrees(self) -> bool:
+        return all(cell.agrees for cell in self.cells)
+
+    @property
+    @override
+    def refuted(self) -> bool:
+        return bool(self.tally.findings)
+
+    @property
+    @override
+    def empty(self) -> bool:
+        lacking = isinstance(self.ending, Completed) and self.ending.missing
+        return not self.tally.runs or bool(lacking)
 
     @property
     def judged(self) -> Verdict:
@@ -231,30 +216,19 @@ class CheckReport(Report):
         match coverage:
             case Sample():
                 gate = "absent"
-                sample = SampleReport(
-                    edges=extent.levels[-1],
-                    min_edges=coverage.min_edges,
-                    runs=coverage.runs,
-                    seed=coverage.seed,
-                )
+                sample = told_scope(SampleReport, self.request)
             case Given():
                 gate = "absent"
             case Shard() if source_of(extent) is not None:
                 gate = "deferred to the merge of all shards"
-        return CheckedScope(
-            map_class=extent.map_class,
+        return told_scope(
+            CheckedScope,
+            self.request,
+            rules,
             edges=extent.edges,
-            vertices=extent.vertices,
-            where=extent.where.name if extent.where else None,
-            lighthouse=str(rules.lighthouse),
-            task=None if rules.task.is_map else rules.task.name,
+            places=tried_places(rules.lighthouse, extent),
             shared_file=shared_file(self.explorer, self.asked),
-            policy=rules.policy,
-            schedules=self.asked.schedules,
-            laws=rules.applying,
-            bound=rules.the_bound.name,
-            step_budget=rules.step_budget,
-            shard=str(self.asked.portion),
+            shard=str(self.portion),
             sample=sample,
             given=len(coverage.worlds) if isinstance(coverage, Given) else None,
             symmetry=self.symmetry or None,

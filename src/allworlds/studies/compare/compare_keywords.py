@@ -23,6 +23,9 @@ class SameWorldsKeywords(TypedDict, total=False):
     vertices: int | None
     map_class: str
     where: str | Condition | None
+    family: str | Sequence[str] | None
+    holes: str | None
+    seed: int | None
     shard: tuple[int, int] | Portion | None
     lighthouse: GivenLighthouse | None
     task: str | Task
@@ -39,9 +42,6 @@ class SameWorldsKeywords(TypedDict, total=False):
     dask: str | None
     dask_timeout: float
     run: str | Path | None
-    family: str | Sequence[str] | None
-    holes: str | None
-    seed: int | None
     by: str | None
 
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import groupby
 from typing import Any, Unpack, overload
 
 from typing_extensions import override
 
-from allworlds.document import UNSET
 from allworlds.engines import (
     WHOLE,
     CostTally,
@@ -26,7 +25,7 @@ from allworlds.engines import (
 )
 from allworlds.inputs import InputError, show, takes_fields
 from allworlds.maps import CombinatorialMap, Extent
-from allworlds.outcome import Completed, Disagreed, Ending, Stopped
+from allworlds.outcome import Ending, Stopped
 from allworlds.studies.check import GateCell, count_gate
 from allworlds.studies.compare.climb import GrowingWorlds, growing
 from allworlds.studies.compare.compare_keywords import CompareKeywords, SameWorldsKeywords
@@ -101,9 +100,10 @@ def _contest(
         only = show(contestants[0].name) if contestants else "none"
         raise InputError(f"compare takes two explorers at least, not {only}")
     edges, vertices = request.edges, request.vertices
-    family, holes = request.family, request.holes
-    if family is not None:
-        if not isinstance(family, str) or all(form_of(each) for each in family.split(",")):
+    families, holes = request.family, request.holes
+    if families is not None:
+        family = ",".join(families)
+        if all(map(form_of, families)):
             raise InputError(
                 f"family {show(family)} names no world: give a size, as in lattice:3x4, for one "
                 "world, or --to M for worlds that grow up to M edges"
@@ -112,7 +112,8 @@ def _contest(
             raise InputError(f"family {show(family)} is one world; it takes no edges or vertices")
         if request.where is not None:
             raise InputError(f"family {show(family)} is one world; where has no effect on it")
-        return SameWorlds(contestants, request, Member(family, holes, request.seed or 0))
+        seed = request.seed or 0
+        return SameWorlds(contestants, replace(request, seed=seed), Member(family, holes, seed))
     if holes is not None:
         raise InputError(f"holes {holes} has no effect without a family")
     if edges is None and vertices is None:
@@ -152,8 +153,7 @@ class SameWorlds(Contest[Comparison]):
         map_ = member.map() if member else None
         extent = Extent(request.map_class, map_.edge_count) if map_ else request.extent
         super().__init__(contestants, request, extent, every=map_ is None)
-        self._family, self._map = (member.told if member else ""), map_
-        self._member = member.name if member else ""
+        self._map, self._member = map_, member
         self._rows: list[ComparedRow] = []
         self._gate: list[GateCell] = []
         self._most: _Apart | None = None
@@ -200,24 +200,13 @@ class SameWorlds(Contest[Comparison]):
 
     @override
     def report(self, ending: Ending) -> Comparison:
-        bounds = (None, None) if self._map else (self.bounds.edges, self.bounds.vertices)
-        agree = not isinstance(ending, Disagreed) and all(cell.agrees for cell in self._gate)
         return Comparison(
-            complete=isinstance(ending, Completed | Disagreed),
-            family=self._family or None,
-            map_class=self.bounds.map_class,
-            edges=bounds[0],
-            vertices=bounds[1],
-            shard=UNSET if self.portion == WHOLE else str(self.portion),
+            **self.contest(ending),
             rows=tuple(self._rows),
             differ_most=self._differ_most(),
-            stopped=ending.stopped,
-            findings=tuple(self.findings),
-            all_counted=agree,
-            contestants=self.contestants,
-            by=self.request.by,
+            member=self._member,
+            all_counted=all(cell.agrees for cell in self._gate),
             in_worlds=tuple(self._in_worlds),
-            limits=self.request.limits,
         )
 
     def _differ_most(self) -> DifferMost | None:
@@ -239,7 +228,8 @@ class SameWorlds(Contest[Comparison]):
             for one, costs in zip(self.contestants, found, strict=True):
                 bound = one.rules.the_bound.of(map_, 0)
                 places = costs[key]
-                yield InWorld(map_, self._member, one.name, places, len(places), bound)
+                member = self._member.name if self._member else ""
+                yield InWorld(map_, member, one.name, places, len(places), bound)
 
     def _compare(self, costs: Sequence[Mapping[MapKey, InMap]]) -> list[MapKey]:
         """Add the rows of a level, and return the worlds in which every explorer has a place."""

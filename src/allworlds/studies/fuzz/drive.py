@@ -139,12 +139,12 @@ class FuzzSweep(TallySweep[CheckReport]):
     @override
     def report(self, ending: Ending) -> CheckReport:
         return CheckReport(
+            **self.ended(ending, self.scope.extent),
             explorer=self.job.subject.name,
             engine="python",
             asked=self.scope,
             tally=self._tally,
             levels=(),
-            ending=ending,
         )
 
 
