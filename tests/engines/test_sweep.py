@@ -104,6 +104,31 @@ def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_p
     assert text(job(run=tmp_path)) == whole
     standing = allworlds.status(tmp_path)
     assert (standing.state, standing.left_s) == ("finished", 0)
+    if "refuted" not in name:  # a finding ends it before the last level
+        assert standing.worlds.done == standing.worlds.all
+        assert standing.units.done == standing.units.all
+
+
+class Counts(Silent):
+    """Counts how many worlds were announced for each level, and how many were done."""
+
+    def __init__(self):
+        self.announced, self.done = [], []
+
+    def level(self, edges, worlds):
+        self.announced.append(worlds)
+        self.done.append(0)
+
+    def progress(self, count):
+        self.done[-1] += count
+
+
+@pytest.mark.parametrize("name", SWEEPS)
+def test_as_many_worlds_are_done_in_each_level_as_were_announced(name):
+    heard = Counts()
+    SWEEPS[name](listener=heard)
+    assert sum(heard.done)
+    assert heard.done == heard.announced
 
 
 @pytest.mark.no_cover

@@ -29,7 +29,7 @@ STUDIES = {
     "compare": lambda **more: compare("dfs", "greedy", **more),
     "worst": lambda **more: worst("dfs", **more),
     "count": lambda **more: count(**{key: more[key] for key in more if key != "lighthouse"}),
-    "ambiguity census": lambda **more: ambiguity.census(**more),
+    "ambiguity census": ambiguity.census,
 }
 JUDGED = ("check", "fuzz", "compare")
 

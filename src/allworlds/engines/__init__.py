@@ -152,6 +152,7 @@ if TYPE_CHECKING:
         SweptLevel as SweptLevel,
         cells_of_level as cells_of_level,
         drawn_units as drawn_units,
+        is_counted as is_counted,
         level_size as level_size,
         levels_of as levels_of,
         tell_of_size as tell_of_size,

@@ -116,6 +116,7 @@ if TYPE_CHECKING:
     from allworlds.judging.laws.quotient_answers import ambiguity_law as ambiguity_law
     from allworlds.judging.laws.second_opinion import same_map as same_map
     from allworlds.judging.tasks import (
+        MAP as MAP,
         TASKS as TASKS,
         Judge as Judge,
         Task as Task,

@@ -199,13 +199,14 @@ def _maps(report: CheckReport) -> str:
 
 def _corpus(past: UserCorpus) -> str:
     return "; ".join(
-        f"{len(names)} {what}" + (f" ({', '.join(names)})" if names else "")
-        for what, names in (
-            ("past findings reproduced", past.reproduced),
-            *([("still refuted, but beyond the scope", past.beyond)] if past.beyond else []),
-            ("fixed and kept", past.fixed),
-            ("written", past.written),
+        told + (f" ({', '.join(names)})" if names else "")
+        for told, names in (
+            (f"{plural(len(past.reproduced), 'past finding')} reproduced", past.reproduced),
+            (f"{len(past.beyond)} still refuted, but beyond the scope", past.beyond),
+            (f"{len(past.fixed)} fixed and kept", past.fixed),
+            (f"{len(past.written)} written", past.written),
         )
+        if names or names is not past.beyond
     )
 
 
@@ -262,8 +263,9 @@ def _estimate(guess: TimeEstimate) -> ToldResult:
     if guess.seconds is None or guess.rate is None:
         head = Headline("estimate", _TOO_LONG, "inconclusive")
         return ToldResult("allworlds check", guess.explorer, guess, head, [])
-    worlds = f"{about(guess.worlds)} world{'' if guess.worlds == 1 else 's'}"
-    text = f"{duration(guess.seconds)} for {worlds}: a guess"
+    most = "" if guess.counted else "at most "
+    worlds = f"{most}{about(guess.worlds)} world{'' if guess.worlds == 1 else 's'}"
+    text = f"{most}{duration(guess.seconds)} for {worlds}: a guess"
     of = f"{plural(guess.sampled, 'world')} of the last level, {number(round(guess.rate))} a second"
     blocks: list[Block] = [fact("sample", of), *([_larger(guess)] if guess.larger else [])]
     head = Headline("estimate", text, "inconclusive")
@@ -278,7 +280,8 @@ _TOO_LONG = "no world of the last level was finished in time: this takes very lo
 def _larger(estimate: TimeEstimate) -> ToldTable:
     """Estimated duration with more edges."""
     guesses: list[TimeEstimate | Guess] = [estimate, *estimate.larger]
-    header = ("edges", "worlds", "engine", "sampled", "a second", "takes")
+    worlds, takes = ("worlds", "takes") if estimate.counted else ("worlds <=", "takes <=")
+    header = ("edges", worlds, "engine", "sampled", "a second", takes)
     rows = [
         (
             guess.edges,

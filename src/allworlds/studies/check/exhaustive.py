@@ -23,6 +23,7 @@ from allworlds.engines import (
     SweptLevel,
     Tally,
     engine_for,
+    is_counted,
     subject_of,
     why_not_compiled,
 )
@@ -90,7 +91,10 @@ def estimate(request: EstimateRequest) -> TimeEstimate:
             job, chosen = _job(replace(heard, edges=extent.edges))
             more = estimated(job, chosen)
             larger = (more, *extrapolated(job, (guess, more)))
-    return TimeEstimate(explorer=job.subject.name, larger=larger, **guess.to_json())
+    counted = is_counted(job.scope.extent)
+    return TimeEstimate(
+        explorer=job.subject.name, larger=larger, counted=counted, **guess.to_json()
+    )
 
 
 def _job(request: EstimateRequest, keep: int = 1) -> tuple[Job, EngineKind]:

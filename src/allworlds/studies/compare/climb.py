@@ -140,8 +140,8 @@ class GrowingWorlds(Contest[Growth]):
             mine = replace(size, maps=dict(one for n, one in numbered if n in self._mine))
             number += len(size.maps)
             edges = max((m.edge_count for m in mine.maps.values()), default=1)
-            worlds = len(mine.maps) * len(self.contestants)
-            yield SweptLevel(edges, worlds, self._units(mine), mine)
+            runs = sum(unit.runs for unit in self._units(size))
+            yield SweptLevel(edges, runs, self._units(mine), mine)
 
     def _units(self, size: _Size) -> Iterator[UnitOfOne]:
         """A unit for each contestant and world, with the places of the lighthouse that are run."""

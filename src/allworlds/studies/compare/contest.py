@@ -171,8 +171,11 @@ class SameWorlds(Contest[Comparison]):
     def levels(self) -> Iterator[SweptLevel]:
         map_, levels = self._map, self.bounds.levels
         for edges in levels[-1:] if map_ else levels:
-            size = 1 if map_ else level_size(self.bounds, edges)
-            yield SweptLevel(edges, size * len(self.contestants), self._units(edges))
+            if map_:
+                size = sum(len(self._placed(one)) for one in self.contestants)
+            else:
+                size = level_size(self.bounds, edges) * len(self.contestants)
+            yield SweptLevel(edges, size, self._units(edges))
 
     def _units(self, edges: int) -> Iterator[UnitOfOne]:
         for number, one in enumerate(self.contestants):
@@ -183,9 +186,14 @@ class SameWorlds(Contest[Comparison]):
         if self._map is None:
             return one.scope(self.bounds, self.portion).units(edges)
         mine = not isinstance(self.portion, Shard) or self.portion.index == 0
-        places = enumerate(one.rules.kind.places(self._map, 0))
-        given = tuple((World(self._map, lighthouse, 0), place) for place, lighthouse in places)
+        given = self._placed(one)
         return [GivenWorlds(given)] if given and mine else []
+
+    def _placed(self, one: Contestant) -> tuple[tuple[World, int], ...]:
+        """The one world, with every place of a contestant's lighthouse."""
+        assert self._map is not None
+        places = enumerate(one.rules.kind.places(self._map, 0))
+        return tuple((World(self._map, lighthouse, 0), place) for place, lighthouse in places)
 
     @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> Ending | None:
