@@ -90,7 +90,7 @@ def size_table(report: CheckReport) -> ToldTable:
         shown = Shown(most if fewest == most else between, between)
         played = [row.worlds, row.runs, *([row.episodes] if every else []), row.traversals]
         rows.append([edges, shown, *played, row.max_cost, row.bound])
-    return ToldTable(header, rows, "Finished levels", keys=2)
+    return ToldTable(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
 
 
 def _by_size(report: CheckReport, sampled: bool) -> dict[tuple[int, ...], Row]:
@@ -112,7 +112,8 @@ def verdict_of(report: CheckReport) -> Headline:
         f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
         f"{plural(report.tally.traversals, 'traversal')}"
     )
-    if report.verdict is Verdict.HOLDS and not report.runs:
+    where = "drawn worlds" if isinstance(report.asked.coverage, Sample) else "finished levels"
+    if report.verdict in (Verdict.HOLDS, Verdict.NOT_REFUTED) and not report.runs:
         said = f"{done} fall to this shard, which is finished and has nothing to check"
         return Headline("EMPTY", said, "vacuous")
     match report.verdict:
@@ -120,9 +121,9 @@ def verdict_of(report: CheckReport) -> Headline:
             text = f"{done}: no law is broken{_in_shard(report)}"
         case Verdict.REFUTED:
             first = report.findings[0]
-            text = f"law {first.law} is broken; {done} in finished levels"
+            text = f"law {first.law} is broken; {done} in {where}"
         case Verdict.INCONCLUSIVE:
-            text = f"{report.ending.reason}; in finished levels no law is broken ({done})"
+            text = f"{report.ending.reason}; in {where} no law is broken ({done})"
         case Verdict.VACUOUS:
             text = "a witness is missing" if report.runs else "the scope holds no run"
         case Verdict.ERROR:
