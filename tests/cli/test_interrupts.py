@@ -11,7 +11,7 @@ import pytest
 
 from allworlds.cli import app, main
 from allworlds.engines import Threads
-from allworlds.outcome import until_interrupted
+from allworlds.outcome import Completed, Interrupted, until_interrupted
 from allworlds.studies.ambiguity.smt.twin_search import _TwinsSearch
 
 # A verb; what it goes through once for each of its rows; its words; where its rows stand.
@@ -138,9 +138,9 @@ def test_rows_until_an_interrupt():
         yield 2
         raise KeyboardInterrupt
 
-    assert until_interrupted(rows()) == ((1, 2), False)
-    assert until_interrupted([3]) == ((3,), True)
-    assert until_interrupted([]) == ((), True)
+    assert until_interrupted(rows()) == ((1, 2), Interrupted())
+    assert until_interrupted([3]) == ((3,), Completed())
+    assert until_interrupted([]) == ((), Completed())
 
 
 def test_a_thread_that_cannot_be_given_up_is_not_waited_for():

@@ -11,6 +11,7 @@ import allworlds
 from allworlds import ambiguity, check, compare, count, fuzz, optimum, worst
 from allworlds.engines import Silent, TimeIsUp, Unsettled, sweep
 from allworlds.verbs import VERBS
+from clusters import cluster_here
 from kept_jobs import EXPLORERS
 
 pytestmark = [pytest.mark.usefixtures("compiled", "without_workers")]
@@ -141,6 +142,29 @@ def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
     assert codes <= {0, code}
     merged = allworlds.merge(*reversed(runs))
     assert text(merged) == undisturbed(name)
+
+
+@pytest.fixture(scope="module")
+def cluster():
+    """The address of a scheduler whose workers are threads of this process."""
+    with cluster_here(pytest.importorskip("distributed")) as address:
+        yield address
+
+
+@pytest.mark.no_cover
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+@pytest.mark.parametrize("name", SHARDED)
+def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
+    name, undisturbed, cluster, tmp_path, monkeypatch
+):
+    for least in ("SOON", "SOON_WALKED"):  # else small levels are not sent
+        monkeypatch.setattr(f"allworlds.engines.compiled.tallies.{least}", 0)
+    job = SWEEPS[name]
+    cut = job(run=tmp_path, dask=cluster, listener=Interrupts(2))
+    if cut.exit_code == 130:
+        assert_finished_rows(text(cut), undisturbed(name))
+    assert text(job(run=tmp_path, dask=cluster)) == undisturbed(name)
+    assert text(job(run=tmp_path)) == undisturbed(name)
 
 
 @pytest.mark.parametrize("name", SWEEPS)

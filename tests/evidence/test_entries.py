@@ -12,7 +12,7 @@ from allworlds.evidence.claims.claim_types import FAULTS, Found, Means, NotCheck
 from allworlds.evidence.claims.ledger import ClaimsReport, entry_of, entry_with
 from allworlds.evidence.claims.manifest import manifest
 from allworlds.inputs import InputError
-from allworlds.outcome import Exit
+from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.reports import brief
 
 BY_NAME = {claim.id: claim for claim in manifest()}
@@ -47,9 +47,9 @@ def changes(entry):
             yield name, replace(entry, **{part: {**getattr(entry, part), name: other(value)}})
 
 
-def ledger_of(*entries, required=(), complete=True):
+def ledger_of(*entries, required=(), ending=COMPLETED):
     """The report of these entries."""
-    return ClaimsReport(budget="quick", required=required, claims=entries, complete=complete)
+    return ClaimsReport(budget="quick", required=required, claims=entries, ending=ending)
 
 
 def fails_when_changed(entry):
@@ -171,7 +171,7 @@ def test_a_difference_outweighs_what_is_missing_and_an_interrupt_both():
     missing = entry(NotChecked("no Coq"), "coq-2m")
     told = ledger_of(wrong, missing, required=("coq-2m",))
     assert told.exit_code == Exit.REFUTED
-    assert replace(told, complete=False).exit_code == Exit.INTERRUPTED
+    assert replace(told, ending=Interrupted()).exit_code == Exit.INTERRUPTED
 
 
 def test_a_required_claim_is_checked_along_with_those_that_are_named():

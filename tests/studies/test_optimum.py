@@ -8,7 +8,7 @@ import pytest
 import allworlds
 from allworlds.document import replace
 from allworlds.maps import CombinatorialMap, rooted_code
-from allworlds.outcome import Exit
+from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.protocol import Estimate, Move, Percept
 from allworlds.reports import text
 from allworlds.studies.optimum import OptimumReport, OptimumRow, minimax, optimum_table
@@ -203,13 +203,13 @@ def test_a_replay_that_disagrees_is_an_error(replayed, seen):
         explorers={"algorithm1": 1},
         strategy=strategy,
     )
-    report = OptimumReport(complete=True, rows=(row,))
+    report = OptimumReport(ending=COMPLETED, rows=(row,))
     assert report.exit_code == Exit.DISAGREES
     assert seen in text("optimum", report, 100)
 
 
 def test_an_interrupt_keeps_the_rows():
-    report = OptimumReport(complete=False, rows=())
+    report = OptimumReport(ending=Interrupted(), rows=())
     assert report.exit_code == Exit.INTERRUPTED
     assert text("optimum", report, 100)
 

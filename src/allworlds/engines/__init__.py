@@ -120,8 +120,10 @@ if TYPE_CHECKING:
     from allworlds.engines.sweep import Sweep as Sweep
     from allworlds.engines.swept_report import (
         GATE as GATE,
+        STOPPED as STOPPED,
         EndedReport as EndedReport,
         Gate as Gate,
+        RowsReport as RowsReport,
         SweptExit as SweptExit,
         SweptReport as SweptReport,
         ToldGate as ToldGate,

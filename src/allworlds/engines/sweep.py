@@ -29,7 +29,7 @@ from allworlds.engines.units.shards import UNMERGEABLE, WHOLE, AskedShard, Porti
 from allworlds.engines.units.unit import Sum
 from allworlds.inputs import codes_in, meant, remembered, without_effort
 from allworlds.maps import Extent
-from allworlds.outcome import Completed, Disagreed, Ending, Interrupted, Stopped
+from allworlds.outcome import Completed, Disagreed, Ending, Stopped, ended
 from allworlds.protocol import ensure_same_content
 
 Total = TypeVar("Total", bound=Sum)
@@ -173,10 +173,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def _answered(self, records: Records, swept: Callable[[], Ending]) -> Answer:
         self.records = records
-        try:
-            ending = swept()
-        except KeyboardInterrupt:
-            ending = Interrupted()
+        ending = ended(swept)
         records.note("ended", ENDED if ending.final else ending.reason)
         return self.report(ending)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Annotated, Any, TypeAlias, TypeVar
+from typing import Annotated, Any, Self, TypeAlias, TypeVar
 
 from typing_extensions import override
 
@@ -23,7 +23,15 @@ from allworlds.engines.units.shards import WHOLE, Portion
 from allworlds.inputs import as_json, in_scope
 from allworlds.judging import Rules
 from allworlds.maps import Extent, source_name
-from allworlds.outcome import Completed, Disagreed, Ending, Exit, Facts
+from allworlds.outcome import (
+    Completed,
+    Disagreed,
+    Ending,
+    Exit,
+    Facts,
+    Interrupted,
+    Stopped,
+)
 from allworlds.world import LighthouseKind
 
 TriedPlaces = Annotated[
@@ -59,24 +67,18 @@ def told_scope(
 
 
 class EndedReport(Report):
-    """A report of what was finished when a job came to its end.
-
-    ``ending`` tells how; the worlds are of an ``extent``, and the ``request`` says what was asked.
-    """
+    """A report of what was finished when a job came to its ``ending``."""
 
     ending: Aside[Ending]
-    request: Aside[Any]
-    extent: Aside[Extent]
 
     @property
     def portion(self) -> Portion:
         """The part of the job that was to be done."""
-        portion: Portion = self.request.shard
-        return portion
+        return WHOLE
 
     @property
     def whole(self) -> bool:
-        """Whether it is about all worlds of the job, and not a shard of them."""
+        """Whether it is about all of the job, and not a shard of it."""
         return self.portion == WHOLE
 
     @property
@@ -86,8 +88,13 @@ class EndedReport(Report):
 
     @property
     def refuted(self) -> bool:
-        """Whether a law is broken."""
+        """Whether a law is broken, or something is not as it should be."""
         return False
+
+    @property
+    def undecided(self) -> bool:
+        """Whether something was left undone by which the answer could be another one."""
+        return isinstance(self.ending, Stopped)
 
     @property
     def empty(self) -> bool:
@@ -95,14 +102,36 @@ class EndedReport(Report):
         return False
 
     @property
+    def interrupted(self) -> bool:
+        """Whether the user interrupted the job."""
+        return isinstance(self.ending, Interrupted)
+
+    def uninterrupted(self) -> Self:
+        """Return this report, for callers that can do nothing with a part of it.
+
+        Raises:
+            KeyboardInterrupt: if it was interrupted; who made it has kept that to itself.
+        """
+        if self.interrupted:
+            raise KeyboardInterrupt
+        return self
+
+    @property
+    @override
     def facts(self) -> Facts:
-        """The facts that decide the exit code and the verdict."""
-        return Facts.of_ending(
-            self.ending,
-            disagrees=not self.agrees,
+        return Facts(
+            disagrees=not self.agrees or isinstance(self.ending, Disagreed),
+            interrupted=self.interrupted,
             refuted=self.refuted,
+            undecided=self.undecided,
             vacuous=self.whole and self.empty,
         )
+
+
+class RowsReport(EndedReport):
+    """A report with rows of all that was finished."""
+
+    complete: AllRows = computed(lambda report: isinstance(report.ending, Completed | Disagreed))
 
 
 SweptExit = Annotated[
@@ -133,11 +162,22 @@ GATE: Any = computed(lambda report: report.compared)
 """The key of a report that holds its count gate."""
 
 
-class SweptReport(EndedReport):
-    """A report with rows of the finished levels."""
+STOPPED: Any = computed(lambda report: report.ending.stopped)
+"""The key of a report that says why rows are missing."""
 
-    complete: AllRows = computed(lambda report: isinstance(report.ending, Completed | Disagreed))
-    stopped: Why = computed(lambda report: report.ending.stopped)
+
+class SweptReport(RowsReport):
+    """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
+
+    stopped: Why = STOPPED
+    request: Aside[Any]
+    extent: Aside[Extent]
+
+    @property
+    @override
+    def portion(self) -> Portion:
+        portion: Portion = self.request.shard
+        return portion
 
     @property
     def _lines(self) -> Sequence[Any]:

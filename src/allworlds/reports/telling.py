@@ -351,19 +351,16 @@ def fact(name: str, text: str) -> ToldFacts:
     return ToldFacts([(name, text)])
 
 
-def so_far(
-    headline: Headline | None, *, complete: bool, stopped: str | None = None
-) -> Headline | None:
-    """The headline of a job; of one that was ended early the end comes first.
+def so_far(report: Any, headline: Headline | None) -> Headline | None:
+    """The headline of a report with rows; of a job that was ended early the end comes first.
 
     Args:
+        report: says whether it is complete, and has the ending.
         headline: of what was finished; None where nothing was.
-        complete: whether the job came to its end.
-        stopped: why not; None for an interruption.
     """
-    if complete:
+    if report.complete:
         return headline
-    why = stopped or "interrupted"
+    why = report.ending.reason
     if headline is None or not headline.text:
         return Headline("INCONCLUSIVE", f"{why}; nothing was finished before")
     if headline.verdict in ("refuted", "error"):

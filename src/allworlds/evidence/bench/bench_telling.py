@@ -46,11 +46,8 @@ def bench_telling(report: BenchReport) -> ToldResult:
         ("memory", f"{report.peak_mb} MB at most"),
     ]
     blocks: list[Block] = [ToldTable(header, rows, "Side by side"), ToldFacts(facts)]
-    early = None
-    if not report.complete:
-        done = Headline("MEASURED", plural(report.rounds, "round"))
-        early = so_far(done, complete=False)
-    return ToldResult("allworlds self bench", "", report, early, [Section("seen", "", blocks)])
+    head = so_far(report, Headline("MEASURED", plural(report.rounds, "round")))
+    return ToldResult("allworlds self bench", "", report, head, [Section("seen", "", blocks)])
 
 
 def _times(ratio: float) -> str:

@@ -18,14 +18,12 @@ from statistics import median
 from typing import Annotated
 
 from allworlds.document import (
-    AllRows,
     Aside,
     Document,
     Figure,
     Meta,
     Natural,
     Positive,
-    Report,
     Seconds,
     Some,
     Text,
@@ -39,6 +37,7 @@ from allworlds.engines import (
     Job,
     Limits,
     Listener,
+    RowsReport,
     Scope,
     Silent,
     Tally,
@@ -48,7 +47,7 @@ from allworlds.explorers import load
 from allworlds.inputs import InputError, a_text, an_integer, at_most, show
 from allworlds.judging import Rules, default_step_budget, paper_bound
 from allworlds.maps import Extent, MapClass, prefixes, rooted_maps, source_for
-from allworlds.outcome import Facts, until_interrupted
+from allworlds.outcome import until_interrupted
 from allworlds.world import Directional, World
 
 REFERENCE = "kernel"
@@ -131,7 +130,7 @@ class Ratio(Document):
     ratio: Annotated[RateSpread, about("the rate of the one divided by that of the other")]
 
 
-class BenchReport(Report):
+class BenchReport(RowsReport):
     """Report of 'bench'.
 
     All contenders of one run.
@@ -139,18 +138,12 @@ class BenchReport(Report):
 
     commit: Annotated[Text | None, about("of the sources; null outside a checkout")]
     edges: Annotated[int, Meta(ge=4, le=10), about("the level of the compiled engines")]
-    complete: AllRows
     rounds: Positive = computed(lambda report: len(report.contenders[0].seconds))
     peak_mb: Annotated[Natural, about("the largest memory that the process has had")]
     contenders: Annotated[Some[Measured], about("the reference first")]
     ratios: Annotated[tuple[Ratio, ...], about("the reference to each other one")] = computed(
         lambda report: _ratios(*report.contenders)
     )
-
-    @property
-    def facts(self) -> Facts:
-        """Whether every round was measured."""
-        return Facts(interrupted=not self.complete)
 
 
 def _ratios(reference: Measured, *others: Measured) -> tuple[Ratio, ...]:
@@ -199,14 +192,14 @@ def bench(
         _warm(contender)
     heard = listener or Silent()
     heard.stage("bench", rounds * len(contenders), "turns")
-    finished, complete = until_interrupted(_round(contenders, heard) for _ in range(rounds))
+    finished, ending = until_interrupted(_round(contenders, heard) for _ in range(rounds))
     if not finished:
         raise KeyboardInterrupt
     taken = zip(contenders, zip(*finished, strict=True), strict=True)
     return BenchReport(
         commit=commit(),
         edges=edges,
-        complete=complete,
+        ending=ending,
         peak_mb=resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024,
         contenders=tuple(contender.measured(seconds) for contender, seconds in taken),
     )

@@ -107,9 +107,7 @@ def worst_rows(means: Means, edges: int) -> WorstReport:
     Raises:
         Unfinished: where a count or a replay disagrees.
     """
-    report = worst(edges=edges, workers=means.workers)
-    if not report.complete:
-        raise KeyboardInterrupt
+    report = worst(edges=edges, workers=means.workers).uninterrupted()
     if not report.agrees:
         raise Unfinished("the worst cases are not those of their replays")
     return report
@@ -233,9 +231,8 @@ def no_twins_by_smt(_: Means, *, edges: int) -> Found:
 
 def _searched(lighthouse: str, edges: int) -> SearchResult:
     with TemporaryDirectory(prefix="allworlds-claims-") as directory:
-        result = search(lighthouse=lighthouse, vertices=edges + 1, edges=edges, out=directory)
-    if result.interrupted:
-        raise KeyboardInterrupt
+        found = search(lighthouse=lighthouse, vertices=edges + 1, edges=edges, out=directory)
+    result = found.uninterrupted()
     if result.status == "unknown" or result.vacuous:
         raise Unfinished(f"the search has no answer: {result.status}")
     return result

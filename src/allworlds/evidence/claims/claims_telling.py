@@ -96,7 +96,7 @@ def _headline(report: ClaimsReport) -> Headline | None:
     word, verdict = VERDICTS[int(report.exit_code)]
     said = f"{plural(len(report.claims), 'claim')}: {', '.join(parts)}"
     told = Headline(word, said, verdict)
-    return so_far(told if report.claims else None, complete=report.complete)
+    return so_far(report, told if report.claims else None)
 
 
 def _needed(report: ClaimsReport) -> str:

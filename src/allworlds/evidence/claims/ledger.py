@@ -8,8 +8,10 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated, Literal, TypeAlias, cast
 
-from allworlds.document import EXIT_CODE, AllRows, Aside, Positive, Report, about, computed, one_of
-from allworlds.engines import Listener, Silent
+from typing_extensions import override
+
+from allworlds.document import EXIT_CODE, Aside, Positive, about, computed, one_of
+from allworlds.engines import Listener, RowsReport, Silent
 from allworlds.evidence.claims.claim_types import (
     Budget,
     Check,
@@ -24,7 +26,7 @@ from allworlds.evidence.claims.claim_types import (
 )
 from allworlds.evidence.claims.manifest import BUDGETS, Claim, Sentence, manifest
 from allworlds.inputs import InputError, a_path, an_integer, show
-from allworlds.outcome import Exit, Facts, until_interrupted
+from allworlds.outcome import Exit, until_interrupted
 from allworlds.world import World
 
 Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked"]
@@ -101,13 +103,12 @@ class CheckedClaim(Sentence):
     seconds: Aside[float]
 
 
-class ClaimsReport(Report):
+class ClaimsReport(RowsReport):
     """Report of 'claims'.
 
     The ledger, as far as it was made.
     """
 
-    complete: AllRows
     exit_code: Annotated[
         Exit,
         one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
@@ -119,15 +120,23 @@ class ClaimsReport(Report):
     ]
 
     @property
-    def facts(self) -> Facts:
-        """Whether each claim is as expected, the required ones were checked, and none is empty."""
-        standings = {one.standing for one in self.claims}
-        return Facts(
-            interrupted=not self.complete,
-            refuted="unexpected" in standings,
-            undecided=bool(self.missed),
-            vacuous="vacuous" in standings or standings <= {"not-checked"},
-        )
+    def _standings(self) -> set[str]:
+        return {one.standing for one in self.claims}
+
+    @property
+    @override
+    def refuted(self) -> bool:
+        return "unexpected" in self._standings
+
+    @property
+    @override
+    def undecided(self) -> bool:
+        return bool(self.missed)
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return "vacuous" in self._standings or self._standings <= {"not-checked"}
 
     @property
     def missed(self) -> list[str]:
@@ -173,8 +182,8 @@ def claims(
     means = Means(workers, folder, cast("Budget", budget))
     listener = listener or Silent()
     listener.stage("claims", len(wanted), "claims")
-    entries, complete = until_interrupted(_entries(wanted, means, listener))
-    return ClaimsReport(complete=complete, budget=means.budget, required=required, claims=entries)
+    entries, ending = until_interrupted(_entries(wanted, means, listener))
+    return ClaimsReport(ending=ending, budget=means.budget, required=required, claims=entries)
 
 
 def _entries(wanted: Sequence[Claim], means: Means, listener: Listener) -> Iterator[CheckedClaim]:

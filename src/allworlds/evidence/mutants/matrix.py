@@ -6,19 +6,19 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import Annotated, Any, Literal, TypeAlias
 
+from typing_extensions import override
+
 from allworlds.document import (
-    AllRows,
     Different,
     Document,
     Natural,
     Positive,
-    Report,
     Text,
     about,
     computed,
     replace,
 )
-from allworlds.engines import Listener, Silent
+from allworlds.engines import Listener, RowsReport, Silent
 from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from allworlds.evidence.mutants.errands import (
     WEAK_TASK_JUDGES,
@@ -56,7 +56,7 @@ from allworlds.maps import (
     rooted_maps_by_permutations,
     source_for,
 )
-from allworlds.outcome import Facts, until_interrupted
+from allworlds.outcome import until_interrupted
 from allworlds.protocol import Choices
 from allworlds.studies.check import check
 from allworlds.world import Directional, World, lighthouse_named
@@ -94,14 +94,13 @@ class Kill(Document):
         return bool(self.killed_by) != bool(self.equivalent)
 
 
-class KillMatrix(Report):
+class KillMatrix(RowsReport):
     """Report of 'mutants'.
 
     The fate of every mutant within a bound.
     """
 
     edges: Annotated[Positive, about("at most so many")]
-    complete: AllRows
     mutants: Annotated[Natural, about("how many there are")] = computed(
         lambda matrix: len(matrix.kill_matrix)
     )
@@ -111,9 +110,9 @@ class KillMatrix(Report):
     ] = computed(lambda matrix: tuple(k.mutant for k in matrix.kill_matrix if not k.as_it_should))
 
     @property
-    def facts(self) -> Facts:
-        """Whether a mutant survived that must not."""
-        return Facts(interrupted=not self.complete, refuted=bool(self.survivors))
+    @override
+    def refuted(self) -> bool:
+        return bool(self.survivors)
 
 
 def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> KillMatrix:
@@ -134,8 +133,8 @@ def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> 
     explorers = (_wrong(), WRONG_ERRANDS, EQUIVALENT_EXPLORERS)
     tables = (*explorers, WEAK_JUDGES, WEAK_TASK_JUDGES, BROKEN_ENUMERATORS)
     heard.stage("mutants", sum(map(len, tables)), "mutants")
-    kills, complete = until_interrupted(_told(_kills(edges), heard))
-    return KillMatrix(edges=edges, complete=complete, kill_matrix=kills)
+    kills, ending = until_interrupted(_told(_kills(edges), heard))
+    return KillMatrix(edges=edges, ending=ending, kill_matrix=kills)
 
 
 def _wrong() -> tuple[WrongExplorer | WrongLearner, ...]:

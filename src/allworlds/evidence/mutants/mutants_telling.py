@@ -47,7 +47,7 @@ def _headline(matrix: KillMatrix, text: str) -> Headline | None:
     told = Headline("ALL KILLED", text, "holds")
     if matrix.survivors:
         told = Headline("SURVIVORS", text, "refuted")
-    return so_far(told if matrix.kill_matrix else None, complete=matrix.complete)
+    return so_far(matrix, told if matrix.kill_matrix else None)
 
 
 def _row(kill: Kill) -> list[Cell]:

@@ -67,7 +67,7 @@ def _headline(census: AmbiguityCensus) -> Headline | None:
         ]
         return Headline("MISMATCH", "; ".join(told), "error")
     done = _found(census) if census.rows else None
-    return so_far(done, complete=census.complete, stopped=census.stopped)
+    return so_far(census, done)
 
 
 def _found(census: AmbiguityCensus) -> Headline:

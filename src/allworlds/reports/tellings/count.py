@@ -45,7 +45,7 @@ def _headline(census: Census) -> Headline | None:
     if census.rows:
         total = plural(sum(row.rooted for row in census.rows), "rooted map")
         done = Headline("COUNTED", f"{total} {finished(census, census.rows[-1].edges)}")
-    return so_far(done, complete=census.complete, stopped=census.stopped)
+    return so_far(census, done)
 
 
 def _mismatch(census: Census, i: int) -> str:

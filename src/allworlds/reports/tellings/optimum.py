@@ -46,7 +46,7 @@ def _headline(report: OptimumReport) -> Headline | None:
         found = plural(last.optimum if last.optimum is not None else last.at_least, "traversal")
         more = "" if last.optimum is not None else " or more"
         done = Headline("OPTIMUM", f"{found}{more}, with {plural(last.edges, 'edge')}")
-    return so_far(done, complete=report.complete, stopped=report.stopped)
+    return so_far(report, done)
 
 
 def _row(row: OptimumRow, names: Iterable[str]) -> list[Cell]:

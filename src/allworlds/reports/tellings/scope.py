@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from typing import TypeAlias
 
-from allworlds.engines import EndedReport, Shard, SweptReport, tried_places
+from allworlds.engines import Shard, SweptReport, tried_places
 from allworlds.inputs import given_again
 from allworlds.maps import Extent
+from allworlds.studies.check import CheckReport
 from allworlds.studies.compare import ContestReport
 from allworlds.words import counted, plural
+
+OfWorlds: TypeAlias = SweptReport | CheckReport
+"""A report about the worlds of an extent."""
 
 SAID = (
     *("edges", "vertices", "map_class", "where", "lighthouse", "policy", "bound"),
@@ -30,7 +35,7 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
     return f"of the class {extent.map_class}{where} with {' and '.join(limits)}"
 
 
-def maps_words(report: EndedReport, every: str = "every rooted map") -> str:
+def maps_words(report: OfWorlds, every: str = "every rooted map") -> str:
     """The maps that a report is about, or the shard of them."""
     shard = f", shard {report.portion}" if isinstance(report.portion, Shard) else ""
     return f"{every} {of_the_class(report.extent)}{shard}"
@@ -58,7 +63,7 @@ def explorers_told(report: ContestReport) -> list[tuple[str, str]]:
     return words
 
 
-def options_told(report: EndedReport, told: Iterable[str]) -> list[tuple[str, str]]:
+def options_told(report: OfWorlds, told: Iterable[str]) -> list[tuple[str, str]]:
     """A fact about the options that were given, but those of these fields; none if there are none.
 
     Args:
@@ -69,7 +74,7 @@ def options_told(report: EndedReport, told: Iterable[str]) -> list[tuple[str, st
     return [("options", " ".join(given))] if given else []
 
 
-def gate_told(report: EndedReport, what: str, source: str, *, rows: bool) -> list[tuple[str, str]]:
+def gate_told(report: OfWorlds, what: str, source: str, *, rows: bool) -> list[tuple[str, str]]:
     """A fact about the count gate, where it agrees.
 
     Args:

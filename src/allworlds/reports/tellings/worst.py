@@ -66,7 +66,7 @@ def _headline(report: WorstReport) -> Headline | None:
         most = max(report.rows, key=lambda row: row.worst)
         said = f"{plural(most.worst, 'traversal')}, with {size(most.edges, most.vertices)}"
         done = Headline("WORST", said)
-    return so_far(done, complete=report.complete, stopped=report.stopped)
+    return so_far(report, done)
 
 
 def _table(report: WorstReport) -> ToldTable:

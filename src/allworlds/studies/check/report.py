@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
 from typing_extensions import override
 
@@ -36,8 +36,8 @@ from allworlds.engines import (
 )
 from allworlds.explorers import files_of_explorer
 from allworlds.judging import Finding
-from allworlds.maps import source_of
-from allworlds.outcome import Completed, Interrupted, Verdict
+from allworlds.maps import Extent, source_of
+from allworlds.outcome import Completed, Verdict
 from allworlds.studies.check.gate import GateCell
 from allworlds.studies.check.known_findings import CorpusReport, UserCorpus
 from allworlds.studies.check.requests import CheckRequest
@@ -153,6 +153,8 @@ class CheckReport(EndedReport):
         about("ascending by (edges, vertices, canonical code, place, choices)"),
     ] = computed(lambda report: tuple(report.tally.findings))
     asked: Aside[Scope]
+    request: Aside[Any]
+    extent: Aside[Extent]
     tally: Aside[Tally]
     levels: Aside[tuple[int, ...]]
     cells: Aside[tuple[GateCell, ...]] = ()
@@ -168,11 +170,6 @@ class CheckReport(EndedReport):
     def complete(self) -> bool:
         """Whether every world of the scope was tried. A sample is never complete."""
         return isinstance(self.ending, Completed) and not isinstance(self.asked.coverage, Sample)
-
-    @property
-    def interrupted(self) -> bool:
-        """Whether the user interrupted the check."""
-        return isinstance(self.ending, Interrupted)
 
     @property
     @override
@@ -195,16 +192,6 @@ class CheckReport(EndedReport):
         """The verdict; for a sample it is never 'holds'."""
         sampled = isinstance(self.asked.coverage, Sample)
         return self.facts.sample_verdict if sampled else self.facts.verdict
-
-    def uninterrupted(self) -> CheckReport:
-        """This report, for callers that can do nothing with half a check.
-
-        Raises:
-            KeyboardInterrupt: if it was interrupted; ``check`` has kept that to itself.
-        """
-        if self.interrupted:
-            raise KeyboardInterrupt
-        return self
 
     def checked_scope(self) -> CheckedScope:
         """The scope of the check, and how much of it was done."""

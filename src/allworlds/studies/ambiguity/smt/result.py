@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, TypeAlias
 
+from typing_extensions import override
+
 from allworlds.document import (
     EXIT_CODE,
     Aside,
@@ -12,15 +14,15 @@ from allworlds.document import (
     Natural,
     Pair,
     Positive,
-    Report,
     Text,
     about,
     computed,
     narrowed,
     one_of,
 )
+from allworlds.engines import EndedReport
 from allworlds.maps import MapClass
-from allworlds.outcome import Exit, Facts
+from allworlds.outcome import Exit
 from allworlds.studies.ambiguity.smt.question import SEARCHED, Question, Sizes
 from allworlds.studies.ambiguity.smt.solvers import Status
 from allworlds.world import World
@@ -57,7 +59,7 @@ class Searched(Document):
     twins: Aside[Twins | None] = None
 
 
-class SearchResult(Report):
+class SearchResult(EndedReport):
     """Report of 'search'.
 
     If it was interrupted by the user, the status is `unknown`, or twins had been found before.
@@ -95,13 +97,13 @@ class SearchResult(Report):
     ] = computed(lambda r: tuple(same.pair for level in r.levels for same in level.same_map))
     notices: Annotated[tuple[Text, ...], about("sentences for the reader")]
     question: Aside[Question]
-    interrupted: Aside[bool] = False
 
     @property
-    def facts(self) -> Facts:
-        """Whether a solver has decided the question."""
-        return Facts(
-            interrupted=self.interrupted,
-            undecided=self.status == "unknown",
-            vacuous=self.vacuous,
-        )
+    @override
+    def undecided(self) -> bool:
+        return self.status == "unknown"
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return self.vacuous
