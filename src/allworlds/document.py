@@ -381,8 +381,6 @@ class Host(Document):
     """Host.
 
     A machine and its software.
-
-    A machine, and what runs on it.
     """
 
     name: Annotated[str, about("in its network")]

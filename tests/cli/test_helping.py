@@ -34,6 +34,7 @@ def test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch,
     assert "<bool>" not in told.lower()
     assert "BOOLEAN" not in told
     for param in command.params:
+        assert not param.secondary_opts, "a flag has no opposite"
         for option in param.opts if param.param_type_name == "option" else ():
             assert re.search(rf"{re.escape(option)}\b", told), option
 

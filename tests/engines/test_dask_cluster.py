@@ -121,9 +121,13 @@ def test_an_explorer_of_this_process_is_not_sent(here):
 
 def test_no_scheduler_is_refused(refused, monkeypatch):
     monkeypatch.setattr(cluster, "PATIENCE", 0.5)
-    for address in ("tcp://127.0.0.1:9", "nonsense://x"):
+    for address, why in (
+        ("tcp://127.0.0.1:9", "it is silent for 0.5 s"),
+        ("nonsense://x", "this is no address"),
+        ("foo", "this is no address"),
+    ):
         said = refused("worst", "--edges", "1", "--dask", address)
-        assert f"dask '{address}': no scheduler answers there" in said
+        assert f"dask '{address}': no scheduler answers there: {why}; legal" in said
 
 
 @contextmanager
@@ -148,7 +152,7 @@ def another_service(words):
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (b"", "no scheduler answers there (TimeoutError); legal"),
+        (b"", "no scheduler answers there: it is silent for 0.5 s; legal"),
         (b"HTTP/1.1 400 Bad Request\r\n\r\n", "what answers there is no scheduler"),
         (b"\0" * 400, "what answers there is no scheduler"),
     ],

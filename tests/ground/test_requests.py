@@ -4,12 +4,13 @@ import inspect
 import subprocess
 import sys
 from dataclasses import FrozenInstanceError, replace
+from functools import cached_property
 
 import pytest
 
 import allworlds
 from allworlds.engines import Shard, Silent
-from allworlds.inputs import InputError, Option, answer, fields_of, meant, remembered
+from allworlds.inputs import InputError, Option, Request, answer, fields_of, meant, remembered
 from allworlds.lazy import loaded
 from allworlds.maps import MapClass
 from allworlds.studies.check import CheckRequest
@@ -46,6 +47,21 @@ def test_what_is_meant_makes_the_same_request_again():
     assert not {"workers", "time_limit", "shard", "run", "explore", "listener"} & told.keys()
     again = CheckRequest(**remembered(CheckRequest, told))
     assert meant(again) == told
+
+
+@pytest.mark.parametrize("kind", [property, cached_property])
+def test_a_field_that_has_the_name_of_a_property_of_another_part_is_refused(kind):
+    class Sized(Request):
+        size = kind(lambda _: 3)
+
+    class Bounded(Request):
+        size: int = 4
+
+    said = "field size of Both has the name of a property of Sized"
+    with pytest.raises(TypeError, match=said):
+        type("Both", (Bounded, Sized), {})
+    with pytest.raises(TypeError, match=said):
+        type("Both", (Sized, Bounded), {})
 
 
 def test_a_function_takes_its_request_ready_or_in_keywords():

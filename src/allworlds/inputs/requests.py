@@ -12,7 +12,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
-from functools import wraps
+from functools import cached_property, wraps
 from operator import index
 from textwrap import fill
 from typing import (
@@ -130,6 +130,13 @@ class Request:
 
     def __init_subclass__(cls, *, kw_only: bool = True) -> None:
         dataclass(frozen=True, kw_only=kw_only)(cls)
+        for told in fields(cls):
+            for part in cls.__mro__:
+                if isinstance(vars(part).get(told.name), property | cached_property):
+                    raise TypeError(
+                        f"the field {told.name} of {cls.__name__} has the name of a property of "
+                        f"{part.__name__}: give one of them another name"
+                    )
 
 
 class Field(NamedTuple):

@@ -22,7 +22,7 @@ class SameWorldsKeywords(TypedDict, total=False):
     edges: int | None
     vertices: int | None
     map_class: str
-    where: str | Condition | None
+    where: str | Condition | Sequence[str | Condition] | None
     family: str | Sequence[str] | None
     holes: str | None
     seed: int | None

@@ -15,8 +15,8 @@ from allworlds.maps import (
     Extent,
     Gluing,
     MapClass,
-    NamedCondition,
     lattice,
+    narrowing,
     random_map,
     rooted_code,
 )
@@ -111,7 +111,7 @@ Generator = Callable[[int, Random], CombinatorialMap]
 def _generators(extent: Extent) -> tuple[Generator, ...]:
     """The generators of an extent; of a condition with a name its own histories alone."""
     map_class, where = extent.map_class, extent.where
-    if isinstance(where, NamedCondition):
+    if narrowing(where):
         return (glued(map_class, where),)
     return GENERATORS.get(map_class, (glued(map_class),))
 
