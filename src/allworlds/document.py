@@ -440,6 +440,11 @@ class Report(Document):
         """One of the exit codes of the command."""
         return self.facts.exit
 
+    @property
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        """The seconds that its parts took, by their keys in ``made_by``; by default no part."""
+        return {}
+
     def __str__(self) -> str:
         """The text of the command line, 100 columns wide."""
         told: str = loaded("reports.notebook:text_of")(self)

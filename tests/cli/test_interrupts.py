@@ -128,7 +128,7 @@ def test_what_has_one_answer_has_none(cli, monkeypatch, words):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("allworlds.world.world_named", interrupted)
+    monkeypatch.setattr("allworlds.world.named.world_named", interrupted)
     assert cli(*words.split()) == (130, "", "allworlds: interrupted\n")
 
 

@@ -192,9 +192,6 @@ ONLY_CLI = {
     },
     "replay": {"explorer", "command", "native", "file", "number"},
     "explain": {"file"},
-    "ambiguity twins": {"lighthouse"},
-    "ambiguity class": {"lighthouse"},
-    "self bench": {"peer"},
     "compare": {"command", "native"},
 }
 ONLY_PYTHON = {
@@ -204,7 +201,6 @@ ONLY_PYTHON = {
     "run": {"explore", "world"},
     "replay": {"explore", "finding"},
     "explain": {"finding", "findings"},
-    "self bench": {"peers"},
     "play": {"player"},
     # It runs no explorers but the built-in ones.
     "paper figure": {"answer_timeout"},

@@ -197,13 +197,16 @@ def answers(
 
 
 def takes_fields(
-    request: Callable[..., Any], several: str = ""
+    request: Callable[..., Any],
+    several: str = "",
+    answered: Callable[[Any], Any] | None = None,
 ) -> Callable[[Callable[P, Answer]], Callable[P, Answer]]:
     """Give a function the signature and the docstring that tell of a request's fields.
 
     Args:
         request: the class of the request.
         several: the field that the function takes as positional arguments, of any number.
+        answered: the function that takes a finished request, if it is not wrapped in this one.
     """
 
     def made(function: Callable[P, Answer]) -> Callable[P, Answer]:
@@ -221,6 +224,7 @@ def takes_fields(
             ensure_takes(function.__name__, signature, *args, **keywords)
             return function(*args, **keywords)
 
+        checked.__wrapped__ = answered or function  # type: ignore[assignment]  # for answer()
         checked.__signature__ = signature  # type: ignore[attr-defined]  # for those who ask
         checked.request = request  # type: ignore[attr-defined]  # for the command line
         told = inspect.cleandoc(function.__doc__ or "")

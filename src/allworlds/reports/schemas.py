@@ -38,7 +38,6 @@ from allworlds.protocol import (
 )
 from allworlds.reports.event_lines import Event
 from allworlds.studies.check import TimeEstimate
-from allworlds.studies.merge import MergedReport
 from allworlds.studies.run import WorldNames
 from allworlds.verbs import VERBS, Verb
 from allworlds.world import LIGHTHOUSES, Lighthouse, Manifest, World, WorldDocument
@@ -73,7 +72,7 @@ def reports() -> dict[str, Any]:
     """The type of every report by the name of its schema."""
     found: dict[str, Any] = {}
     for verb in VERBS:
-        if reports_of(verb) != [MergedReport]:
+        if reports_of(verb) != [Any]:  # merge hands on that of another verb
             first, *others = reports_of(verb)
             found[verb.document] = first
             found |= {other.__name__.lower(): other for other in others}

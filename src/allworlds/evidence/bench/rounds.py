@@ -33,6 +33,7 @@ from allworlds.document import (
 from allworlds.engines import (
     ENGINES,
     WALKED_FROM,
+    AskedListener,
     Examiner,
     Job,
     Limits,
@@ -44,7 +45,19 @@ from allworlds.engines import (
     gather,
 )
 from allworlds.explorers import load
-from allworlds.inputs import InputError, a_text, an_integer, at_most, show
+from allworlds.inputs import (
+    EFFORT,
+    SCOPE,
+    InputError,
+    Option,
+    Taken,
+    a_text,
+    an_integer,
+    answers,
+    at_most,
+    integer_of,
+    show,
+)
 from allworlds.judging import Rules, default_step_budget, paper_bound
 from allworlds.maps import Extent, MapClass, prefixes, rooted_maps, source_for
 from allworlds.outcome import until_interrupted
@@ -160,37 +173,73 @@ def _ratios(reference: Measured, *others: Measured) -> tuple[Ratio, ...]:
     )
 
 
-def bench(
-    *,
-    edges: int = 7,
-    rounds: int = 3,
-    peers: Sequence[str] = (),
-    listener: Listener | None = None,
-) -> BenchReport:
-    """Measure the engines of this package and other programs, side by side.
+def _level(given: int) -> int:
+    if not 4 <= (edges := an_integer("edges", given)) <= 10:
+        raise InputError(f"edges = {show(edges)}; a benchmark takes 4 up to 10")
+    return edges
 
-    Args:
-        edges: the level m that the compiled engines do.
-        rounds: how often each contender takes its turn.
-        peers: ``NAME=COMMAND``, or ``NAME@M=COMMAND`` for a program that does another level.
-        listener: is told of the progress.
+
+def _rounds(given: int) -> int:
+    if (rounds := an_integer("rounds", given)) < 1:
+        raise InputError(f"rounds = {show(rounds)} is not positive")
+    at_most("rounds", rounds, MOST_ROUNDS)
+    return rounds
+
+
+def _peers(given: Sequence[str]) -> tuple[str, ...]:
+    if isinstance(given, str):
+        raise InputError(f"peers = {show(given)} is not a list of NAME=COMMAND")
+    return tuple(given)
+
+
+class BenchRequest(AskedListener):
+    """Request of ``self bench``: who is measured, and how often."""
+
+    edges: Annotated[
+        Taken[int, int],
+        Option(
+            SCOPE,
+            "M",
+            "The number of edges of the worlds for the compiled engines.",
+            parse=integer_of,
+        ),
+    ] = Taken(_level, 7)
+    rounds: Annotated[
+        Taken[int, int],
+        Option(
+            EFFORT,
+            "R",
+            "The number of rounds; each contender runs once in a round.",
+            parse=integer_of,
+        ),
+    ] = Taken(_rounds, 3)
+    peers: Annotated[
+        Taken[Sequence[str], tuple[str, ...]],
+        Option(
+            SCOPE,
+            "NAME[@M]=COMMAND",
+            "Another program that walks every world with M edges (default: those of --edges); "
+            "repeatable.",
+            "peer",
+            repeated=True,
+        ),
+    ] = Taken(_peers, ())
+
+
+@answers(BenchRequest)
+def bench(request: BenchRequest) -> BenchReport:
+    """Measure the engines of this package and other programs, side by side.
 
     Raises:
         InputError: naming the offending option, or the peer that failed.
         KeyboardInterrupt: if the user interrupts before the first round is over.
     """
-    if isinstance(peers, str):
-        raise InputError(f"peers = {show(peers)} is not a list of NAME=COMMAND")
-    if not 4 <= (edges := an_integer("edges", edges)) <= 10:
-        raise InputError(f"edges = {show(edges)}; a benchmark takes 4 up to 10")
-    if an_integer("rounds", rounds) < 1:
-        raise InputError(f"rounds = {show(rounds)} is not positive")
-    at_most("rounds", rounds, MOST_ROUNDS)
+    edges, rounds, peers = request.edges, request.rounds, request.peers
     contenders = [*own_contenders(edges), *(peer(text, edges) for text in peers)]
     for contender in contenders[: -len(peers) or None]:
         # Compiling and loading is not what is measured.
         _warm(contender)
-    heard = listener or Silent()
+    heard = request.listener
     heard.stage("bench", rounds * len(contenders), "turns")
     finished, ending = until_interrupted(_round(contenders, heard) for _ in range(rounds))
     if not finished:

@@ -11,7 +11,7 @@ from typing import Annotated, Literal, TypeAlias, cast
 from typing_extensions import override
 
 from allworlds.document import EXIT_CODE, Aside, Positive, about, computed, one_of
-from allworlds.engines import Listener, RowsReport, Silent
+from allworlds.engines import AskedListener, AskedWorkers, Listener, RowsReport
 from allworlds.evidence.claims.claim_types import (
     Budget,
     Check,
@@ -25,7 +25,16 @@ from allworlds.evidence.claims.claim_types import (
     found_by,
 )
 from allworlds.evidence.claims.manifest import BUDGETS, Claim, Sentence, manifest
-from allworlds.inputs import InputError, a_path, an_integer, show
+from allworlds.inputs import (
+    EFFORT,
+    SCOPE,
+    InputError,
+    Option,
+    Taken,
+    a_path,
+    answers,
+    show,
+)
 from allworlds.outcome import Exit, until_interrupted
 from allworlds.world import World
 
@@ -139,6 +148,11 @@ class ClaimsReport(RowsReport):
         return "vacuous" in self._standings or self._standings <= {"not-checked"}
 
     @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"claim_seconds": [one.seconds for one in self.claims]}
+
+    @property
     def missed(self) -> list[str]:
         """The required claims that were not checked."""
         return [
@@ -148,41 +162,60 @@ class ClaimsReport(RowsReport):
         ]
 
 
-def claims(
-    *,
-    only: Iterable[str] = (),
-    budget: str = "quick",
-    require: Iterable[str] = (),
-    proofs: str | Path | None = None,
-    workers: int = 1,
-    listener: Listener | None = None,
-) -> ClaimsReport:
-    """Check sentences of the paper, and further ones of this project, each on its scope.
+def _budget(given: object) -> Budget:
+    if given not in BUDGETS:
+        raise InputError(f"budget {show(given)} is not one of {', '.join(BUDGETS)}")
+    return cast("Budget", given)
 
-    Args:
-        only: ids of claims (default: all of them).
-        budget: ``quick`` (below a minute) or ``full`` (below half an hour).
-        require: ids of claims that must be checked: one that cannot be is exit code 3.
-        proofs: the folder with the certificates and the proofs in Coq (default: that of the clone
-            from which this runs, or in which one stands); without it the claims that rest on these
-            alone are not checked.
-        workers: processes, or threads.
-        listener: is told of the progress.
+
+class ClaimsRequest(AskedListener, AskedWorkers):
+    """Request of ``paper claims``: which of them, and how much of each."""
+
+    only: Annotated[
+        Taken[Iterable[str], tuple[str, ...]],
+        Option(SCOPE, "ID", "Only this claim; may be repeated.", repeated=True),
+    ] = Taken(lambda given: _named("only", given), ())
+    require: Annotated[
+        Taken[Iterable[str], tuple[str, ...]],
+        Option(
+            SCOPE,
+            "ID",
+            "A claim that must be checked, else the exit code is 3; may be repeated.",
+            repeated=True,
+        ),
+    ] = Taken(lambda given: _named("require", given), ())
+    proofs: Annotated[
+        Taken[str | Path | None, Path | None],
+        Option(
+            SCOPE,
+            "DIR",
+            "The folder 'proofs' of the sources: certificates, and with --budget full and an "
+            "installed Coq the proofs (default: that of the clone of the sources; without one "
+            "their claims are not checked).",
+        ),
+    ] = Taken(lambda given: proofs_of_clone() if given is None else _folder(given), None)
+    budget: Annotated[
+        Taken[str, Budget],
+        Option(
+            EFFORT,
+            "quick|full",
+            "How much is checked: quick is less than a minute, full less than half an hour.",
+        ),
+    ] = Taken(_budget, "quick")
+
+
+@answers(ClaimsRequest)
+def claims(request: ClaimsRequest) -> ClaimsReport:
+    """Check sentences of the paper, and further ones of this project, each on its scope.
 
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    if budget not in BUDGETS:
-        raise InputError(f"budget {show(budget)} is not one of {', '.join(BUDGETS)}")
-    if an_integer("workers", workers) < 1:
-        raise InputError(f"workers = {workers}; legal is 1 or more")
-    chosen, required = _named("only", only), _named("require", require)
+    chosen, required = request.only, request.require
     wanted = [c for c in manifest() if not chosen or c.id in {*chosen, *required}]
-    folder = proofs_of_clone() if proofs is None else _folder(proofs)
-    means = Means(workers, folder, cast("Budget", budget))
-    listener = listener or Silent()
-    listener.stage("claims", len(wanted), "claims")
-    entries, ending = until_interrupted(_entries(wanted, means, listener))
+    means = Means(request.workers, request.proofs, request.budget)
+    request.listener.stage("claims", len(wanted), "claims")
+    entries, ending = until_interrupted(_entries(wanted, means, request.listener))
     return ClaimsReport(ending=ending, budget=means.budget, required=required, claims=entries)
 
 

@@ -18,7 +18,7 @@ from allworlds.document import (
     computed,
     replace,
 )
-from allworlds.engines import Listener, RowsReport, Silent
+from allworlds.engines import AskedListener, Listener, RowsReport
 from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from allworlds.evidence.mutants.errands import (
     WEAK_TASK_JUDGES,
@@ -34,7 +34,16 @@ from allworlds.evidence.mutants.explorers import (
 from allworlds.evidence.mutants.judges import WEAK_JUDGES, WeakJudge
 from allworlds.evidence.mutants.learners import WRONG_LEARNERS, WrongLearner
 from allworlds.explorers import in_process_subject
-from allworlds.inputs import InputError, an_integer, show
+from allworlds.inputs import (
+    SCOPE,
+    InputError,
+    Option,
+    Taken,
+    an_integer,
+    answers,
+    integer_of,
+    show,
+)
 from allworlds.judging import (
     LAWS,
     Answered,
@@ -115,21 +124,31 @@ class KillMatrix(RowsReport):
         return bool(self.survivors)
 
 
-def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> KillMatrix:
-    """Try every mutant on every world with at most ``edges`` edges.
+def _level(given: int) -> int:
+    if not 1 <= (edges := an_integer("edges", given)) <= LARGEST_LEVEL:
+        raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
+    return edges
 
-    Args:
-        edges: the bound.
-        listener: is told of the progress.
+
+class MutantsRequest(AskedListener):
+    """Request of ``self mutants``: the bound."""
+
+    edges: Annotated[
+        Taken[int, int],
+        Option(SCOPE, "M", "Try worlds with at most M edges (1 to 4).", parse=integer_of),
+    ] = Taken(_level, LARGEST_LEVEL)
+
+
+@answers(MutantsRequest)
+def mutants(request: MutantsRequest) -> KillMatrix:
+    """Try every mutant on every world within the bound.
 
     Raises:
         InputError: for a bound that is not 1, 2, 3 or 4.
 
     Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
     """
-    if not 1 <= (edges := an_integer("edges", edges)) <= LARGEST_LEVEL:
-        raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
-    heard = listener or Silent()
+    edges, heard = request.edges, request.listener
     explorers = (_wrong(), WRONG_ERRANDS, EQUIVALENT_EXPLORERS)
     tables = (*explorers, WEAK_JUDGES, WEAK_TASK_JUDGES, BROKEN_ENUMERATORS)
     heard.stage("mutants", sum(map(len, tables)), "mutants")

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
+from allworlds.document import Report
 from allworlds.engines import WHOLE
 from allworlds.judging import MAP
-from allworlds.reports.rendering import told
+from allworlds.reports.rendering import told, verb_of
 from allworlds.reports.telling import Section, ToldFacts, ToldResult
-from allworlds.studies.merge import MergedReport
 from allworlds.studies.status import Standing
 from allworlds.words import duration, number, plural, size
 
 
-def merge_telling(merged: MergedReport) -> ToldResult:
+def merge_telling(merged: Report) -> ToldResult:
     """The telling of the verb whose shards were merged."""
-    return told(merged.verb, merged.report)
+    return told(verb_of(type(merged)), merged)
 
 
 def status_telling(standing: Standing) -> ToldResult:

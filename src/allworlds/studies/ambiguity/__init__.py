@@ -41,6 +41,7 @@ if TYPE_CHECKING:
         CensusRequest as CensusRequest,
         ClassRequest as ClassRequest,
         SearchRequest as SearchRequest,
+        TwinsRequest as TwinsRequest,
     )
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,

@@ -19,7 +19,7 @@ from allworlds.document import (
     about,
 )
 from allworlds.engines import ENDED, Silent, in_use, is_counted, reading, shards_of
-from allworlds.inputs import a_path, given_again
+from allworlds.inputs import Argument, Request, a_path, answers, given_again
 from allworlds.lazy import loaded
 from allworlds.verbs import BY_NAME
 
@@ -81,13 +81,20 @@ class Standing(Report):
     options: Aside[tuple[str, ...]] = ()
 
 
-def status(run: str | Path) -> Standing:
+class StatusRequest(Request, kw_only=False):
+    """Request of ``status``: the run directory."""
+
+    run: Annotated[str | Path, Argument("", "DIR", "A run directory.")]
+
+
+@answers(StatusRequest)
+def status(request: StatusRequest) -> Standing:
     """Report the progress of a run directory, from every unit in it.
 
     Raises:
         InputError: if it is none, or is damaged.
     """
-    path = a_path("run", run)
+    path = a_path("run", request.run)
     running = in_use(path)
     with reading(path) as database:
         identity = database.identity

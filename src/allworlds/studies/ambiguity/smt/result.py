@@ -107,3 +107,8 @@ class SearchResult(EndedReport):
     @override
     def empty(self) -> bool:
         return self.vacuous
+
+    @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"level_seconds": [level.seconds for level in self.levels]}
