@@ -196,7 +196,7 @@ def test_an_interrupt_leaves_what_was_checked(monkeypatch):
         ({"only": ["fig-1"]}, "only 'fig-1' is no claim; near it are fig1"),
         ({"require": ["@"]}, "require '@' is no claim"),
         ({"budget": "large"}, "budget 'large' is not one of quick, full"),
-        ({"workers": 0}, "workers = 0"),
+        ({"workers": 0}, "workers 0 is not positive"),
         ({"proofs": "nowhere"}, "proofs 'nowhere' is no folder"),
     ],
 )

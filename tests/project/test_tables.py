@@ -3,7 +3,6 @@
 import inspect
 import json
 import re
-from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
 from operator import attrgetter
@@ -16,7 +15,7 @@ import pytest
 import allworlds
 from allworlds import reports, strategies
 from allworlds.cli.app import command_line
-from allworlds.document import Report, taken
+from allworlds.document import Report, replace, taken
 from allworlds.engines import (
     ENGINES,
     Sample,
@@ -230,9 +229,9 @@ def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
     report = allworlds.check(silent(), edges=1)
     (finding,) = report.findings
     for key, value in others.items():
-        object.__setattr__(finding, "rules", Rules(**{key: value}))
-        assert f"--{key.replace('_', '-')} " in finding.reproduce
-        recorded = taken(finding.rules.recorded.to_json(), RecordedRules, "options")
+        judged = replace(finding, under=Rules(**{key: value}))
+        assert f"--{key.replace('_', '-')} " in judged.reproduce
+        recorded = taken(judged.rules.recorded.to_json(), RecordedRules, "options")
         assert getattr(recorded.rules(finding.world), key) == value
 
 

@@ -49,7 +49,7 @@ def whole(name):
     return f"{file}.schema.json{hash_}{part}"
 
 
-FINDING, WORLD = "check#/$defs/FindingDocument", "explain#/$defs/WorldDocument"
+FINDING, WORLD = "check#/$defs/Finding", "explain#/$defs/WorldDocument"
 """What is written; the schemas ``finding`` and ``world`` are of what is read."""
 
 

@@ -76,7 +76,6 @@ if TYPE_CHECKING:
     from allworlds.judging.findings.divergence import find_parting as find_parting
     from allworlds.judging.findings.finding import (
         Finding as Finding,
-        FindingDocument as FindingDocument,
         canonical_world as canonical_world,
         place_of as place_of,
     )

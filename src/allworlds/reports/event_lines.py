@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds.document import SCHEMA, Document, Natural, Positive, Text, about, read_by
-from allworlds.judging import FindingDocument
+from allworlds.judging import Finding
 from allworlds.outcome import Result
 
 
@@ -53,7 +53,7 @@ class FindingEvent(EventLine):
     event: Literal["finding"] = "finding"
     finding: Annotated[
         Any,
-        read_by(FindingDocument),
+        read_by(Finding),
         about("not confirmed yet; the report may hold a smaller one"),
     ]
 

@@ -22,7 +22,7 @@ from msgspec.structs import fields
 
 from allworlds.document import IF_ANY, Document, MadeBy, Text, WrittenByFields, keys_of, plain
 from allworlds.engines import ENGINES
-from allworlds.judging import JUDGED, PRECEDENCE, Finding, FindingDocument
+from allworlds.judging import JUDGED, PRECEDENCE, Finding
 from allworlds.lazy import loaded
 from allworlds.maps import MapClass
 from allworlds.outcome import Result, Verdict
@@ -49,7 +49,6 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 WRITTEN_AS = {
     World: WorldDocument,
     Estimate: RootedMap,
-    Finding: FindingDocument,
     Path: Text,
 }
 """The JSON that is written in place of a value that is no JSON."""
@@ -91,7 +90,7 @@ def pages() -> dict[str, Any]:
     merged = dict.fromkeys(kind for verb in VERBS if verb.sweep for kind in reports_of(verb))
     return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
-        "finding": FindingDocument,
+        "finding": Finding,
         "world": WorldDocument,
         "transcript": Transcript,
         "event": Event,

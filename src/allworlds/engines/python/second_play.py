@@ -29,11 +29,12 @@ from __future__ import annotations
 import secrets
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import islice
 from random import Random
 from typing import Generic, NamedTuple, Protocol, TypeVar
 
+from allworlds.document import replace
 from allworlds.engines.python.comparison import (
     copies_blamed,
     difference_of,

@@ -290,7 +290,7 @@ class Rules(AskedRules, kw_only=False):
         }
         return told_by(AskedRules, self) | {key: as_json(each) for key, each in effective.items()}
 
-    @property
+    @cached_property
     def recorded(self) -> RecordedRules:
         """The options as they stand in a finding."""
         told = {key: value for key, value in self.told.items() if key != "lighthouse"}

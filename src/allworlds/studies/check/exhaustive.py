@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import replace
 from typing import Any
 
 from typing_extensions import override
 
+from allworlds.document import replace
 from allworlds.engines import (
     ENGINES,
     EngineKind,
@@ -92,9 +92,8 @@ def estimate(request: EstimateRequest) -> TimeEstimate:
             more = estimated(job, chosen)
             larger = (more, *extrapolated(job, (guess, more)))
     counted = is_counted(job.scope.extent)
-    return TimeEstimate(
-        explorer=job.subject.name, larger=larger, counted=counted, **guess.to_json()
-    )
+    first = {name: getattr(guess, name) for name in guess.__struct_fields__}
+    return TimeEstimate(explorer=job.subject.name, larger=larger, counted=counted, **first)
 
 
 def _job(request: EstimateRequest, keep: int = 1) -> tuple[Job, EngineKind]:
