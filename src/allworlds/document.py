@@ -149,6 +149,9 @@ Why = Annotated[
     IfAny[str | None],
     about("why rows are missing; left out: none is missing, or the user interrupted"),
 ]
+Edges = Annotated[Positive, about("the number of edges")]
+Vertices = Annotated[Positive, about("the number of vertices")]
+ExitCode = Annotated[Exit, about("the exit code of the command")]
 Bounded = Annotated[Positive | None, about("at most so many; null: not bounded")]
 WhichShard = Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
 AnyShard = Annotated[ShardText | UnsetType, about("`K/N`; missing: the whole")]

@@ -11,6 +11,7 @@ from allworlds.document import (
     AllRows,
     Aside,
     Document,
+    ExitCode,
     IfAny,
     Report,
     Text,
@@ -135,7 +136,7 @@ class RowsReport(EndedReport):
 
 
 SweptExit = Annotated[
-    Exit,
+    ExitCode,
     one_of(
         *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
         Exit.INTERRUPTED,

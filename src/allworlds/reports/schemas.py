@@ -20,7 +20,16 @@ from msgspec import UNSET, Meta, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
-from allworlds.document import IF_ANY, Document, MadeBy, Text, WrittenByFields, keys_of, plain
+from allworlds.document import (
+    IF_ANY,
+    Document,
+    MadeBy,
+    Text,
+    WrittenByFields,
+    about,
+    keys_of,
+    plain,
+)
 from allworlds.engines import ENGINES
 from allworlds.judging import JUDGED, PRECEDENCE, Finding
 from allworlds.lazy import loaded
@@ -191,7 +200,7 @@ class Shapes:
 
     def _lighthouse(self, kind: type[Lighthouse]) -> Any:
         hints = get_type_hints(kind, include_extras=True)
-        keys: list[tuple[str, Any, bool]] = [("kind", Literal[kind.kind], True)]
+        keys: list[tuple[str, Any, bool]] = [("kind", _kind(kind.kind), True)]
         keys += [
             (key, hints[key], self.written and IF_ANY not in get_args(hints[key])[1:])
             for key in kind.keys
@@ -278,6 +287,10 @@ def _enum(table: Iterable[Any]) -> Schema:
     if all(hasattr(name, "summary") for name in found):
         return {"oneOf": [{"const": str(name), "description": name.summary} for name in found]}
     return {"enum": [str(name) for name in found]}
+
+
+def _kind(name: str) -> Any:
+    return Annotated[Literal[name], about("which lighthouse it is")]
 
 
 def _plain(told: Any) -> Any:

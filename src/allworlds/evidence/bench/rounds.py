@@ -104,9 +104,9 @@ class Contender:
 class RateSpread(Document):
     """Median, smallest and largest value of a figure over the rounds."""
 
-    median: Figure
-    lowest: Figure
-    highest: Figure
+    median: Annotated[Figure, about("over the rounds")]
+    lowest: Annotated[Figure, about("of a round")]
+    highest: Annotated[Figure, about("of a round")]
 
     @classmethod
     def over(cls, values: Sequence[float], digits: int) -> RateSpread:
@@ -151,7 +151,9 @@ class BenchReport(RowsReport):
 
     commit: Annotated[Text | None, about("of the sources; null outside a checkout")]
     edges: Annotated[int, Meta(ge=4, le=10), about("the level of the compiled engines")]
-    rounds: Positive = computed(lambda report: len(report.contenders[0].seconds))
+    rounds: Annotated[Positive, about("that were measured")] = computed(
+        lambda report: len(report.contenders[0].seconds)
+    )
     peak_mb: Annotated[Natural, about("the largest memory that the process has had")]
     contenders: Annotated[Some[Measured], about("the reference first")]
     ratios: Annotated[tuple[Ratio, ...], about("the reference to each other one")] = computed(

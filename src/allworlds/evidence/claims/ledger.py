@@ -10,7 +10,16 @@ from typing import Annotated, Literal, TypeAlias, cast
 
 from typing_extensions import override
 
-from allworlds.document import EXIT_CODE, Aside, Positive, about, computed, one_of
+from allworlds.document import (
+    EXIT_CODE,
+    Aside,
+    ExitCode,
+    Natural,
+    Positive,
+    about,
+    computed,
+    one_of,
+)
 from allworlds.engines import AskedListener, AskedWorkers, Listener, RowsReport
 from allworlds.evidence.claims.claim_types import (
     Budget,
@@ -96,7 +105,7 @@ class CheckedClaim(Sentence):
         Standing, about("whether verdict, witnesses and figures are as expected")
     ] = computed(_standing)
     witnesses: Annotated[
-        dict[str, int], about("how often each case occurred that the sentence is about")
+        dict[str, Natural], about("how often each case occurred that the sentence is about")
     ]
     expected_witnesses: Annotated[dict[str, Positive], about("how often it must occur")]
     figures: Annotated[dict[str, Shown], about("the numbers that the sentence names, as found")]
@@ -119,7 +128,7 @@ class ClaimsReport(RowsReport):
     """
 
     exit_code: Annotated[
-        Exit,
+        ExitCode,
         one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
     ] = EXIT_CODE
     budget: Annotated[Budget, about("how much was done")]

@@ -86,7 +86,7 @@ class Kill(Document):
     """
 
     mutant: Annotated[Text, about("its name")]
-    kind: MutantKind
+    kind: Annotated[MutantKind, about("its kind")]
     breaks: Annotated[Text, about("its mistake")]
     killed_by: Annotated[
         str | None, about("the law or the check that killed it; null: it survived")

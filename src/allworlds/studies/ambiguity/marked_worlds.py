@@ -12,6 +12,7 @@ from typing_extensions import override
 from allworlds.document import (
     Aside,
     Document,
+    Edges,
     IfAny,
     Natural,
     Positive,
@@ -67,7 +68,7 @@ class CensusRow(Document):
     independent source. A shard may hold some members of a class and not others.
     """
 
-    edges: Positive
+    edges: Edges
     marked_worlds: Annotated[Natural, about("maps with one marked vertex, up to isomorphism")]
     ambiguous_worlds: Annotated[
         Natural | None, about("marked maps with a twin in the class of maps; null: of a shard")

@@ -12,10 +12,12 @@ from allworlds.document import (
     Aside,
     Different,
     Document,
+    Edges,
     IfAny,
     Natural,
     Positive,
     Text,
+    Vertices,
     WhichShard,
     about,
     computed,
@@ -50,7 +52,7 @@ class SampleReport(Document):
     edges: Annotated[Positive, about("at most so many")]
     min_edges: Annotated[Positive, about("at least so many")]
     runs: Annotated[Positive, about("how many worlds were drawn")]
-    seed: Annotated[int, about("from which")]
+    seed: Annotated[Natural, about("from which")]
 
 
 Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the merge of all shards"]
@@ -82,8 +84,8 @@ class CheckedScope(Document, of=CheckRequest):
 class CheckRow(Document):
     """Counts and costs of the worlds of one size."""
 
-    edges: Positive
-    vertices: Positive
+    edges: Edges
+    vertices: Vertices
     worlds: Annotated[Natural, about("rooted maps")]
     runs: Annotated[Natural, about("worlds x places of the lighthouse")]
     episodes: Annotated[Natural, about("runs x schedules")]

@@ -9,7 +9,7 @@ from typing import Annotated
 
 from typing_extensions import override
 
-from allworlds.document import Aside, Document, Figure, Natural, Positive, about
+from allworlds.document import Aside, Document, Edges, Figure, Natural, Positive, Vertices, about
 from allworlds.engines import SingleRun, single_run
 from allworlds.studies.compare.contest_report import ContestReport
 from allworlds.studies.compare.growing_families import Member
@@ -34,8 +34,8 @@ class InMap:
 class ComparedRow(Document):
     """Costs in the worlds of one size. The first explorer is compared with each other one."""
 
-    edges: Positive
-    vertices: Positive
+    edges: Edges
+    vertices: Vertices
     worlds: Annotated[
         Positive, about("rooted maps in which every explorer's lighthouse has a place")
     ]

@@ -13,6 +13,7 @@ from allworlds.document import (
     Aside,
     Document,
     Figure,
+    Meta,
     Natural,
     Pair,
     Positive,
@@ -156,8 +157,8 @@ class Exponent(Document):
     farthest: Annotated[Positive, about("edges of the size that is farthest from the law")] = (
         computed(lambda one: one.fit.farthest)
     )
-    distance: Annotated[float, about("of that size: 0.1 is a tenth above the law")] = computed(
-        lambda one: round(one.fit.distances[one.fit.farthest], 3)
+    distance: Annotated[float, Meta(ge=-1), about("of that size: 0.1 is a tenth above the law")] = (
+        computed(lambda one: round(one.fit.distances[one.fit.farthest], 3))
     )
     fit: Aside[PowerLaw]
 

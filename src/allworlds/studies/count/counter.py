@@ -14,8 +14,8 @@ from allworlds.document import (
     UNSET,
     Aside,
     Document,
+    Edges,
     Natural,
-    Positive,
     UnsetType,
     WhichShard,
     about,
@@ -51,7 +51,7 @@ class CountRow(Document):
     ``counted`` holds the rooted maps by vertices according to the independent source.
     """
 
-    edges: Positive
+    edges: Edges
     rooted: Annotated[Natural, about("rooted maps")]
     unrooted: Annotated[
         Natural | None,

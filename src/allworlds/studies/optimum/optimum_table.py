@@ -11,6 +11,7 @@ from typing_extensions import override
 
 from allworlds.document import (
     Document,
+    Edges,
     Natural,
     Positive,
     Why,
@@ -86,7 +87,7 @@ def minimax(
 class OptimumRow(Document):
     """The worlds with one number of edges, which the explorer knows."""
 
-    edges: Positive
+    edges: Edges
     runs: Annotated[Positive, about("worlds with every bearing")]
     optimum: Annotated[
         Natural | None,

@@ -5,7 +5,17 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Annotated, Literal
 
-from allworlds.document import EXIT_CODE, Aside, Report, Text, about, computed, key, one_of
+from allworlds.document import (
+    EXIT_CODE,
+    Aside,
+    ExitCode,
+    Report,
+    Text,
+    about,
+    computed,
+    key,
+    one_of,
+)
 from allworlds.engines import (
     SingleRun,
     single_run,
@@ -42,7 +52,7 @@ class Replay(Report):
             "but single runs cannot show that a `nondeterministic` explorer was mended"
         ),
     ] = computed(lambda replay: replay.outcome_now)
-    exit_code: Annotated[Exit, one_of(Exit.ANSWERED, Exit.FIXED, Exit.INCONCLUSIVE)] = EXIT_CODE
+    exit_code: Annotated[ExitCode, one_of(Exit.ANSWERED, Exit.FIXED, Exit.INCONCLUSIVE)] = EXIT_CODE
     explorer: Annotated[Text, about("the explorer that ran")] = computed(
         lambda replay: replay.again.explorer
     )

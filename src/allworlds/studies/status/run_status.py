@@ -9,12 +9,13 @@ from typing import Annotated, Any, Literal, TypeAlias
 from allworlds.document import (
     Aside,
     Document,
+    Edges,
     Figure,
     Natural,
-    Positive,
     Report,
     Seconds,
     Text,
+    Vertices,
     WhichShard,
     about,
 )
@@ -36,8 +37,8 @@ class DoneOf(Document):
 class LargestCost(Document):
     """The largest cost so far, and the smallest size of a world with that cost."""
 
-    edges: Positive
-    vertices: Positive
+    edges: Edges
+    vertices: Vertices
     cost: Annotated[Natural, about("traversals")]
 
 

@@ -11,9 +11,11 @@ from allworlds.document import (
     EXIT_CODE,
     Aside,
     Document,
+    Edges,
     Natural,
     Positive,
     Text,
+    Vertices,
     WhichShard,
     about,
     computed,
@@ -44,8 +46,8 @@ class WorstRow(Document):
     ``counted`` holds the rooted maps according to the independent source; None in a shard.
     """
 
-    edges: Positive
-    vertices: Positive
+    edges: Edges
+    vertices: Vertices
     worlds: Annotated[Positive, about("rooted maps")]
     worst: Annotated[Natural, about("the largest cost of a schedule")]
     best: Annotated[

@@ -11,6 +11,7 @@ from allworlds.document import (
     EXIT_CODE,
     Aside,
     Document,
+    ExitCode,
     Natural,
     Pair,
     Positive,
@@ -50,7 +51,7 @@ class Searched(Document):
     vertices: Annotated[Pair[Pair[Positive]], about("for each world the fewest and the most")] = (
         computed(lambda level: tuple((size.fewest, size.most) for size in level.sizes))
     )
-    status: Status
+    status: Annotated[Status, about("the solver's answer to this formula")]
     formula: Annotated[Path, about("the path of the DIMACS file")]
     proof: Annotated[Path | None, about("the path of the LRAT proof; null: there is none")]
     sizes: Aside[Sizes]
@@ -67,7 +68,7 @@ class SearchResult(EndedReport):
 
     status: Annotated[Status, about("`sat`: a pair; `unsat`: there is none in the bounds")]
     exit_code: Annotated[
-        Exit, one_of(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED)
+        ExitCode, one_of(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED)
     ] = EXIT_CODE
     pair: Annotated[Pair[World] | None, about("two worlds that look alike; null unless `sat`")] = (
         None
@@ -80,7 +81,9 @@ class SearchResult(EndedReport):
         about("the path of the certificate; null: see [answers](ambiguity.md#answers)"),
     ] = None
     vacuous: Annotated[bool, about("not even one world exists within the bounds")] = False
-    lighthouse: Annotated[str, one_of(*SEARCHED)] = computed(lambda r: r.question.lighthouse)
+    lighthouse: Annotated[str, one_of(*SEARCHED), about("its kind")] = computed(
+        lambda r: r.question.lighthouse
+    )
     map_class: Annotated[MapClass, about("the class of maps")] = computed(
         lambda result: result.question.map_class, name="class"
     )
