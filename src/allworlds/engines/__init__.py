@@ -18,9 +18,9 @@
     the task of an engine, and **the** table of the engines;
 ``progress``
     the listeners to the progress of a long job;
-``sweep``, ``swept_report``
-    **the** loop through the levels of a study, with its endings, and what all reports of such
-    studies have;
+``sweep``, ``ended_report``, ``swept_report``
+    **the** loop through the levels of a study, with its endings, and what the reports of jobs
+    that may end early, and of such studies, have;
 ``single``
     one run, in this process or in one of its own.
 """
@@ -31,6 +31,7 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.engines.compiled.sizes import WALKED_FROM as WALKED_FROM
+    from allworlds.engines.ended_report import EndedReport as EndedReport, RowsReport as RowsReport
     from allworlds.engines.engine_table import (
         ENGINES as ENGINES,
         EngineKind as EngineKind,
@@ -121,9 +122,7 @@ if TYPE_CHECKING:
     from allworlds.engines.swept_report import (
         GATE as GATE,
         STOPPED as STOPPED,
-        EndedReport as EndedReport,
         Gate as Gate,
-        RowsReport as RowsReport,
         SweptExit as SweptExit,
         SweptReport as SweptReport,
         ToldGate as ToldGate,
