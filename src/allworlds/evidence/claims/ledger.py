@@ -14,6 +14,7 @@ from allworlds.evidence.claims.claim_types import (
     Budget,
     Check,
     Found,
+    InternalError,
     Means,
     NotChecked,
     Outcome,
@@ -27,12 +28,14 @@ from allworlds.inputs import InputError, a_path, an_integer, show
 from allworlds.outcome import Exit, Facts, until_interrupted
 from allworlds.world import World
 
-Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked"]
+Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked", "error"]
 Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]
 
 
 def _verdict(one: CheckedClaim) -> Seen:
     """The verdict in a word; ``vacuous`` if a witness is missing or zero."""
+    if one.error:
+        return "error"
     if one.truth is None:
         return "not-checked"
     if one.disagreement:
@@ -51,6 +54,8 @@ def _standing(one: CheckedClaim) -> Standing:
 
 def _differences(one: CheckedClaim) -> tuple[str, ...]:
     """Each difference from the expected outcome. An unchecked claim has none."""
+    if one.error:
+        return (f"an error of this program: {one.error}",)
     if one.truth is None:
         return ()
     if one.disagreement:
@@ -75,12 +80,15 @@ class CheckedClaim(Sentence):
 
     ``truth`` is the verdict of its function, None if nothing was checked; checking took
     ``seconds``. Each of the ``worlds`` has its caption. A ``disagreement`` within this program
-    refutes a claim, whatever is expected of it.
+    refutes a claim, whatever is expected of it; an ``error`` of this program leaves it open.
     """
 
-    verdict: Annotated[Seen, about("the verdict found; `vacuous`: a witness never occurred")] = (
-        computed(_verdict)
-    )
+    verdict: Annotated[
+        Seen,
+        about(
+            "the verdict found; `vacuous`: a witness never occurred; `error`: this program failed"
+        ),
+    ] = computed(_verdict)
     standing: Annotated[
         Standing, about("whether verdict, witnesses and figures are as expected")
     ] = computed(_standing)
@@ -93,11 +101,14 @@ class CheckedClaim(Sentence):
     differences: Annotated[
         tuple[str, ...], about("the differences from the expected outcome, in words")
     ] = computed(_differences)
-    told: Annotated[str, about("the refutation, an explanation, or why it was not checked")]
+    told: Annotated[
+        str, about("the refutation, an explanation, why it was not checked, or a traceback")
+    ]
     worlds: Annotated[tuple[World, ...], about("worlds that show it")]
     captions: Aside[tuple[str, ...]]
     truth: Aside[Truth | None]
     disagreement: Aside[str]
+    error: Aside[str]
     seconds: Aside[float]
 
 
@@ -110,7 +121,10 @@ class ClaimsReport(Report):
     complete: AllRows
     exit_code: Annotated[
         Exit,
-        one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
+        one_of(
+            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
+            Exit.INTERRUPTED,
+        ),
     ] = EXIT_CODE
     budget: Annotated[Budget, about("how much was done")]
     required: Annotated[tuple[str, ...], about("the claims that had to be checked")]
@@ -123,6 +137,7 @@ class ClaimsReport(Report):
         """Whether each claim is as expected, the required ones were checked, and none is empty."""
         standings = {one.standing for one in self.claims}
         return Facts(
+            disagrees=any(one.error for one in self.claims),
             interrupted=not self.complete,
             refuted="unexpected" in standings,
             undecided=bool(self.missed),
@@ -195,7 +210,13 @@ def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
 def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
     """The claim with the outcome found on its scope."""
     scope = claim.scopes[budget]
-    shown = found if isinstance(found, Found) else Found("refuted", {}, told=found.reason)
+    match found:
+        case Found():
+            shown = found
+        case InternalError():
+            shown = Found("refuted", {}, told=found.traceback)
+        case _:
+            shown = Found("refuted", {}, told=found.reason)
     return CheckedClaim(
         id=claim.id,
         section=claim.section,
@@ -211,8 +232,9 @@ def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0)
         told=shown.told,
         worlds=tuple(picture.world for picture in shown.pictures),
         captions=tuple(picture.caption for picture in shown.pictures),
-        truth=None if isinstance(found, NotChecked) else shown.verdict,
+        truth=None if isinstance(found, NotChecked | InternalError) else shown.verdict,
         disagreement=found.reason if isinstance(found, ProgramFault) else "",
+        error=found.reason if isinstance(found, InternalError) else "",
         seconds=seconds,
     )
 
@@ -222,10 +244,17 @@ def _named(option: str, names: Iterable[str]) -> tuple[str, ...]:
     given = (names,) if isinstance(names, str) else tuple(names)
     for name in given:
         if name not in legal:
-            near = get_close_matches(str(name), legal, 3, 0.4)
-            hint = f"; near it are {', '.join(near)}" if near else ""
-            raise InputError(f"{option} {show(name)} is no claim{hint}")
+            raise InputError(f"{option} {show(name)} is no claim{_hint(option, str(name), legal)}")
     return given
+
+
+def _hint(option: str, name: str, legal: Sequence[str]) -> str:
+    """Words about a name that is no claim: several in one text, or one that is nearly right."""
+    several = [part.strip() for part in name.split(",")]
+    if len(several) > 1 and set(several) <= {*legal}:
+        return f"; claims are named one by one: {' '.join(f'--{option} {c}' for c in several)}"
+    near = get_close_matches(name, legal, 3, 0.4)
+    return f"; near it are {', '.join(near)}" if near else ""
 
 
 def proofs_of_clone() -> Path | None:
