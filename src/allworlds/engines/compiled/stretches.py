@@ -183,6 +183,7 @@ class PlayedByStretches:
                     for found in general.findings:
                         tally.find(found)
             yield batch.until, tally
+            yield from self._general.ended_if_silent_after_others(batch.until)
 
     def _compiled(self, unit: LevelRuns, judge: UnitJudge, batch: LaidOutRuns) -> Tally | None:
         """The tally of a stretch; None if the general engine must make it."""
