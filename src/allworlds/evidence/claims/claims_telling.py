@@ -32,6 +32,7 @@ VERDICTS = {
     1: ("REFUTED", "refuted"),
     3: ("INCONCLUSIVE", "inconclusive"),
     4: ("VACUOUS", "vacuous"),
+    70: ("ERROR", "error"),
     130: ("INCONCLUSIVE", "inconclusive"),
 }
 """The word, and the verdict whose colour it has, by the exit code."""
@@ -87,8 +88,11 @@ def _headline(report: ClaimsReport) -> Headline | None:
         parts.append(f"{number(held)} {'holds' if held == 1 else 'hold'}")
     if refuted:
         parts.append(f"{number(refuted)} {'is' if refuted == 1 else 'are'} refuted, as expected")
-    if standings["unexpected"]:
-        parts.append(f"{number(standings['unexpected'])} not as expected")
+    errors = sum(one.verdict == "error" for one in report.claims)
+    if unexpected := standings["unexpected"] - errors:
+        parts.append(f"{number(unexpected)} not as expected")
+    if errors:
+        parts.append(f"{number(errors)} ended in an error of this program")
     if standings["vacuous"]:
         parts.append(f"{number(standings['vacuous'])} vacuous")
     if standings["not-checked"]:
@@ -153,7 +157,8 @@ def _details(one: CheckedClaim) -> list[tuple[str, str]]:
     ]
     if one.standing == "not-checked":
         return [*told, ("reason", one.told)]
-    told.append(("witnesses", _listed(one.witnesses)))
+    if one.witnesses:
+        told.append(("witnesses", _listed(one.witnesses)))
     if one.figures:
         told.append(("figures", _listed(one.figures)))
     if one.told:

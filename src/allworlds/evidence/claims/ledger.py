@@ -25,6 +25,7 @@ from allworlds.evidence.claims.claim_types import (
     Budget,
     Check,
     Found,
+    InternalError,
     Means,
     NotChecked,
     Outcome,
@@ -47,12 +48,14 @@ from allworlds.inputs import (
 from allworlds.outcome import Exit, until_interrupted
 from allworlds.world import World
 
-Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked"]
+Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked", "error"]
 Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]
 
 
 def _verdict(one: CheckedClaim) -> Seen:
     """The verdict in a word; ``vacuous`` if a witness is missing or zero."""
+    if one.error:
+        return "error"
     if one.truth is None:
         return "not-checked"
     if one.disagreement:
@@ -71,6 +74,8 @@ def _standing(one: CheckedClaim) -> Standing:
 
 def _differences(one: CheckedClaim) -> tuple[str, ...]:
     """Each difference from the expected outcome. An unchecked claim has none."""
+    if one.error:
+        return (f"an error of this program: {one.error}",)
     if one.truth is None:
         return ()
     if one.disagreement:
@@ -95,12 +100,15 @@ class CheckedClaim(Sentence):
 
     ``truth`` is the verdict of its function, None if nothing was checked; checking took
     ``seconds``. Each of the ``worlds`` has its caption. A ``disagreement`` within this program
-    refutes a claim, whatever is expected of it.
+    refutes a claim, whatever is expected of it; an ``error`` of this program leaves it open.
     """
 
-    verdict: Annotated[Seen, about("the verdict found; `vacuous`: a witness never occurred")] = (
-        computed(_verdict)
-    )
+    verdict: Annotated[
+        Seen,
+        about(
+            "the verdict found; `vacuous`: a witness never occurred; `error`: this program failed"
+        ),
+    ] = computed(_verdict)
     standing: Annotated[
         Standing, about("whether verdict, witnesses and figures are as expected")
     ] = computed(_standing)
@@ -113,11 +121,14 @@ class CheckedClaim(Sentence):
     differences: Annotated[
         tuple[str, ...], about("the differences from the expected outcome, in words")
     ] = computed(_differences)
-    told: Annotated[str, about("the refutation, an explanation, or why it was not checked")]
+    told: Annotated[
+        str, about("the refutation, an explanation, why it was not checked, or a traceback")
+    ]
     worlds: Annotated[tuple[World, ...], about("worlds that show it")]
     captions: Aside[tuple[str, ...]]
     truth: Aside[Truth | None]
     disagreement: Aside[str]
+    error: Aside[str]
     seconds: Aside[float]
 
 
@@ -129,7 +140,10 @@ class ClaimsReport(RowsReport):
 
     exit_code: Annotated[
         ExitCode,
-        one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
+        one_of(
+            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
+            Exit.INTERRUPTED,
+        ),
     ] = EXIT_CODE
     budget: Annotated[Budget, about("how much was done")]
     required: Annotated[tuple[str, ...], about("the claims that had to be checked")]
@@ -140,6 +154,11 @@ class ClaimsReport(RowsReport):
     @property
     def _standings(self) -> set[str]:
         return {one.standing for one in self.claims}
+
+    @property
+    @override
+    def agrees(self) -> bool:
+        return not any(one.error for one in self.claims)
 
     @property
     @override
@@ -246,7 +265,13 @@ def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
 def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
     """The claim with the outcome found on its scope."""
     scope = claim.scopes[budget]
-    shown = found if isinstance(found, Found) else Found("refuted", {}, told=found.reason)
+    match found:
+        case Found():
+            shown = found
+        case InternalError():
+            shown = Found("refuted", {}, told=found.traceback)
+        case _:
+            shown = Found("refuted", {}, told=found.reason)
     return CheckedClaim(
         id=claim.id,
         section=claim.section,
@@ -262,8 +287,9 @@ def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0)
         told=shown.told,
         worlds=tuple(picture.world for picture in shown.pictures),
         captions=tuple(picture.caption for picture in shown.pictures),
-        truth=None if isinstance(found, NotChecked) else shown.verdict,
+        truth=None if isinstance(found, NotChecked | InternalError) else shown.verdict,
         disagreement=found.reason if isinstance(found, ProgramFault) else "",
+        error=found.reason if isinstance(found, InternalError) else "",
         seconds=seconds,
     )
 
@@ -273,10 +299,17 @@ def _named(option: str, names: Iterable[str]) -> tuple[str, ...]:
     given = (names,) if isinstance(names, str) else tuple(names)
     for name in given:
         if name not in legal:
-            near = get_close_matches(str(name), legal, 3, 0.4)
-            hint = f"; near it are {', '.join(near)}" if near else ""
-            raise InputError(f"{option} {show(name)} is no claim{hint}")
+            raise InputError(f"{option} {show(name)} is no claim{_hint(option, str(name), legal)}")
     return given
+
+
+def _hint(option: str, name: str, legal: Sequence[str]) -> str:
+    """Words about a name that is no claim: several in one text, or one that is nearly right."""
+    several = [part.strip() for part in name.split(",")]
+    if len(several) > 1 and set(several) <= {*legal}:
+        return f"; claims are named one by one: {' '.join(f'--{option} {c}' for c in several)}"
+    near = get_close_matches(name, legal, 3, 0.4)
+    return f"; near it are {', '.join(near)}" if near else ""
 
 
 def proofs_of_clone() -> Path | None:
