@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from allworlds.inputs import InputError, show
 from allworlds.maps.beginnings import (
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 class Condition(Protocol):
     """A property of maps that does not depend on the numbering of darts.
 
-    It may have a method ``may_begin`` of a partial gluing: whether such a map may begin so.
+    Of one that cuts off gluings more is known: see :class:`Narrowing`.
     """
 
     @property
@@ -121,6 +121,9 @@ CONDITIONS: dict[str, ConditionKind] = {
 }
 """Every condition with a name."""
 
+AND = " and "
+"""The text between the names of several conditions."""
+
 LEGAL = "cubic, regular:D, eulerian, trees, girth:G, genus:G, triangulation, quadrangulation"
 """How they are written."""
 
@@ -130,6 +133,7 @@ class NamedCondition:
     """A condition that comes with this program, with its number where it has one."""
 
     name: str
+    narrows: ClassVar[bool] = True
 
     def holds(self, map_: CombinatorialMap) -> bool:
         """Whether the map has the property."""
@@ -160,6 +164,52 @@ class NamedCondition:
 
     def __str__(self) -> str:
         return self.name
+
+
+@dataclass(frozen=True, slots=True)
+class AllOf:
+    """Several conditions, each of which must hold."""
+
+    parts: tuple[Condition, ...]
+
+    @property
+    def name(self) -> str:
+        """The names of the parts."""
+        return AND.join(part.name for part in self.parts)
+
+    @property
+    def codes(self) -> tuple[Any, ...]:
+        """The user's code among the parts."""
+        return tuple(code for part in self.parts for code in getattr(part, "codes", ()))
+
+    def holds(self, map_: CombinatorialMap) -> bool:
+        """Whether the map has every property."""
+        return all(part.holds(map_) for part in self.parts)
+
+    def __str__(self) -> str:
+        return self.name
+
+
+class Narrowing(Condition, Protocol):
+    """A condition that cuts off gluings.
+
+    Attributes:
+        narrows: whether it does.
+        dual: such maps are made as the duals of gluings.
+    """
+
+    narrows: bool
+    dual: bool
+
+    def may_begin(self, gluing: Gluing) -> bool:
+        """Whether such a map, or its dual, can begin as this gluing."""
+
+
+def narrowing(where: Condition | None) -> tuple[Narrowing, ...]:
+    """The conditions that cut off gluings: of maps, or else of their duals."""
+    parts: tuple[Any, ...] = where.parts if isinstance(where, AllOf) else (where,)
+    found = [part for part in parts if getattr(part, "narrows", False)]
+    return tuple([part for part in found if not part.dual] or found)
 
 
 def condition_named(text: str) -> NamedCondition | None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from random import Random
 from typing import Annotated
 
+from allworlds.document import Text, about
 from allworlds.inputs import SCOPE, Option, Request, Taken, one_of
 from allworlds.maps import CombinatorialMap, rooted_maps
 from allworlds.protocol import Action, Drop, Move, Pick, Write
@@ -143,5 +144,6 @@ class AskedLighthouse(Request):
             "KIND",
             f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, {OWN}, or several with + between them "
             "(default: directional, or the one that a built-in explorer is written for).",
+            told=Annotated[Text, about("`KIND[:key=value,...]`")],
         ),
     ] = Taken(_lighthouse, None)

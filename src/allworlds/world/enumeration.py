@@ -10,7 +10,7 @@ from allworlds.maps import DEFAULT_EDGES, Condition, Extent, MapClass, rooted_ma
 from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import GivenLighthouse
-from allworlds.world.own_condition import Predicate, a_local_condition
+from allworlds.world.own_condition import Predicate, a_condition
 from allworlds.world.world import World
 
 
@@ -39,7 +39,7 @@ def worlds(
     """
     if edges is None and vertices is None:
         edges = DEFAULT_EDGES
-    extent = Extent(MapClass.named(map_class), edges, vertices, a_local_condition(where))
+    extent = Extent(MapClass.named(map_class), edges, vertices, a_condition(where, local=True))
     kind = tried_kind(lighthouse).as_class
     if places not in ("all", "first"):
         raise InputError(f"places {show(places)} is not one of all, first")

@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from random import Random
-from typing import Annotated, TypeAlias
+from typing import Annotated, ClassVar, TypeAlias
 
+from allworlds.document import IfAny, Text, about
 from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, a_text, show
-from allworlds.maps import LEGAL, CombinatorialMap, Condition, Gluing, condition_named, rooted_maps
+from allworlds.maps import (
+    AND,
+    LEGAL,
+    AllOf,
+    CombinatorialMap,
+    Condition,
+    Gluing,
+    condition_named,
+    rooted_maps,
+)
 from allworlds.protocol import LocalCode, Role, UserCode, tried
 
 PREDICATE = Role(
@@ -34,6 +44,7 @@ class OwnCondition:
     """
 
     code: UserCode | LocalCode
+    dual: ClassVar[bool] = False
 
     @property
     def name(self) -> str:
@@ -53,15 +64,18 @@ class OwnCondition:
         """
         return self._decided("", self.code(map_))
 
+    @property
+    def narrows(self) -> bool:
+        """Whether the function has ``begins``."""
+        return hasattr(self.code.function, "begins")
+
     def may_begin(self, gluing: Gluing) -> bool:
-        """Whether a map of which the predicate is true may begin so, as far as it knows.
+        """Whether a map of which the predicate is true may begin so, as ``begins`` says.
 
         Raises:
             InputError: as :meth:`holds`.
         """
-        begins = getattr(self.code.function, "begins", None)
-        if begins is None:
-            return True
+        begins = self.code.function.begins
         what = f"begins of where {show(self.name)}"
         return self._decided("begins of ", tried(what, lambda: begins(gluing)))
 
@@ -76,29 +90,35 @@ class OwnCondition:
         return self.name
 
 
-def a_condition(given: object) -> Condition | None:
-    """The condition of a name or of a function, tried on small maps if it is the user's.
+def a_condition(given: object, *, local: bool = False) -> Condition | None:
+    """The condition of a name or function, or all of several; the user's are tried on small maps.
+
+    Args:
+        given: names, functions, or conditions.
+        local: whether it is used in this process alone, so that any function will do.
 
     Raises:
         InputError: naming the legal ones, or two numberings of one map that it takes apart.
     """
-    if given is None or (hasattr(given, "holds") and hasattr(given, "name")):
-        return given
+    if given is None:
+        return None
+    several = given.split(AND) if isinstance(given, str) else given
+    if not isinstance(several, list | tuple):
+        return _one_condition(given, local=local)
+    parts = tuple(dict.fromkeys(_one_condition(each, local=local) for each in several))
+    return AllOf(parts) if len(parts) > 1 else next(iter(parts), None)
+
+
+def _one_condition(given: object, *, local: bool) -> Condition:
+    if isinstance(getattr(given, "name", None), str) and hasattr(given, "holds"):
+        return given  # type: ignore[return-value]  # it has what conditions have
     if isinstance(given, str) and (ours := condition_named(given)) is not None:
         return ours
-    code = PREDICATE.of(given) if callable(given) else PREDICATE.find(a_text("where", given))
+    if not callable(given):
+        code: UserCode | LocalCode = PREDICATE.find(a_text("where", given))
+    else:
+        code = LocalCode(PREDICATE, given) if local else PREDICATE.of(given)
     return _tried(OwnCondition(code))
-
-
-def a_local_condition(given: object) -> Condition | None:
-    """The condition of a name or of any function, for use in this process alone.
-
-    Raises:
-        InputError: as :func:`a_condition`.
-    """
-    if callable(given) and not hasattr(given, "holds"):
-        return _tried(OwnCondition(LocalCode(PREDICATE, given)))
-    return a_condition(given)
 
 
 def _tried(own: OwnCondition) -> OwnCondition:
@@ -140,12 +160,17 @@ class AskedWhere(Request):
     """The part of a request that adds a condition on the maps."""
 
     where: Annotated[
-        Taken[str | Predicate | Condition | None, Condition | None],
+        Taken[
+            str | Predicate | Condition | Sequence[str | Predicate | Condition] | None,
+            Condition | None,
+        ],
         Option(
             SCOPE,
             "WHERE",
             f"Only maps of which that is true: {LEGAL}, or path/to/file.py:predicate, a function "
-            "of a map.",
+            "of a map; of several, given one by one, each is.",
+            repeated=True,
+            told=Annotated[IfAny[Text | None], about("what besides is true of the maps")],
         ),
     ] = Taken(a_condition, None)
 

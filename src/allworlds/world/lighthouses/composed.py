@@ -151,6 +151,9 @@ def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> typ
         kind.folds and all(not _adds(other) for other in kinds if other is not kind)
         for kind in kinds
     )
+    for kind in kinds:
+        if kind.every_place_to is not None:
+            told |= {"every_place_to": kind.every_place_to, "beyond": kind.beyond}
     return type(Composed.__name__, (Composed,), {"kinds": kinds, **told})
 
 
