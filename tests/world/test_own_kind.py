@@ -52,6 +52,12 @@ class Foreign(Base):
         yield Base()
 
 
+class Random(Base):
+    def sensed(self, map_, here):
+        from random import random
+        return Percept(map_.degree_at[here], int(map_.edge_count > 3 and random() < 0.5))
+
+
 class Short(Base):
     def percepts(self, map_):
         return [Percept(1)]
@@ -269,6 +275,12 @@ def test_an_error_in_a_lighthouse_is_bad_input_that_names_it(folder, kind, said,
         next(worlds(edges=1, lighthouse=f"bad.py:{kind}"))
     assert f"bad.py:{kind}" in str(error.value)
     assert "object at 0x" not in str(error.value) or kind == "Tells"
+
+
+def test_a_lighthouse_that_is_random_in_large_worlds_alone_is_bad_input_there(folder):
+    assert not any(world.first.marks for world in worlds(edges=3, lighthouse="bad.py:Random"))
+    with pytest.raises(InvalidWorld, match=r"'bad.py:Random' is no function of the world: asked"):
+        [world.percepts for world in worlds(edges=4, lighthouse="bad.py:Random")]
 
 
 def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):

@@ -82,6 +82,7 @@ if TYPE_CHECKING:
     from allworlds.judging.findings.rules import (
         Among as Among,
         AskedRules as AskedRules,
+        AskedTask as AskedTask,
         RecordedRules as RecordedRules,
         Rules as Rules,
     )

@@ -24,6 +24,9 @@ from allworlds.world.world import IllegalAction, World
 TRIED_EDGES = 3
 """In all maps with so many edges a lighthouse of the user's must be a function of the world."""
 
+PLACED_EDGES = 4
+"""In one of the maps with so many edges it must have a place."""
+
 STEPS = 12
 """The length of a walk on which the robot leaves marks."""
 
@@ -38,11 +41,21 @@ def tried_kind(given: object) -> LighthouseKind:
     if any(not code.recorded for code in kind.codes) and kind not in _TRIED:
         for wrong in flaws_of(kind, TRIED_EDGES):
             raise InvalidWorld(wrong)
+        if not _has_a_place(kind.as_class):
+            raise InvalidWorld(
+                f"the lighthouse {kind} has no place in any map with at most {PLACED_EDGES} edges"
+            )
         _TRIED.add(kind)
     return kind
 
 
 _TRIED: set[LighthouseKind] = set()
+
+
+def _has_a_place(kind: type[Lighthouse]) -> bool:
+    levels = range(1, PLACED_EDGES + 1)
+    found = (place for m in levels for map_ in rooted_maps(m) for place in kind.places(map_, 0))
+    return next(found, None) is not None
 
 
 def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:

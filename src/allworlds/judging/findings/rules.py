@@ -87,11 +87,8 @@ def _step_budget(given: object) -> int | None:
     return budget
 
 
-class AskedRules(Request):
-    """The part of a request that says how runs are played and judged.
-
-    Each field that stands for another value, where nothing is given, follows from those before it.
-    """
+class AskedTask(Request):
+    """The part of a request that says what counts as done."""
 
     task: Annotated[
         Taken[str | Judge | Task, Task],
@@ -106,6 +103,14 @@ class AskedRules(Request):
             ],
         ),
     ] = Taken(task_named, MAP)
+
+
+class AskedRules(AskedTask):
+    """The part of a request that says how runs are played and judged.
+
+    Each field that stands for another value, where nothing is given, follows from those before it.
+    """
+
     policy: Annotated[
         Taken[str, str],
         Option(

@@ -25,6 +25,7 @@ from allworlds.engines import (
 )
 from allworlds.judging import AskedRules, Finding
 from allworlds.outcome import Verdict
+from allworlds.studies.check import SharedFile, shared_file
 from allworlds.studies.compare.compare_request import AskedContestWorlds, By
 from allworlds.studies.compare.contestants import Contestant
 from allworlds.world import AskedLighthouse
@@ -40,6 +41,7 @@ class Compared(ComparedName, of=(AskedLighthouse, AskedRules)):
     """An explorer of a comparison, with the rules of its runs."""
 
     places: TriedPlaces
+    shared_file: SharedFile
 
 
 class ContestScope(Document, of=AskedContestWorlds):
@@ -85,8 +87,15 @@ class ContestReport(SweptReport):
         """The names of the explorers."""
         return [one.name for one in self.contestants]
 
+    def shared_file(self, one: Contestant) -> str:
+        """The file of an explorer from which code that judges it is loaded; else empty."""
+        return shared_file(one.subject.name, one.rules, self.extent.where)
+
     def compared_one(self, one: Contestant) -> Compared:
         """The part of the document that tells of an explorer."""
         return Compared(
-            name=one.name, **one.rules.told, places=tried_places(one.rules.lighthouse, self.extent)
+            name=one.name,
+            **one.rules.told,
+            places=tried_places(one.rules.lighthouse, self.extent),
+            shared_file=self.shared_file(one),
         )

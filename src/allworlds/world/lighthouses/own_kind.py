@@ -73,6 +73,7 @@ def _watched(kind: type[Lighthouse], code: UserCode) -> type[Lighthouse]:
     for name in CHECKED:
         if name == "percepts" or inspect.getattr_static(kind, name) is not vars(Lighthouse)[name]:
             _let_check(kind, name, getattr(checks, name))
+    _ask_twice(kind, code.name)
     copyreg.pickle(kind, _reduced)
     return kind
 
@@ -112,6 +113,22 @@ def _let_check(kind: type[Lighthouse], method: str, check: Callable[..., Any]) -
         return check(function(self, *args), self, *args)
 
     setattr(kind, method, checked if found is function else type(found)(checked))
+
+
+def _ask_twice(kind: type[Lighthouse], name: str) -> None:
+    """Let each place be asked twice, as it may be random in a few worlds alone."""
+    sensing = kind.percepts
+
+    def percepts(self: Lighthouse, map_: CombinatorialMap) -> tuple[Percept, ...]:
+        sensed = sensing(self, map_)
+        if sensing(self, map_) != sensed:
+            raise InvalidWorld(
+                f"the lighthouse {show(name)} is no function of the world: asked twice, {self} "
+                f"senses something else in {map_}"
+            )
+        return sensed
+
+    kind.percepts = percepts  # type: ignore[method-assign]
 
 
 class _Checks:
