@@ -90,7 +90,7 @@ def test_the_attack_is_lost_where_nobody_who_judges_loads_it(folder, option, nam
 @pytest.fixture
 def modules(tmp_path, monkeypatch):
     """Files that import from one another, and are named as no other module of these tests is."""
-    for name, text in {
+    for name, content in {
         "shared_walker": HONEST + "\n\ndef other(first):\n    return 1\n    yield\n",
         "shared_judge": "from shared_walker import judge as theirs\n\n\n"
         "def judge(world, transcript, answer):\n    return theirs(world, transcript, answer)\n",
@@ -98,7 +98,7 @@ def modules(tmp_path, monkeypatch):
         "    from shared_judge import judge\n    return judge(world, transcript, answer)\n",
         "shared_alone": "def judge(world, transcript, answer):\n    return None\n",
     }.items():
-        (tmp_path / f"{name}.py").write_text(text)
+        (tmp_path / f"{name}.py").write_text(content)
         monkeypatch.delitem(sys.modules, name, raising=False)
     monkeypatch.setattr(sys, "path", [*sys.path])
     monkeypatch.chdir(tmp_path)
