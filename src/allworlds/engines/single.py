@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import nullcontext
 from typing import Annotated
 
 from allworlds.document import (
@@ -22,6 +23,7 @@ from allworlds.document import (
 )
 from allworlds.engines.isolation.confirm import examine_apart, walk_apart
 from allworlds.engines.python.examiner import Examiner, Outcome, Referee, name_run
+from allworlds.engines.python.prints import Silence, printing_to
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
 from allworlds.inputs import InputError, show
@@ -169,7 +171,8 @@ def adversarial_run(
     else:
         at_first, heard = adversary.at_first, rules.choices("", script)
         budget = rules.budget(at_first.map)
-        episode = play(Deciding(adversary), subject.player(), heard, budget)
+        with printing_to(Silence()) if subject.from_user else nullcontext():
+            episode = play(Deciding(adversary), subject.player(), heard, budget)
         walk, choices = episode.transcript.actions, tuple(heard.record)
     deciding = Deciding(adversary)
     for action in walk:
