@@ -72,8 +72,8 @@ def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
     assert (law, step) == ("pose", 2)
     # Two loops side by side, at dart 3; 'here' is dart 0, which the symmetry takes to dart 2.
     assert "stands at v0, dart 3, and the answer says dart 0 of the same vertex" in text
-    assert "off by a turn of 1 of 4 darts clockwise" in text
-    assert "symmetric: 1 other dart" in text
+    assert "the same vertex, 1 dart too far clockwise" in text
+    assert "symmetric map 1 other dart" in text
 
 
 def test_a_robot_at_another_vertex_is_told_so(explained, answering):

@@ -119,7 +119,9 @@ def _players(subject: Subject, limits: Limits, hash_seed: int | None) -> Iterato
         pair.close()
 
 
-def confirmed(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
+def played_again(
+    finding: Finding, subject: Subject, limits: Limits, schedules: Schedule
+) -> Finding:
     """The finding with the prints of a fresh process, and whether that repeated the run.
 
     A finding whose run was lost is traced, and so gets its walk.  An explorer that no other

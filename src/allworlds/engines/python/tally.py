@@ -5,21 +5,24 @@ from __future__ import annotations
 from bisect import insort
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from typing import Annotated, Any, NamedTuple, Self
 
 from allworlds.engines.units.kept_form import Form
-from allworlds.judging import Finding, Rules
+from allworlds.judging import Chirality, Finding, Rules
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
     """A finding with what its own document leaves out, but without the rules."""
-    return {
+    record = {
         **finding.to_json(),
         "place": finding.place,
         "machine": finding.machine,
         "traced": finding.traced,
     }
+    if finding.chirality:
+        record["chirality"] = asdict(finding.chirality)
+    return record
 
 
 def finding_from_record(document: Mapping[str, Any]) -> Finding:
@@ -29,6 +32,7 @@ def finding_from_record(document: Mapping[str, Any]) -> Finding:
         place=document["place"],
         machine=document["machine"],
         traced=document["traced"],
+        chirality=Chirality(**document["chirality"]) if "chirality" in document else None,
     )
 
 

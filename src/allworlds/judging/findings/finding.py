@@ -13,6 +13,7 @@ from allworlds.document import Document, IfAny, Natural, Paged, about, read_by, 
 from allworlds.explorers import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs import InputError, parse_json, show
 from allworlds.judging.findings.rules import RecordedRules, Rules
+from allworlds.judging.findings.sense_of_rotation import Chirality
 from allworlds.judging.laws.case import Value
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName
 from allworlds.maps import Code, numbering, rooted_code
@@ -44,6 +45,7 @@ class Finding(Paged):
         output: the explorer's prints when this run alone was played in a fresh process.
         traced: whether its walk is known; a run that has killed its worker is traced when reported.
         hash_seed: the ``PYTHONHASHSEED`` that reproduces it, if another makes a difference.
+        chirality: the explorer's sense of rotation in a chiral world; None if not played in one.
     """
 
     explorer: str
@@ -63,6 +65,7 @@ class Finding(Paged):
     traced: bool = True
     hash_seed: int | None = None
     output: str = ""
+    chirality: Chirality | None = None
 
     @cached_property
     def key(self) -> tuple[int, int, Code, int, tuple[int, ...]]:
