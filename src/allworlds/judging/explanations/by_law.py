@@ -62,17 +62,17 @@ def tell_crash(story: Story) -> Telling:
 
 
 def tell_no_estimate(story: Story) -> Telling:
-    """Tell the ending, and for an answer that is no map the law of maps that it breaks."""
+    """Tell the ending, and for a map that could not be built the law of maps that it breaks."""
     seen = str(story.finding.seen)
     if not seen.startswith(NO_MAP):
         return ending("The explorer ended without an answer that could be judged.")(story)
     built = [line for line in story.finding.detail.splitlines() if line.startswith(BUILT)]
-    told = [
-        f"The explorer's answer is no map: {seen.removeprefix(NO_MAP)}.",
-        *(f"The map was {line}." for line in built),
-        _say_last_step(story),
-    ]
-    return Telling(told)
+    message = seen.removeprefix(NO_MAP)
+    told = [f"The answer is no map: {message}."]
+    if built:
+        told = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
+        told += [f"The call is {line.removeprefix(BUILT)}." for line in built]
+    return Telling([*told, _say_last_step(story)])
 
 
 def tell_illegal_action(story: Story) -> Telling:
