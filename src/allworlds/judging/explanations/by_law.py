@@ -16,7 +16,7 @@ from allworlds.judging.explanations.slips import the_slip
 from allworlds.judging.explanations.spending import spending
 from allworlds.judging.explanations.story import Belief, Story, Teller, Telling
 from allworlds.judging.explanations.traceback_line import telling_line
-from allworlds.judging.explanations.whose_bound import tell_whose_bound
+from allworlds.judging.explanations.whose_bound import tell_whose_bound, tell_whose_budget
 from allworlds.judging.explanations.wrong_pose import tell_pose
 from allworlds.maps import CombinatorialMap
 from allworlds.words import plural, size
@@ -98,10 +98,10 @@ def tell_timeout(story: Story) -> Telling:
 
 
 def tell_budget(story: Story) -> Telling:
-    """Tell whether the robot went round, or since when it found no new edge."""
-    how = "The explorer went on for longer than it may."
-    rounds = tell_rounds(story)
-    return Telling([how, *(rounds or [_say_last_step(story)])])
+    """Tell whose the budget is, and whether the robot went round, or found no new edge."""
+    how = "The explorer did not end within its step budget, so the run was stopped."
+    rounds = tell_rounds(story) or [_say_last_step(story)]
+    return Telling([how, *rounds, tell_whose_budget(story.finding)])
 
 
 def _say_last_step(story: Story) -> str:
