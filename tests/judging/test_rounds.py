@@ -118,7 +118,7 @@ def test_a_wrong_way_back_is_named_where_every_edge_was_walked():
             for motion in (isqrt(k), 1, 0):
                 yield Move(motion)
 
-    _, walked, why, back, _ = explained(forgetting, "cube")
+    _, walked, why, back, _ = explained(forgetting, "theta")
     assert "it had walked every edge of the world" in walked
     assert "the robot is not where the explorer believes" in why
     assert back == f"Look at the way back that begins at step 3: {WAY_BACK}."
