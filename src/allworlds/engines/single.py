@@ -34,6 +34,7 @@ from allworlds.judging import (
     RecordedRules,
     Rules,
     Undecided,
+    checked_laws,
     place_of,
     play,
 )
@@ -70,9 +71,11 @@ class SingleRun(Report):
     """
 
     verdict: Annotated[
-        Verdict, about("about this run alone"), one_of(Verdict.HOLDS, Verdict.REFUTED)
+        Verdict,
+        about("about this run alone"),
+        one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS),
     ] = computed(lambda run: run.facts.verdict)
-    exit_code: Annotated[Exit, one_of(Exit.HOLDS, Exit.REFUTED)] = EXIT_CODE
+    exit_code: Annotated[Exit, one_of(Exit.HOLDS, Exit.REFUTED, Exit.VACUOUS)] = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     world: Annotated[World, about("as it was given")]
     options: Annotated[RecordedRules, about("how it was played and judged")] = computed(
@@ -106,9 +109,14 @@ class SingleRun(Report):
 
     @property
     def facts(self) -> Facts:
-        """Whether a law is broken, or the walk is not the one that the adversary saw."""
+        """Whether a law is broken or none was checked, or the adversary saw another walk."""
         other = self.adversary is not None and not self.adversary.same
-        return Facts(refuted=self.finding is not None or other)
+        return Facts(refuted=self.finding is not None or other, vacuous=not self.checked_laws)
+
+    @property
+    def checked_laws(self) -> tuple[str, ...]:
+        """The laws of which something was checked."""
+        return checked_laws(self.rules.judged, 1, len(self.outcome.episode.checkpoints))
 
     @property
     def ending(self) -> Ending:

@@ -12,6 +12,7 @@ from allworlds.judging import (
     Belief,
     Explanation,
     Finding,
+    Rules,
     Story,
     explain,
     find_parting,
@@ -31,7 +32,7 @@ from allworlds.reports.telling import (
     View,
     fact,
 )
-from allworlds.words import number, plural
+from allworlds.words import listed, number, plural
 from allworlds.world import World
 
 LONGEST_LIST = 60
@@ -104,6 +105,12 @@ def printed(output: str, told: str = "") -> list[Block]:
     if not output or output.rstrip() in told:
         return []
     return [Quote("output", "printed by the explorer", output, prefix="| ")]
+
+
+def nothing_checked(rules: Rules) -> str:
+    """The reason why runs have checked nothing: their laws are about checkpoints alone."""
+    laws = listed(rules.judged)
+    return f"nothing was checked: the explorer shows no checkpoint, as needed for {laws}"
 
 
 def _law(finding: Finding) -> ToldFacts:

@@ -24,7 +24,7 @@ from allworlds.document import (
 )
 from allworlds.engines import EngineName, Given, Sample, Scope, Shard, Tally
 from allworlds.explorers import files_of_explorer
-from allworlds.judging import Finding, JudgedLaw
+from allworlds.judging import Finding, JudgedLaw, checked_laws
 from allworlds.maps import MapClass, source_of
 from allworlds.outcome import (
     Completed,
@@ -194,8 +194,9 @@ class CheckReport(Report):
     def facts(self) -> Facts:
         """The facts that decide the exit code and the verdict."""
         ending, coverage = self.ending, self.asked.coverage
-        nothing = not self.tally.runs and not isinstance(self.asked.portion, Shard)
-        empty_sample = isinstance(coverage, Sample) and nothing
+        whole = not isinstance(self.asked.portion, Shard)
+        nothing = not self.checked_laws and whole
+        empty_sample = isinstance(coverage, Sample) and not self.tally.runs and whole
         lacking = isinstance(ending, Completed) and bool(ending.missing)
         return Facts(
             disagrees=isinstance(ending, Disagreed) or not all(c.agrees for c in self.cells),
@@ -204,6 +205,11 @@ class CheckReport(Report):
             undecided=isinstance(ending, Stopped) or empty_sample,
             vacuous=nothing or lacking,
         )
+
+    @property
+    def checked_laws(self) -> tuple[str, ...]:
+        """The laws of which something was checked."""
+        return checked_laws(self.asked.rules.judged, self.tally.runs, self.tally.checkpoints)
 
     @property
     def judged(self) -> Verdict:
