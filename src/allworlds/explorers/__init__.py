@@ -18,6 +18,8 @@
     the file and the line of one;
 ``program``
     a program in any language behind a pipe;
+``command_words``
+    the words of its command: an interpreter and its script;
 ``shared_library``
     explorers in shared libraries: the C interface;
 ``skeletons``
