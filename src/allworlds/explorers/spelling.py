@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from allworlds.explorers.subject import SHIELD, has_shield, is_program, unshielded
-from allworlds.inputs import InputError, read_text, show
+from allworlds.inputs import InputError, did_you_mean, read_text, show
 
 MOST_OF_A_COMMAND = 20
 """The number of characters that stand for a command, if they tell it from others."""
@@ -132,9 +132,3 @@ def _ends(name: str) -> Iterator[str]:
         folders = place.split("/")
         yield from (f"{'/'.join(folders[-i:])}:{attribute}" for i in range(1, len(folders)))
     yield name
-
-
-def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """A hint such as ``; did you mean 'algorithm1'?``; empty if no name is similar."""
-    close = get_close_matches(name, [*known], n=1)
-    return f"; did you mean {show(close[0])}?" if close else ""
