@@ -33,6 +33,7 @@ from allworlds.document import (
     computed,
 )
 from allworlds.engines import (
+    COMPILER,
     ENGINES,
     WALKED_FROM,
     Examiner,
@@ -45,7 +46,7 @@ from allworlds.engines import (
     gather,
 )
 from allworlds.explorers import load
-from allworlds.inputs import InputError, a_text, an_integer, at_most, show
+from allworlds.inputs import InputError, a_text, an_integer, at_most, ensure_installed, show
 from allworlds.judging import Rules, default_step_budget, paper_bound
 from allworlds.maps import Extent, MapClass, prefixes, rooted_maps, source_for
 from allworlds.outcome import Facts, until_interrupted
@@ -186,6 +187,7 @@ def bench(
         InputError: naming the offending option, or the peer that failed.
         KeyboardInterrupt: if the user interrupts before the first round is over.
     """
+    ensure_installed(*COMPILER, "self bench")
     if isinstance(peers, str):
         raise InputError(f"peers = {show(peers)} is not a list of NAME=COMMAND")
     if not 4 <= (edges := an_integer("edges", edges)) <= 10:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Annotated, Literal, TypeAlias, cast
 
 from allworlds.document import EXIT_CODE, AllRows, Aside, Positive, Report, about, computed, one_of
-from allworlds.engines import Listener, Silent
+from allworlds.engines import COMPILER, Listener, Silent
 from allworlds.evidence.claims.claim_types import (
     Budget,
     Check,
@@ -23,7 +23,7 @@ from allworlds.evidence.claims.claim_types import (
     found_by,
 )
 from allworlds.evidence.claims.manifest import BUDGETS, Claim, Sentence, manifest
-from allworlds.inputs import InputError, a_path, an_integer, show
+from allworlds.inputs import InputError, a_path, an_integer, ensure_installed, show
 from allworlds.outcome import Exit, Facts, until_interrupted
 from allworlds.world import World
 
@@ -163,6 +163,7 @@ def claims(
     Raises:
         InputError: naming the offending value and what would be legal.
     """
+    ensure_installed(*COMPILER, "paper claims")
     if budget not in BUDGETS:
         raise InputError(f"budget {show(budget)} is not one of {', '.join(BUDGETS)}")
     if an_integer("workers", workers) < 1:

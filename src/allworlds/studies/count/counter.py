@@ -30,6 +30,7 @@ from allworlds.document import (
     key,
 )
 from allworlds.engines import (
+    COMPILER,
     WHOLE,
     LevelUnit,
     ReadyEngine,
@@ -37,7 +38,7 @@ from allworlds.engines import (
     SweptLevel,
     here_or,
 )
-from allworlds.inputs import answers
+from allworlds.inputs import answers, lack_of
 from allworlds.maps import Extent, MapClass, automorphisms, source_name, source_of
 from allworlds.outcome import Completed, Ending, Facts
 from allworlds.studies.count.count_request import CountRequest
@@ -202,7 +203,7 @@ class Enumerate:
         """Count the maps of the unit, and yield results from time to time."""
         extent = self.extent
         plain = extent.map_class is MapClass.MAPS and extent.where is None
-        if plain and unit.edges > UNROOTED_LIMIT:
+        if plain and unit.edges > UNROOTED_LIMIT and not lack_of(*COMPILER):
             yield count_compiled(extent, unit)
         else:
             yield from count_one_by_one(extent, unit)
