@@ -24,6 +24,7 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from importlib import import_module
+from pathlib import Path
 from selectors import EVENT_READ, DefaultSelector
 from typing import NoReturn
 
@@ -60,10 +61,8 @@ OWNERS = frozenset({"referee"})
 LOOK = 1.0
 """Seconds after which the guardian looks again whether its owner is there."""
 
-_START = (
-    "import json, sys; sys.path[:] = json.loads(sys.argv[1]); "
-    "from allworlds.engines.isolation.roles import guard; guard(int(sys.argv[2]))"
-)
+_START = str(Path(__file__).with_name("layout.py"))
+"""The script of a guardian."""
 
 
 def launch(
@@ -78,7 +77,7 @@ def launch(
     """
     ours, theirs = socket.socketpair()
     process = subprocess.Popen(  # noqa: S603  # our own module
-        [sys.executable, "-P", "-c", _START, json.dumps(path), str(theirs.fileno()), kind],
+        [sys.executable, "-P", _START, json.dumps(path), str(theirs.fileno()), kind],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         pass_fds=(theirs.fileno(),),

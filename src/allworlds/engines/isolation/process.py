@@ -343,8 +343,12 @@ def address_space() -> int:
     return 0
 
 
-def limit_memory(megabytes: int) -> None:
+def limit_memory(megabytes: int, besides: int = 0) -> None:
     """Bound the address space of this process.
+
+    Args:
+        megabytes: the bound.
+        besides: MB that do not count.
 
     Raises:
         InputError: if it is larger already; the limit would then act only on further growth.
@@ -352,7 +356,7 @@ def limit_memory(megabytes: int) -> None:
     import resource
 
     _, most = resource.getrlimit(resource.RLIMIT_AS)
-    size = min(megabytes << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
+    size = min(megabytes + besides << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
     resource.setrlimit(resource.RLIMIT_AS, (size, size))
     try:
         mmap.mmap(-1, mmap.PAGESIZE).close()
