@@ -170,6 +170,9 @@ class _Guardian:
             nursery.returncode = 0  # it is reaped here
             self._known.add(nursery.pid)
             self._nurseries[request] = ours, nursery.pid
+            for prepared in self._prepared if request.alike else ():
+                # Its answer is not waited for: a request that comes later is served later.
+                send(ours, prepared, [])
         ours, pid = self._nurseries[request]
         theirs, way = socket.socketpair()
         with theirs, suppress(BrokenPipeError, ConnectionResetError):

@@ -13,10 +13,10 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 POOLED, POOLS = range(16, 513, 16), 1 << 15
-"""The sizes of objects that Python puts into pools, and the bytes below which their number is drawn.
+"""The sizes of objects that Python puts into pools, and a bound on the drawn number of bytes.
 
 Source: ``Objects/obmalloc.c`` of CPython."""
 
@@ -98,21 +98,20 @@ def _move_libraries(mmap: Callable[..., int]) -> None:
         return mmap(0, size, 0, flags.MAP_PRIVATE | flags.MAP_ANONYMOUS, -1, 0)
 
     below = mapped(APART + _drawn(APART))
-    for size in HOLES:
-        _fill(lambda size=size: mapped(size) > below)
+    _fill_gaps(HOLES, lambda size: mapped(size) > below)
 
 
 def _move_heap(sbrk: Callable[[int], int], malloc: Callable[[int], int]) -> None:
     end = sbrk(_drawn(APART) & ~15)
-    for size in BLOCKS:
-        _fill(lambda size=size: 0 < malloc(size) < end)
+    _fill_gaps(BLOCKS, lambda size: 0 < malloc(size) < end)
 
 
-def _fill(filled: Callable[[], bool]) -> None:
-    """Fill gaps as long as there are any."""
-    for _ in range(MOST):
-        if not filled():
-            return
+def _fill_gaps(sizes: Iterable[int], is_filled: Callable[[int], bool]) -> None:
+    """Fill the gaps of each size, as long as there are any."""
+    for size in sizes:
+        for _ in range(MOST):
+            if not is_filled(size):
+                break
 
 
 def run_deeper(run: Callable[[], None]) -> None:

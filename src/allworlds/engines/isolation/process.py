@@ -105,7 +105,7 @@ class Guardian:
         """Let it call a function of this package: all later processes share the loaded modules."""
         self._ask(Prepare(module, function))
 
-    def nursery(self, seed: int, copy: int = 0) -> Guardian:
+    def nursery(self, seed: int, copy: int = 0, *, alike: bool = False) -> Guardian:
         """A guardian that forks processes with another hash seed and address layout.
 
         It starts at the first call, which does not wait for it.  The first with seed 0 is this one.
@@ -113,11 +113,12 @@ class Guardian:
         Args:
             seed: its hash seed.
             copy: the number of a guardian with this seed.
+            alike: whether it loads at its start the modules that this one has been asked to load.
         """
         if (seed, copy) == (0, 0):
             return self
         if (seed, copy) not in self._nurseries:
-            pid, descriptors = self._ask(ReachNursery(seed, copy))
+            pid, descriptors = self._ask(ReachNursery(seed, copy, alike))
             assert pid is not None
             way = socket.socket(fileno=descriptors[0])
             self._nurseries[seed, copy] = Guardian(way, pid)

@@ -14,6 +14,8 @@
     a user's explorer, which plays every run twice, and the comparison of both plays;
 ``tour``
     hash seeds and address layouts of the players of both plays, in turn;
+``hash_seeds``, ``other_seeds``
+    explorers that go by hashes, noticed, and played with other hash seeds, too;
 ``tally``
     counts that can be added up in any order, and the smallest findings;
 ``costs``

@@ -22,7 +22,7 @@ from allworlds.document import (
     key,
     one_of,
 )
-from allworlds.engines import EngineName, Given, Sample, Scope, Shard, Tally
+from allworlds.engines import GOES_BY_HASHES, EngineName, Given, Sample, Scope, Shard, Tally
 from allworlds.explorers import files_of_explorer
 from allworlds.judging import Finding, JudgedLaw
 from allworlds.maps import MapClass, source_of
@@ -293,5 +293,9 @@ def _rows(tally: Tally) -> Iterator[CheckRow]:
 
 
 def _remarks(tally: Tally) -> Iterator[str]:
+    more_than_hashes = any(found.law == "nondeterministic" for found in tally.findings)
     for text, times in sorted(tally.remarks.items()):
-        yield text if times == 1 else f"{text} ({times} times)"
+        if text != GOES_BY_HASHES:
+            yield text if times == 1 else f"{text} ({times} times)"
+        elif not more_than_hashes:
+            yield text
