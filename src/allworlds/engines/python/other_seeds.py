@@ -7,11 +7,12 @@ its name determines, so that the findings do not depend on the order of the unit
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 from zlib import crc32
 
+from allworlds.document import replace
 from allworlds.engines.python.examiner import Outcome
 from allworlds.engines.python.hash_seeds import GOES_BY_HASHES
 from allworlds.engines.python.run_counter import PartwiseEngine
