@@ -21,7 +21,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs import InputError, did_you_mean, show
 from allworlds.protocol.importing import (
     SourceText,
     attempted,
@@ -82,7 +82,7 @@ class Role:
         try:
             return UserCode(name, self, None, digest_of_file(module_file(place)))
         except InputError as error:
-            raise InputError(f"{self._legal(name)}: {error}") from None
+            raise InputError(self._legal(name, f": {error}")) from None
 
     def offered(self, name: str) -> EntryPoint | None:
         """The entry point of that name, which has no colon; None if no package offers it."""
@@ -102,11 +102,11 @@ class Role:
             )
         return self.find(f"{module}:{name}")
 
-    def _legal(self, name: str) -> str:
-        legal = ", ".join([*self.known, *sorted(points_of(self.group))])
+    def _legal(self, name: str, reason: str = "") -> str:
+        known = [*self.known, *sorted(points_of(self.group))]
         return (
-            f"{self.noun} {show(name)} is not one of {legal}, path/to/file.py:attribute or "
-            "module:attribute"
+            f"{self.noun} {show(name)} is not one of {', '.join(known)}, "
+            f"path/to/file.py:attribute or module:attribute{reason}{did_you_mean(name, known)}"
         )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated
 
@@ -14,6 +13,7 @@ from allworlds.inputs import (
     InputError,
     Option,
     Request,
+    did_you_mean,
     integer_of,
     one_of,
     parse_json,
@@ -181,8 +181,7 @@ def _hint(name: str) -> str:
     if Path(name).suffix == ".json":
         return f"; to read a file write {show('@' + name)}"
     known = [*named_maps(), *(entry.name for entry in own_corpus().of_kind("world"))]
-    meant = get_close_matches(name.lower(), known, 1)
-    return f"; did you mean {meant[0]!r}?" if meant else ""
+    return did_you_mean(name, known)
 
 
 class FamilyWords(Request):

@@ -23,6 +23,7 @@ from allworlds.document import (
     computed,
 )
 from allworlds.engines import (
+    GOES_BY_HASHES,
     EndedReport,
     EngineName,
     Given,
@@ -36,7 +37,7 @@ from allworlds.engines import (
     told_scope,
     tried_places,
 )
-from allworlds.judging import Finding
+from allworlds.judging import Finding, checked_laws
 from allworlds.maps import Extent, source_of
 from allworlds.outcome import Completed, Verdict
 from allworlds.studies.check.gate import GateCell
@@ -184,7 +185,12 @@ class CheckReport(EndedReport):
     @override
     def empty(self) -> bool:
         lacking = isinstance(self.ending, Completed) and self.ending.missing
-        return not self.tally.runs or bool(lacking)
+        return not self.checked_laws or bool(lacking)
+
+    @property
+    def checked_laws(self) -> tuple[str, ...]:
+        """The laws of which something was checked."""
+        return checked_laws(self.asked.rules.judged, self.tally.runs, self.tally.checkpoints)
 
     @property
     def judged(self) -> Verdict:
@@ -241,5 +247,9 @@ def _rows(tally: Tally) -> Iterator[CheckRow]:
 
 
 def _remarks(tally: Tally) -> Iterator[str]:
+    more_than_hashes = any(found.law == "nondeterministic" for found in tally.findings)
     for text, times in sorted(tally.remarks.items()):
-        yield text if times == 1 else f"{text} ({times} times)"
+        if text != GOES_BY_HASHES:
+            yield text if times == 1 else f"{text} ({times} times)"
+        elif not more_than_hashes:
+            yield text
