@@ -57,6 +57,7 @@ if TYPE_CHECKING:
         lighthouse_from_json as lighthouse_from_json,
         lighthouse_kind as lighthouse_kind,
         lighthouse_named as lighthouse_named,
+        parts_of as parts_of,
     )
     from allworlds.world.lighthouses.knowledge import TOLD as TOLD, Knowledge as Knowledge
     from allworlds.world.lighthouses.labels import Labels as Labels
@@ -67,7 +68,11 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.place_checks import InvalidWorld as InvalidWorld
     from allworlds.world.lighthouses.position import Position as Position
     from allworlds.world.lighthouses.sensing import Sensing as Sensing, Where as Where
-    from allworlds.world.lighthouses.written import Ports as Ports, Whiteboard as Whiteboard
+    from allworlds.world.lighthouses.written import (
+        Ports as Ports,
+        Whiteboard as Whiteboard,
+        Written as Written,
+    )
     from allworlds.world.named import (
         HOLES as HOLES,
         LIGHTHOUSE as LIGHTHOUSE,

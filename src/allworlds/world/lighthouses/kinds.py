@@ -105,9 +105,17 @@ def lighthouse_named(text: str) -> type[Lighthouse]:
 
 def kind_of(lighthouse: Lighthouse) -> LighthouseKind:
     """The kind of a lighthouse that stands somewhere."""
-    parts = lighthouse.parts if isinstance(lighthouse, Composed) else (lighthouse,)
-    codes = [replace(part.code, name=part.written) for part in parts if part.code is not None]
+    codes = [
+        replace(part.code, name=part.written)
+        for part in parts_of(lighthouse)
+        if part.code is not None
+    ]
     return LighthouseKind(lighthouse.written, tuple(codes))
+
+
+def parts_of(lighthouse: Lighthouse) -> tuple[Lighthouse, ...]:
+    """The lighthouses that it is put together from; itself alone if it is one."""
+    return lighthouse.parts if isinstance(lighthouse, Composed) else (lighthouse,)
 
 
 def _part(text: str) -> str | UserCode:
@@ -236,5 +244,6 @@ __all__ = [
     "lighthouse_from_json",
     "lighthouse_kind",
     "lighthouse_named",
+    "parts_of",
     "refuse_other_keys",
 ]
