@@ -57,6 +57,7 @@ if TYPE_CHECKING:
         lighthouse_from_json as lighthouse_from_json,
         lighthouse_kind as lighthouse_kind,
         lighthouse_named as lighthouse_named,
+        numbers_told as numbers_told,
         parts_of as parts_of,
     )
     from allworlds.world.lighthouses.knowledge import TOLD as TOLD, Knowledge as Knowledge

@@ -36,6 +36,7 @@ from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
+    OWN,
     GivenLighthouse,
     LighthouseKind,
     kind_of,
@@ -47,7 +48,10 @@ WORLD = Argument("", "WORLD", "Inline JSON, @file, or a name such as k4, wheel:4
 """An argument of every verb that takes a world."""
 
 LIGHTHOUSE = Option(
-    SCOPE, "KIND", f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}."
+    SCOPE,
+    "KIND",
+    f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}, {OWN}, or several with + "
+    "between them.",
 )
 """An option of most of them."""
 

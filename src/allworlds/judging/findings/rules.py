@@ -41,6 +41,7 @@ from allworlds.world import (
     World,
     kind_of,
     lighthouse_kind,
+    numbers_told,
 )
 
 
@@ -177,7 +178,15 @@ class AskedRules(AskedTask):
         told = values_of(AskedRules, self)
         if self.step_budget is None:
             told["step_budget"] = subject.step_budget
-        own = subject.bound_under(str(lighthouse_kind(lighthouse)))
+        kind = lighthouse_kind(lighthouse)
+        told_numbers = numbers_told(kind)
+        if len(told_numbers) > 1 and (subject.inside or subject).native is not None:
+            raise InputError(
+                f"explorer {show(subject.name)} is a library, which is told one number at most, "
+                f"and the lighthouse {kind} tells {', '.join(told_numbers)}; legal is told:n, or "
+                "an explorer that reads lines of JSON"
+            )
+        own = subject.bound_under(str(kind))
         return Rules(lighthouse, promised=promised, own_bound=own, among=among, **told)
 
 

@@ -28,6 +28,7 @@ from allworlds.world.lighthouses.options import (
     options_in,
     options_of,
     place_keys,
+    value_of,
     with_arguments,
 )
 from allworlds.world.lighthouses.own_kind import own_kind
@@ -116,6 +117,16 @@ def kind_of(lighthouse: Lighthouse) -> LighthouseKind:
 def parts_of(lighthouse: Lighthouse) -> tuple[Lighthouse, ...]:
     """The lighthouses that it is put together from; itself alone if it is one."""
     return lighthouse.parts if isinstance(lighthouse, Composed) else (lighthouse,)
+
+
+def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
+    """The names of the numbers that a robot is told by the lighthouses that come with this program.
+
+    They are known before any world is made.
+    """
+    parts = kind.as_class.kinds if issubclass(kind.as_class, Composed) else (kind.as_class,)
+    told = [value_of(part, "names") for part in parts if issubclass(part, Knowledge)]
+    return tuple(name for names in told for name in names)  # type: ignore[union-attr]  # words
 
 
 def _part(text: str) -> str | UserCode:
@@ -244,6 +255,7 @@ __all__ = [
     "lighthouse_from_json",
     "lighthouse_kind",
     "lighthouse_named",
+    "numbers_told",
     "parts_of",
     "refuse_other_keys",
 ]
