@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 from allworlds.document import Different, Document, IfAny, Positive, Text, about
-from allworlds.explorers import Subject
+from allworlds.explorers import Subject, is_library
 from allworlds.inputs import (
     RULES,
     InputError,
@@ -180,7 +180,7 @@ class AskedRules(AskedTask):
             told["step_budget"] = subject.step_budget
         kind = lighthouse_kind(lighthouse)
         told_numbers = numbers_told(kind)
-        if len(told_numbers) > 1 and (subject.inside or subject).native is not None:
+        if len(told_numbers) > 1 and is_library(subject.name):
             raise InputError(
                 f"explorer {show(subject.name)} is a library, which is told one number at most, "
                 f"and the lighthouse {kind} tells {', '.join(told_numbers)}; legal is told:n, or "
