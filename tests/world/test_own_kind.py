@@ -90,6 +90,14 @@ class Marks(Base):
         return ""
 
 
+class HoldsTwo(Marks):
+    in_hand = 2
+
+
+class HoldsText(Marks):
+    in_hand = "two"
+
+
 class ActsNot(Marks):
     def acted(self, map_, state, action):
         return 1 // 0
@@ -264,6 +272,7 @@ def test_what_is_no_lighthouse_is_refused_in_one_line(folder, name, said):
         ("Refuses", "refusal of the lighthouse .* gives None; legal is a text"),
         ("Leaves", "left_marks of the lighthouse .* gives 'many'; legal is an integer"),
         ("Holds", "in_hand of the lighthouse .* gives -1; legal is an integer from 0 on"),
+        ("HoldsText", "in_hand of the lighthouse .* gives 'two'; legal is an integer from 0 on"),
         ("Tells", "told of the lighthouse .* legal is an integer, a dict"),
         ("TellsDarts", "tells 1, and 5 with the darts renamed"),
         ("Endless", "sensed gives no answer for 0.2 s"),
@@ -281,6 +290,10 @@ def test_a_lighthouse_that_is_random_in_large_worlds_alone_is_bad_input_there(fo
     assert not any(world.first.marks for world in worlds(edges=3, lighthouse="bad.py:Random"))
     with pytest.raises(InvalidWorld, match=r"'bad.py:Random' is no function of the world: asked"):
         [world.percepts for world in worlds(edges=4, lighthouse="bad.py:Random")]
+
+
+def test_the_hand_may_be_a_number_in_the_class(folder):
+    assert next(worlds(edges=1, lighthouse="bad.py:HoldsTwo")).initial.hand == 2
 
 
 def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):

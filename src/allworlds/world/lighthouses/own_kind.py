@@ -106,6 +106,11 @@ def _watch(kind: type, method: str, name: str) -> None:
 def _let_check(kind: type[Lighthouse], method: str, check: Callable[..., Any]) -> None:
     """Let what a method returns be checked before it is used."""
     found = inspect.getattr_static(kind, method)
+    if isinstance(inspect.getattr_static(Lighthouse, method), property) and not isinstance(
+        found, property
+    ):  # a plain value in its place
+        value = found
+        found = property(lambda _self: value)
     function: Any = found.fget if isinstance(found, property) else getattr(found, "__func__", found)
 
     @wraps(function)
