@@ -221,6 +221,8 @@ class Rules(AskedRules, kw_only=False):
             right without folding.
         own_bound: the explorer's own bound for this lighthouse; None if it has none.
         among: the condition on the maps, for findings; runs do not depend on it.
+        shared_file: the name of the explorer's file, if code that judges it is loaded from it, for
+            reports.
     """
 
     lighthouse: Taken[GivenLighthouse, LighthouseKind] = Taken(lighthouse_kind, Directional.kind)
@@ -228,6 +230,7 @@ class Rules(AskedRules, kw_only=False):
     promised: bool = False
     own_bound: Taken[str | Bound | None, Bound | None] = Taken(_bound, None)
     among: Among | None = None
+    shared_file: str = ""
 
     def __post_init__(self) -> None:
         for law in self.laws or ():
