@@ -42,7 +42,7 @@ class WordsOfLighthouse(Request):
         Option(
             SCOPE,
             "KIND",
-            "The lighthouse for a world that names none [default: the explorer's own].",
+            "The lighthouse, if the WORLD names none [default: the explorer's own].",
         ),
     ] = None
 

@@ -184,7 +184,7 @@ class FamilyWords(Request):
     family: Annotated[str | None, Option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
     holes: Annotated[str | None, HOLES] = None
     seed: Annotated[
-        int, Option(SCOPE, "S", "For whatever is drawn of a family.", parse=integer_of)
+        int, Option(SCOPE, "S", "Seed for families that are drawn at random.", parse=integer_of)
     ] = 0
 
     def world(self, kind: GivenLighthouse) -> World:

@@ -173,7 +173,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
         words.append(("symmetry", report.symmetry))
     witnesses = report.tally.witnesses
     seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
-    met = f"what was met, and how often: {seen}" if seen else "none was met"
+    met = f"events seen: {seen}" if seen else "no event was seen"
     words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", met)]
     if report.missing_witnesses:
         words.append(("MISSING", f"never met: {', '.join(report.missing_witnesses)}"))
@@ -239,7 +239,7 @@ def _laws(report: CheckReport) -> str:
         return f"{laws}; {plural(published, 'checkpoint')}"
     left = [law for law in rules.applying if law not in checked]
     return laws + (
-        f"; no checkpoint was published, so nothing was checked of {listed(left)}" if left else ""
+        f"; not checked, because the explorer shows no checkpoint: {listed(left)}" if left else ""
     )
 
 

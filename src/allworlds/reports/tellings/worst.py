@@ -105,7 +105,9 @@ def _of_runs(report: WorstReport) -> list[tuple[str, str]]:
         f"{schedules} of {report.explorer} in {maps_words(report)}, "
         f"at every place of the lighthouse {report.rules.lighthouse}"
     )
-    costs = "worst: of all episodes; best: the largest cost of the cheapest schedule of a run"
+    costs = (
+        "worst: of all episodes; best: the cheapest schedule of each run, of these the largest cost"
+    )
     places = places_told(tried_places(report.rules.lighthouse, report.extent))
     return [("scope", scope), *places, ("costs", costs)]
 
@@ -118,8 +120,8 @@ def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
         f"every schedule of algorithm1 in {maps_words(report)}, from every vertex; transit on {way}"
     )
     costs = (
-        "worst: the most expensive schedule of the most expensive world; best: the largest cost "
-        "of the cheapest schedule of a world"
+        "worst: the most expensive schedule of the most expensive world; best: the cheapest "
+        "schedule of each world, of these the largest cost"
     )
     return [
         ("scope", scope),
