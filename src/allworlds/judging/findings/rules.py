@@ -99,7 +99,8 @@ class AskedRules(Request):
             RULES,
             "TASK",
             f"What counts as done: {one_of(TASKS)}, or path/to/file.py:judge, a function of "
-            "(world, transcript, answer): it returns None if all is right, else the fault in words.",
+            "(world, transcript, answer): it returns None if all is right, else the fault in "
+            "words.",
             told=Annotated[
                 IfAny[Text | None],
                 about("what counted as done; where it is left out, the map"),
@@ -147,7 +148,8 @@ class AskedRules(Request):
         Option(
             RULES,
             "B",
-            "The most traversals of a run: more break the law 'budget' (default: 8 x (1)+(2) + 100).",
+            "The most traversals of a run: more break the law 'budget' (default: 8 x (1)+(2) + "
+            "100).",
             parse=integer_of,
             told=Annotated[
                 Positive | None,
