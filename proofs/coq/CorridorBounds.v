@@ -241,8 +241,8 @@ Theorem corridor_closed_form N h r (out : 'I_h.+1 -> bool -> 'I_r.+1) (L : layou
   episode X (rooted (@start (corridor_world L near a))) (@percept_of (corridor_world L near a)) fuel
     = (t, Some e, z) -> 2 * N.+1 * Y.+1 <= size t.
 Proof.
-move=> Nh ev c large E meaning X H; have [a A] := @corridor_costs _ _ _ _ L _ near Nh ev _ _ _ H; exists a => fuel t e z R.
-rewrite leqNgt; apply/negP=> lt; move: large; rewrite ltnNge => /negP[].
+move=> Nh ev c large E meaning X H; have [a A] := @corridor_costs _ _ _ _ L _ near Nh ev _ _ _ H.
+exists a => fuel t e z R; rewrite leqNgt; apply/negP=> lt; move: large; rewrite ltnNge => /negP[].
 apply: leq_trans (squared_pairings M) _; rewrite -c.
 have le : pairings ((h - N) * (r.+1 - 4) + (r.+1 - 2)) <= 3 * (24 * N.+1) ^ Y.
   have := A _ _ _ _ R; rewrite -logs_sum => /leq_trans; apply.

@@ -478,27 +478,32 @@ Theorem bouquet_bounds_computed :
   [seq least_motions (pairings c.*2) | c <- iota 2 5] = [:: 4; 9; 14; 20; 26].
 Proof. exact: least_motions_of_bouquets. Qed.
 
-(* Corridors: v0 of degree 2, 2F near hubs, F = f+1 far ones, all of degree 12F+6; two edges join each to the
-   next, the other darts of near hubs are loops, and those of far ones are matched in any way. *)
-Theorem corridors_exist f :
-  [/\ inhabited (near_loops f), inhabited (far_edges_of f) &
-  forall (g : near_loops f) (a : far_edges_of f), let W := camouflaged g a in
-  [/\ edges W = 18 * f.+1 ^ 2 + 9 * f.+1 + 1, vertices W = 3 * f.+1 + 1 &
+(* Corridors: v0 of degree 2, 2F near hubs, F = f+1 far ones, all of one even degree 12F+6+2e; two edges join each
+   to the next, the other darts of near hubs are loops, and those of far ones are matched in any way. *)
+Theorem corridors_exist f e :
+  [/\ inhabited (near_loops f e), inhabited (far_edges_of f e) &
+  forall (g : near_loops f e) (a : far_edges_of f e), let W := camouflaged g a in
+  [/\ edges W = 18 * f.+1 ^ 2 + 9 * f.+1 + 1 + 3 * f.+1 * e, vertices W = 3 * f.+1 + 1 &
   exists (y : W) w, 2 * f.+1 < hub y /\ home_word w y]].
 Proof. split; [exact: near_loops_exist|exact: far_edges_exist|exact: camouflaged_sizes]. Qed.
 
-(* A home word of a far dart leads from it to v0, past no vertex twice: what Algorithm 1 walks in a test.  No
-   other far dart is led to v0 by it, nor by a beginning of it: a failed test shows no more than that it failed. *)
-Theorem wrong_walkers_stay_away f (g : near_loops f) (a : far_edges_of f) (y y' : camouflaged g a) w t :
-  2 * f.+1 < hub y -> 2 * f.+1 < hub y' -> home_word w y -> y' <> y ->
-  ~~ at_same_vertex start (walk (take t w) y').
-Proof. by move=> hy hy' H; exact: (wrong_walkers (corridor_world_is (valP g) a) t hy H hy'). Qed.
+(* A home word of a dart leads from it to v0, past no vertex twice: what Algorithm 1 walks in a test.  So does
+   what is left of it at any moment, from where the robot is then. *)
+Theorem home_words_go_on (W : lighthouse_world) w w' (y : W) : home_word (w ++ w') y -> home_word w' (walk w y).
+Proof. exact: home_word_suffix. Qed.
 
-(* And home words of different far darts differ in one of their first F+1 motions, turns taken modulo the degree. *)
-Theorem home_words_differ_early f (g : near_loops f) (a : far_edges_of f) (y y' : camouflaged g a) w w' :
-  2 * f.+1 < hub y -> 2 * f.+1 < hub y' -> home_word w y -> home_word w' y' -> y' <> y ->
-  map (modn^~ (12 * f.+1 + 6)) (take f.+2 w) <> map (modn^~ (12 * f.+1 + 6)) (take f.+2 w').
-Proof. by move=> hy hy' H H' ne; exact: (home_words_part (corridor_world_is (valP g) a) hy hy' H H' ne). Qed.
+(* In a corridor no far dart is led to v0 by the home word of another dart, near or far, nor by a beginning
+   of it: a failed test shows no more than that it failed. *)
+Theorem wrong_walkers_stay_away f e (g : near_loops f e) (a : far_edges_of f e) (y y' : camouflaged g a) w t :
+  home_word w y -> 2 * f.+1 < hub y' -> y' <> y -> ~~ at_same_vertex start (walk (take t w) y').
+Proof. exact: (wrong_walkers (corridor_world_is (valP g) a)). Qed.
+
+(* And home words of different darts, one of them far, differ in one of their first F+1 motions, turns taken
+   modulo the degree. *)
+Theorem home_words_differ_early f e (g : near_loops f e) (a : far_edges_of f e) (y y' : camouflaged g a) w w' :
+  2 * f.+1 < hub y -> home_word w y -> home_word w' y' -> y' <> y ->
+  map (modn^~ (12 * f.+1 + 6 + 2 * e)) (take f.+2 w) <> map (modn^~ (12 * f.+1 + 6 + 2 * e)) (take f.+2 w').
+Proof. exact: (home_words_part (corridor_world_is (valP g) a)). Qed.
 
 (* Corridors with N near hubs, h+1-N far ones, all of even degree r+1, and 2M darts to be matched: an explorer
    that finds the maps of all of them makes, in one of them, T motions, and the sum of 'C(T, y) 2^y over the

@@ -447,21 +447,23 @@ Check (@bouquet_bounds_computed :
   [seq least_motions (pairings c.*2) | c <- iota 2 5] = [:: 4; 9; 14; 20; 26]).
 
 Check (@corridors_exist :
-  forall f,
-  [/\ inhabited (near_loops f), inhabited (far_edges_of f) &
-  forall (g : near_loops f) (a : far_edges_of f), let W := camouflaged g a in
-  [/\ edges W = 18 * f.+1 ^ 2 + 9 * f.+1 + 1, vertices W = 3 * f.+1 + 1 &
+  forall f e,
+  [/\ inhabited (near_loops f e), inhabited (far_edges_of f e) &
+  forall (g : near_loops f e) (a : far_edges_of f e), let W := camouflaged g a in
+  [/\ edges W = 18 * f.+1 ^ 2 + 9 * f.+1 + 1 + 3 * f.+1 * e, vertices W = 3 * f.+1 + 1 &
   exists (y : W) w, 2 * f.+1 < hub y /\ home_word w y]]).
 
+Check (@home_words_go_on :
+  forall (W : lighthouse_world) w w' (y : W), home_word (w ++ w') y -> home_word w' (walk w y)).
+
 Check (@wrong_walkers_stay_away :
-  forall f (g : near_loops f) (a : far_edges_of f) (y y' : camouflaged g a) w t,
-  2 * f.+1 < hub y -> 2 * f.+1 < hub y' -> home_word w y -> y' <> y ->
-  ~~ at_same_vertex start (walk (take t w) y')).
+  forall f e (g : near_loops f e) (a : far_edges_of f e) (y y' : camouflaged g a) w t,
+  home_word w y -> 2 * f.+1 < hub y' -> y' <> y -> ~~ at_same_vertex start (walk (take t w) y')).
 
 Check (@home_words_differ_early :
-  forall f (g : near_loops f) (a : far_edges_of f) (y y' : camouflaged g a) w w',
-  2 * f.+1 < hub y -> 2 * f.+1 < hub y' -> home_word w y -> home_word w' y' -> y' <> y ->
-  map (modn^~ (12 * f.+1 + 6)) (take f.+2 w) <> map (modn^~ (12 * f.+1 + 6)) (take f.+2 w')).
+  forall f e (g : near_loops f e) (a : far_edges_of f e) (y y' : camouflaged g a) w w',
+  2 * f.+1 < hub y -> home_word w y -> home_word w' y' -> y' <> y ->
+  map (modn^~ (12 * f.+1 + 6 + 2 * e)) (take f.+2 w) <> map (modn^~ (12 * f.+1 + 6 + 2 * e)) (take f.+2 w')).
 
 Check (@corridor_lower_bound :
   forall N h r (out : 'I_h.+1 -> bool -> 'I_r.+1) (L : layout out) g (near : near_gluing N out g),
