@@ -180,9 +180,18 @@ class Pictured:
 
 
 class Paged:
-    """A value that notebooks show as a page, or as a part of one."""
+    """A value that is printed as text, and that notebooks show as a page, or as a part of one."""
 
     __slots__ = ()
+
+    def __str__(self) -> str:
+        """The text of the command line, 100 columns wide."""
+        told: str = loaded("reports.notebook:text_of")(self)
+        return told
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:  # noqa: ARG002  # IPython's call
+        """Print the text in a plain IPython."""
+        printer.text(str(self))
 
     def _repr_html_(self) -> str:
         """The element that notebooks show."""
@@ -389,7 +398,7 @@ class MadeBy(Document):
     ] = UNSET
 
 
-class Report(Document):
+class Report(Paged, Document):
     """A document that a verb writes."""
 
     schema: Annotated[Literal[1], about("the version of the document")] = SCHEMA
@@ -409,16 +418,6 @@ class Report(Document):
     def exit_code(self) -> Exit:
         """One of the exit codes of the command."""
         return self.facts.exit
-
-    def __str__(self) -> str:
-        """The text of the command line, 100 columns wide."""
-        told: str = loaded("reports.notebook:text_of")(self)
-        return told
-
-    def _repr_html_(self) -> str:
-        """The page of the report, as notebooks show it."""
-        shown: str = loaded("reports.notebook:shown")(self)
-        return shown
 
     def records(self) -> list[dict[str, Any]]:
         """The rows of ``--csv``, by the names of their columns: ``pandas.DataFrame`` takes them."""

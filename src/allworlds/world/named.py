@@ -33,7 +33,6 @@ from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import (
     GivenLighthouse,
     LighthouseKind,
-    lighthouse_from_json,
     lighthouse_kind,
 )
 from allworlds.world.world import World
@@ -160,7 +159,7 @@ class FamilyWords(Request):
         """Return that world, started at dart 0, with a lighthouse at its default place."""
         assert self.family is not None
         map_ = map_of_family(self.family, self.holes, self.seed)
-        return World(map_, lighthouse_from_json(None, map_, 0, kind))
+        return World(map_, kind)
 
 
 def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:
