@@ -189,6 +189,11 @@ class Paged:
         told: str = loaded("reports.notebook:text_of")(self)
         return told
 
+    def __init_subclass__(cls, **keywords: Any) -> None:
+        super().__init_subclass__(**keywords)
+        # IPython takes the first class in line that has this, or a repr as dataclasses have.
+        cls._repr_pretty_ = Paged._repr_pretty_  # type: ignore[method-assign]
+
     def _repr_pretty_(self, printer: Any, cycle: bool) -> None:  # noqa: ARG002  # IPython's call
         """Print the text in a plain IPython."""
         printer.text(str(self))

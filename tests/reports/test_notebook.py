@@ -114,7 +114,8 @@ def test_a_plain_ipython_shows_what_print_does():
     report = allworlds.check("dudek91", edges=2)
     for shown in (report, report.findings[0], report.findings[0].transcript):
         said = []
-        shown._repr_pretty_(SimpleNamespace(text=said.append), cycle=False)
+        # IPython takes what stands in a class itself before a repr of its bases.
+        vars(type(shown))["_repr_pretty_"](shown, SimpleNamespace(text=said.append), cycle=False)
         assert said == [str(shown)]
 
 
