@@ -23,7 +23,7 @@ from allworlds.judging import paper_bound, printed_bound
 from allworlds.outcome import Verdict
 from allworlds.studies.compare import Growth
 from allworlds.studies.optimum import optimum
-from allworlds.world import FamilyWords
+from allworlds.world import World, map_of_family
 
 
 def verdict_of(drawn):
@@ -105,7 +105,7 @@ def test_every_run_is_one_in_the_world_of_that_name_under_that_policy(small):
     for row in rows:
         told = dict(zip(header, row, strict=True))
         text, _, holes, _, seed = told["world"].split()
-        world = FamilyWords(family=text, holes=holes, seed=int(seed)).world("directional")
+        world = World(map_of_family(text, holes, int(seed)))
         name, _, policy = told["explorer"].partition(", ")
         again = run(name, world, policy=policy or "fifo").outcome
         assert again.cost == told["traversals"]

@@ -19,7 +19,7 @@ from allworlds.reports import file_of, text as text_of
 from allworlds.studies.compare import GrowingWorlds, GrowRow, Growth
 from allworlds.studies.compare.growing_families import GROWING, distinct, members_of
 from allworlds.studies.compare.growth import GrownWorld
-from allworlds.world import Directional, FamilyWords, World
+from allworlds.world import Directional, World, map_of_family
 from allworlds.world.named import map_of_code
 from kept_jobs import EXPLORERS
 
@@ -36,7 +36,7 @@ def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
             map_ = one.map()
             assert (map_.edge_count, map_.vertex_count) == (row.edges, row.vertices)
             text, seed = one.name.split(" --seed ")
-            assert FamilyWords(family=text, seed=int(seed)).world("directional").map == map_
+            assert map_of_family(text, None, int(seed)) == map_
             places = [*Directional.places(map_, 0)]
             assert len(places) == one.places
             for place, cost in zip(one.ran, one.costs, strict=True):

@@ -14,6 +14,7 @@ from allworlds.cli.output import emit, printable
 from allworlds.document import replace
 from allworlds.inputs import OUTPUT, SCOPE, Option, integer_of
 from allworlds.reports import game
+from allworlds.world import HOLES
 
 
 def play(
@@ -29,6 +30,7 @@ def play(
             parse=integer_of,
         ),
     ] = None,
+    holes: Annotated[str | None, HOLES] = None,
     html: Annotated[
         str | None,
         Option(
@@ -46,10 +48,11 @@ def play(
     walk and uncovers the world. In the end your cost stands beside that of Algorithm 1.
     """
     if html is None:
-        made = allworlds.play(world, lighthouse=lighthouse, seed=seed, player=_asked)
+        made = allworlds.play(world, lighthouse=lighthouse, seed=seed, holes=holes, player=_asked)
         return emit(made, "play", output)
     ensure_writable(html)
-    made = replace(allworlds.play(world, lighthouse=lighthouse, seed=seed), path=html)
+    made = allworlds.play(world, lighthouse=lighthouse, seed=seed, holes=holes)
+    made = replace(made, path=html)
     write_text(html, game(made))
     return emit(made, "play", output)
 

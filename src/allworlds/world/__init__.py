@@ -85,7 +85,7 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.knowledge import TOLD as TOLD
     from allworlds.world.named import (
         HOLES as HOLES,
-        FamilyWords as FamilyWords,
+        AskedWorld as AskedWorld,
         map_of_family as map_of_family,
     )
     from allworlds.world.own_condition import (

@@ -31,6 +31,7 @@ def play(
     *,
     lighthouse: GivenLighthouse = "directional",
     seed: int | None = None,
+    holes: str | None = None,
     player: Player = lambda *_: None,
 ) -> Play:
     """Let a player walk in the world, action by action.
@@ -39,15 +40,18 @@ def play(
         world: map, lighthouse and start; or what a WORLD may be on the command line.
         lighthouse: the kind of a world that is given as a text and names none.
         seed: of a world of a family, by default 0: ``play("random:8", seed=3)``.
+        holes: the share of its edges that are removed: ``play("lattice:3x3", holes="20%")``.
         player: by default it ends the game at once.
 
     Raises:
         InputError: if there is no such world.
     """
     if isinstance(world, str):
-        world = world_named(world, lighthouse, seed)
-    elif seed is not None:
-        raise InputError(f"seed = {show(seed)} has no effect on a world that is given")
+        world = world_named(world, lighthouse, seed, holes)
+    else:
+        for name, given in (("seed", seed), ("holes", holes)):
+            if given is not None:
+                raise InputError(f"{name} = {show(given)} has no effect on a world that is given")
     if not isinstance(world, World):
         raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
     state, percept, steps, refused = world.initial, world.first, [], ""
