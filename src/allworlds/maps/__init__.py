@@ -50,6 +50,8 @@ Modules
     maps by hand and by name, and large ones by a text and a seed;
 ``surgery``, ``networks``
     small changes to a map; to networkx and back;
+``postman``
+    the shortest walk along every edge;
 ``matching``
     matchings of graphs, enlarged by one edge;
 ``refinement``, ``quotient``, ``criterion``
@@ -94,6 +96,7 @@ if TYPE_CHECKING:
         from_networkx as from_networkx,
         to_networkx as to_networkx,
     )
+    from allworlds.maps.postman import covering_walk as covering_walk
     from allworlds.maps.quotient import Quotient as Quotient, project as project
     from allworlds.maps.surgery import contracted as contracted, deleted as deleted, moved as moved
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Annotated, TypeAlias
 
-from allworlds.document import Report, about
+from allworlds.document import Report, about, computed
 from allworlds.inputs import InputError, show
 from allworlds.protocol import Action, Percept, Transcript
+from allworlds.studies.play.costs import CostBeside, costs_beside, not_compared
 from allworlds.world import GivenLighthouse, IllegalAction, World, world_named
 
 Player: TypeAlias = Callable[[Percept, str], Action | None]
@@ -24,6 +25,14 @@ class Play(Report):
     path: Annotated[str | None, about("the page for playing; null: played in the terminal")] = None
     world: World
     transcript: Annotated[Transcript, about("the actions and percepts; for a page only the start")]
+    costs: Annotated[tuple[CostBeside, ...], about("of others in the same world")] = computed(
+        lambda played: costs_beside(played.world)
+    )
+
+    @property
+    def not_compared(self) -> str:
+        """A sentence that says whose cost is not compared, and why; empty if each is."""
+        return not_compared(self.world)
 
 
 def play(
