@@ -43,7 +43,7 @@ def text_of(value: Report | Finding | Transcript) -> str:
 
 def records(report: Report) -> list[dict[str, Any]]:
     """The rows of ``--csv``, by the names of their columns."""
-    return csv_rows.records(told(verb_of(type(report)), report))
+    return csv_rows.rows_of(told(verb_of(type(report)), report)).records
 
 
 def shown(value: Report | Finding | Transcript) -> str:

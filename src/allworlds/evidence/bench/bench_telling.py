@@ -8,11 +8,13 @@ from allworlds.evidence.bench.rounds import BenchReport
 from allworlds.reports import (
     Block,
     Cell,
+    Rows,
     Section,
     Shown,
     ToldFacts,
     ToldResult,
     ToldTable,
+    Value,
     interruption,
 )
 from allworlds.version import host
@@ -45,7 +47,25 @@ def bench_telling(report: BenchReport) -> ToldResult:
         ("memory", f"{report.peak_mb} MB at most"),
     ]
     blocks: list[Block] = [ToldTable(header, rows, "Side by side"), ToldFacts(facts)]
-    return ToldResult("allworlds self bench", "", report, None, [Section("seen", "", blocks)])
+    section = Section("seen", "", blocks)
+    return ToldResult(
+        "allworlds self bench", "", report, None, [section], rows=lambda: _rows(report)
+    )
+
+
+def _rows(report: BenchReport) -> Rows:
+    """A row for each contender; ratios are those of the first one's rate to its own."""
+    columns = {"name": str, "edges": int, "seconds": float, "worlds_per_second": float}
+    ratios = {row.to: row.ratio for row in report.ratios}
+    rows: list[list[Value]] = []
+    for one in report.contenders:
+        ratio = ratios.get(one.name)
+        found = (ratio.median, ratio.lowest, ratio.highest) if ratio else (None, None, None)
+        rows.append(
+            [one.name, one.edges, median(one.seconds), one.worlds_per_second.median, *found]
+        )
+    spread = {"ratio": float, "ratio_lowest": float, "ratio_highest": float}
+    return Rows({**columns, **spread}, rows)
 
 
 def _times(ratio: float) -> str:

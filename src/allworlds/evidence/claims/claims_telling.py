@@ -9,6 +9,7 @@ from allworlds.evidence.claims.ledger import CheckedClaim, ClaimsReport
 from allworlds.reports import (
     Block,
     Headline,
+    Rows,
     Section,
     Suite,
     ToldCase,
@@ -62,13 +63,13 @@ def claims_telling(report: ClaimsReport) -> ToldResult:
     )
 
 
-def _rows(report: ClaimsReport) -> ToldTable:
-    header = ["section", "claim", "sentence", "method", "expected", "found", "standing"]
+def _rows(report: ClaimsReport) -> Rows:
+    names = ("section", "claim", "sentence", "method", "expected", "found", "standing")
     rows = [
         [one.section, one.id, one.statement, one.method, one.expected, one.verdict, one.standing]
         for one in report.claims
     ]
-    return ToldTable(header, rows)
+    return Rows(dict.fromkeys(names, str), rows)
 
 
 def _heading(section: str) -> str:

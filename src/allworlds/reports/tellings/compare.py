@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from allworlds.explorers import short_names
+from allworlds.reports.rows import Rows
 from allworlds.reports.telling import (
     Cell,
     Headline,
@@ -73,22 +74,24 @@ def _cells(report: Comparison, row: ComparedRow) -> list[Cell]:
     return cells
 
 
-def _rows(report: Comparison) -> ToldTable:
+SIZES = {"edges": int, "vertices": int, "worlds": int, "explorer": str, "mean": float, "worst": int}
+TIMES = {"less": int, "equal": int, "more": int}
+
+
+def _rows(report: Comparison) -> Rows:
     """A row for each size and explorer, or as is asked for.
 
     The first explorer is compared with each other one.
     """
     if report.by is not None:
         return rows_of_worlds(report.in_worlds, report.names[0], report.by)
-    header = ["edges", "vertices", "worlds", "explorer", "mean", "worst", "less", "equal", "more"]
     rows = []
     for row in report.rows:
         for name in report.names:
-            compared = [which.get(name) for which in (row.less, row.equal, row.more)]
-            mean = f"{row.mean[name]:.6f}"
-            size_of_it = [row.edges, row.vertices, row.worlds]
-            rows.append([*size_of_it, name, mean, row.worst[name], *compared])
-    return ToldTable(header, rows)
+            times = [which.get(name) for which in (row.less, row.equal, row.more)]
+            costs = [row.mean[name], row.worst[name]]
+            rows.append([row.edges, row.vertices, row.worlds, name, *costs, *times])
+    return Rows({**SIZES, **TIMES}, rows)
 
 
 def _facts(report: Comparison) -> list[tuple[str, str]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from allworlds.reports.rows import Rows
 from allworlds.reports.telling import (
     Headline,
     Section,
@@ -38,7 +39,21 @@ def count_telling(census: Census) -> ToldResult:
         wrong = [_mismatch(census, i) for i, row in enumerate(census.rows) if not row.agrees]
         headline = Headline("MISMATCH", "; ".join(wrong), "error")
     sections = [Section("seen", "", [table, ToldFacts(facts)])]
-    return ToldResult("allworlds count", f"class {census.map_class}", census, headline, sections)
+    return ToldResult(
+        "allworlds count",
+        f"class {census.map_class}",
+        census,
+        headline,
+        sections,
+        rows=lambda: _rows(census),
+    )
+
+
+def _rows(census: Census) -> Rows:
+    """A row for each number of edges, of vertices, and genus."""
+    columns = {"edges": int, "vertices": int, "genus": int, "rooted": int, "unrooted": int}
+    rows = [[row.edges, *cell] for row in census.rows for cell in row.cells]
+    return Rows(columns, rows)
 
 
 def _mismatch(census: Census, i: int) -> str:
