@@ -110,9 +110,7 @@ def test_the_own_cost_stands_beside_the_others(monkeypatch, capsys):
     monkeypatch.setattr(sys, "stdin", StringIO("0\n0\n\n"))
     assert call(["play", "star:3"]) == 0
     said = capsys.readouterr().out
-    rows = [
-        line.rsplit(maxsplit=1) for line in said.partition("in this world")[2].splitlines()[1:5]
-    ]
+    rows = [line.rsplit(maxsplit=1) for line in said.partition("walked by")[2].splitlines()[1:5]]
     assert rows[0] == ["you", "2"]
     assert {name: int(cost) for name, cost in rows[1:]} == {
         NAMES[who]: cost for who, cost in zip(Walker, (5, 3, 5), strict=True)

@@ -130,11 +130,14 @@ if TYPE_CHECKING:
     )
     from allworlds.maps.completion_counts import completions as completions
     from allworlds.maps.conditions import (
+        AND as AND,
         CONDITIONS as CONDITIONS,
         LEGAL as LEGAL,
+        AllOf as AllOf,
         Condition as Condition,
         NamedCondition as NamedCondition,
         condition_named as condition_named,
+        narrowing as narrowing,
     )
     from allworlds.maps.corridor import (
         bound_of_testers as bound_of_testers,

@@ -21,7 +21,7 @@ from typing import TypeAlias
 
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.maps.conditions import Condition, NamedCondition
+from allworlds.maps.conditions import Condition, narrowing
 
 Decision: TypeAlias = int
 """A decision about the oldest open dart: ``z >= 0``: it is glued to the open dart ``z``;
@@ -51,8 +51,8 @@ class Gluing:
         vertices: int | None = None,
         where: Condition | None = None,
     ) -> None:
-        self._where = where if isinstance(where, NamedCondition) else None
-        self._dual = self._where is not None and self._where.dual
+        self._where = narrowing(where)
+        self._dual = any(condition.dual for condition in self._where)
         self.edges = edges
         self.limit = edges + 1
         if vertices is not None and not self._dual:
@@ -167,7 +167,7 @@ class Gluing:
         return self.simple and (u == v or bool(self.neighbours[u] >> v & 1))
 
     def _may_be_meant(self) -> bool:
-        return self._where is None or self._where.may_begin(self)
+        return all(condition.may_begin(self) for condition in self._where)
 
     def _can_be_finished(self) -> bool:
         owed = self.owed

@@ -56,7 +56,7 @@ if TYPE_CHECKING:
         parquet_of as parquet_of,
         text as text,
     )
-    from allworlds.reports.rows import Rows as Rows, Value as Value
+    from allworlds.reports.rows import CsvCsvRows as CsvRows, Value as Value
     from allworlds.reports.telling import (
         Block as Block,
         Cell as Cell,
@@ -70,7 +70,7 @@ if TYPE_CHECKING:
         ToldResult as ToldResult,
         ToldTable as ToldTable,
         Words as Words,
-        interruption as interruption,
+        so_far as so_far,
     )
     from allworlds.reports.text_layout import table as table
 else:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 
-from allworlds.reports.rows import Rows, rows_of_walk
+from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.telling import ToldResult, ToldWalk
 
 
@@ -32,10 +32,10 @@ def parquet_rows(telling: ToldResult) -> bytes:
     return written
 
 
-def rows_of(telling: ToldResult) -> Rows:
+def rows_of(telling: ToldResult) -> CsvRows:
     """The rows for programs, by default those of the first walk; no columns if there is none."""
     if telling.rows:
         return telling.rows()
     blocks = (block for section in telling.sections for block in section.blocks)
     walk = next((block for block in blocks if isinstance(block, ToldWalk)), None)
-    return rows_of_walk(walk) if walk else Rows({}, [])
+    return rows_of_walk(walk) if walk else CsvRows({}, [])

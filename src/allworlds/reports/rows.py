@@ -14,7 +14,7 @@ Value: TypeAlias = int | float | str | None
 
 
 @dataclass(frozen=True, slots=True)
-class Rows:
+class CsvRows:
     """Rows for programs.
 
     Attributes:
@@ -26,7 +26,7 @@ class Rows:
     rows: Sequence[Sequence[Value]]
 
     @classmethod
-    def of(cls, results: Iterable[Any], **columns: type) -> Rows:
+    def of(cls, results: Iterable[Any], **columns: type) -> CsvRows:
         """A row for each result, whose columns are attributes of these names."""
         return cls(columns, [[getattr(result, name) for name in columns] for result in results])
 
@@ -40,7 +40,7 @@ _SENSED = {"degree": int, "marks": int, "bearing": int}
 _STEPS = {"step": int, "action": str, "number": int, "vertex": int, "dart": int, **_SENSED}
 
 
-def rows_of_walk(walk: ToldWalk) -> Rows:
+def rows_of_walk(walk: ToldWalk) -> CsvRows:
     """A row for each step.
 
     The number is that of a motion, or what was written; vertex and dart are those of the world at
@@ -59,7 +59,7 @@ def rows_of_walk(walk: ToldWalk) -> Rows:
     ):
         row = [step, *_action(action), walked.map.vertex_of[dart], dart, *_sensed(percept)]
         rows.append([*row, *(_sensed(next(others, None)) if elsewhere else ())])
-    return Rows(columns, rows)
+    return CsvRows(columns, rows)
 
 
 def _action(action: Action | None) -> tuple[str, int | None]:

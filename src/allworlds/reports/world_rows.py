@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from allworlds.reports.rows import Rows, Value
+from allworlds.reports.rows import CsvRows, Value
 from allworlds.studies.compare import By, InWorld
 from allworlds.world import code_of
 
@@ -22,7 +22,7 @@ def _names(one: InWorld) -> list[Value]:
     return [code_of(one.map), *words, one.map.edge_count, one.map.vertex_count]
 
 
-def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> Rows:
+def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
     """A row for each world and explorer, or for each run.
 
     Args:
@@ -36,7 +36,7 @@ def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> Rows:
             for one in worlds
             for place, cost in one.costs.items()
         ]
-        return Rows(RUN, runs)
+        return CsvRows(RUN, runs)
     every = [*worlds]
     beside = {(one.map, one.member): one.mean for one in every if one.explorer == first}
     rows = [
@@ -47,7 +47,7 @@ def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> Rows:
         ]
         for one in every
     ]
-    return Rows({**WORLD, **COSTS}, rows)
+    return CsvRows({**WORLD, **COSTS}, rows)
 
 
 def _ratio(cost: float, first: float | None) -> float | None:

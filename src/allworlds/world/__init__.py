@@ -85,7 +85,10 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.knowledge import TOLD as TOLD
     from allworlds.world.named import (
         HOLES as HOLES,
+        LIGHTHOUSE as LIGHTHOUSE,
+        WORLD as WORLD,
         AskedWorld as AskedWorld,
+        a_world as a_world,
         map_of_family as map_of_family,
     )
     from allworlds.world.own_condition import (

@@ -8,13 +8,16 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated
 
+from allworlds.document import Text, about
 from allworlds.inputs import (
     SCOPE,
+    Argument,
     InputError,
     Option,
     Request,
     Taken,
     integer_of,
+    one_of,
     parse_json,
     read_text,
     show,
@@ -33,14 +36,46 @@ from allworlds.world.adversary import FORM, PREFIX
 from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import (
+    LIGHTHOUSES,
     GivenLighthouse,
     LighthouseKind,
     lighthouse_kind,
 )
 from allworlds.world.world import World, at_place
 
-HOLES = Option(SCOPE, "P%", "Share of a family's edges to remove [default: none].")
+WORLD = Argument("", "WORLD", "Inline JSON, @file, or a name such as k4, wheel:4, cycle:5.")
+"""An argument of every verb that takes a world."""
+
+LIGHTHOUSE = Option(
+    SCOPE, "KIND", f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}."
+)
+"""An option of most of them."""
+
+HOLES = Option(
+    SCOPE,
+    "P%",
+    "Share of a family's edges to remove [default: none].",
+    told=Annotated[Text | None, about("the share of a family's edges that was removed")],
+)
 """An option of every verb that takes a family."""
+
+
+def a_world(
+    given: object, kind: GivenLighthouse, seed: int | None = None, holes: str | None = None
+) -> World:
+    """The world of a text, as :func:`world_named` has it, or a world that is given as it is.
+
+    Raises:
+        InputError: if it is neither, or a seed or holes are given beside a world.
+    """
+    if isinstance(given, str):
+        return world_named(given, kind, seed, holes)
+    if not isinstance(given, World):
+        raise InputError(f"world = {show(given)} is no World; World(map) makes one of a map")
+    for name, beside in (("seed", seed), ("holes", holes)):
+        if beside is not None:
+            raise InputError(f"{name} = {show(beside)} has no effect on a world that is given")
+    return given
 
 
 def world_named(

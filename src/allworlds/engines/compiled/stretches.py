@@ -130,6 +130,7 @@ class PlayedByStretches:
                     for found in general.findings:
                         tally.find(found)
             yield batch.until, tally
+            yield from self._general.ended_if_silent_after_others(batch.until)
 
     def level(self, unit: LevelRuns) -> Level:
         """The kernel's request for the level of a unit."""

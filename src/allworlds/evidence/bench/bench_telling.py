@@ -8,16 +8,18 @@ from allworlds.evidence.bench.rounds import BenchReport
 from allworlds.reports import (
     Block,
     Cell,
-    Rows,
+    Headline,
+    CsvRows,
     Section,
     Shown,
     ToldFacts,
     ToldResult,
     ToldTable,
     Value,
-    interruption,
+    so_far,
 )
 from allworlds.version import host
+from allworlds.words import plural
 
 
 def bench_telling(report: BenchReport) -> ToldResult:
@@ -40,20 +42,20 @@ def bench_telling(report: BenchReport) -> ToldResult:
         f"Python {made.python}, numba {made.numba}"
     )
     facts = [
-        *interruption(complete=report.complete),
         ("rounds", f"{report.rounds}, in turns; medians"),
         ("machine", machine),
         ("commit", report.commit or "unknown"),
         ("memory", f"{report.peak_mb} MB at most"),
     ]
     blocks: list[Block] = [ToldTable(header, rows, "Side by side"), ToldFacts(facts)]
+    head = so_far(report, Headline("MEASURED", plural(report.rounds, "round")))
     section = Section("seen", "", blocks)
     return ToldResult(
-        "allworlds self bench", "", report, None, [section], rows=lambda: _rows(report)
+        "allworlds self bench", "", report, head, [section], rows=lambda: _rows(report)
     )
 
 
-def _rows(report: BenchReport) -> Rows:
+def _rows(report: BenchReport) -> CsvRows:
     """A row for each contender; ratios are those of the first one's rate to its own."""
     columns = {"name": str, "edges": int, "seconds": float, "worlds_per_second": float}
     ratios = {row.to: row.ratio for row in report.ratios}
@@ -65,7 +67,7 @@ def _rows(report: BenchReport) -> Rows:
             [one.name, one.edges, median(one.seconds), one.worlds_per_second.median, *found]
         )
     spread = {"ratio": float, "ratio_lowest": float, "ratio_highest": float}
-    return Rows({**columns, **spread}, rows)
+    return CsvRows({**columns, **spread}, rows)
 
 
 def _times(ratio: float) -> str:

@@ -7,13 +7,13 @@ from allworlds.reports import (
     Block,
     Cell,
     Headline,
-    Rows,
+    CsvRows,
     Section,
     ToldFacts,
     ToldResult,
     ToldTable,
     Value,
-    interruption,
+    so_far,
 )
 from allworlds.words import plural
 from allworlds.world import code_of
@@ -25,8 +25,7 @@ def mutants_telling(matrix: KillMatrix) -> ToldResult:
     killed = sum(bool(kill.killed_by) for kill in matrix.kill_matrix)
     text = f"{plural(matrix.mutants, 'mutant')}, {killed} killed, "
     text += f"{len(equivalent)} equivalent, worlds with at most {plural(matrix.edges, 'edge')}"
-    facts = interruption(complete=matrix.complete)
-    facts += [("survivor", name) for name in matrix.survivors]
+    facts = [("survivor", name) for name in matrix.survivors]
     blocks: list[Block] = [ToldFacts(facts)] if facts else []
     for kind in ("explorer", "judge", "enumerator"):
         kills = [k for k in matrix.kill_matrix if k.kind == kind and not k.equivalent]
@@ -46,7 +45,7 @@ def mutants_telling(matrix: KillMatrix) -> ToldResult:
     )
 
 
-def _rows(matrix: KillMatrix) -> Rows:
+def _rows(matrix: KillMatrix) -> CsvRows:
     """A row for each mutant, with the smallest world that kills it."""
     columns = {"kind": str, "mutant": str, "killed_by": str, "edges": int, "vertices": int}
     rows = []
@@ -56,15 +55,14 @@ def _rows(matrix: KillMatrix) -> Rows:
             map_ = kill.world.map
             world = [map_.edge_count, map_.vertex_count, code_of(map_, kill.world.start)]
         rows.append([kill.kind, kill.mutant, kill.killed_by, *world])
-    return Rows({**columns, "code": str}, rows)
+    return CsvRows({**columns, "code": str}, rows)
 
 
-def _headline(matrix: KillMatrix, text: str) -> Headline:
+def _headline(matrix: KillMatrix, text: str) -> Headline | None:
+    told = Headline("ALL KILLED", text, "holds")
     if matrix.survivors:
-        return Headline("SURVIVORS", text, "refuted")
-    if matrix.complete:
-        return Headline("ALL KILLED", text, "holds")
-    return Headline("TRIED", text, "inconclusive")
+        told = Headline("SURVIVORS", text, "refuted")
+    return so_far(matrix, told if matrix.kill_matrix else None)
 
 
 def _row(kill: Kill) -> list[Cell]:

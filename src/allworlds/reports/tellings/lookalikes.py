@@ -10,7 +10,7 @@ from allworlds.judging import Walked, true_trail
 from allworlds.maps import Quotient
 from allworlds.protocol import Move, Transcript
 from allworlds.reports.drawing.scene import Scene, scene_of
-from allworlds.reports.rows import Rows
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Block,
     Cell,
@@ -64,14 +64,14 @@ def twins_telling(comparison: ComparedWorlds) -> ToldResult:
     )
 
 
-def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> Rows:
+def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> CsvRows:
     """A row for each dart of each world: darts of one class are not to be told apart."""
     rows = [
         [number, dart, world.map.vertex_of[dart], of_world[dart]]
         for number, (world, of_world) in enumerate(zip(worlds, classes, strict=True), 1)
         for dart in world.map.darts
     ]
-    return Rows({"world": int, "dart": int, "vertex": int, "class": int}, rows)
+    return CsvRows({"world": int, "dart": int, "vertex": int, "class": int}, rows)
 
 
 def _told(comparison: ComparedWorlds) -> Headline:

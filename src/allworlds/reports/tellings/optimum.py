@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from allworlds.reports.rows import Rows
+from collections.abc import Iterable
+
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Cell,
     Headline,
@@ -11,7 +13,7 @@ from allworlds.reports.telling import (
     ToldFacts,
     ToldResult,
     ToldTable,
-    interruption,
+    so_far,
 )
 from allworlds.studies.optimum import OptimumReport, OptimumRow
 from allworlds.words import plural
@@ -25,9 +27,9 @@ MEANING = (
 def optimum_telling(report: OptimumReport) -> ToldResult:
     """A row for each number of edges: the optimum, and the worst cost of each explorer."""
     names = [*report.rows[0].explorers] if report.rows else []
-    rows = [_row(row) for row in report.rows]
+    rows = [_row(row, names) for row in report.rows]
     table = ToldTable(["edges", "runs", "optimum", *names], rows, "Traversals in the worst world")
-    facts = [*interruption(complete=report.complete, stopped=report.stopped), ("optimum", MEANING)]
+    facts = [("optimum", MEANING)]
     if all(row.agrees for row in report.rows):
         text = "each strategy was followed in every world, and costs what was found"
         facts.append(("replay", text))
@@ -42,7 +44,7 @@ def optimum_telling(report: OptimumReport) -> ToldResult:
     )
 
 
-def _rows(report: OptimumReport) -> Rows:
+def _rows(report: OptimumReport) -> CsvRows:
     """A row for each number of edges and explorer, with the explorer's worst cost."""
     columns = {"edges": int, "runs": int, "at_least": int, "optimum": int}
     rows = [
@@ -50,26 +52,27 @@ def _rows(report: OptimumReport) -> Rows:
         for row in report.rows
         for name, cost in row.explorers.items() or [(None, None)]
     ]
-    return Rows({**columns, "explorer": str, "worst": int}, rows)
+    return CsvRows({**columns, "explorer": str, "worst": int}, rows)
 
 
-def _headline(report: OptimumReport) -> Headline:
+def _headline(report: OptimumReport) -> Headline | None:
     wrong = next((row for row in report.rows if not row.agrees), None)
     if wrong is not None:
         return Headline("MISMATCH", _mismatch(wrong), "error")
-    if not report.rows:
-        return Headline("NOTHING", "there is no row")
-    last = report.rows[-1]
-    found = plural(last.optimum if last.optimum is not None else last.at_least, "traversal")
-    more = "" if last.optimum is not None else " or more"
-    return Headline("OPTIMUM", f"{found}{more}, with {plural(last.edges, 'edge')}")
+    done = None
+    if report.rows:
+        last = report.rows[-1]
+        found = plural(last.optimum if last.optimum is not None else last.at_least, "traversal")
+        more = "" if last.optimum is not None else " or more"
+        done = Headline("OPTIMUM", f"{found}{more}, with {plural(last.edges, 'edge')}")
+    return so_far(report, done)
 
 
-def _row(row: OptimumRow) -> list[Cell]:
+def _row(row: OptimumRow, names: Iterable[str]) -> list[Cell]:
     found: Cell = row.optimum
     if row.optimum is None:
         found = Shown(f"{row.at_least} or more", f"{row.at_least} or more")
-    return [row.edges, row.runs, found, *row.explorers.values()]
+    return [row.edges, row.runs, found, *map(row.explorers.get, names)]
 
 
 def _mismatch(row: OptimumRow) -> str:

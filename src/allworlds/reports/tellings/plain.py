@@ -7,7 +7,7 @@ from typing import Any
 
 from allworlds.document import Report
 from allworlds.inputs import show
-from allworlds.reports.rows import Rows, Value
+from allworlds.reports.rows import CsvRows, Value
 from allworlds.reports.telling import (
     Block,
     Cell,
@@ -26,7 +26,7 @@ def plain_telling(report: Report) -> ToldResult:
     """A fact for each key of the document, and a table for each list of objects."""
     facts: list[tuple[str, str]] = []
     tables: list[Block] = []
-    rows = Rows({}, [])
+    rows = CsvRows({}, [])
     for key, value in report.to_json().items():
         if key in ASIDE or value is None:
             continue
@@ -43,14 +43,14 @@ def plain_telling(report: Report) -> ToldResult:
     return ToldResult(type(report).__name__, "", report, headline, [section], rows=lambda: rows)
 
 
-def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> Rows:
+def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> CsvRows:
     """A row for each object; columns that hold anything but numbers are texts."""
     columns = {}
     for name in names:
         kinds = {type(one.get(name)) for one in objects} - {type(None)}
         columns[name] = kinds.pop() if kinds in ({int}, {float}) else str
     rows = [[_value(one.get(name), kind) for name, kind in columns.items()] for one in objects]
-    return Rows(columns, rows)
+    return CsvRows(columns, rows)
 
 
 def _value(value: Any, kind: type) -> Value:

@@ -44,7 +44,7 @@ def play_telling(play: Play) -> ToldResult:
     if play.transcript.steps:
         rows: list[list[Cell]] = [["you", play.transcript.cost]]
         rows += [[NAMES[one.who], one.cost] for one in play.costs]
-        blocks += [ToldTable(["in this world", "traversals"], rows, "Costs in this world")]
+        blocks += [ToldTable(["walked by", "traversals"], rows, "Costs in this world")]
         blocks += [Words(f"{LEAST} {play.not_compared}".rstrip())]
     headline = Headline("PLAYED", plural(play.transcript.cost, "traversal"))
     return ToldResult("allworlds play", "you", play, headline, [Section("walk-1", "", blocks)])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.reports.rows import Rows
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import Headline, Section, Shown, ToldFacts, ToldResult, ToldTable
 from allworlds.reports.tellings.lookalikes import alike, letters
 from allworlds.studies.ambiguity import SearchResult
@@ -27,7 +27,7 @@ def search_telling(result: SearchResult) -> ToldResult:
     )
 
 
-def _rows(result: SearchResult) -> Rows:
+def _rows(result: SearchResult) -> CsvRows:
     """A row for each size that was decided."""
     columns = {"sizes": str, "status": str, "seconds": float, "formula": str, "proof": str}
     rows = [
@@ -37,7 +37,7 @@ def _rows(result: SearchResult) -> Rows:
         ]
         for one in result.levels
     ]
-    return Rows(columns, rows)
+    return CsvRows(columns, rows)
 
 
 def _table(result: SearchResult) -> ToldTable:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from allworlds.engines import SingleRun
 from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk, checked_laws
 from allworlds.protocol import Ambiguous
-from allworlds.reports.rows import Rows, rows_of_walk
+from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.scenes import walk_in_world
 from allworlds.reports.telling import (
     Block,
@@ -34,7 +34,9 @@ def run_telling(run: SingleRun | WorldNames) -> ToldResult:
     if isinstance(run, WorldNames):
         named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
         facts = ToldFacts([(kind, ", ".join(names)) for kind, names in named])
-        rows = Rows({"kind": str, "name": str}, [[kind, one] for kind, of in named for one in of])
+        rows = CsvRows(
+            {"kind": str, "name": str}, [[kind, one] for kind, of in named for one in of]
+        )
         section = Section("names", "", [facts])
         return ToldResult("allworlds run", "names", run, None, [section], rows=lambda: rows)
     said = f"{cost_words(run)}: no law is broken"
