@@ -25,12 +25,12 @@ import inspect
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
-from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
 from random import Random
 from typing import Any, TypeAlias
 
+from allworlds.inputs import did_you_mean
 from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap, Extent, MapClass, rooted_maps
 from allworlds.outcome import Verdict
@@ -119,8 +119,7 @@ def unknown_option(options: Mapping[str, Any]) -> str:
     known = inspect.signature(check).parameters.keys() - {"explore"}
     for name in options:
         if name not in known:
-            near = get_close_matches(name, known, 1)
-            return f"an unknown option {name!r}" + (f"; did you mean {near[0]!r}?" if near else "")
+            return f"an unknown option {name!r}{did_you_mean(name, known)}"
     return ""
 
 

@@ -194,7 +194,7 @@ def test_an_error_in_one_claim_leaves_the_others_and_keeps_its_traceback(monkeyp
 def test_an_error_outweighs_an_interrupt_and_a_refutation():
     wrong = entry(Found("refuted", as_expected(BY_NAME["fig1"]).witnesses))
     failed = entry(InternalError("KeyError: 3", "Traceback ..."), "coq-2m")
-    assert ledger_of(wrong, failed, ending=INTERRUPTED).exit_code == Exit.INTERNAL
+    assert ledger_of(wrong, failed, ending=Interrupted()).exit_code == Exit.INTERNAL
 
 
 def test_a_difference_outweighs_what_is_missing_and_an_interrupt_both():

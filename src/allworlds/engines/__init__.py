@@ -22,7 +22,9 @@
     **the** loop through the levels of a study, with its endings, and what the reports of jobs
     that may end early, and of such studies, have;
 ``single``
-    one run, in this process or in one of its own.
+    one run, in this process or in one of its own;
+``other_worlds``
+    the explorer of a finding in another world that shows what is wrong.
 """
 
 from typing import TYPE_CHECKING
@@ -41,10 +43,6 @@ if TYPE_CHECKING:
         players_for as players_for,
         why_not_compiled as why_not_compiled,
     )
-    from allworlds.engines.isolation.confirm import (
-        confirmed as confirmed,
-        examine_apart as examine_apart,
-    )
     from allworlds.engines.isolation.jobs import Unsettled as Unsettled
     from allworlds.engines.isolation.stderr_stream import patient_stderr as patient_stderr
     from allworlds.engines.isolation.subject_probe import subject_of as subject_of
@@ -61,6 +59,10 @@ if TYPE_CHECKING:
         schedule_costs_of_unit as schedule_costs_of_unit,
     )
     from allworlds.engines.kernel.schedules import search as search
+    from allworlds.engines.other_worlds import (
+        confirmed as confirmed,
+        shown_chirality as shown_chirality,
+    )
     from allworlds.engines.progress import Listener as Listener, Once as Once, Silent as Silent
     from allworlds.engines.python.comparison import nondeterministic as nondeterministic
     from allworlds.engines.python.costs import (

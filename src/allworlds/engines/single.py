@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import nullcontext
 from typing import Annotated
 
 from allworlds.document import (
@@ -23,6 +24,7 @@ from allworlds.document import (
 )
 from allworlds.engines.isolation.confirm import examine_apart, walk_apart
 from allworlds.engines.python.examiner import Examiner, Outcome, Referee, name_run
+from allworlds.engines.python.prints import Silence, printing_to
 from allworlds.engines.units.effort import Limits
 from allworlds.explorers import Subject
 from allworlds.inputs import InputError, show
@@ -33,6 +35,7 @@ from allworlds.judging import (
     RecordedRules,
     Rules,
     Undecided,
+    checked_laws,
     place_of,
     play,
 )
@@ -69,9 +72,11 @@ class SingleRun(Report):
     """
 
     verdict: Annotated[
-        Verdict, about("about this run alone"), one_of(Verdict.HOLDS, Verdict.REFUTED)
+        Verdict,
+        about("about this run alone"),
+        one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS),
     ] = computed(lambda run: run.facts.verdict)
-    exit_code: Annotated[ExitCode, one_of(Exit.HOLDS, Exit.REFUTED)] = EXIT_CODE
+    exit_code: Annotated[ExitCode, one_of(Exit.HOLDS, Exit.REFUTED, Exit.VACUOUS)] = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     world: Annotated[World, about("as it was given")]
     options: Annotated[RecordedRules, about("how it was played and judged")] = computed(
@@ -105,9 +110,14 @@ class SingleRun(Report):
 
     @property
     def facts(self) -> Facts:
-        """Whether a law is broken, or the walk is not the one that the adversary saw."""
+        """Whether a law is broken or none was checked, or the adversary saw another walk."""
         other = self.adversary is not None and not self.adversary.same
-        return Facts(refuted=self.finding is not None or other)
+        return Facts(refuted=self.finding is not None or other, vacuous=not self.checked_laws)
+
+    @property
+    def checked_laws(self) -> tuple[str, ...]:
+        """The laws of which something was checked."""
+        return checked_laws(self.rules.judged, 1, len(self.outcome.episode.checkpoints))
 
     @property
     def ending(self) -> Ending:
@@ -170,7 +180,8 @@ def adversarial_run(
     else:
         at_first, heard = adversary.at_first, rules.choices("", script)
         budget = rules.budget(at_first.map)
-        episode = play(Deciding(adversary), subject.player(), heard, budget)
+        with printing_to(Silence()) if subject.from_user else nullcontext():
+            episode = play(Deciding(adversary), subject.player(), heard, budget)
         walk, choices = episode.transcript.actions, tuple(heard.record)
     deciding = Deciding(adversary)
     for action in walk:

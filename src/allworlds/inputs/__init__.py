@@ -23,6 +23,7 @@ if TYPE_CHECKING:
         an_integer as an_integer,
         are_plain as are_plain,
         at_most as at_most,
+        did_you_mean as did_you_mean,
         ensure_installed as ensure_installed,
         existing_file as existing_file,
         integer as integer,

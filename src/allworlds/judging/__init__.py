@@ -19,6 +19,7 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.judging.endings import (
         BUILT as BUILT,
+        NO_MAP as NO_MAP,
         Answered as Answered,
         Ending as Ending,
         Fault as Fault,
@@ -57,11 +58,7 @@ if TYPE_CHECKING:
     )
     from allworlds.judging.explanations.named_walk import Walked as Walked
     from allworlds.judging.explanations.spending import Spending as Spending
-    from allworlds.judging.explanations.story import (
-        Belief as Belief,
-        Chirality as Chirality,
-        Story as Story,
-    )
+    from allworlds.judging.explanations.story import Belief as Belief, Story as Story
     from allworlds.judging.explanations.whose_bound import tell_whose_bound as tell_whose_bound
     from allworlds.judging.findings.asked_finding import (
         AskedFinding as AskedFinding,
@@ -84,6 +81,7 @@ if TYPE_CHECKING:
         RecordedRules as RecordedRules,
         Rules as Rules,
     )
+    from allworlds.judging.findings.sense_of_rotation import Chirality as Chirality
     from allworlds.judging.findings.walks import (
         recorded_trail as recorded_trail,
         true_trail as true_trail,

@@ -348,7 +348,7 @@ def _raised(error: BaseException) -> Fault:
 def _no_map(error: InvalidMap) -> Fault:
     """The fault of an explorer that raised InvalidMap while it built its answer."""
     built = [
-        f"{BUILT}{frame.filename}, line {frame.lineno}, in {frame.name}: {frame.line}"
+        f"{BUILT}in {frame.filename}, line {frame.lineno}, in {frame.name}: {frame.line}"
         for frame in traceback.extract_tb(error.__traceback__)[1:]
         if not frame.filename.startswith(_OF_MAPS)
     ]

@@ -27,15 +27,15 @@ class InvalidMap(InputError):
     """Raised for a pair of sequences that is no map; the message names the broken law.
 
     Attributes:
-        sigma, alpha: the integers that were tried; empty where it did not come to that.
+        sigma, alpha: the entries that were tried; empty if one of the two is no sequence.
         clash: the entries that break the law, each by the name of its sequence and its dart.
     """
 
     def __init__(
         self,
         message: str,
-        sigma: Sequence[int] = (),
-        alpha: Sequence[int] = (),
+        sigma: Sequence[object] = (),
+        alpha: Sequence[object] = (),
         clash: Iterable[tuple[str, int]] = (),
     ) -> None:
         super().__init__(message)
@@ -55,7 +55,11 @@ class InvalidMap(InputError):
         return "\n\n".join(self._table(row) for row in rows)
 
     def _table(self, darts: range) -> str:
-        lists = {"dart": range(darts.stop), "sigma": self.sigma, "alpha": self.alpha}
+        lists: dict[str, Sequence[object]] = {
+            "dart": range(darts.stop),
+            "sigma": self.sigma,
+            "alpha": self.alpha,
+        }
         cells = {
             name: [self._cell(name, dart, values) for dart in darts]
             for name, values in lists.items()
@@ -66,7 +70,7 @@ class InvalidMap(InputError):
             for name, row in cells.items()
         )
 
-    def _cell(self, name: str, dart: int, values: Sequence[int]) -> str:
+    def _cell(self, name: str, dart: int, values: Sequence[object]) -> str:
         if dart >= len(values):
             return ""
         shown = show(values[dart])
@@ -100,7 +104,8 @@ class CombinatorialMap(Pictured, WrittenByFields):
     alpha: Alpha
 
     def __init__(self, sigma: Iterable[int], alpha: Iterable[int]) -> None:
-        valid_sigma, valid_alpha = _integers("sigma", sigma), _integers("alpha", alpha)
+        tried = {"sigma": _entries("sigma", sigma), "alpha": _entries("alpha", alpha)}
+        valid_sigma, valid_alpha = _integers("sigma", tried), _integers("alpha", tried)
         _check_law(valid_sigma, valid_alpha)
         object.__setattr__(self, "sigma", valid_sigma)
         object.__setattr__(self, "alpha", valid_alpha)
@@ -318,13 +323,17 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
     return tuple(found)
 
 
-def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:
+def _entries(name: str, values: Iterable[object]) -> tuple[object, ...]:
     if isinstance(values, str | bytes | Mapping):
         raise InvalidMap(f"{name} must be a sequence of darts, not {show(values)}")
     try:
-        entries = tuple(values)
+        return tuple(values)
     except TypeError:
         raise InvalidMap(f"{name} must be a sequence of darts, not {show(values)}") from None
+
+
+def _integers(name: str, tried: Mapping[str, tuple[object, ...]]) -> tuple[int, ...]:
+    entries = tried[name]
     if are_plain(entries):
         return entries  # type: ignore[return-value]
     result = []
@@ -332,7 +341,8 @@ def _integers(name: str, values: Iterable[object]) -> tuple[int, ...]:
         try:
             result.append(integer(value))
         except TypeError:
-            raise InvalidMap(f"{name}[{d}] = {show(value)} is not an integer") from None
+            message = f"{name}[{d}] = {show(value)} is not an integer"
+            raise InvalidMap(message, **tried, clash=[(name, d)]) from None
     return tuple(result)
 
 

@@ -23,7 +23,15 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, TypeAlias
 
-from allworlds.inputs import SHOWN, InputError, existing_file, let_users_interrupt, read_text, show
+from allworlds.inputs import (
+    SHOWN,
+    InputError,
+    did_you_mean,
+    existing_file,
+    let_users_interrupt,
+    read_text,
+    show,
+)
 
 Argument: TypeAlias = int | bool | str
 """The value of an argument in a name."""
@@ -123,7 +131,7 @@ def find_code(what: str, name: str, entry_points: str, known: tuple[str, ...] = 
         legal = ", ".join(sorted({*known, *points}))
         raise InputError(
             f"{what} {show(name)} is not one of {legal}, path/to/file.py:attribute or "
-            "module:attribute"
+            f"module:attribute{did_you_mean(name, {*known, *points})}"
         )
     source = text_of(place)
     if source is not None:

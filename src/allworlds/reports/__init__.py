@@ -56,7 +56,7 @@ if TYPE_CHECKING:
         parquet_of as parquet_of,
         text as text,
     )
-    from allworlds.reports.rows import CsvCsvRows as CsvRows, Value as Value
+    from allworlds.reports.rows import CsvRows as CsvRows, Value as Value
     from allworlds.reports.telling import (
         Block as Block,
         Cell as Cell,

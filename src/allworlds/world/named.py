@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated
 
@@ -16,6 +15,7 @@ from allworlds.inputs import (
     Option,
     Request,
     Taken,
+    did_you_mean,
     integer_of,
     one_of,
     parse_json,
@@ -191,8 +191,7 @@ def _hint(name: str) -> str:
     if Path(name).suffix == ".json":
         return f"; to read a file write {show('@' + name)}"
     known = [*named_maps(), *(entry.name for entry in own_corpus().of_kind("world"))]
-    meant = get_close_matches(name.lower(), known, 1)
-    return f"; did you mean {meant[0]!r}?" if meant else ""
+    return did_you_mean(name, known)
 
 
 def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:

@@ -66,9 +66,15 @@ def examine_apart(
         twice = PlayedTwice(engine, subject.name, players)
         placed = {0: OneRun(0, place, canonical)}
         ((_, outcome),) = twice.outcomes(unit, placed, given=script)
+    if isinstance(outcome, Outcome) and not subject.importable:
+        record = _record_of(rules, canonical, outcome.episode.transcript, outcome.choices)
+        return replace(outcome, output=InProcessPlayers(subject).printed(record, rules.policy))
     with Overheard() as heard:
         setup = PlayerSetup.of(subject, limits, heard.path)
-        if not isinstance(outcome, Outcome):
+        if isinstance(outcome, Outcome):
+            record = _record_of(rules, canonical, outcome.episode.transcript, outcome.choices)
+            _log_of(record, rules.policy, setup, hash_seed or 0)
+        else:
             log, _ = _traced(Trace(rules, canonical, "one", script), setup, hash_seed)
             outcome = Outcome(
                 Episode(log[0], (), outcome),
@@ -78,11 +84,6 @@ def examine_apart(
                 rules.the_bound.of(world.map, world.start),
                 hash_seed,
             )
-        elif subject.importable:
-            percepts = tuple(outcome.episode.transcript.percepts)
-            budget, name = rules.budget(canonical.map), name_run(rules, canonical)
-            record = Record(percepts, canonical.told, outcome.choices, budget, name)
-            _log_of(record, rules.policy, setup, hash_seed or 0)
     return replace(outcome, output=heard.text)
 
 
@@ -118,14 +119,16 @@ def _players(subject: Subject, limits: Limits, hash_seed: int | None) -> Iterato
         pair.close()
 
 
-def confirmed(finding: Finding, subject: Subject, limits: Limits, schedules: Schedule) -> Finding:
+def played_again(
+    finding: Finding, subject: Subject, limits: Limits, schedules: Schedule
+) -> Finding:
     """The finding with the prints of a fresh process, and whether that repeated the run.
 
     A finding whose run was lost is traced, and so gets its walk.  An explorer that no other
-    process can import is not confirmed.
+    process can import is not confirmed; it plays once more in this process, for its prints.
     """
     if not subject.importable and subject.from_user:
-        return finding
+        return replace(finding, output=InProcessPlayers(subject).printed(*_recorded(finding)))
     with Overheard() as heard:
         setup = PlayerSetup.of(subject, limits, heard.path)
         if finding.traced:
@@ -140,28 +143,40 @@ def repeat(finding: Finding, setup: PlayerSetup) -> bool:
 
     A nondeterministic explorer is confirmed by another walk.
     """
-    rules, world = finding.rules, finding.world
-    record = Record(
-        tuple(finding.transcript.percepts),
-        world.told,
-        finding.choices,
-        rules.budget(world.map),
-        name_run(rules, world),
-        any_answer=not rules.task.is_map,
-        over=rules.task.over_at_the_end(world, finding.transcript),
-    )
+    record, policy = _recorded(finding)
     if finding.law != "nondeterministic":
-        log = _log_of(record, rules.policy, setup, _seed_of(finding))
+        log = _log_of(record, policy, setup, _seed_of(finding))
         return log is not None and _same_walk(finding, log) and _ends_alike(finding, log)
     # It may go by addresses, and by chance do the same in some of the processes.
     for seed in range(1, SEEDS):
-        log = _log_of(record, rules.policy, setup, seed)
+        log = _log_of(record, policy, setup, seed)
         setup = replace(setup, output=os.devnull)  # what the first has printed is enough
         if log is None:
             return False
         if not _same_walk(finding, log):
             return True
     return False
+
+
+def _recorded(finding: Finding) -> tuple[Record, str]:
+    """The record of a finding's run, and its policy."""
+    rules, world = finding.rules, finding.world
+    record = _record_of(rules, world, finding.transcript, finding.choices)
+    return record, rules.policy
+
+
+def _record_of(
+    rules: Rules, world: World, transcript: Transcript, choices: tuple[int, ...]
+) -> Record:
+    return Record(
+        tuple(transcript.percepts),
+        world.told,
+        choices,
+        rules.budget(world.map),
+        name_run(rules, world),
+        any_answer=not rules.task.is_map,
+        over=rules.task.over_at_the_end(world, transcript),
+    )
 
 
 def _log_of(record: Record, policy: str, setup: PlayerSetup, hash_seed: int) -> Log | None:

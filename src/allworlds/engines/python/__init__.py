@@ -14,6 +14,8 @@
     a user's explorer, which plays every run twice, and the comparison of both plays;
 ``partial_world``
     a world that is decided where the robot looks;
+``prints``
+    what the explorer prints in one run, escaped and limited;
 ``tour``
     hash seeds and address layouts of the players of both plays, in turn;
 ``tally``

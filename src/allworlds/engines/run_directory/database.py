@@ -218,7 +218,9 @@ def reading(path: Path) -> Iterator[Database]:
 
 
 def _connected(address: str) -> sqlite3.Connection:
-    return sqlite3.connect(address, BUSY, isolation_level=None, uri=True, check_same_thread=False)
+    return sqlite3.connect(
+        address, timeout=BUSY, isolation_level=None, uri=True, check_same_thread=False
+    )
 
 
 def _quoted(path: Path) -> str:

@@ -8,8 +8,8 @@ from allworlds.evidence.bench.rounds import BenchReport
 from allworlds.reports import (
     Block,
     Cell,
-    Headline,
     CsvRows,
+    Headline,
     Section,
     Shown,
     ToldFacts,

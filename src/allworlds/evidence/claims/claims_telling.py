@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from allworlds.evidence.claims.ledger import CheckedClaim, ClaimsReport
 from allworlds.reports import (
     Block,
-    Headline,
     CsvRows,
+    Headline,
     Section,
     Suite,
     ToldCase,

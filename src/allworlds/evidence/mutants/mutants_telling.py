@@ -6,8 +6,8 @@ from allworlds.evidence.mutants.matrix import Kill, KillMatrix
 from allworlds.reports import (
     Block,
     Cell,
-    Headline,
     CsvRows,
+    Headline,
     Section,
     ToldFacts,
     ToldResult,

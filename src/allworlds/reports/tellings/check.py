@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from allworlds.engines import Given, Row, Sample, Shard, tried_places
-from allworlds.judging import Finding, checked_laws
+from allworlds.judging import Finding
 from allworlds.maps import source_of
 from allworlds.outcome import Disagreed, Verdict
 from allworlds.reports.rows import CsvRows
@@ -24,7 +24,7 @@ from allworlds.reports.telling import (
     Words,
     fact,
 )
-from allworlds.reports.tellings.finding import finding_section
+from allworlds.reports.tellings.finding import finding_section, nothing_checked
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
 from allworlds.reports.tellings.scope import SAID, of_the_class, options_told, places_told
 from allworlds.studies.check import (
@@ -134,18 +134,27 @@ def verdict_of(report: CheckReport) -> Headline:
         case Verdict.INCONCLUSIVE:
             text = f"{report.ending.reason}; in {where} no law is broken ({done})"
         case Verdict.VACUOUS:
-            text = "a witness is missing" if report.runs else "the scope holds no run"
+            text = _vacuous(report)
         case Verdict.ERROR:
             text = report.ending.reason
     return Headline(report.verdict.value.upper(), text, report.verdict.value)
 
 
+def _vacuous(report: CheckReport) -> str:
+    """The reason why a complete check says nothing."""
+    if not report.runs:
+        return "the scope holds no run"
+    if not report.checked_laws:
+        return nothing_checked(report.asked.rules)
+    return "a witness is missing"
+
+
 def _in_shard(report: CheckReport) -> str:
     """A remark that this is only a shard; empty for a whole check."""
-    shard = report.asked.coverage
+    shard = report.asked.portion
     if not isinstance(shard, Shard):
         return ""
-    return f" in shard {shard}; the verdict on every world needs the merge of all shards"
+    return f" in shard {shard}; the verdict on the whole needs the merge of all shards"
 
 
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
@@ -228,10 +237,11 @@ def _schedules(report: CheckReport) -> str:
 
 def _laws(report: CheckReport) -> str:
     rules = report.asked.rules
-    published = report.tally.checkpoints
-    checked = checked_laws(rules.judged, report.runs, published)
-    if not checked:
+    published, checked = report.tally.checkpoints, report.checked_laws
+    if not report.runs:
         return "no run was made, so no law was checked"
+    if not checked:
+        return nothing_checked(rules)
     bound = f"bound ({rules.the_bound.name})"
     laws = ", ".join(bound if law == "bound" else law for law in checked)
     if published:
@@ -374,10 +384,8 @@ def _whole(report: CheckReport) -> Iterator[ToldCase]:
         yield ToldCase("engines", "error", "engines-disagree", "two engines disagree", told)
     if not report.complete or not report.asked.whole:
         return
-    if not report.runs:
-        yield ToldCase(
-            "witnesses", "failure", "vacuous", "nothing was checked: the scope holds no run"
-        )
+    if not report.checked_laws:
+        yield ToldCase("witnesses", "failure", "vacuous", _vacuous(report))
     elif report.missing_witnesses:
         missing = f"never seen: {', '.join(report.missing_witnesses)}"
         yield ToldCase("witnesses", "failure", "vacuous", missing)

@@ -6,7 +6,7 @@ import json
 from dataclasses import replace
 
 from allworlds.engines import SingleRun
-from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk, checked_laws
+from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk
 from allworlds.protocol import Ambiguous
 from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.scenes import walk_in_world
@@ -22,7 +22,12 @@ from allworlds.reports.telling import (
     Words,
     fact,
 )
-from allworlds.reports.tellings.finding import answer_view, finding_section, printed
+from allworlds.reports.tellings.finding import (
+    answer_view,
+    finding_section,
+    nothing_checked,
+    printed,
+)
 from allworlds.reports.tellings.shown_map import known
 from allworlds.studies.replay import Replay
 from allworlds.studies.run import WorldNames, hypotheses_in
@@ -40,6 +45,8 @@ def run_telling(run: SingleRun | WorldNames) -> ToldResult:
         section = Section("names", "", [facts])
         return ToldResult("allworlds run", "names", run, None, [section], rows=lambda: rows)
     said = f"{cost_words(run)}: no law is broken"
+    if not run.checked_laws:
+        said = f"{nothing_checked(run.rules)}; {cost_words(run)}"
     if run.adversary and not run.adversary.same:
         said = f"{run.explorer} did not walk as against {run.adversary.name}: not deterministic"
     if run.finding:
@@ -92,8 +99,7 @@ def _section(run: SingleRun) -> Section:
     if run.finding:
         return finding_section(run.finding, checked=False)
     told = run_section(run, "walk-1")
-    shown = len(run.outcome.episode.checkpoints)
-    laws = fact("laws", ", ".join(checked_laws(run.rules.judged, 1, shown)))
+    laws = fact("laws", ", ".join(run.checked_laws) or nothing_checked(run.rules))
     return replace(told, blocks=[*told.blocks, *_decided(run), *printed(run.outcome.output), laws])
 
 

@@ -117,7 +117,6 @@ def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
     """Method for Algorithm 1: the compiled search."""
     tests = sum(row.tests or 0 for row in report.rows)
     wrong = sum(row.wrong_tests or 0 for row in report.rows)
-    verdict = "all rejected" if not wrong else f"{number(wrong)} CONFIRMED"
     scope = (
         f"every schedule of algorithm1 in {maps_words(report)}, from every vertex; transit on {way}"
     )
@@ -128,8 +127,15 @@ def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
     return [
         ("scope", scope),
         ("costs", costs),
-        ("tests", f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}"),
+        ("tests", _tests(tests, wrong)),
     ]
+
+
+def _tests(tests: int, wrong: int) -> str:
+    if not tests:
+        return "no hypothesis was false, so no test of one was walked"
+    verdict = "all rejected" if not wrong else f"{number(wrong)} CONFIRMED"
+    return f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}"
 
 
 _WAYS = {"shortest": "a shortest path", "simple": "any simple path"}

@@ -37,7 +37,7 @@ from allworlds.engines import (
     tried_places,
 )
 from allworlds.explorers import files_of_explorer
-from allworlds.judging import Finding
+from allworlds.judging import Finding, checked_laws
 from allworlds.maps import Extent, source_of
 from allworlds.outcome import Completed, Verdict
 from allworlds.studies.check.gate import GateCell
@@ -187,7 +187,12 @@ class CheckReport(EndedReport):
     @override
     def empty(self) -> bool:
         lacking = isinstance(self.ending, Completed) and self.ending.missing
-        return not self.tally.runs or bool(lacking)
+        return not self.checked_laws or bool(lacking)
+
+    @property
+    def checked_laws(self) -> tuple[str, ...]:
+        """The laws of which something was checked."""
+        return checked_laws(self.asked.rules.judged, self.tally.runs, self.tally.checkpoints)
 
     @property
     def judged(self) -> Verdict:
