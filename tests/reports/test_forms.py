@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from allworlds import reports
-from allworlds.reports import FORMATS, Rows, file_of, formats_of
+from allworlds.reports import FORMATS, CsvRows, file_of, formats_of
 from allworlds.reports.csv_rows import csv_rows
 from allworlds.reports.plain_text import brief, text
 from allworlds.reports.telling import Headline, Section, Shown, ToldFacts, ToldResult, ToldTable
@@ -142,7 +142,9 @@ def test_a_cell_has_a_text_for_people():
 
 
 def test_rows_are_numbers_and_words_and_a_missing_one_is_an_empty_cell():
-    rows = Rows({"name": str, "costs": int, "much": float}, [["a|b", 1000, 2.5], ["=1", None, 3.0]])
+    rows = CsvRows(
+        {"name": str, "costs": int, "much": float}, [["a|b", 1000, 2.5], ["=1", None, 3.0]]
+    )
     told = dataclasses.replace(telling(None, CELLS), rows=lambda: rows)
     assert csv_rows(told) == "name,costs,much\na|b,1000,2.5\n=1,,3.0\n"
     assert rows.records[1] == {"name": "=1", "costs": None, "much": 3.0}

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import islice
 
+from allworlds.document import replace
 from allworlds.engines.isolation.confirm import played_again
 from allworlds.engines.single import single_run
 from allworlds.engines.units.effort import Limits
