@@ -448,7 +448,7 @@ class Host(Document):
     cores: Annotated[Positive | None, about("of all processors")]
     load: Annotated[Figure, about("processes that wanted a core, averaged over the last minute")]
     python: Annotated[Text, about("the version of Python")]
-    numba: Annotated[Text, about("the version of the compiler")]
+    numba: Annotated[Text | None, about("the version of the compiler; null: there is none")]
 
 
 class MadeBy(Document):

@@ -165,7 +165,7 @@ def test_it_is_told_whose_the_bound_is(rules, said, answering):
 
 @pytest.mark.parametrize("bound", ["2*m", "m"])
 def test_another_bound_is_proposed_than_the_one_that_was_asked_for(bound, finding_of):
-    finding = replace(finding_of("walks-too-much"), rules=Rules(bound=bound), expected=1)
+    finding = replace(finding_of("walks-too-much"), under=Rules(bound=bound), expected=1)
     (proposed,) = re.findall(r"such as --bound '(.*)'", " ".join(tell_whose_bound(finding)))
     assert proposed != bound
 

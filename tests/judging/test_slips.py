@@ -1,10 +1,9 @@
 """Slips that are recognised: each claim is compared with what was done to a right answer."""
 
-from dataclasses import replace
-
 import pytest
 
 from allworlds import CombinatorialMap, Move
+from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.explorers import algorithm1
 from allworlds.judging import Belief, Chirality, Story, explain, same_map

@@ -32,7 +32,7 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.engines.compiled.sizes import WALKED_FROM as WALKED_FROM
+    from allworlds.engines.compiled.sizes import COMPILER as COMPILER, WALKED_FROM as WALKED_FROM
     from allworlds.engines.ended_report import EndedReport as EndedReport, RowsReport as RowsReport
     from allworlds.engines.engine_table import (
         ENGINES as ENGINES,

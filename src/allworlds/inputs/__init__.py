@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         existing_file as existing_file,
         integer as integer,
         integer_of as integer_of,
+        lack_of as lack_of,
         let_users_interrupt as let_users_interrupt,
         one_of as one_of,
         parse_json as parse_json,

@@ -145,8 +145,13 @@ def ensure_installed(package: str, extra: str, what: str) -> None:
     Raises:
         InputError: saying what needs it, and which extra brings it.
     """
-    if find_spec(package) is None:
-        raise InputError(f"{what} needs {package}: {INSTALL.format(extra)}")
+    if lack := lack_of(package, extra):
+        raise InputError(f"{what} {lack}")
+
+
+def lack_of(package: str, extra: str) -> str:
+    """The words that a package is needed, and which extra brings it; empty if it is installed."""
+    return "" if find_spec(package) else f"needs {package}: {INSTALL.format(extra)}"
 
 
 def parse_json(text: str, kind: type[InputError] = InputError) -> Any:

@@ -22,6 +22,7 @@ from allworlds.document import (
     computed,
 )
 from allworlds.engines import (
+    COMPILER,
     GATE,
     WHOLE,
     LevelUnit,
@@ -33,7 +34,7 @@ from allworlds.engines import (
     here_or,
     told_scope,
 )
-from allworlds.inputs import answers
+from allworlds.inputs import answers, lack_of
 from allworlds.maps import Extent, MapClass, automorphisms, source_of
 from allworlds.outcome import Ending
 from allworlds.studies.count.count_request import CountRequest
@@ -182,7 +183,7 @@ class Enumerate:
         """Count the maps of the unit, and yield results from time to time."""
         extent = self.extent
         plain = extent.map_class is MapClass.MAPS and extent.where is None
-        if plain and unit.edges > UNROOTED_LIMIT:
+        if plain and unit.edges > UNROOTED_LIMIT and not lack_of(*COMPILER):
             yield count_compiled(extent, unit)
         else:
             yield from count_one_by_one(extent, unit)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
+from allworlds.document import replace
 from allworlds.engines import Limits, shown_chirality, single_run, subject_of
 from allworlds.inputs import InputError, answers, show
 from allworlds.judging import (

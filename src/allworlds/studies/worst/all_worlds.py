@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from typing_extensions import override
 
 from allworlds.engines import (
+    COMPILER,
     WHOLE,
     Dask,
     Identity,
@@ -21,7 +22,7 @@ from allworlds.engines import (
     cells_of_level,
 )
 from allworlds.explorers import algorithm1, load
-from allworlds.inputs import InputError, an_integer, answers, show
+from allworlds.inputs import InputError, an_integer, answers, ensure_installed, show
 from allworlds.judging import Answered, AskedRules, default_step_budget, paper_bound, play
 from allworlds.maps import CombinatorialMap, Extent, MapClass
 from allworlds.outcome import Ending
@@ -73,6 +74,7 @@ def worst(request: WorstRequest) -> WorstReport:
         edges = _edges(request, OTHERS_EDGES)
         extent = Extent(request.map_class, edges, where=request.where)
         return runs_asked(request, extent).answer(request.run)
+    ensure_installed(*COMPILER, "worst of algorithm1")
     extent = Extent(request.map_class, _edges(request, DEFAULT_EDGES))
     if not extent.map_class.plain:
         raise InputError(
