@@ -162,10 +162,10 @@ def large_worlds() -> Iterator[str]:
         told = [
             _with_interval(
                 f"**{mean:,.0f}**" if mean == min(means) else f"{mean:,.0f}",
-                mean_interval(some),
+                "exact" if growth().exact_sizes(last, name) else mean_interval(some),
                 ",.0f",
             )
-            for mean, some in zip(means, costs, strict=True)
+            for name, mean, some in zip(FOUR, means, costs, strict=True)
         ]
         own = [row for row in last if row["explorer"] == FOUR[0]]
         runs, places = (sum(int(row[name]) for row in own) for name in ("runs", "places"))
@@ -179,26 +179,31 @@ def ratios() -> Iterator[str]:
     yield f"| family | m | {COLUMNS.partition(' | ')[2]} |"
     yield f"|---|---:|{'---:|' * (len(FOUR) - 1)}"
     for family, rows in _families():
-        first, *others = (growth().costs(rows, name)[_largest(rows)] for name in FOUR)
+        m = _largest(rows)
+        first, *others = (growth().costs(rows, name)[m] for name in FOUR)
+        exact = all(m in growth().exact_sizes(rows, name) for name in FOUR)
         told = []
         for costs in others:
             found = geometric_mean([b / a for a, b in zip(first, costs, strict=True)])
             assert found is not None
-            told.append(_with_interval(f"{found[0]:.3f}", found[1], ".3f"))
-        yield f"| {family} | {_largest(rows)} | {' | '.join(told)} |"
+            told.append(_with_interval(f"{found[0]:.3f}", "exact" if exact else found[1], ".3f"))
+        yield f"| {family} | {m} | {' | '.join(told)} |"
 
 
 def exponents() -> Iterator[str]:
-    """A row a family: exponents with their intervals, and a sign where no power law fits."""
+    """A row a family: exponents with their intervals and residuals, and a word where none fits."""
     yield f"| family | m | {COLUMNS} |"
     yield f"|---|---|{'---:|' * len(FOUR)}"
     for family, rows in _families():
         told = []
         for name in FOUR:
-            law = power_law(growth().costs(rows, name))
+            costs, exact = growth().costs(rows, name), growth().exact_sizes(rows, name)
+            law = power_law(costs, exact)
             assert law is not None
             sign = "" if law.fits else f" *{law.shape}*"
-            told.append(_with_interval(f"{law.exponent:.2f}", law.interval, ".2f") + sign)
+            ends = "exact" if exact == set(costs) else law.interval
+            found = _with_interval(f"{law.exponent:.2f}", ends, ".2f")
+            told.append(f"{found} ±{law.residual:.2f}{sign}")
         least = min(int(row["edges"]) for row in rows)
         yield f"| {family} | {least}..{_largest(rows)} | {' | '.join(told)} |"
 
@@ -211,10 +216,12 @@ def _largest(rows: list[dict[str, str]]) -> int:
     return max(int(row["edges"]) for row in rows)
 
 
-def _with_interval(text: str, interval: tuple[float, float] | None, form: str) -> str:
-    """The text with its interval, if it has one; one that is a single number is left out."""
+def _with_interval(text: str, interval: tuple[float, float] | str | None, form: str) -> str:
+    """The text with its interval, or with the word that stands for it, if it has one."""
     if interval is None:
         return text
+    if isinstance(interval, str):
+        return f"{text} ({interval})"
     low, high = (format(end, form) for end in interval)
     return f"{text} ({low}..{high})"
 

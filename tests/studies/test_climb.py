@@ -6,6 +6,7 @@ import json
 import sys
 from itertools import combinations
 from math import log
+from statistics import mean
 
 import pytest
 
@@ -64,6 +65,7 @@ def test_isomorphic_worlds_count_once_and_every_direction_is_run():
     told = compare("algorithm1", "greedy", family="torus", to=18, worlds=10)
     one, other = told.rows
     assert (one.seeds, one.worlds, one.places, one.runs) == (10, 1, 4, 4)
+    assert (one.drawn_from, one.exact, one.interval) == (1, True, None)
     # Of one world `compare` without `to` walks in every place too.
     (row,) = compare("algorithm1", "greedy", family="torus:3x3", seed=1).rows
     assert {"algorithm1": one.mean, "greedy": other.mean} == row.mean
@@ -79,6 +81,40 @@ def test_no_two_worlds_of_a_size_are_isomorphic_and_every_seed_is_isomorphic_to_
         assert not rooted_isomorphism(a, 0, b, 0)
     for member in size:
         assert sum(bool(rooted_isomorphism(member.map(), 0, b, 0)) for b in kept) == 1
+
+
+@pytest.mark.parametrize(
+    ("seeds", "places", "exact"), [(30, 4, True), (3, 4, False), (30, 2, False)]
+)
+def test_a_sample_is_exact_if_it_is_the_whole_family_in_every_place(seeds, places, exact):
+    asked = {"family": "lattice", "to": 12, "worlds": seeds, "places": places}
+    report = compare("algorithm1", "greedy", **asked)
+    one, other = report.rows
+    # A square of 3 x 3 vertices has 24 darts, and 4 turns carry it to itself.
+    assert one.drawn_from == 24 // 4
+    assert (one.worlds == 6, one.exact, other.exact) == (seeds == 30, exact, exact)
+    (ratio,) = report.ratios
+    assert ratio.exact == exact
+    assert (ratio.interval is None) == (one.interval is None) == (exact or seeds == 3)
+    assert ("every world that seeds draw" in text_of("compare", report, 200)) == exact
+
+
+def test_every_start_of_an_exact_sample_has_the_same_chance():
+    (row,) = compare("greedy", family="lattice", to=12, worlds=30, places=4).rows
+    map_ = map_of_family("lattice:3x3", None, 1)
+    means = []
+    for start in map_.darts:
+        rooted = CombinatorialMap(*rooted_code(map_.sigma, map_.alpha, start))
+        places = Directional.places(rooted, 0)
+        costs = [run("greedy", World(rooted, place)).cost for place in places]
+        means.append(mean(costs))
+    assert row.mean == pytest.approx(mean(means))
+
+
+@pytest.mark.parametrize("family", ["dense", "cubic", "bouquet", "corridor"])
+def test_a_family_of_which_seeds_draw_more_than_the_start_is_never_exact(family):
+    (row, *_) = compare("greedy", family=family, to=30, worlds=2).rows
+    assert (row.drawn_from, row.exact) == (None, False)
 
 
 def test_of_many_places_a_sample_is_drawn_and_said():
@@ -118,6 +154,8 @@ def grown(costs, explorers=("who",)):
             vertices=m // 2,
             explorer=name,
             seeds=len(some),
+            drawn_from=None,
+            exact=False,
             members=tuple(
                 GrownWorld(
                     name=f"t --seed {i}", edges=m, places=1, ran=(0,), costs=(c,), bound=None
@@ -240,6 +278,18 @@ def test_by_world_the_csv_has_a_line_for_each_world_and_explorer(report):
         assert float(row["ratio"]) == pytest.approx(float(row["mean"]) / first, abs=1e-6)
 
 
+def test_by_size_the_csv_has_a_line_for_each_row_with_its_ratio(report):
+    rows = report.records("size")
+    assert [(r["family"], r["edges"], r["explorer"], r["mean"]) for r in rows] == [
+        (row.family, row.edges, row.explorer, row.mean) for row in report.rows
+    ]
+    assert [r["ratio"] for r in rows if r["ratio"]] == [one.ratio for one in report.ratios]
+    assert len(report.records("world")) == sum(row.worlds for row in report.rows)
+    assert report.records() == report.records("run")
+    with pytest.raises(InputError, match="by 'edge' is not one of size, world, run"):
+        report.records("edge")
+
+
 @pytest.mark.slow
 def test_the_plot_is_the_same_for_the_same_report(report):
     pytest.importorskip("matplotlib")
@@ -279,7 +329,7 @@ def test_a_plot_without_what_draws_is_refused_before_anything_is_walked(refused,
         ({"family": ["strip"], "worlds": 0}, "worlds = 0"),
         ({"family": ["strip"], "places": 0}, "places = 0"),
         ({"family": ["strip"], "seed": -1}, "seed = -1"),
-        ({"family": ["strip"], "by": "map"}, "by 'map' is not one of world, run"),
+        ({"family": ["strip"], "by": "map"}, "by 'map' is not one of size, world, run"),
         ({"family": []}, "family"),
     ],
 )

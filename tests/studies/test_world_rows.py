@@ -75,6 +75,13 @@ def test_without_by_there_is_a_row_for_each_size_and_explorer():
     report = compare("algorithm1", "greedy", edges=2)
     assert len(rows_of(report)) == 2 * len(report.rows)
     assert report.in_worlds == ()
+    with pytest.raises(InputError, match="by world: these rows are kept if compare has"):
+        report.records("world")
+
+
+def test_rows_without_a_file_are_refused(refused):
+    words = ("greedy", "algorithm1", "--edges", 2, "--by", "world")
+    assert refused("compare", *words) == "allworlds: by world has no effect without --csv\n"
 
 
 def test_one_world_of_a_family_has_its_family_and_seed():

@@ -151,7 +151,11 @@ if TYPE_CHECKING:
         Gluing as Gluing,
         prefixes as prefixes,
     )
-    from allworlds.maps.families import FORMS as FORMS, edges_of as edges_of
+    from allworlds.maps.families import (
+        FORMS as FORMS,
+        edges_of as edges_of,
+        rootings as rootings,
+    )
     from allworlds.maps.matching import augmented as augmented
     from allworlds.maps.networks import from_planar_embedding as from_planar_embedding
     from allworlds.maps.quotient import (

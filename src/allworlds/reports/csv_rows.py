@@ -21,10 +21,10 @@ def csv_rows(telling: ToldResult) -> str:
 
 def parquet_rows(telling: ToldResult) -> bytes:
     """A file of Parquet with these rows, a column for each name and of its type."""
-    from pyarrow import BufferOutputStream, Table, float64, int64, schema, string
+    from pyarrow import BufferOutputStream, Table, bool_, float64, int64, schema, string
     from pyarrow.parquet import write_table
 
-    kinds = {int: int64(), float: float64(), str: string()}
+    kinds = {int: int64(), float: float64(), str: string(), bool: bool_()}
     found, out = rows_of(telling), BufferOutputStream()
     columns = schema([(name, kinds[kind]) for name, kind in found.columns.items()])
     write_table(Table.from_pylist(found.records, schema=columns), out)

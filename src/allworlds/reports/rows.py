@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 from allworlds.protocol import Action, Percept
 from allworlds.reports.telling import ToldWalk
 
-Value: TypeAlias = int | float | str | None
+Value: TypeAlias = int | float | str | bool | None
 """A value of a row; None where there is none."""
 
 
@@ -18,7 +18,7 @@ class CsvRows:
     """Rows for programs.
 
     Attributes:
-        columns: the type of each column, ``int``, ``float`` or ``str``, by its name.
+        columns: the type of each column, ``int``, ``float``, ``str`` or ``bool``, by its name.
         rows: a value for each column.
     """
 

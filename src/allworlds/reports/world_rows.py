@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from allworlds.engines import By
 from allworlds.reports.rows import CsvRows, Value
-from allworlds.studies.compare import By, InWorld
+from allworlds.studies.compare import InWorld
 from allworlds.world import code_of
 
 NAMES = {"code": str, "family": str, "holes": str, "seed": int, "edges": int, "vertices": int}
 RUN = {**NAMES, "explorer": str, "place": int, "cost": int, "bound": int}
-WORLD = {**NAMES, "explorer": str, "runs": int, "places": int}
+WORLD = {**NAMES, "drawn_from": int, "explorer": str, "runs": int, "places": int}
 COSTS = {"mean": float, "worst": int, "bound": int, "ratio": float}
 
 
@@ -41,8 +42,8 @@ def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
     beside = {(one.map, one.member): one.mean for one in every if one.explorer == first}
     rows = [
         [
-            *(*_names(one), one.explorer, len(one.costs), one.places, round(one.mean, 6)),
-            *(max(one.costs.values()), one.bound),
+            *(*_names(one), one.drawn_from, one.explorer, len(one.costs), one.places),
+            *(round(one.mean, 6), max(one.costs.values()), one.bound),
             _ratio(one.mean, beside.get((one.map, one.member))),
         ]
         for one in every

@@ -75,7 +75,8 @@ def _cells(report: Comparison, row: ComparedRow) -> list[Cell]:
     return cells
 
 
-SIZES = {"edges": int, "vertices": int, "worlds": int, "explorer": str, "mean": float, "worst": int}
+SIZES = {"edges": int, "vertices": int, "worlds": int, "explorer": str}
+COSTS = {"mean": float, "worst": int, "ratio": float}
 TIMES = {"less": int, "equal": int, "more": int}
 
 
@@ -84,15 +85,15 @@ def _rows(report: Comparison) -> CsvRows:
 
     The first explorer is compared with each other one.
     """
-    if report.by is not None:
-        return rows_of_worlds(report.in_worlds, report.names[0], report.by)
+    if report.by in ("world", "run"):
+        return rows_of_worlds(report.worlds_kept, report.names[0], report.by)
     rows = []
     for row in report.rows:
         for name in report.names:
             times = [which.get(name) for which in (row.less, row.equal, row.more)]
-            costs = [row.mean[name], row.worst[name]]
+            costs = [row.mean[name], row.worst[name], row.ratio[name]]
             rows.append([row.edges, row.vertices, row.worlds, name, *costs, *times])
-    return CsvRows({**SIZES, **TIMES}, rows)
+    return CsvRows({**SIZES, **COSTS, **TIMES}, rows)
 
 
 def _facts(report: Comparison) -> list[tuple[str, str]]:
@@ -101,6 +102,10 @@ def _facts(report: Comparison) -> list[tuple[str, str]]:
     words = [*explorers_told(report), ("scope", scope), *options_told(report, SAID)]
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))
+    first = short_names(report.names)[0]
+    exact = "; exact" if report.whole else ""
+    ratio = f"of the means in each map, to that of {first}: the geometric mean over the maps{exact}"
+    words.append(("ratio", ratio))
     if report.rows:
         words += [("in all", _in_all(report, name)) for name in report.names[1:]]
     most = report.differ_most

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from random import Random
+from typing import Self
 
 from typing_extensions import override
 
@@ -18,7 +19,7 @@ from allworlds.engines import (
     key_of,
 )
 from allworlds.inputs import InputError, an_integer, show
-from allworlds.maps import CombinatorialMap, Extent, MapClass, edges_of
+from allworlds.maps import CombinatorialMap, Extent, MapClass, edges_of, rootings
 from allworlds.outcome import Ending
 from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.contestants import Contest, Contestant
@@ -92,12 +93,21 @@ class _Size:
         family: its name.
         seeds: the number of members that were drawn.
         maps: those of the different members that are walked in.
+        drawn_from: the number of different members that seeds draw; None if it is not known.
     """
 
     number: int
     family: str
     seeds: int
     maps: Mapping[Member, CombinatorialMap]
+    drawn_from: int | None
+
+    @classmethod
+    def of(cls, number: int, family: str, members: Sequence[Member]) -> Self:
+        """The size with these members."""
+        member, map_ = next(iter((maps := distinct(members)).items()))
+        drawn_from = rootings(member.text, map_, member.holes)
+        return cls(number, family, len(members), maps, drawn_from)
 
 
 class GrowingWorlds(Contest[Growth]):
@@ -120,7 +130,7 @@ class GrowingWorlds(Contest[Growth]):
     ) -> None:
         self._families, self._choose = tuple(ladders), choose
         self._sizes = [
-            _Size(number, family, len(members), distinct(members))
+            _Size.of(number, family, members)
             for number, (family, ladder) in enumerate(ladders.items())
             for members in ladder
         ]
@@ -203,6 +213,7 @@ class GrowingWorlds(Contest[Growth]):
                 )
             )
         if members:
+            all_run = len(size.maps) == size.drawn_from
             first = next(map_ for m, map_ in size.maps.items() if m.name == members[0].name)
             yield GrowRow(
                 family=size.family,
@@ -210,5 +221,7 @@ class GrowingWorlds(Contest[Growth]):
                 vertices=first.vertex_count,
                 explorer=one.name,
                 seeds=size.seeds,
+                drawn_from=size.drawn_from,
+                exact=all_run and all(len(m.ran) == m.places for m in members),
                 members=tuple(members),
             )

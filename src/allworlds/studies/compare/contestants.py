@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from typing_extensions import override
 
 from allworlds.engines import (
     WHOLE,
+    By,
     CostEngine,
     CostTally,
     Job,
@@ -154,6 +155,10 @@ class Contest(Sweep[CostsOfAll, Answer]):
             known = self._found.setdefault((self.group(level), number), CostTally(keep=1))
             for found in tally.findings:
                 known.find(found)
+
+    @override
+    def list_by(self, by: By) -> None:
+        self.request = replace(self.request, by=by)
 
     def contest(self, ending: Ending) -> dict[str, Any]:
         """Return the keywords of the report of any contest."""
