@@ -23,6 +23,7 @@ from allworlds.engines.isolation.jobs import (
     PlayTree,
     Trace,
 )
+from allworlds.engines.isolation.layout import run_deeper, scatter_memory, scatter_objects
 from allworlds.engines.isolation.messages import (
     ExplorerDescription,
     Failure,
@@ -37,7 +38,7 @@ from allworlds.engines.isolation.messages import (
 from allworlds.engines.isolation.process import address_space, limit_memory
 from allworlds.engines.python.examiner import name_run
 from allworlds.engines.python.play import ExplorerRunner, ending_maker
-from allworlds.explorers import Shield, Subject, load
+from allworlds.explorers import Shield, Subject, is_program, load
 from allworlds.inputs import InputError
 from allworlds.judging import Environment, Log, perform
 from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
@@ -78,11 +79,21 @@ class PlayerProcess:
     def run(self) -> None:
         """Serve until the owner hangs up."""
         setup: PlayerSetup = self._connection.recv()
+        before = address_space()
+        if is_program(setup.name):  # it is started with addresses of its own
+            self._load_and_serve(setup, before)
+            return
+        scatter_objects()
+        scatter_memory()
+        run_deeper(lambda: self._load_and_serve(setup, before))
+
+    def _load_and_serve(self, setup: PlayerSetup, before: int) -> None:
+        """Serve a process of which so many MB were in use before its layout was drawn."""
         if setup.output:
             _print_to(os.devnull)
         try:
             if setup.memory is not None:
-                limit_memory(setup.memory)
+                limit_memory(setup.memory, address_space() - before)
             subject = load(setup.name, setup.answer_timeout, setup.source)
             if (subject.inside or subject).native is not None and setup.memory is None:
                 limit_memory(address_space() + NATIVE_MEMORY)

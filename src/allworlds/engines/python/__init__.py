@@ -18,6 +18,8 @@
     what the explorer prints in one run, escaped and limited;
 ``tour``
     hash seeds and address layouts of the players of both plays, in turn;
+``hash_seeds``, ``other_seeds``
+    explorers that go by hashes, noticed, and played with other hash seeds, too;
 ``tally``
     counts that can be added up in any order, and the smallest findings;
 ``costs``

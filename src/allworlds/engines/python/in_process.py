@@ -27,7 +27,7 @@ class InProcessPlayers:
     """Players in this process, each with its own order; a silent explorer cannot be stopped."""
 
     subject: Subject
-    tour: Tour = field(default_factory=lambda: Tour(0, stays=True))
+    tour: Tour = field(default_factory=lambda: Tour(None, alike=True, stays=True))
     _runner: ExplorerRunner = field(init=False)
     _logs: list[Log] = field(default_factory=list)
 
@@ -77,5 +77,5 @@ class InProcessPlayers:
     def restart(self) -> None:
         """Go on in this process, which cannot be replaced."""
 
-    def take_seeds(self, seed: int, *, alike: bool) -> None:
+    def take_places(self, seed: int, turn: int, *, alike: bool) -> None:
         """Go on in this process, which keeps its hash seed."""

@@ -8,7 +8,15 @@ from pathlib import Path
 from typing import Annotated
 
 from allworlds.document import Document, Text, about
-from allworlds.engines import GivenWorlds, Limits, PythonEngine, Scope, confirmed, workers_for
+from allworlds.engines import (
+    GivenWorlds,
+    Limits,
+    PythonEngine,
+    Scope,
+    confirmed,
+    with_more_seeds_if_needed,
+    workers_for,
+)
 from allworlds.explorers import Subject
 from allworlds.judging import LAWS, Finding, file_name, kept_findings, write_finding
 from allworlds.maps import Extent, MapClass
@@ -107,9 +115,13 @@ def _retry(finding: Finding, subject: Subject, limits: Limits) -> Finding | None
     every = subject.takes_choices and finding.rules.policy == "fifo" and any(finding.choices)
     extent = Extent(MapClass.MAPS, finding.world.map.edge_count)
     scope = Scope(extent, finding.rules, "all" if every else "one")
-    with workers_for(subject, limits, limits.deadline()) as workers:
-        world = GivenWorlds(((finding.world, finding.place),))
-        for part in workers.map(PythonEngine(scope, keep=1), [world]):
-            for found in part.result.findings:
-                return confirmed(found, subject, limits, scope.schedules)
-    return None
+
+    def found_in(scope: Scope) -> Finding | None:
+        with workers_for(subject, limits, limits.deadline()) as workers:
+            world = GivenWorlds(((finding.world, finding.place),))
+            for part in workers.map(PythonEngine(scope, keep=1), [world]):
+                for found in part.result.findings:
+                    return confirmed(found, subject, limits, scope.schedules)
+        return None
+
+    return with_more_seeds_if_needed(found_in, scope)

@@ -23,6 +23,7 @@ from allworlds.document import (
     computed,
 )
 from allworlds.engines import (
+    GOES_BY_HASHES,
     EndedReport,
     EngineName,
     Given,
@@ -261,5 +262,9 @@ def _rows(tally: Tally) -> Iterator[CheckRow]:
 
 
 def _remarks(tally: Tally) -> Iterator[str]:
+    more_than_hashes = any(found.law == "nondeterministic" for found in tally.findings)
     for text, times in sorted(tally.remarks.items()):
-        yield text if times == 1 else f"{text} ({times} times)"
+        if text != GOES_BY_HASHES:
+            yield text if times == 1 else f"{text} ({times} times)"
+        elif not more_than_hashes:
+            yield text

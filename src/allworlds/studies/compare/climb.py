@@ -178,6 +178,12 @@ class GrowingWorlds(Contest[Growth]):
         return size.number
 
     @override
+    def forget(self) -> None:
+        super().forget()
+        self._rows.clear()
+        self._left_out = 0
+
+    @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> None:
         for number, one in enumerate(self.contestants):
             self._rows += self._row(one, level.of, total.one(number))
