@@ -27,6 +27,8 @@ from evidence.write import (
     large_worlds,
     placed,
     ratios,
+    shields,
+    six_edges,
     small_worlds,
 )
 
@@ -81,6 +83,23 @@ def test_the_table_of_small_worlds_is_that_of_the_program_as_far_as_it_is_quick(
 def test_the_tables_of_small_worlds_are_those_of_the_program():
     assert rows(EXPLORERS, "small worlds") == [*small_worlds()]
     assert rows(EXPLORERS, "beside algorithm 1") == [*beside_algorithm_1()]
+
+
+@pytest.mark.slow
+def test_the_table_of_six_edges_is_that_of_the_program_as_far_as_it_is_compiled():
+    head, line, one, bounds = six_edges(["algorithm1"])
+    told = rows(EXPLORERS, "six edges")
+    assert (told[:3], told[-1]) == ([head, line, one], bounds)
+    # No explorer walks more than the bound, and remembering helps.
+    numbers = [[int(cell.replace(",", "")) for cell in row.split("|")[2:10]] for row in told[2:-1]]
+    assert [total for total, *_ in numbers[:3]] == sorted(
+        (total for total, *_ in numbers[:3]), reverse=True
+    )
+
+
+@pytest.mark.slow
+def test_the_table_of_shields_is_that_of_the_program():
+    assert rows(EXPLORERS, "shields") == [*shields()]
 
 
 def test_the_table_beside_algorithm_1_counts_every_world_once():

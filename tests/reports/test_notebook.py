@@ -149,21 +149,35 @@ def test_a_page_in_a_frame_cannot_end_it():
     assert "<script" not in shown
 
 
-def test_a_job_shows_a_bar_in_a_notebook_and_nothing_elsewhere(monkeypatch):
-    assert isinstance(progress.usual_listener(), progress.Silent)
+@pytest.fixture
+def bars(monkeypatch):
+    """The bars that are shown in a notebook, and each of their updates."""
     shown = []
     handle = SimpleNamespace(update=shown.append)
 
     def display(bar, display_id):
         assert display_id
-        shown.append(bar)
+        shown.append(("new", bar))
         return handle
 
     ipython = SimpleNamespace(
         get_ipython=lambda: SimpleNamespace(kernel=1), display=SimpleNamespace(display=display)
     )
     monkeypatch.setitem(sys.modules, "IPython", ipython)
+    return shown
+
+
+def test_a_job_shows_a_bar_in_a_notebook_and_nothing_elsewhere(bars, monkeypatch):
     allworlds.check("algorithm1", edges=2)
-    assert repr(shown[0]) == "edges 1: 0 of 2 worlds"
-    assert repr(shown[-1]) == "edges 2: 10 of 10 worlds"
-    assert '<progress value="10" max="10">' in shown[-1]._repr_html_()
+    (_, first), *_, last = bars
+    assert repr(first) == "edges 1: 0 of 2 worlds"
+    assert repr(last) == "edges 2: 10 of 10 worlds"
+    assert '<progress value="10" max="10">' in last._repr_html_()
+    monkeypatch.delitem(sys.modules, "IPython")
+    assert isinstance(progress.usual_listener(), progress.Silent)
+
+
+def test_a_verb_that_asks_others_shows_one_bar(bars, monkeypatch):
+    monkeypatch.setattr("allworlds.studies.optimum.optimum_table._KNOWN", {})
+    allworlds.optimum(edges=2)
+    assert [one[0] == "new" for one in bars].count(True) == 1

@@ -54,9 +54,7 @@ def run(words: RunWords, *, asked: AskedRun, files: Files, output: OutputGroup) 
 
     Run an explorer once in one world, tell it step by step, and judge it.
     """
-    if words.listed:
-        return emit(_listed(), "run", output)
-    told = answer(allworlds.run, words.request(asked))
+    told = _listed() if words.listed else answer(allworlds.run, words.request(asked))
     files.write("run", told)
     return emit(told, "run", output)
 

@@ -29,7 +29,7 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.studies.compare.climb import (
         GrowingWorlds as GrowingWorlds,
-        first_place as first_place,
+        drawn_places as drawn_places,
     )
     from allworlds.studies.compare.compare_request import CompareRequest as CompareRequest
     from allworlds.studies.compare.comparison import (

@@ -79,11 +79,6 @@ def drawn_places(member: Member, places: int, most: int) -> Sequence[int]:
     return sorted(Random(f"places/{member.name}").sample(range(places), most))  # noqa: S311  # reproducible, not secret
 
 
-def first_place(_: Member, __: int) -> Sequence[int]:
-    """The number of the first place alone."""
-    return (0,)
-
-
 @dataclass(frozen=True, slots=True)
 class _Size:
     """The members of a family of one size.
@@ -109,9 +104,16 @@ class _Size:
         drawn_from = rootings(member.text, map_, member.holes)
         return cls(number, family, len(members), maps, drawn_from)
 
+    @property
+    def edges(self) -> int:
+        """The edges of a member before holes are made."""
+        return edges_of(next(iter(self.maps)).text)
+
 
 class GrowingWorlds(Contest[Growth]):
-    """The sweep of explorers through growing worlds, family by family and size by size.
+    """The sweep of explorers through growing worlds, from the smallest size of any family on.
+
+    So what is finished when the time is up is a part of each family.
 
     Args:
         contestants: who walks.
@@ -129,11 +131,12 @@ class GrowingWorlds(Contest[Growth]):
         choose: Callable[[Member, int], Sequence[int]],
     ) -> None:
         self._families, self._choose = tuple(ladders), choose
-        self._sizes = [
+        sizes = [
             _Size.of(number, family, members)
             for number, (family, ladder) in enumerate(ladders.items())
             for members in ladder
         ]
+        self._sizes = sorted(sizes, key=lambda size: size.edges)
         edges = [edges_of(member.text) for size in self._sizes for member in size.maps]
         super().__init__(contestants, request, Extent(MapClass.MAPS, max(edges)))
         self._mine = set(range(len(edges)))
@@ -194,7 +197,7 @@ class GrowingWorlds(Contest[Growth]):
         return Growth(
             **self.contest(ending),
             families=self._families,
-            rows=tuple(self._rows),
+            rows=tuple(sorted(self._rows, key=lambda row: self._families.index(row.family))),
             left_out=self._left_out,
         )
 
