@@ -2,7 +2,7 @@
 
 ``python tests/evidence/write.py`` writes ``docs/claims.md``, the table of worst cases in
 ``docs/paper.md`` and the tables of ``docs/explorers.md``; it takes three minutes.  With the name
-of a table it writes that one: ``six edges`` takes half an hour, and is written only so.
+of a table it writes that one: ``six edges`` takes a quarter of an hour, and is written only so.
 ``test_manifest.py`` and ``test_tables_of_pages.py`` compare, of six edges what is quick, and
 ``nox -s exhaustive`` the rest.
 """

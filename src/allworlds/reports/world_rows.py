@@ -10,9 +10,9 @@ from allworlds.studies.compare import InWorld
 from allworlds.world import code_of
 
 NAMES = {"code": str, "family": str, "holes": str, "seed": int, "edges": int, "vertices": int}
-RUN = {**NAMES, "explorer": str, "place": int, "cost": int, "bound": int}
+RUN = {**NAMES, "explorer": str, "place": int, "cost": int, "bound": int, "finished": bool}
 WORLD = {**NAMES, "drawn_from": int, "explorer": str, "runs": int, "places": int}
-COSTS = {"mean": float, "worst": int, "bound": int, "ratio": float}
+COSTS = {"mean": float, "worst": int, "bound": int, "ratio": float, "finished": bool}
 
 
 def _names(one: InWorld) -> list[Value]:
@@ -26,6 +26,8 @@ def _names(one: InWorld) -> list[Value]:
 def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
     """A row for each world and explorer, or for each run.
 
+    Where the job ended early, rows of a size that was begun are not ``finished``.
+
     Args:
         worlds: in the order of the rows.
         first: the explorer with which the others are compared.
@@ -33,7 +35,7 @@ def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
     """
     if by == "run":
         runs = [
-            [*_names(one), one.explorer, place, cost, one.bound]
+            [*_names(one), one.explorer, place, cost, one.bound, one.finished]
             for one in worlds
             for place, cost in one.costs.items()
         ]
@@ -44,7 +46,7 @@ def rows_of_worlds(worlds: Iterable[InWorld], first: str, by: By) -> CsvRows:
         [
             *(*_names(one), one.drawn_from, one.explorer, len(one.costs), one.places),
             *(round(one.mean, 6), max(one.costs.values()), one.bound),
-            _ratio(one.mean, beside.get((one.map, one.member))),
+            *(_ratio(one.mean, beside.get((one.map, one.member))), one.finished),
         ]
         for one in every
     ]

@@ -175,6 +175,9 @@ def _facts(report: Growth) -> list[tuple[str, str]]:
     if report.rows:
         member = report.rows[-1].members[-1].name
         words.append(("again", f"allworlds run {report.names[0]} --family {member}"))
+    if report.begun:
+        begun = len({one.name for row in report.begun for one in row.members})
+        words.append(("begun", f"{plural(begun, 'world')} of an unfinished size, in --csv alone"))
     if report.left_out:
         left = plural(report.left_out, "world")
         words.append(("left out", f"{left} without a place for the lighthouse"))

@@ -143,6 +143,7 @@ class GrowingWorlds(Contest[Growth]):
         if isinstance(self.portion, Shard):
             self._mine = set(dealt([m * m for m in edges], self.portion))
         self._rows: list[GrowRow] = []
+        self._begun: list[GrowRow] = []
         self._left_out = 0
 
     @override
@@ -188,9 +189,16 @@ class GrowingWorlds(Contest[Growth]):
 
     @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> None:
-        for number, one in enumerate(self.contestants):
-            self._rows += self._row(one, level.of, total.one(number))
-        self.leave(level, total)
+        self._rows += self._rows_of(level.of, total)
+        for one in self.contestants:
+            chosen = (self._chosen(one, *member) for member in level.of.maps.items())
+            self._left_out += sum(not ran for _, ran in chosen)
+        super().leave(level, total)
+
+    @override
+    def leave(self, level: SweptLevel, total: CostsOfAll) -> None:
+        self._begun += self._rows_of(level.of, total)
+        super().leave(level, total)
 
     @override
     def report(self, ending: Ending) -> Growth:
@@ -198,39 +206,40 @@ class GrowingWorlds(Contest[Growth]):
             **self.contest(ending),
             families=self._families,
             rows=tuple(sorted(self._rows, key=lambda row: self._families.index(row.family))),
+            begun=tuple(self._begun),
             left_out=self._left_out,
         )
 
-    def _row(self, one: Contestant, size: _Size, tally: CostTally) -> Iterator[GrowRow]:
-        """The row of a size, if the lighthouse has a place in one of its members."""
-        members = []
+    def _rows_of(self, size: _Size, total: CostsOfAll) -> Iterator[GrowRow]:
+        """The row of each contestant that was run in every chosen place of one of the members."""
+        for number, one in enumerate(self.contestants):
+            members = [*self._members(one, size, total.one(number))]
+            if members:
+                all_run = len(size.maps) == size.drawn_from
+                first = next(map_ for m, map_ in size.maps.items() if m.name == members[0].name)
+                yield GrowRow(
+                    family=size.family,
+                    edges=first.edge_count,
+                    vertices=first.vertex_count,
+                    explorer=one.name,
+                    seeds=size.seeds,
+                    drawn_from=size.drawn_from,
+                    exact=all_run and all(len(m.ran) == m.places for m in members),
+                    members=tuple(members),
+                )
+
+    def _members(self, one: Contestant, size: _Size, tally: CostTally) -> Iterator[GrownWorld]:
+        """The members of a size in which the contestant was run in every chosen place."""
         for member, map_ in size.maps.items():
             places, ran = self._chosen(one, member, map_)
-            if not ran:
-                self._left_out += 1
-                continue
-            costs = [tally.costs[key_of(map_), i].most_expensive for i, _ in ran]
-            bound = one.rules.the_bound.of(map_, 0)
-            members.append(
-                GrownWorld(
+            costs = [tally.costs.get((key_of(map_), i)) for i, _ in ran]
+            known = [cost.most_expensive for cost in costs if cost is not None]
+            if ran and len(known) == len(ran):
+                yield GrownWorld(
                     name=member.name,
                     edges=map_.edge_count,
                     places=places,
                     ran=tuple(i for i, _ in ran),
-                    costs=tuple(costs),
-                    bound=bound,
+                    costs=tuple(known),
+                    bound=one.rules.the_bound.of(map_, 0),
                 )
-            )
-        if members:
-            all_run = len(size.maps) == size.drawn_from
-            first = next(map_ for m, map_ in size.maps.items() if m.name == members[0].name)
-            yield GrowRow(
-                family=size.family,
-                edges=first.edge_count,
-                vertices=first.vertex_count,
-                explorer=one.name,
-                seeds=size.seeds,
-                drawn_from=size.drawn_from,
-                exact=all_run and all(len(m.ran) == m.places for m in members),
-                members=tuple(members),
-            )

@@ -176,7 +176,8 @@ class Exponent(Document):
 class Growth(ContestReport):
     """Report of 'compare --to'.
 
-    Explorers in worlds that grow.
+    Explorers in worlds that grow. ``begun`` holds the worlds that were finished of a size that was
+    not, as rows for programs have them.
     """
 
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
@@ -188,6 +189,7 @@ class Growth(ContestReport):
     ] = computed(lambda report: tuple(_ratios(report)))
     left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
     families: Aside[tuple[str, ...]]
+    begun: Aside[tuple[GrowRow, ...]] = ()
 
     @property
     @override
@@ -195,17 +197,18 @@ class Growth(ContestReport):
         return self.facts.sample_verdict
 
     def in_worlds(self) -> Iterator[InWorld]:
-        """The runs in each world, row by row.
+        """The runs in each world, row by row; those of a size that was not finished come last.
 
         Cost: each world is built once again.
         """
-        named = {one.name: one for row in self.rows for one in row.members}
+        every = *self.rows, *self.begun
+        named = {one.name: one for row in every for one in row.members}
         built = {name: one.map() for name, one in named.items()}
-        for row in self.rows:
+        for number, row in enumerate(every):
             for one in row.members:
                 costs = dict(zip(one.ran, one.costs, strict=True))
-                map_ = built[one.name]
-                told = costs, one.places, one.bound, row.drawn_from
+                map_, finished = built[one.name], number < len(self.rows)
+                told = costs, one.places, one.bound, row.drawn_from, finished
                 yield InWorld(map_, one.name, row.explorer, *told)
 
 

@@ -19,6 +19,7 @@ class InWorld(NamedTuple):
         places: the number of all places.
         bound: on the traversals of a run, the same in each place; None without one.
         drawn_from: the number of different worlds of this size that seeds draw, where it is known.
+        finished: all worlds of this size were run.
     """
 
     map: CombinatorialMap
@@ -28,6 +29,7 @@ class InWorld(NamedTuple):
     places: int
     bound: int | None
     drawn_from: int | None = None
+    finished: bool = True
 
     @property
     def mean(self) -> float:
