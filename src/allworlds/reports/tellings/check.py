@@ -9,6 +9,7 @@ from allworlds.engines import Given, Row, Sample, Shard, tried_places
 from allworlds.judging import Finding
 from allworlds.maps import source_of
 from allworlds.outcome import Disagreed, Verdict
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Block,
     Headline,
@@ -61,9 +62,17 @@ def check_telling(report: CheckReport | TimeEstimate) -> ToldResult:
         more=lambda: (
             [] if findings else most_expensive_sections(cells, most_expensive_runs(report))
         ),
+        rows=lambda: _rows(report),
         suite=lambda: Suite(verb, report.explorer, _properties(report), [*_cases(report)]),
         apart=frozenset({"findings"}),
     )
+
+
+def _rows(report: CheckReport) -> CsvRows:
+    """A row for each number of edges and of vertices, of a sample too."""
+    played = {"worlds": int, "runs": int, "episodes": int}
+    costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
+    return CsvRows.of(report.rows, edges=int, vertices=int, **played, **costs)
 
 
 def _finding(report: CheckReport, number: int) -> Section:

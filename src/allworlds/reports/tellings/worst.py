@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from allworlds.engines import tried_places
+from allworlds.reports.rows import CsvRows, Value
 from allworlds.reports.telling import (
     Cell,
     Headline,
@@ -41,17 +42,19 @@ def worst_telling(report: WorstReport) -> ToldResult:
     )
 
 
-def _rows(report: WorstReport) -> ToldTable:
+SIZES = {"edges": int, "vertices": int, "worlds": int, "best": int, "worst": int, "bound": int}
+
+
+def _rows(report: WorstReport) -> CsvRows:
     """A row for each size, with the world and the choices that attain its worst cost."""
-    header = ["edges", "vertices", "worlds", "best", "worst", "bound", "code", "place", "choices"]
-    rows: list[list[Cell]] = []
+    rows: list[list[Value]] = []
     for row in report.rows:
         map_, lighthouse = row.world.map, row.world.lighthouse
         place = lighthouse.number(map_, row.world.start)
         choices = ",".join(map(str, row.choices))
         numbers = [row.edges, row.vertices, row.worlds, row.best, row.worst, row.bound]
         rows.append([*numbers, code_of(map_, row.world.start), place, choices])
-    return ToldTable(header, rows)
+    return CsvRows({**SIZES, "code": str, "place": int, "choices": str}, rows)
 
 
 def _headline(report: WorstReport) -> Headline | None:
