@@ -44,7 +44,7 @@ def costs():
 
 
 RESULTS = {
-    "counted": lambda: Counted(Counter({(2, 0): 3}), 4),
+    "counted": lambda: Counted(Counter({(2, 0): 3}), Counter({(2, 0): 4})),
     "parts": lambda: SensedParts(5, Counter({(2, 1): 3}), {"q": {"code": {"sigma": [0]}}}),
     "schedules": lambda: ScheduleCostsBySize.of([ScheduleCosts(2, 1, 3, 2, 1, 0, (0, 1), (1, 0))]),
     "optimum": lambda: OptimumRows([*optimum(edges=2).rows]),

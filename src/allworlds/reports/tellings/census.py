@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Cell,
     Headline,
@@ -46,8 +47,14 @@ def census_telling(census: AmbiguityCensus) -> ToldResult:
         census,
         _headline(census),
         [Section("seen", "", [*tables, ToldFacts(facts)]), *_pair(census)],
-        rows=lambda: tables[1],
+        rows=lambda: _rows(census),
     )
+
+
+def _rows(census: AmbiguityCensus) -> CsvRows:
+    """A row for each number of edges and vertices."""
+    counts = {"ambiguous_worlds": int, "classes": int, "largest_class": int}
+    return CsvRows.of(census.by_vertices, edges=int, vertices=int, marked_worlds=int, **counts)
 
 
 def _counts(row: CensusRow | CensusCell) -> list[Cell]:
