@@ -76,9 +76,7 @@ def test_an_explorer_in_the_file_of_its_model_can_make_the_verdict_and_the_scope
 
 
 @pytest.mark.slow
-def test_a_model_that_only_imports_from_the_file_of_the_explorer_is_as_dangerous(
-    folder, tmp_path
-):
+def test_a_model_that_only_imports_from_the_file_of_the_explorer_is_as_dangerous(folder, tmp_path):
     (tmp_path / "models.py").write_text("from attack import judge\n")
     assert checked("attack", "task", "models.py:judge")[:2] == ("holds", "attack.py")
 
