@@ -33,6 +33,7 @@ DEFAULTS = {
     allworlds.worst: {
         "explore": "algorithm1",
         "map_class": "maps",
+        "task": "map",
         "workers": 1,
         **PATIENCE,
         **CLUSTER,
@@ -44,7 +45,8 @@ DEFAULTS = {
     ambiguity.census: {"map_class": "maps", "lighthouse": "position", **CLUSTER},
     ambiguity.class_of: {"limit": 1000, "map_class": "maps", "lighthouse": "position"},
     Limits: {"workers": 1, **PATIENCE},
-    Rules: {"lighthouse": "directional", "task": "map", "policy": "fifo", "promised": False},
+    Rules: {"lighthouse": "directional", "task": "map", "policy": "fifo"}
+    | {"promised": False, "shared_file": ""},
 }
 
 
