@@ -151,7 +151,8 @@ def test_a_world_has_one_name_in_run_play_and_compare(name, cli, tmp_path):
 
 
 def test_run_lists_the_names_of_worlds(cli, refused, tmp_path):
-    code, out, _ = cli("run", "--list", "--json")
+    code, out, _ = cli("run", "--list", "--json", "--csv", (file := tmp_path / "names.csv"))
+    assert "families,lattice:RxC" in file.read_text().splitlines()
     names = json.loads(out)
     assert code == 0
     assert "wheel:N" in names["maps"]

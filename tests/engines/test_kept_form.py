@@ -44,7 +44,7 @@ def costs():
 
 
 RESULTS = {
-    "counted": lambda: Counted(Counter({(2, 0): 3}), 4),
+    "counted": lambda: Counted(Counter({(2, 0): 3}), Counter({(2, 0): 4})),
     "met": lambda: Met(5, 4, Counter({HALF_EDGE: 3})),
     "schedules": lambda: ScheduleCostsBySize.of([ScheduleCosts(2, 1, 3, 2, 1, 0, (0, 1), (1, 0))]),
     "optimum": lambda: OptimumRows([*optimum(edges=2).rows]),

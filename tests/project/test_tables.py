@@ -185,10 +185,7 @@ ONLY_CLI = {
     "worst": {"explorer", "command", "native"},
     "check": {"estimate", "explorer", "command", "native", "watch"},
     "fuzz": {"explorer", "command", "native"},
-    "run": {
-        *("arguments", "command", "native", "family", "holes", "seed"),
-        *("listed", "lighthouse", "place"),
-    },
+    "run": {"arguments", "command", "native", "listed"},
     "replay": {"explorer", "command", "native", "file", "number"},
     "explain": {"file"},
     "compare": {"command", "native"},

@@ -10,7 +10,7 @@ from allworlds import Drop, Move, Pick
 from allworlds.cli.app import call
 from allworlds.inputs import InputError
 from allworlds.studies.play import play
-from allworlds.world import Directional, Movable, World
+from allworlds.world import Directional, Movable, World, map_of_family
 from small import LOOP, PATH
 
 
@@ -55,6 +55,16 @@ def test_without_a_player_nothing_is_done():
 def test_a_world_that_is_none_is_refused():
     with pytest.raises(InputError, match="is no World"):
         play(3)
+
+
+def test_a_world_of_a_family_is_that_of_its_seed_and_holes():
+    told = {"seed": 3, "holes": "20%"}
+    assert play("lattice:3x4", **told).world.map == map_of_family("lattice:3x4", "20%", 3)
+    for name, value in told.items():
+        with pytest.raises(InputError, match=f"{name} {value} has no effect on world 'theta'"):
+            play("theta", **{name: value})
+        with pytest.raises(InputError, match=f"{name} = .* on a world that is given"):
+            play(World(PATH), **{name: value})
 
 
 @pytest.mark.parametrize("end", ["\n", ""])

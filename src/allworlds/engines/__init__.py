@@ -166,6 +166,11 @@ if TYPE_CHECKING:
         tell_of_size as tell_of_size,
         units_of_level as units_of_level,
     )
+    from allworlds.engines.units.listing import (
+        AskedRows as AskedRows,
+        By as By,
+        by_named as by_named,
+    )
     from allworlds.engines.units.shards import (
         UNMERGEABLE as UNMERGEABLE,
         WHOLE as WHOLE,

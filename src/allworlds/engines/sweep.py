@@ -26,9 +26,10 @@ from allworlds.engines.units.effort import TimeIsUp, deadline_after
 from allworlds.engines.units.gather import gather
 from allworlds.engines.units.kept_form import from_kept
 from allworlds.engines.units.levels import SweptLevel, levels_of, tell_of_size
+from allworlds.engines.units.listing import By
 from allworlds.engines.units.shards import UNMERGEABLE, WHOLE, AskedShard, Portion, Shard, shards_of
 from allworlds.engines.units.unit import Sum
-from allworlds.inputs import codes_in, meant, remembered, without_effort
+from allworlds.inputs import InputError, codes_in, meant, remembered, without_effort
 from allworlds.maps import Extent
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped, ended
 from allworlds.protocol import ensure_same_content
@@ -85,6 +86,14 @@ class Sweep(ABC, Generic[Total, Answer]):
         request = cls.asked(**remembered(cls.asked, told), **shard, listener=listener)
         ensure_same_content(codes_in(request), told.get("code", {}))
         return request
+
+    def list_by(self, by: By) -> None:
+        """Have rows for programs for each of these.
+
+        Raises:
+            InputError: if there are none to choose from.
+        """
+        raise InputError(f"by {by} has no effect on a job of {self.verb}")
 
     # ------------------------------------------------------------ what a study says
 

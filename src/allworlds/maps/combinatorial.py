@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
 from allworlds.document import Natural, Permutation, Pictured, WrittenByFields, about
 from allworlds.inputs import InputError, are_plain, integer, parse_json, show
+from allworlds.lazy import loaded
 
 Dart: TypeAlias = Natural
 """A dart: an integer in ``0..2m-1``."""
@@ -271,6 +272,22 @@ class CombinatorialMap(Pictured, WrittenByFields):
         """The dual map: faces become vertices, and the genus stays."""
         sigma, alpha = self.sigma, self.alpha
         return CombinatorialMap.trusted([sigma[alpha[d]] for d in self.darts], alpha)
+
+    def to_networkx(self) -> Any:
+        """The graph of the map; see :func:`allworlds.maps.networks.to_networkx`."""
+        return loaded("maps.networks:to_networkx")(self)
+
+    @classmethod
+    def from_networkx(cls, graph: Any) -> CombinatorialMap:
+        """The map of a graph of networkx; see :func:`allworlds.maps.networks.from_networkx`."""
+        made: CombinatorialMap = loaded("maps.networks:from_networkx")(graph)
+        return made
+
+    @classmethod
+    def from_faces(cls, faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
+        """The map glued of polygons; see :func:`allworlds.maps.networks.from_faces`."""
+        made: CombinatorialMap = loaded("maps.networks:from_faces")(faces)
+        return made
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:

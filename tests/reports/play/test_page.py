@@ -8,8 +8,7 @@ from base64 import b64encode
 import pytest
 
 from allworlds.reports import game as game_page, text
-from allworlds.reports.play.costs import costs_beside, in_words
-from allworlds.reports.play.page import world_data
+from allworlds.reports.play.page import costs_data, world_data
 from allworlds.studies.play import play
 from allworlds.world import LIGHTHOUSES
 from html_tree import Reader
@@ -24,7 +23,7 @@ def test_the_page_holds_the_world_under_every_lighthouse(kind):
         r'<script type="application/json" id="play-json">(.*?)</script>', page, re.DOTALL
     )
     data = json.loads(held)
-    assert data.pop("beside") == in_words(costs_beside(made.world))
+    assert data.pop("costs") == costs_data(made)
     assert data == json.loads(json.dumps(world_data(made.world)))
     assert f"A {kind} lighthouse." in page
     assert ("You are told: " in page) == (made.world.told is not None)

@@ -1,10 +1,5 @@
 """The page's robot senses and does what the worlds say, and its notes are those of the log."""
 
-import json
-import shutil
-import subprocess
-from pathlib import Path
-
 import pytest
 
 import allworlds
@@ -15,29 +10,6 @@ from allworlds.protocol import Drop, Pick
 from allworlds.reports.play.page import world_data
 from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, Movable, State, World
 from small import EDGE, LOOP, PLANE, TORUS, all_maps
-
-ROBOT = Path(allworlds.__file__).parent / "reports" / "play" / "robot.js"
-ANSWERS = Path(__file__).with_name("answers.js")
-
-
-@pytest.fixture(scope="module")
-def ask():
-    """A function from a question to what the script of the page answers."""
-    node = shutil.which("node")
-    if node is None:
-        pytest.skip("node is not installed")
-    with subprocess.Popen(
-        [node, str(ANSWERS), str(ROBOT)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-    ) as process:
-
-        def answer(**question):
-            process.stdin.write(json.dumps(question) + "\n")
-            process.stdin.flush()
-            return json.loads(process.stdout.readline())
-
-        yield answer
-        process.stdin.close()
-        assert process.wait(timeout=60) == 0
 
 
 def state_json(state):

@@ -98,8 +98,9 @@ class AskedRules(Request):
         Option(
             RULES,
             "TASK",
-            f"What counts as done: {one_of(TASKS)}, or path/to/file.py:judge, a function of the "
-            "world, the transcript and the answer that returns None or what is wrong.",
+            f"What counts as done: {one_of(TASKS)}, or path/to/file.py:judge, a function of "
+            "(world, transcript, answer): it returns None if all is right, else the fault in "
+            "words.",
             told=Annotated[
                 IfAny[Text | None],
                 about("what counted as done; where it is left out, the map"),
@@ -111,7 +112,7 @@ class AskedRules(Request):
         Option(
             RULES,
             "POLICY",
-            f"Who answers the explorer's choices: {one_of([*POLICIES, SEEDED])}.",
+            f"How choices are made where the explorer is free: {one_of([*POLICIES, SEEDED])}.",
             told=Annotated[Text, about("who answered the explorer's choices")],
         ),
     ] = Taken(_policy, DEFAULT_POLICY)
@@ -147,7 +148,8 @@ class AskedRules(Request):
         Option(
             RULES,
             "B",
-            "More traversals break the law 'budget' (default: 8 x the bound paper + 100).",
+            "The most traversals of a run: more break the law 'budget' (default: 8 x (1)+(2) + "
+            "100).",
             parse=integer_of,
             told=Annotated[
                 Positive | None,

@@ -12,7 +12,7 @@ from allworlds.reports.drawing.scene import scene_of
 from allworlds.reports.html.frame import Own, Page, framed
 from allworlds.reports.html.viewer import figure
 from allworlds.reports.markup import record, tag
-from allworlds.reports.play.costs import costs_beside, in_words
+from allworlds.reports.tellings.played import LEAST, NAMES
 from allworlds.studies.play import Play
 from allworlds.world import World
 
@@ -26,6 +26,8 @@ CONCLUDE = (
     "Click two darts to say that they are one and the same."
 )
 
+SCRIPTS = ("robot.js", "spots.js", "view.js")
+
 
 def game(play: Play) -> str:
     """The page of the game, which hides the world at first."""
@@ -38,10 +40,12 @@ def game(play: Play) -> str:
         ("EXPLORE", f"Which world is this, and where in it are you? A {lighthouse}.{told}", "open"),
         [
             tag("noscript", tag("p", "This page needs JavaScript: it is played.")),
-            _board(world),
+            _board(play),
         ],
         play.to_json(),
-        Own(_read("play.css"), _read("robot.js") + _read("view.js")),
+        Own(
+            _read("play.css"), "".join(_read(name) for name in ("robot.js", "spots.js", "view.js"))
+        ),
     )
     return framed(page)
 
@@ -61,11 +65,21 @@ def world_data(world: World) -> dict[str, Any]:
     }
 
 
-def _board(world: World) -> ET.Element:
+def costs_data(play: Play) -> dict[str, Any]:
+    """The costs of others for the script, and what is to be said of them."""
+    return {
+        "others": [[NAMES[one.who], one.cost] for one in play.costs],
+        "said": f"{LEAST} {play.not_compared}".rstrip(),
+    }
+
+
+def _board(play: Play) -> ET.Element:
+    world = play.world
     return tag(
         "div",
         tag("div", _senses(), _notes(), class_="game"),
         tag("p", "", id="outcome", class_="outcome", role="status"),
+        _costs(),
         tag("section", tag("h2", "The walk"), tag("ol", id="log", start="0"), class_="log"),
         tag(
             "section",
@@ -74,10 +88,22 @@ def _board(world: World) -> ET.Element:
             tag("div", figure("The world", scene_of(world), "played", "robot"), id="world"),
         ),
         record(
-            {**world_data(world), "beside": in_words(costs_beside(world))},
+            {**world_data(world), "costs": costs_data(play)},
             id="play-json",
         ),
         id="game",
+        hidden="hidden",
+    )
+
+
+def _costs() -> ET.Element:
+    """The place of the table of costs, which the script shows at the end."""
+    return tag(
+        "section",
+        tag("h2", "Costs"),
+        tag("table", tag("tbody", id="cost-rows"), class_="costs"),
+        tag("p", "", id="costs-words", class_="legend"),
+        id="costs",
         hidden="hidden",
     )
 

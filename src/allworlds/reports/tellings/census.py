@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Headline,
     Section,
@@ -49,7 +50,14 @@ def census_telling(census: AmbiguityCensus) -> ToldResult:
         census,
         _headline(census),
         [Section("seen", "", [table, ToldFacts(facts)])],
+        rows=lambda: _rows(census),
     )
+
+
+def _rows(census: AmbiguityCensus) -> CsvRows:
+    """A row for each number of edges."""
+    counts = {"ambiguous_worlds": int, "classes": int, "largest_class": int}
+    return CsvRows.of(census.rows, edges=int, marked_worlds=int, **counts)
 
 
 def _marked(census: AmbiguityCensus) -> str:

@@ -9,6 +9,7 @@ from allworlds.engines import Given, Row, Sample, Shard, tried_places
 from allworlds.judging import Finding
 from allworlds.maps import source_of
 from allworlds.outcome import Disagreed, Verdict
+from allworlds.reports.rows import CsvRows
 from allworlds.reports.telling import (
     Block,
     Headline,
@@ -61,9 +62,17 @@ def check_telling(report: CheckReport | TimeEstimate) -> ToldResult:
         more=lambda: (
             [] if findings else most_expensive_sections(cells, most_expensive_runs(report))
         ),
+        rows=lambda: _rows(report),
         suite=lambda: Suite(verb, report.explorer, _properties(report), [*_cases(report)]),
         apart=frozenset({"findings"}),
     )
+
+
+def _rows(report: CheckReport) -> CsvRows:
+    """A row for each number of edges and of vertices, of a sample too."""
+    played = {"worlds": int, "runs": int, "episodes": int}
+    costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
+    return CsvRows.of(report.rows, edges=int, vertices=int, **played, **costs)
 
 
 def _finding(report: CheckReport, number: int) -> Section:
@@ -173,7 +182,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
         words.append(("symmetry", report.symmetry))
     witnesses = report.tally.witnesses
     seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
-    met = f"what was met, and how often: {seen}" if seen else "none was met"
+    met = f"events seen: {seen}" if seen else "no event was seen"
     words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", met)]
     if report.missing_witnesses:
         words.append(("MISSING", f"never met: {', '.join(report.missing_witnesses)}"))
@@ -239,7 +248,7 @@ def _laws(report: CheckReport) -> str:
         return f"{laws}; {plural(published, 'checkpoint')}"
     left = [law for law in rules.applying if law not in checked]
     return laws + (
-        f"; no checkpoint was published, so nothing was checked of {listed(left)}" if left else ""
+        f"; not checked, because the explorer shows no checkpoint: {listed(left)}" if left else ""
     )
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from allworlds.engines import SingleRun
 from allworlds.judging import Answered, Over, Said, Undecided, Walked, believed_walk
 from allworlds.protocol import Ambiguous
+from allworlds.reports.rows import CsvRows, rows_of_walk
 from allworlds.reports.scenes import walk_in_world
 from allworlds.reports.telling import (
     Block,
@@ -38,7 +39,11 @@ def run_telling(run: SingleRun | WorldNames) -> ToldResult:
     if isinstance(run, WorldNames):
         named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
         facts = ToldFacts([(kind, ", ".join(names)) for kind, names in named])
-        return ToldResult("allworlds run", "names", run, None, [Section("names", "", [facts])])
+        rows = CsvRows(
+            {"kind": str, "name": str}, [[kind, one] for kind, of in named for one in of]
+        )
+        section = Section("names", "", [facts])
+        return ToldResult("allworlds run", "names", run, None, [section], rows=lambda: rows)
     said = f"{cost_words(run)}: no law is broken"
     if not run.checked_laws:
         said = f"{nothing_checked(run.rules)}; {cost_words(run)}"
@@ -79,7 +84,7 @@ def replay_telling(replay: Replay) -> ToldResult:
         more=lambda: (
             [] if again else [section, finding_section(recorded, title="The recorded finding")]
         ),
-        rows=lambda: walk.table,
+        rows=lambda: rows_of_walk(walk),
         apart=frozenset({"run"}),
     )
 

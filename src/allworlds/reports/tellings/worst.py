@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from allworlds.engines import tried_places
+from allworlds.reports.rows import CsvRows, Value
 from allworlds.reports.telling import (
     Cell,
     Headline,
@@ -41,17 +42,19 @@ def worst_telling(report: WorstReport) -> ToldResult:
     )
 
 
-def _rows(report: WorstReport) -> ToldTable:
+SIZES = {"edges": int, "vertices": int, "worlds": int, "best": int, "worst": int, "bound": int}
+
+
+def _rows(report: WorstReport) -> CsvRows:
     """A row for each size, with the world and the choices that attain its worst cost."""
-    header = ["edges", "vertices", "worlds", "best", "worst", "bound", "code", "place", "choices"]
-    rows: list[list[Cell]] = []
+    rows: list[list[Value]] = []
     for row in report.rows:
         map_, lighthouse = row.world.map, row.world.lighthouse
         place = lighthouse.number(map_, row.world.start)
         choices = ",".join(map(str, row.choices))
         numbers = [row.edges, row.vertices, row.worlds, row.best, row.worst, row.bound]
         rows.append([*numbers, code_of(map_, row.world.start), place, choices])
-    return ToldTable(header, rows)
+    return CsvRows({**SIZES, "code": str, "place": int, "choices": str}, rows)
 
 
 def _headline(report: WorstReport) -> Headline | None:
@@ -105,7 +108,9 @@ def _of_runs(report: WorstReport) -> list[tuple[str, str]]:
         f"{schedules} of {report.explorer} in {maps_words(report)}, "
         f"at every place of the lighthouse {report.rules.lighthouse}"
     )
-    costs = "worst: of all episodes; best: the largest cost of the cheapest schedule of a run"
+    costs = (
+        "worst: of all episodes; best: the cheapest schedule of each run, of these the largest cost"
+    )
     places = places_told(tried_places(report.rules.lighthouse, report.extent))
     return [("scope", scope), *places, ("costs", costs)]
 
@@ -118,8 +123,8 @@ def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
         f"every schedule of algorithm1 in {maps_words(report)}, from every vertex; transit on {way}"
     )
     costs = (
-        "worst: the most expensive schedule of the most expensive world; best: the largest cost "
-        "of the cheapest schedule of a world"
+        "worst: the most expensive schedule of the most expensive world; best: the cheapest "
+        "schedule of each world, of these the largest cost"
     )
     return [
         ("scope", scope),

@@ -106,7 +106,7 @@ class CheckRequest(AskedDirectory, EstimateRequest):
         Option(
             EFFORT,
             "K",
-            "Stop after whole levels with K findings, the smallest of each law and map.",
+            "Stop after the level with the K-th finding (the smallest of each law and map counts).",
             parse=integer_of,
         ),
     ] = Taken(_max_findings, 1)

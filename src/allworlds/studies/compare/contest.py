@@ -209,7 +209,7 @@ class SameWorlds(Contest[Comparison]):
             self._gate += count_gate(self.bounds, level.edges, total.one(0))
         tallies = [total.one(number) for number in range(len(self.contestants))]
         shared = self._compare([in_maps(tally) for tally in tallies])
-        if self.request.by is not None:
+        if self.request.by in ("world", "run"):
             self._in_worlds += self._runs(tallies, shared)
         self.leave(level, total)
         return Stopped("a law is broken", final=True) if total.findings else None

@@ -10,6 +10,7 @@ from typing_extensions import override
 
 from allworlds.engines import (
     WHOLE,
+    By,
     CostEngine,
     CostTally,
     Job,
@@ -160,6 +161,10 @@ class Contest(Sweep[CostsOfAll, Answer]):
             known = self._found.setdefault((self.group(level), number), CostTally(keep=1))
             for found in tally.findings:
                 known.find(found)
+
+    @override
+    def list_by(self, by: By) -> None:
+        self.request = replace(self.request, by=by)
 
     def contest(self, ending: Ending) -> dict[str, Any]:
         """Return the keywords of the report of any contest."""
