@@ -67,7 +67,7 @@ def tell_open_darts(story: Story) -> list[str]:
 
     No sentence if no dart is open, or if the lighthouse allows no folding.
     """
-    if not story.world.lighthouse.folds:
+    if not story.world.lighthouse.as_kind.folds:
         return []
     folded, map_ = fold(story.transcript), story.map
     image = {0: story.world.start}

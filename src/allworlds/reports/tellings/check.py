@@ -26,7 +26,13 @@ from allworlds.reports.telling import (
 )
 from allworlds.reports.tellings.finding import finding_section, nothing_checked
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
-from allworlds.reports.tellings.scope import SAID, of_the_class, options_told, places_told
+from allworlds.reports.tellings.scope import (
+    SAID,
+    of_the_class,
+    options_told,
+    places_told,
+    trust_told,
+)
 from allworlds.studies.check import (
     CheckReport,
     Guess,
@@ -174,10 +180,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
         words.append(("", f"NOT complete: finished levels (edges): {finished}"))
     if not rules.task.is_map:
         words.append(("task", f"{rules.task.name}: {rules.task.asks}"))
-    if shared := report.scope.shared_file:
-        words.append(
-            ("trust", f"{shared} holds the explorer, and code that judges it: see docs/trust.md")
-        )
+    words += trust_told(report.scope.shared_file)
     if report.symmetry:
         words.append(("symmetry", report.symmetry))
     witnesses = report.tally.witnesses
@@ -223,9 +226,10 @@ def _corpus(past: UserCorpus) -> str:
             (f"{plural(len(past.reproduced), 'past finding')} reproduced", past.reproduced),
             (f"{len(past.beyond)} still refuted, but beyond the scope", past.beyond),
             (f"{len(past.fixed)} fixed and kept", past.fixed),
+            (f"{len(past.stale)} stale and not tried", past.stale),
             (f"{len(past.written)} written", past.written),
         )
-        if names or names is not past.beyond
+        if names or (names is not past.beyond and names is not past.stale)
     )
 
 

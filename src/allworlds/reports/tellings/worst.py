@@ -17,7 +17,13 @@ from allworlds.reports.telling import (
 )
 from allworlds.reports.tellings.finding import finding_section, headline_of
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
-from allworlds.reports.tellings.scope import gate_told, maps_words, options_told, places_told
+from allworlds.reports.tellings.scope import (
+    gate_told,
+    maps_words,
+    options_told,
+    places_told,
+    trust_told,
+)
 from allworlds.studies.worst import WorstReport
 from allworlds.words import number, plural, size
 from allworlds.world import code_of
@@ -97,7 +103,7 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
     return [*words, ("replay", f"every worst cost was attained {again}")] if report.rows else words
 
 
-SAID = ("edges", "map_class", "where", "lighthouse", "transit")
+SAID = ("edges", "map_class", "where", "lighthouse", "task", "transit")
 """The fields of the request of which other words tell."""
 
 
@@ -112,7 +118,10 @@ def _of_runs(report: WorstReport) -> list[tuple[str, str]]:
         "worst: of all episodes; best: the cheapest schedule of each run, of these the largest cost"
     )
     places = places_told(tried_places(report.rules.lighthouse, report.extent))
-    return [("scope", scope), *places, ("costs", costs)]
+    task = report.rules.task
+    done = [] if task.is_map else [("task", f"{task.name}: {task.asks}")]
+    trust = trust_told(report.scope.shared_file)
+    return [("scope", scope), *places, *done, *trust, ("costs", costs)]
 
 
 def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
