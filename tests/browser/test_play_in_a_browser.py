@@ -194,3 +194,30 @@ def test_nothing_is_wider_than_a_phone(visit, file):
         walked_loops(page)
         page.locator("#uncover").click()
         assert page.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+def test_a_number_is_written_where_there_is_room_and_typed_digits_are_no_motions(visit, tmp_path):
+    made = tmp_path / "board.html"
+    made.write_text(game_page(play("theta", lighthouse="whiteboard:states=3")), encoding="utf-8")
+    with visit(made) as page:
+        number = page.get_by_label("The number to write")
+        number.press("2")
+        assert page.locator("#log li").count() == 1
+        number.fill("2")
+        button(page, "Write").click()
+        number.fill("3")
+        button(page, "Write").click()
+        assert told(page, "outcome") == "That is not possible: the numbers are 0 to 2."
+        assert page.locator("#log li").all_text_contents() == [
+            "start: degree 3",
+            "write 2: degree 3, marks 2",
+        ]
+        assert button(page, "Drop a marker").is_hidden()
+    with visit(file_of(tmp_path, "directional")) as page:
+        assert page.locator("#number").is_hidden()
+
+
+def file_of(folder, kind):
+    made = folder / f"{kind}.html"
+    made.write_text(game_page(play("theta", lighthouse=kind)), encoding="utf-8")
+    return made

@@ -41,7 +41,7 @@ def test_a_run_that_ends_at_the_start_has_no_last_step(told):
     [
         ("no-answer", "no-estimate", "without an answer that could be judged"),
         ("never-stops", "budget", "did not end within its step budget"),
-        ("state-kept", "nondeterministic", "the explorer did something else"),
+        ("state-kept", "nondeterministic", "the explorer acted differently"),
     ],
 )
 def test_other_endings_are_told(name, law, words, told):
@@ -124,7 +124,7 @@ def test_a_pass_without_progress_is_told(told):
 def test_folding_counts_the_open_darts_and_names_the_vertex_seen_as_several(told):
     law, step, text = told("no-retracing")
     assert (law, step) == ("folding", None)
-    assert "does not settle where 3 darts lead" in text
+    assert "it is open where 3 darts lead" in text
     assert "came to v1 in 2 ways, and the log does not show that this is one vertex" in text
 
 

@@ -78,7 +78,7 @@ def with_a_leaf_more(estimate):
 
 CASES = {
     "mirrored": (mirrored, "mirror image"),
-    "exchanged": (exchanged, "One slip makes all the difference"),
+    "exchanged": (exchanged, "The answer differs from the world only in this"),
     "without an edge": (without_an_edge, "The answer lacks one edge of the world"),
     "one vertex for two": (with_one_vertex_for_two, "for one vertex"),
     "a leaf more": (with_a_leaf_more, "one edge too many"),

@@ -77,8 +77,19 @@ def test_a_line_is_an_action_and_the_conversation_is_no_result(end, capsys, monk
     assert document["path"] is None
     assert said.err.count("you sense: degree 3") == 3
     assert "that cannot be done: the directional lighthouse gives no markers" in said.err
-    assert "is not one of a number, drop, pick, or an empty line to end" in said.err
+    legal = "a number, drop, pick, write K with a number K, or an empty line to end"
+    assert f"is not one of {legal}" in said.err
     assert "\x1b" not in said.err
+
+
+def test_a_number_is_written_where_the_lighthouse_has_room_for_it(capsys, monkeypatch):
+    monkeypatch.setattr(sys, "stdin", io.StringIO("write 3\nwrite 2\nwrite two\n\n"))
+    assert call(["play", "theta", "--lighthouse", "whiteboard:states=3", "--json"]) == 0
+    said = capsys.readouterr()
+    assert [row.get("write") for row in json.loads(said.out)["transcript"]] == [None, 2]
+    assert "that cannot be done: a Write(k) with k from 0 to 2" in said.err
+    assert "you sense: degree 3, marks 2" in said.err
+    assert "'write two' is not one of" in said.err
 
 
 def test_a_page_is_written_and_nothing_is_played(tmp_path, capsys):

@@ -241,7 +241,7 @@ def directional(dart):
         ({"lighthouse": directional(None)}, "lighthouse.dart = None"),
         ({"lighthouse": {"kind": "lamp"}}, "'lamp' is not one of .*directional"),
         ({"lighthouse": {"kind": ""}}, "'' is not one of .*directional"),
-        ({"lighthouse": {"kind": "directional:x=1"}}, "no options, not 'x=1'"),
+        ({"lighthouse": {"kind": "directional:x=1"}}, "is more than a name; its options are keys"),
         ({"lighthouse": {"kind": 3}}, "'kind', not {'kind': 3}"),
         ({"lighthouse": {}}, "'kind', not {}"),
         ({"lighthouse": "directional"}, "'kind', not 'directional'"),
@@ -357,7 +357,7 @@ def test_kinds_are_found_by_name():
     assert lighthouse_from_json({"kind": "directional", "dart": 2}, PATH, 1) == Directional(2)
     with pytest.raises(InvalidWorld, match=r"'Directional' is not one of .*directional"):
         lighthouse_named("Directional")
-    with pytest.raises(InvalidWorld, match="no options, not 'markers=2'"):
+    with pytest.raises(InvalidWorld, match="'directional' has no option 'markers'; it has none"):
         lighthouse_named("directional:markers=2")
 
 

@@ -2,8 +2,8 @@
 
 ``episode``, ``endings``
     the one place where a world and an explorer meet, and the ways in which a run can end;
-``tasks``
-    what counts as done;
+``tasks``, ``walk_log``
+    what counts as done, and the log that decides it;
 ``laws``
     the judge: an answer and a log against the truth, law by law;
 ``findings``
@@ -77,7 +77,9 @@ if TYPE_CHECKING:
         place_of as place_of,
     )
     from allworlds.judging.findings.rules import (
+        Among as Among,
         AskedRules as AskedRules,
+        AskedTask as AskedTask,
         RecordedRules as RecordedRules,
         Rules as Rules,
     )
@@ -119,5 +121,6 @@ if TYPE_CHECKING:
         Task as Task,
         task_named as task_named,
     )
+    from allworlds.judging.walk_log import WalkLog as WalkLog
 else:
     open_door(__name__)

@@ -33,12 +33,15 @@ from allworlds.maps import (
     rooted_code,
 )
 from allworlds.world.adversary import FORM, PREFIX
+from allworlds.world.asked_lighthouse import tried_kind
 from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,
+    OWN,
     GivenLighthouse,
     LighthouseKind,
+    kind_of,
     lighthouse_kind,
 )
 from allworlds.world.world import World, at_place
@@ -47,7 +50,10 @@ WORLD = Argument("", "WORLD", "Inline JSON, @file, or a name such as k4, wheel:4
 """An argument of every verb that takes a world."""
 
 LIGHTHOUSE = Option(
-    SCOPE, "KIND", f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}."
+    SCOPE,
+    "KIND",
+    f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}, {OWN}, or several with + "
+    "between them.",
 )
 """An option of most of them."""
 
@@ -92,7 +98,12 @@ def world_named(
     Raises:
         InputError: naming a text that is none of these, or a seed or holes without effect.
     """
-    kind = lighthouse_kind(kind)
+    world = _world_named(text, tried_kind(kind), seed, holes)
+    tried_kind(kind_of(world.lighthouse))  # the text may name another one
+    return world
+
+
+def _world_named(text: str, kind: LighthouseKind, seed: int | None, holes: str | None) -> World:
     if not _names_family(text):
         for name, given in (("seed", seed), ("holes", holes)):
             if given is not None:
@@ -205,14 +216,19 @@ class AskedWorld(Request):
     holes: Annotated[str | None, HOLES] = None
     seed: Annotated[
         int | None,
-        Option(SCOPE, "S", "For whatever is drawn of a family [default: 0].", parse=integer_of),
+        Option(
+            SCOPE,
+            "S",
+            "Seed for families that are drawn at random [default: 0].",
+            parse=integer_of,
+        ),
     ] = None
     lighthouse: Annotated[
         Taken[GivenLighthouse | None, LighthouseKind | None],
         Option(
             SCOPE,
             "KIND",
-            "The lighthouse for a world that names none [default: the explorer's own].",
+            "The lighthouse, if the world names none [default: the explorer's own].",
         ),
     ] = Taken(_lighthouse, None)
     place: Annotated[
@@ -246,7 +262,7 @@ class AskedWorld(Request):
         Raises:
             InputError: naming what is not there, or has no effect.
         """
-        kind = usual if self.lighthouse is None else self.lighthouse
+        kind = tried_kind(usual if self.lighthouse is None else self.lighthouse)
         if not isinstance(given, World | str | None):
             raise InputError(f"world = {show(given)} is no World; World(map) makes one of a map")
         if isinstance(given, World):

@@ -19,9 +19,10 @@ from allworlds.maps import (
     to_networkx,
 )
 from allworlds.protocol import Action, Move, Percept, Told
-from allworlds.world.lighthouses.base import InvalidWorld, Lighthouse, refuse_other_keys
+from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
+from allworlds.world.lighthouses.place_checks import InvalidWorld, refuse_other_keys
 from allworlds.world.state import State, without_markers
 
 
@@ -227,7 +228,7 @@ def at_place(world: World, number: int) -> World:
     Raises:
         InvalidWorld: naming the numbers of its places.
     """
-    places = list(type(world.lighthouse).places(world.map, world.start))
+    places = list(world.lighthouse.as_kind.places(world.map, world.start))
     if number not in range(len(places)):
         raise InvalidWorld(
             f"place {show(number)} is none of the {len(places)} places of the lighthouse "

@@ -41,7 +41,15 @@ from allworlds.engines.python.play import ExplorerRunner, ending_maker
 from allworlds.explorers import Shield, Subject, is_program, load
 from allworlds.inputs import InputError
 from allworlds.judging import Environment, Log, perform
-from allworlds.protocol import Action, Choices, Kind, Percept, Schedules, number_of
+from allworlds.protocol import (
+    Action,
+    Choices,
+    Kind,
+    Percept,
+    Schedules,
+    limit_calls,
+    number_of,
+)
 from allworlds.world import Deciding, State
 
 if TYPE_CHECKING:
@@ -61,6 +69,9 @@ TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 
 LOOK = 0.002
 """Seconds between two looks at timers and pipe: each costs as much as a short run."""
+
+SHARE_OF_MODELS = 0.8
+"""The share of an explorer's time for an answer that a call of a lighthouse or judge may take."""
 
 Job = PlayRuns | PlayRecords | PlayStretch | PlayTree | PlaySegments | Trace
 """Every message to a player after its setup."""
@@ -89,6 +100,8 @@ class PlayerProcess:
 
     def _load_and_serve(self, setup: PlayerSetup, before: int) -> None:
         """Serve a process of which so many MB were in use before its layout was drawn."""
+        # A silent model is given up before it looks like a silent explorer.
+        limit_calls(SHARE_OF_MODELS * setup.answer_timeout)
         if setup.output:
             _print_to(os.devnull)
         try:

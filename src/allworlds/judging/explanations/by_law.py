@@ -85,7 +85,7 @@ def tell_illegal_action(story: Story) -> Telling:
 
 def tell_nondeterministic(story: Story) -> Telling:
     """Tell that two plays differ, and what is mostly the cause."""
-    told = ["Exploring the same world again, the explorer did something else.", KEPT]
+    told = ["In a second run of the same world the explorer acted differently.", KEPT]
     return Telling([*told, _say_last_step(story)])
 
 

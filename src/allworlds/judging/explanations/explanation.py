@@ -46,7 +46,7 @@ class Explanation(Report):
     slip: Annotated[
         Text | None,
         about(
-            "the one thing that makes all the difference between answer and world, such as "
+            "the one difference between answer and world, such as "
             "`mirror image`; null: none that is known"
         ),
     ]

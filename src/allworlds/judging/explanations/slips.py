@@ -159,11 +159,11 @@ def _say_crosswise(belief: Belief, wrong: list[tuple[Dart, Dart]]) -> str:
         if world.alpha[x] != y and world.vertex_of[x] == world.vertex_of[y]:
             first, second = sorted((x, y))
             return (
-                f"One slip makes all the difference: the answer has darts {first} and {second} of "
-                f"{belief.story.vertex(x)} exchanged."
+                f"The answer differs from the world only in this: darts {first} and {second} of "
+                f"{belief.story.vertex(x)} are exchanged."
             )
     return (
-        f"One slip makes all the difference: the answer joins {_pairs(wrong)}, where the world "
+        f"The answer differs from the world only in this: it joins {_pairs(wrong)}, the world "
         f"joins {_pairs([(a, world.alpha[a]), (b, world.alpha[b])])}."
     )
 

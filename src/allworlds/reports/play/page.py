@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from importlib.resources import files
 from typing import Any
 from xml.etree import ElementTree as ET
 
+from allworlds.inputs import InputError
 from allworlds.judging import bound_named
 from allworlds.protocol import Pick
 from allworlds.reports.drawing.scene import scene_of
@@ -14,7 +16,7 @@ from allworlds.reports.html.viewer import figure
 from allworlds.reports.markup import record, tag
 from allworlds.reports.tellings.played import LEAST, NAMES
 from allworlds.studies.play import Play
-from allworlds.world import World
+from allworlds.world import Movable, World, Written, parts_of
 
 HOW = (
     "Click a number, or press its key, to leave by that edge: 0 is the way back, the others "
@@ -51,8 +53,24 @@ def game(play: Play) -> str:
 
 
 def world_data(world: World) -> dict[str, Any]:
-    """Data of the world for the script, whatever the lighthouse; see ``robot.js``."""
+    """Data of the world for the script, whatever the lighthouse; see ``robot.js``.
+
+    Raises:
+        InputError: for a lighthouse of the user's under which the robot leaves marks.
+    """
     map_ = world.map
+    marking = next((part for part in parts_of(world.lighthouse) if part.leaves_marks), None)
+    if marking is not None and marking.code is not None:
+        raise InputError(
+            f"under the lighthouse {world.lighthouse.written} the robot leaves marks in a way of "
+            "your own, which a page cannot do; leave --html out to play in the terminal"
+        )
+    written = marking if isinstance(marking, Written) else None
+    spots: list[int] | None = None
+    if written:
+        spots = [written.place_of_number(map_, dart) for dart in map_.darts]
+    elif isinstance(marking, Movable) and marking.distinct:
+        spots = list(map_.vertex_of)
     return {
         "sigma": list(map_.sigma),
         "alpha": list(map_.alpha),
@@ -61,6 +79,8 @@ def world_data(world: World) -> dict[str, Any]:
         "start": world.start,
         "hand": world.lighthouse.in_hand,
         "pick": not world.lighthouse.refusal(Pick(), 1, 0),
+        "states": written.states if written else 0,
+        "spots": spots,
         "bound": bound_named(world.lighthouse.default_bound).of(map_, world.start),
     }
 
@@ -116,6 +136,7 @@ def _senses() -> ET.Element:
         tag("p", "", id="sensed-words", role="status"),
         tag("p", tag("span", "", id="cost"), " ", tag("span", "", id="hand")),
         _buttons(("drop", "Drop a marker"), ("pick", "Take a marker up")),
+        _buttons(("write", "Write"), before=[_number()]),
         tag("p", HOW, class_="legend"),
     )
 
@@ -131,9 +152,14 @@ def _notes() -> ET.Element:
     )
 
 
-def _buttons(*buttons: tuple[str, str]) -> ET.Element:
+def _number() -> ET.Element:
+    told = {"min": "0", "value": "0", "step": "1", "aria_label": "The number to write"}
+    return tag("input", type="number", id="number", **told)
+
+
+def _buttons(*buttons: tuple[str, str], before: Sequence[ET.Element] = ()) -> ET.Element:
     made = (tag("button", label, type="button", id=name) for name, label in buttons)
-    return tag("p", *made, class_="rows")
+    return tag("p", *before, *made, class_="rows")
 
 
 def _read(name: str) -> str:

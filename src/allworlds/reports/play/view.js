@@ -3,6 +3,7 @@
 const world = JSON.parse(document.getElementById("play-json").textContent);
 const SVG = "http://www.w3.org/2000/svg";
 const movable = world.hand > 0;
+const changing = movable || world.states > 0; // the robot makes marks itself
 
 let states, log, conclusions, chosen, uncovered, claimed;
 let spots; // of the places in the notes: see spots.js
@@ -20,7 +21,7 @@ const round = (x) => Math.round(x * 10) / 10;
 const polar = (x, y, r, angle) => [round(x + r * Math.cos(angle)), round(y + r * Math.sin(angle))];
 
 function said({ degree, marks, bearing }) {
-  const marker = marks > 1 ? `${marks} markers` : "marked";
+  const marker = marks > 1 ? `marks ${marks}` : "marked";
   const parts = [`degree ${degree}`];
   if (marks) parts.push(marker);
   if (bearing !== null) parts.push(`bearing ${bearing}`);
@@ -28,6 +29,7 @@ function said({ degree, marks, bearing }) {
 }
 
 function named(action) {
+  if (action.write !== undefined) return `write ${action.write}`;
   return action.drop ? "drop" : action.pick ? "pick" : `move ${action.move}`;
 }
 
@@ -91,7 +93,7 @@ function drawSensed() {
 
 // ---------------------------------------------------------------- the notes
 
-const known = () => notes(log.first, log, conclusions, movable);
+const known = () => notes(log.first, log, conclusions, changing);
 
 // Where each dart is drawn: round the spot of its place, clockwise.
 function seated({ places }) {
@@ -135,7 +137,7 @@ function drawNotes() {
     const { x, y } = spots.get(name);
     const disc = element(
       "g",
-      { class: percept.marks && !movable ? "vertex marked" : "vertex" },
+      { class: percept.marks && !changing ? "vertex marked" : "vertex" },
       element("circle", { cx: x, cy: y, r: 14 }),
       element("text", { x, y }, String(name)),
     );
@@ -311,6 +313,7 @@ function restart() {
 const BUTTONS = {
   drop: () => act({ drop: true }),
   pick: () => act({ pick: true }),
+  write: () => act({ write: at("number").valueAsNumber }),
   undo: () => { conclusions.pop(); chosen = null; at("outcome").textContent = ""; drawNotes(); },
   claim,
   uncover: () => { uncovered = true; drawWorld(); drawCosts(); },
@@ -318,7 +321,10 @@ const BUTTONS = {
 };
 for (const [id, pressed] of Object.entries(BUTTONS)) at(id).addEventListener("click", pressed);
 for (const id of ["drop", "pick"]) at(id).hidden = !movable;
+for (const id of ["number", "write"]) at(id).hidden = !world.states;
+at("number").max = world.states - 1;
 document.addEventListener("keydown", (event) => {
+  if (event.target === at("number")) return; // it is typed there
   if (event.altKey || event.ctrlKey || event.metaKey || !/^[0-9]$/.test(event.key)) return;
   if (Number(event.key) < now().degree) act({ move: Number(event.key) });
 });

@@ -26,7 +26,13 @@ from allworlds.reports.telling import (
 )
 from allworlds.reports.tellings.finding import finding_section, nothing_checked
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
-from allworlds.reports.tellings.scope import SAID, of_the_class, options_told, places_told
+from allworlds.reports.tellings.scope import (
+    SAID,
+    of_the_class,
+    options_told,
+    places_told,
+    trust_told,
+)
 from allworlds.studies.check import (
     CheckReport,
     Guess,
@@ -174,15 +180,12 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
         words.append(("", f"NOT complete: finished levels (edges): {finished}"))
     if not rules.task.is_map:
         words.append(("task", f"{rules.task.name}: {rules.task.asks}"))
-    if shared := report.scope.shared_file:
-        words.append(
-            ("trust", f"{shared} holds the explorer, and code that judges it: see docs/trust.md")
-        )
+    words += trust_told(report.scope.shared_file)
     if report.symmetry:
         words.append(("symmetry", report.symmetry))
     witnesses = report.tally.witnesses
     seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
-    met = f"what was met, and how often: {seen}" if seen else "none was met"
+    met = f"events seen: {seen}" if seen else "no event was seen"
     words += [("laws", _laws(report)), ("gate", _gate(report)), ("witnesses", met)]
     if report.missing_witnesses:
         words.append(("MISSING", f"never met: {', '.join(report.missing_witnesses)}"))
@@ -223,9 +226,10 @@ def _corpus(past: UserCorpus) -> str:
             (f"{plural(len(past.reproduced), 'past finding')} reproduced", past.reproduced),
             (f"{len(past.beyond)} still refuted, but beyond the scope", past.beyond),
             (f"{len(past.fixed)} fixed and kept", past.fixed),
+            (f"{len(past.stale)} stale and not tried", past.stale),
             (f"{len(past.written)} written", past.written),
         )
-        if names or names is not past.beyond
+        if names or (names is not past.beyond and names is not past.stale)
     )
 
 
@@ -248,7 +252,7 @@ def _laws(report: CheckReport) -> str:
         return f"{laws}; {plural(published, 'checkpoint')}"
     left = [law for law in rules.applying if law not in checked]
     return laws + (
-        f"; no checkpoint was published, so nothing was checked of {listed(left)}" if left else ""
+        f"; not checked, because the explorer shows no checkpoint: {listed(left)}" if left else ""
     )
 
 

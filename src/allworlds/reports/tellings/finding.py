@@ -174,10 +174,12 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
     if checked:
         confirmed = "no"
         if finding.confirmed:
-            confirmed = "yes: a fresh process did the same from the recorded percepts alone"
+            confirmed = "yes: a new process, given only the percepts, repeated the run"
         smaller = "a smaller one may refute"
         if finding.minimal:
-            smaller = "no smaller world of the scope refutes"
+            among = finding.rules.among
+            scope = f"the scope (--where {among.name})" if among else "the scope"
+            smaller = f"no smaller world of {scope} refutes"
         yield "confirmed", f"{confirmed}; {smaller}"
     if origin:
         yield "origin", origin

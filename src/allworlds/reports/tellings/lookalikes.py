@@ -76,6 +76,10 @@ def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> CsvRows:
 
 def _told(comparison: ComparedWorlds) -> Headline:
     if comparison.motions is not UNSET:
+        if comparison.told is not UNSET:
+            one, other = comparison.told
+            said = f"by 0 motions: before the start {one} is told in A, and {other} in B"
+            return Headline("TOLD APART", said, "holds")
         motions = ", ".join(map(str, comparison.motions)) or "none: the first percepts differ"
         count = plural(len(comparison.motions), "motion")
         return Headline("TOLD APART", f"by {count}, and by no fewer: {motions}", "holds")
@@ -137,7 +141,10 @@ def _apart(comparison: ComparedWorlds) -> ToldWalk:
     worlds = comparison.worlds
     scenes = [scene_of(world) for world in worlds]
     transcript = walk_along(worlds[0], comparison.motions or ())
-    return _walk("AB", worlds, scenes, transcript, ["The last percepts of this walk differ."])
+    sentence = "The last percepts of this walk differ."
+    if comparison.told is not UNSET:
+        sentence = "The robot knows which world it is in before it moves."
+    return _walk("AB", worlds, scenes, transcript, [sentence])
 
 
 def _walk(

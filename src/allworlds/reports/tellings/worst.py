@@ -17,7 +17,13 @@ from allworlds.reports.telling import (
 )
 from allworlds.reports.tellings.finding import finding_section, headline_of
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
-from allworlds.reports.tellings.scope import gate_told, maps_words, options_told, places_told
+from allworlds.reports.tellings.scope import (
+    gate_told,
+    maps_words,
+    options_told,
+    places_told,
+    trust_told,
+)
 from allworlds.studies.worst import WorstReport
 from allworlds.words import number, plural, size
 from allworlds.world import code_of
@@ -97,7 +103,7 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
     return [*words, ("replay", f"every worst cost was attained {again}")] if report.rows else words
 
 
-SAID = ("edges", "map_class", "where", "lighthouse", "transit")
+SAID = ("edges", "map_class", "where", "lighthouse", "task", "transit")
 """The fields of the request of which other words tell."""
 
 
@@ -108,9 +114,14 @@ def _of_runs(report: WorstReport) -> list[tuple[str, str]]:
         f"{schedules} of {report.explorer} in {maps_words(report)}, "
         f"at every place of the lighthouse {report.rules.lighthouse}"
     )
-    costs = "worst: of all episodes; best: the largest cost of the cheapest schedule of a run"
+    costs = (
+        "worst: of all episodes; best: the cheapest schedule of each run, of these the largest cost"
+    )
     places = places_told(tried_places(report.rules.lighthouse, report.extent))
-    return [("scope", scope), *places, ("costs", costs)]
+    task = report.rules.task
+    done = [] if task.is_map else [("task", f"{task.name}: {task.asks}")]
+    trust = trust_told(report.scope.shared_file)
+    return [("scope", scope), *places, *done, *trust, ("costs", costs)]
 
 
 def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
@@ -121,8 +132,8 @@ def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
         f"every schedule of algorithm1 in {maps_words(report)}, from every vertex; transit on {way}"
     )
     costs = (
-        "worst: the most expensive schedule of the most expensive world; best: the largest cost "
-        "of the cheapest schedule of a world"
+        "worst: the most expensive schedule of the most expensive world; best: the cheapest "
+        "schedule of each world, of these the largest cost"
     )
     return [
         ("scope", scope),

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.document import Document, Text, about
+from allworlds.document import Document, IfAny, Text, about
 from allworlds.engines import (
     GivenWorlds,
     Limits,
@@ -31,6 +31,7 @@ class UserCorpus:
         reproduced: the files whose findings still stand, within the scope of the check.
         beyond: those that stand beyond it; they say nothing about the scope.
         fixed: the files whose worlds are no longer refuting; they are kept.
+        stale: the files that were not tried, since their lighthouse or judge has another text now.
         written: the files that this check has added.
     """
 
@@ -38,6 +39,7 @@ class UserCorpus:
     reproduced: list[str] = field(default_factory=list)
     beyond: list[str] = field(default_factory=list)
     fixed: list[str] = field(default_factory=list)
+    stale: list[str] = field(default_factory=list)
     written: list[str] = field(default_factory=list)
     _standing: list[Finding] = field(default_factory=list)
 
@@ -46,7 +48,9 @@ class UserCorpus:
 
         Each finding is tried by itself, so that one that is lost does no harm to others.
         """
-        for kept in kept_findings(self.directory):
+        past = kept_findings(self.directory)
+        self.stale = past.stale
+        for kept in past.kept:
             found = _retry(kept.finding, subject, limits)
             if found is None:
                 self.fixed.append(kept.name)
@@ -65,6 +69,7 @@ class UserCorpus:
             reproduced=tuple(self.reproduced),
             beyond_scope=tuple(self.beyond),
             fixed=tuple(self.fixed),
+            stale=tuple(self.stale),
             written=tuple(self.written),
         )
 
@@ -94,6 +99,10 @@ class CorpusReport(Document):
     fixed: Annotated[
         tuple[Text, ...], about("the files whose worlds no longer refute; they are kept")
     ]
+    stale: Annotated[
+        IfAny[tuple[Text, ...]],
+        about("the files that were not tried: their lighthouse or judge has another text now"),
+    ]
     written: Annotated[tuple[Text, ...], about("the files that this check has added")]
 
 
@@ -102,6 +111,7 @@ def is_inside(finding: Finding, scope: Scope) -> bool:
     rules, own, world = scope.rules, finding.rules, finding.world
     return (
         scope.extent.include(world.map)
+        and own.task == rules.task
         and world.lighthouse in rules.kind.places(world.map, world.start)
         and (finding.law not in LAWS or finding.law in rules.applying)
         and (finding.law != "bound" or own.the_bound.name == rules.the_bound.name)

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 from allworlds.engines import WHOLE, AskedListener, AskedRows, Listener, merged
 from allworlds.inputs import Argument, InputError, show, takes_fields
 from allworlds.lazy import loaded
+from allworlds.protocol import as_recorded
 from allworlds.verbs import BY_NAME
 from allworlds.version import __version__
 
@@ -31,10 +32,11 @@ def _merged(request: MergeRequest) -> Any:
                 f"{show(__version__)}"
             )
         kind = loaded(BY_NAME[identity.verb].sweep)
-        sweep = kind.known(identity, WHOLE, request.listener)
-        if request.by is not None:
-            sweep.list_by(request.by)
-        return sweep.merged(records)
+        with as_recorded(identity.code):
+            sweep = kind.known(identity, WHOLE, request.listener)
+            if request.by is not None:
+                sweep.list_by(request.by)
+            return sweep.merged(records)
 
 
 @takes_fields(MergeRequest, several="runs", answered=_merged)

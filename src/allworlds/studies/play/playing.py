@@ -56,7 +56,7 @@ class PlayRequest(Request, kw_only=False):
         Option(
             SCOPE,
             "S",
-            "The seed of a WORLD of a family: random:8 with --seed 3 is one for a class-room.",
+            "Seed for families that are drawn at random: with it, everybody gets the same world.",
             parse=integer_of,
         ),
     ] = None

@@ -40,8 +40,8 @@ if TYPE_CHECKING:
 MOST_EDGES = 12
 
 NARROWED = (
-    "the compiled search knows no condition; every schedule is played by the python engine, far "
-    "slower"
+    "the compiled search knows no condition and no other task; every schedule is played by the "
+    "python engine, far slower"
 )
 
 SYMMETRY = (
@@ -63,11 +63,11 @@ def worst(request: WorstRequest) -> WorstReport:
         InputError: naming the offending option and what would be legal.
     """
     ours = request.explore in ("algorithm1", algorithm1) and request.lighthouse is None
-    if not ours or request.where is not None:
+    if not ours or request.where is not None or not request.task.is_map:
         if request.transit is not None:
             raise InputError(
-                f"transit = {show(request.transit)} is for algorithm1 as it is built in, in all "
-                "maps of a class"
+                f"transit = {show(request.transit)} is for algorithm1 as it is built in, with "
+                "the task map in all maps of a class"
             )
         if ours:
             request.listener.notice(NARROWED)

@@ -205,7 +205,9 @@ def runs_asked(request: WorstRequest, extent: Extent) -> RunsSweep:
         InputError: for an explorer or a lighthouse that is none.
     """
     subject = subject_of(request.explore, request.limits)
-    asked = ManyWorlds(map_class=request.map_class, lighthouse=request.lighthouse)
+    asked = ManyWorlds(
+        map_class=request.map_class, lighthouse=request.lighthouse, task=request.task
+    )
     schedules: Schedule = "all" if subject.takes_choices else "one"
     scope = Scope(extent, asked.rules(subject), schedules, request.shard)
     return RunsSweep(request, scope, subject)
