@@ -1,4 +1,4 @@
-"""What a census brings: worlds, parted by what a robot could ever sense in them."""
+"""The result of a census: worlds, parted by what a robot could ever sense in them."""
 
 from __future__ import annotations
 
