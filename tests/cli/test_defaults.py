@@ -33,6 +33,7 @@ DEFAULTS = {
     allworlds.worst: {
         "explore": "algorithm1",
         "map_class": "maps",
+        "task": "map",
         "workers": 1,
         **PATIENCE,
         **CLUSTER,
