@@ -11,7 +11,7 @@ from allworlds.maps import CombinatorialMap, rooted_code
 from allworlds.outcome import Exit
 from allworlds.protocol import Estimate, Move, Percept
 from allworlds.reports import text
-from allworlds.studies.optimum import OptimumReport, OptimumRow, minimax
+from allworlds.studies.optimum import OptimumReport, OptimumRow, minimax, optimum_table
 from allworlds.studies.optimum.in_every_world import most_expensive
 from allworlds.studies.optimum.optimum_table import Solved
 from allworlds.studies.optimum.strategy import Branch, Strategy, StrategyLeaf, StrategyStep
@@ -155,12 +155,39 @@ def test_the_table_has_every_directional_explorer_and_none_is_better(edges):
     assert "followed in every world" in told
 
 
-def test_where_the_time_is_up_there_is_a_lower_bound():
+def test_where_the_time_is_up_there_is_a_lower_bound(monkeypatch):
+    monkeypatch.setattr(optimum_table, "_in_time", lambda every, _: every)
     report = allworlds.optimum(edges=2, time_limit=1e-9)
     last = report.rows[-1]
     assert (last.optimum, last.replayed, last.at_least) == (None, None, 1)
     assert report.exit_code == Exit.INCONCLUSIVE
     assert "1 or more" in text("optimum", report, 100)
+
+
+@pytest.mark.timeout(60)
+def test_the_time_limit_ends_a_level_that_takes_hours_and_keeps_the_others():
+    report = allworlds.optimum(edges=6, time_limit=1)
+    assert report.exit_code == Exit.INCONCLUSIVE
+    assert len(report.rows) < 6
+    assert [row.optimum for row in report.rows[:-1]] == [0, 1, 4, 9][: len(report.rows[:-1])]
+
+
+def test_a_row_leaves_out_explorers_for_which_there_was_no_time(monkeypatch):
+    checked = optimum_table.check
+
+    def late(name, **more):
+        if name == "greedy" and more["edges"] == 2:
+            more["time_limit"] = 1e-9
+        return checked(name, **more)
+
+    monkeypatch.setattr(optimum_table, "check", late)
+    monkeypatch.setattr(optimum_table, "_KNOWN", {})
+    report = allworlds.optimum(edges=3, time_limit=1000)
+    first, last = report.rows
+    assert "greedy" in first.explorers
+    assert [*last.explorers] == [*first.explorers][: [*first.explorers].index("greedy")]
+    assert (last.optimum, report.exit_code) == (1, Exit.INCONCLUSIVE)
+    assert [*text("optimum", report, 100).splitlines()[4].split()][-1] == "-"
 
 
 @pytest.mark.parametrize(("replayed", "seen"), [(None, "wrong in some world"), (7, "costs 7")])

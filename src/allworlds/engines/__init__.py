@@ -130,6 +130,8 @@ if TYPE_CHECKING:
         AskedWorkers as AskedWorkers,
         Limits as Limits,
         TimeIsUp as TimeIsUp,
+        check_deadline as check_deadline,
+        time_until as time_until,
     )
     from allworlds.engines.units.gather import gather as gather
     from allworlds.engines.units.kept_form import Form as Form, from_kept as from_kept

@@ -36,6 +36,9 @@ START_TIMEOUT = 60.0
 POLL = LEAST_TIMEOUT
 """Seconds between two checks of other threads and processes."""
 
+LEAST_LIMIT = 1e-6
+"""Seconds; the shortest time limit of a part of a job."""
+
 DASK_TIMEOUT = 60.0
 """Seconds of silence after which a part of a cluster is given up, unless others are named."""
 
@@ -259,3 +262,15 @@ def check_deadline(deadline: float | None) -> None:
     """
     if deadline is not None and time.monotonic() > deadline:
         raise TimeIsUp
+
+
+def time_until(deadline: float | None) -> float | None:
+    """The time limit of a part of a job, in seconds; None without a deadline.
+
+    Raises:
+        TimeIsUp: after the deadline.
+    """
+    if deadline is None:
+        return None
+    check_deadline(deadline)
+    return max(deadline - time.monotonic(), LEAST_LIMIT)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from allworlds.reports.telling import (
     Cell,
     Headline,
@@ -24,7 +26,7 @@ MEANING = (
 def optimum_telling(report: OptimumReport) -> ToldResult:
     """A row for each number of edges: the optimum, and the worst cost of each explorer."""
     names = [*report.rows[0].explorers] if report.rows else []
-    rows = [_row(row) for row in report.rows]
+    rows = [_row(row, names) for row in report.rows]
     table = ToldTable(["edges", "runs", "optimum", *names], rows, "Traversals in the worst world")
     facts = [*interruption(complete=report.complete, stopped=report.stopped), ("optimum", MEANING)]
     if all(row.agrees for row in report.rows):
@@ -46,11 +48,11 @@ def _headline(report: OptimumReport) -> Headline:
     return Headline("OPTIMUM", f"{found}{more}, with {plural(last.edges, 'edge')}")
 
 
-def _row(row: OptimumRow) -> list[Cell]:
+def _row(row: OptimumRow, names: Iterable[str]) -> list[Cell]:
     found: Cell = row.optimum
     if row.optimum is None:
         found = Shown(f"{row.at_least} or more", f"{row.at_least} or more")
-    return [row.edges, row.runs, found, *row.explorers.values()]
+    return [row.edges, row.runs, found, *map(row.explorers.get, names)]
 
 
 def _mismatch(row: OptimumRow) -> str:

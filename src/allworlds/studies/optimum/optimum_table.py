@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from functools import cache
+from functools import partial
 from typing import Annotated
 
 from typing_extensions import override
@@ -27,7 +26,9 @@ from allworlds.engines import (
     SweptLevel,
     ThisThread,
     TimeIsUp,
+    check_deadline,
     level_size,
+    time_until,
 )
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError, an_integer, answers, show
@@ -67,28 +68,19 @@ def minimax(
     Args:
         given: of each the map, the dart that the robot faces, and the dart of its vertex that
             the marker points at; at least one.
-        deadline: on the monotonic clock; then what is known by then is told.
+        deadline: of the search, on the monotonic clock; then what is known by then is told.
 
     Cost: seconds for all worlds with 4 edges; it grows faster than any power.
     """
-
-    def tick() -> None:
-        if deadline is not None and time.monotonic() > deadline:
-            raise _Late
-
     places = Places()
     starts = places.parted([places.number(*world) for world in given])
-    search = Search(places, tick)
+    search = Search(places, partial(check_deadline, deadline))
     try:
         value = max(search.value(part.known) for part in starts)
-    except _Late:
+    except TimeIsUp:
         at_least = max(search.at_least(part.known) for part in starts)
         return Solved(at_least, None, search.states)
     return Solved(value, search.strategy(starts), search.states)
-
-
-class _Late(Exception):
-    """Raised when the time is up."""
 
 
 class OptimumRow(Document):
@@ -109,7 +101,10 @@ class OptimumRow(Document):
         ),
     ]
     states: Annotated[Natural, about("the number of states of knowledge that were examined")]
-    explorers: Annotated[dict[str, Natural], about("the worst cost of each built-in explorer")]
+    explorers: Annotated[
+        dict[str, Natural],
+        about("the worst cost of each built-in explorer; of none for which there was no time"),
+    ]
     strategy: Annotated[Strategy | None, about("a strategy that attains the optimum")]
 
     @property
@@ -171,7 +166,7 @@ class OptimumSweep(Sweep["OptimumRows", OptimumReport]):
 
     @override
     def ready(self) -> ReadyEngine:
-        return ReadyEngine(ThisThread(), _Minimax(self.request.edges, self.deadline))
+        return ReadyEngine(ThisThread(), _Minimax(self.deadline))
 
     @override
     def finish(self, level: SweptLevel, total: OptimumRows) -> None:
@@ -210,44 +205,55 @@ OptimumSweep.result = OptimumRows
 
 @dataclass(frozen=True, slots=True)
 class _Minimax:
-    """The engine, which solves a whole level.
+    """The engine, which solves a whole level, and runs other explorers in it."""
 
-    Up to a number of edges it runs other explorers too.
-    """
-
-    edges: int
     deadline: float | None
 
     def parts(self, unit: LevelUnit) -> Iterator[OptimumRows]:
         """The row of the level.
 
         Raises:
-            TimeIsUp: after a row that holds a lower bound alone.
+            TimeIsUp: after a row without all that there was no time for, if there is a row.
         """
-        edges = unit.edges
-        every = [world for world in worlds(edges=edges, places="all") if _size(world) == edges]
-        solved = minimax(map(_given, every), self.deadline)
+        edges, deadline = unit.edges, self.deadline
+        every = [*_in_time(_worlds(edges), deadline)]
+        solved = minimax(map(_given, _in_time(every, deadline)), deadline)
+        strategy, explorers = solved.strategy, dict[str, int]()
+        late: TimeIsUp | None = None if strategy else TimeIsUp()
+        try:
+            for name in _explorers():
+                explorers[name] = _worst(name, edges, deadline)
+        except TimeIsUp as error:
+            late = error
         row = OptimumRow(
             edges=edges,
             runs=len(every),
             at_least=solved.at_least,
-            replayed=most_expensive(solved.strategy, every) if solved.strategy else None,
+            replayed=most_expensive(strategy, every) if strategy else None,
             states=solved.states,
-            explorers={name: _worst(name, self.edges)[edges] for name in _explorers()},
-            strategy=solved.strategy,
+            explorers=explorers,
+            strategy=strategy,
         )
         yield OptimumRows([row])
-        if solved.strategy is None:
+        if late:
             yield OptimumRows()  # so that the one before is handed over
-            raise TimeIsUp
+            raise late
 
 
 def _explorers() -> list[str]:
     return [name for name, own in BUILT_IN.items() if own.lighthouse == Directional.kind]
 
 
-def _size(world: World) -> int:
-    return world.map.edge_count
+def _worlds(edges: int) -> Iterator[World]:
+    """Every world of a level, with every bearing."""
+    return (world for world in worlds(edges=edges, places="all") if world.map.edge_count == edges)
+
+
+def _in_time(every: Iterable[World], deadline: float | None) -> Iterator[World]:
+    """The worlds, one by one; TimeIsUp is raised after the deadline."""
+    for world in every:
+        check_deadline(deadline)
+        yield world
 
 
 def _given(world: World) -> tuple[CombinatorialMap, Dart, Dart]:
@@ -255,10 +261,20 @@ def _given(world: World) -> tuple[CombinatorialMap, Dart, Dart]:
     return world.map, world.start, world.lighthouse.dart
 
 
-@cache
-def _worst(name: str, most: int) -> Mapping[int, int]:
-    """The largest cost of an explorer, first in, first out, in any world, by number of edges."""
-    worst: dict[int, int] = {}
-    for row in check(name, edges=most).uninterrupted().to_json()["rows"]:
-        worst[row["edges"]] = max(worst.get(row["edges"], 0), row["max_cost"])
-    return worst
+_KNOWN: dict[tuple[str, int], int] = {}
+"""Worst costs that were found in this process, by explorer and number of edges."""
+
+
+def _worst(name: str, edges: int, deadline: float | None) -> int:
+    """The largest cost of an explorer, first in, first out, in a world with these edges.
+
+    Raises:
+        TimeIsUp: if there was no time for all these worlds.
+    """
+    if (name, edges) not in _KNOWN:
+        report = check(name, edges=edges, time_limit=time_until(deadline)).uninterrupted()
+        if not report.scope.complete:
+            raise TimeIsUp
+        rows = report.rows
+        _KNOWN[name, edges] = max(row.max_cost for row in rows if row.edges == edges)
+    return _KNOWN[name, edges]
