@@ -182,7 +182,7 @@ ONLY_CLI = {
     "fuzz": {"explorer", "command", "native"},
     "run": {
         *("arguments", "command", "native", "family", "holes", "seed"),
-        *("listed", "lighthouse", "place"),
+        *("listed", "lighthouse", "place", "without_walk"),
     },
     "replay": {"explorer", "command", "native", "file", "number"},
     "explain": {"file"},

@@ -8,8 +8,10 @@ import allworlds
 from allworlds.cli.files import Files
 from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import emit
+from allworlds.document import replace
 from allworlds.explorers import DEFAULT_EXPLORER, ProgramWords, names_explorer, own_lighthouse
 from allworlds.inputs import (
+    OUTPUT,
     SCOPE,
     Argument,
     InputError,
@@ -71,14 +73,23 @@ class RunWords(WordsOfPlace, FamilyWords, ProgramWords, WordsOfLighthouse):
             "",
             "[EXPLORER] WORLD",
             "WORLD: inline JSON, @file, a code of --csv, or a name such as k4, wheel:4, cycle:5; "
-            "adversary:corridor:F makes a world that is bad for the explorer; left out with "
-            "--family.",
+            "adversary:corridor:F (or FxR) makes a world that is bad for the explorer; left out "
+            "with --family.",
             repeated=True,
         ),
     ] = None
     listed: Annotated[
         bool,
         Option(SCOPE, "", "List the names that a WORLD can have, and run no explorer.", "list"),
+    ] = False
+    without_walk: Annotated[
+        bool,
+        Option(
+            OUTPUT,
+            "",
+            "Leave out the walk: the steps in the text, and transcript in the JSON.",
+            "no-walk",
+        ),
     ] = False
 
     def request(self, asked: AskedRun) -> RunRequest:
@@ -120,6 +131,8 @@ def run(words: RunWords, *, asked: AskedRun, files: Files, output: OutputGroup) 
     if words.listed:
         return emit(_listed(), "run", output)
     told = answer(allworlds.run, words.request(asked))
+    if words.without_walk:
+        told = replace(told, shows_walk=False)
     files.write("run", told)
     return emit(told, "run", output)
 

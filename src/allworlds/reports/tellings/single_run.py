@@ -34,15 +34,28 @@ def run_telling(run: SingleRun | WorldNames) -> ToldResult:
         named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
         facts = ToldFacts([(kind, ", ".join(names)) for kind, names in named])
         return ToldResult("allworlds run", "names", run, None, [Section("names", "", [facts])])
-    said = f"{cost_words(run)}: no law is broken"
-    if run.adversary and not run.adversary.same:
-        said = f"{run.explorer} did not walk as against {run.adversary.name}: not deterministic"
-    if run.finding:
-        said = f"law {run.finding.law} is broken"
-    headline = Headline(run.verdict.value.upper(), said, run.verdict.value)
+    headline = Headline(run.verdict.value.upper(), _said(run), run.verdict.value)
     return ToldResult(
         "allworlds run", run.explorer, run, headline, [_section(run)], apart=frozenset({"finding"})
     )
+
+
+def _said(run: SingleRun) -> str:
+    """The result in a sentence: the first thing that is wrong, or that nothing is."""
+    made = run.adversary
+    if run.finding:
+        return f"law {run.finding.law} is broken"
+    if made is None:
+        return f"{cost_words(run)}: no law is broken"
+    if not made.same:
+        return f"{run.explorer} did not walk as against {made.name}: not deterministic"
+    if not made.keeps_the_bound:
+        return (
+            f"{cost_words(run)} and {plural(made.excluded, 'pair')} excluded, less than every "
+            f"tester of home words must ({number(made.testers)} and "
+            f"{number(made.testers_exclude)}): the theorem or the adversary is wrong"
+        )
+    return f"{cost_words(run)}, the same walk as against {made.name}: no law is broken"
 
 
 def replay_telling(replay: Replay) -> ToldResult:
@@ -85,8 +98,11 @@ def cost_words(run: SingleRun) -> str:
 
 def _section(run: SingleRun) -> Section:
     if run.finding:
-        return finding_section(run.finding, checked=False)
+        told = finding_section(run.finding, checked=False)
+        return replace(told, blocks=[*told.blocks, *_decided(run)])
     told = run_section(run, "walk-1")
+    if not run.shows_walk:
+        told = replace(told, blocks=[b for b in told.blocks if not isinstance(b, ToldWalk)])
     shown = len(run.outcome.episode.checkpoints)
     laws = fact("laws", ", ".join(checked_laws(run.rules.judged, 1, shown)))
     return replace(told, blocks=[*told.blocks, *_decided(run), *printed(run.outcome.output), laws])
@@ -94,15 +110,32 @@ def _section(run: SingleRun) -> Section:
 
 def _decided(run: SingleRun) -> list[Block]:
     """The play against an adversary that has made the world."""
-    if run.adversary is None:
-        return []
     made = run.adversary
-    said = (
-        f"{made.name} with seed {made.seed} made this world: {plural(made.excluded, 'pair')} of "
-        f"far darts excluded, {plural(made.forced, 'edge')} forced. Testers of home words walk at "
-        f"least {number(made.testers)}; this explorer, against it, {number(made.cost)}."
+    if made is None:
+        return []
+    fixed = f"{plural(made.excluded, 'pair')} of free darts excluded, {made.forced} edges forced"
+    if made.settled:
+        fixed += f", {made.settled} fixed since the vertex behind was settled"
+    if made.depended:
+        fixed += f", {made.depended} fixed since an answer depended on two"
+    every = (
+        f"every tester of home words excludes at least {plural(made.testers_exclude, 'pair')} and "
+        f"walks at least {plural(made.testers, 'edge')}"
     )
-    return [fact("made by", said)]
+    who = f"{run.explorer} is one, and walked {number(made.cost)}"
+    if not made.tester:
+        who = (
+            f"whether {run.explorer} is one is not known, so that its {number(made.cost)} are a "
+            "measurement"
+        )
+    return [
+        ToldFacts(
+            [
+                ("made by", f"{made.name} with seed {made.seed}: {fixed}"),
+                ("testers", f"{every}; {who}"),
+            ]
+        )
+    ]
 
 
 def run_section(run: SingleRun, name: str, title: str = "") -> Section:

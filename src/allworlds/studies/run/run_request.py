@@ -46,6 +46,6 @@ class RunRequest(AskedRun, kw_only=False):
     world: Annotated[
         World | Adversary | str,
         "map, lighthouse and start; or what :func:`allworlds.world.named.world_named` reads, under "
-        "the explorer's own lighthouse where none is named; or ``adversary:corridor:F``, which "
-        "makes a world that is bad for this explorer",
+        "the explorer's own lighthouse where none is named; or ``adversary:corridor:F`` (or "
+        "``FxR``), which makes a world that is bad for this explorer",
     ]
