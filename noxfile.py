@@ -89,6 +89,7 @@ def bench(session: nox.Session) -> None:
 def proofs(session: nox.Session) -> None:
     """Check every certificate, every second opinion and the Coq development, with times."""
     session.install(".[proofs]")
+    certificate = f"{session.create_tmp()}/algorithm1.v"
     steps = (
         ("python", "proofs/check.py"),
         ("python", "proofs/second-opinions/check.py"),
@@ -97,10 +98,13 @@ def proofs(session: nox.Session) -> None:
         ("make", "-C", "proofs/coq", "enumeration", f"PYTHON={session.bin}/python"),
         ("python", "proofs/coq/certificates.py"),
         ("python", "proofs/certified.py"),
+        ("python", "proofs/certified.py", "--certificate", certificate, "algorithm1"),
+        ("coqc", "-Q", "proofs/coq", "Allworlds", certificate),
+        ("python", "proofs/certified_trees.py"),
     )
     for step in steps:
         start = time.monotonic()
-        session.run(*step, external=step[0] == "make")
+        session.run(*step, external=step[0] in ("make", "coqc"))
         session.log(f"{' '.join(step)}: {time.monotonic() - start:.0f} s")
 
 
@@ -108,7 +112,7 @@ def proofs(session: nox.Session) -> None:
 def full(session: nox.Session) -> None:
     """Go further with what is extracted from Coq (nox -s proofs builds it)."""
     session.install(".[proofs]")
-    further = ("walked", "judged", "checked", "folded")
+    further = ("walked", "judged", "checked", "folded", "shielded")
     limits = [word for name in further for word in (f"--{name}-edges", "4")]
     session.run("python", "proofs/certified.py", "--edges", "5", *limits)
     session.run("proofs/coq/minimality", external=True)

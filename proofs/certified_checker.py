@@ -28,6 +28,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from allworlds.cli.output import abandon_stdout
 from allworlds.evidence.mutants.explorers import (
     EQUIVALENT_EXPLORERS,
     WRONG_EXPLORERS,
@@ -37,6 +38,7 @@ from allworlds.inputs import InputError
 from allworlds.judging import bound_named
 from allworlds.maps import rooted_code
 from allworlds.studies.check import check
+from allworlds.words import plural
 
 HERE = Path(__file__).resolve().parent
 CHECKER = HERE / "coq" / "checker"
@@ -143,15 +145,24 @@ def judge_program(arguments: Sequence[str]) -> int:
         if why := str(error):
             print(why, file=sys.stderr)
         return 2
-    print("\n".join(told(answer, options.limit)))
+    tell(*told(answer, options.limit))
     return 0 if answer["verdict"] == "holds" else 1
+
+
+def tell(*lines: str) -> None:
+    """Print the lines; that their reader has gone (a pipe to head) is no fault."""
+    try:
+        print("\n".join(lines), flush=True)
+    except BrokenPipeError:
+        abandon_stdout()
 
 
 def told(answer: dict[str, Any], limit: str) -> list[str]:
     """The answer in words."""
     match answer["verdict"]:
         case "holds":
-            right = f"right within {limit} in every world with at most {answer['edges']} edges"
+            edges = plural(answer["edges"], "edge")
+            right = f"right within {limit} in every world with at most {edges}"
             what = "a theorem about what the program has answered"
             lines = [
                 f"HOLDS      {right}; {answer['runs']:,} runs",
@@ -159,12 +170,13 @@ def told(answer: dict[str, Any], limit: str) -> list[str]:
             ]
         case "refuted":
             least = min(answer["refutations"], key=key_of)
-            fault = f" ({least['fault']}: {least['how']})" if "fault" in least else ""
-            count = f"{len(answer['refutations']):,} worlds with {answer['edges']} edges"
+            broken = f"{least['fault']}: {least['how']}" if "fault" in least else least["finding"]
+            wrong = plural(len(answer["refutations"]), "world")
+            count = f"{wrong} with {plural(answer['edges'], 'edge')}"
             where = f"start 0, place {least['place']}"
             runs = f"{answer['runs']:,} runs"
             lines = [
-                f"REFUTED    {least['finding']}{fault}; {count}, none with fewer; {runs}",
+                f"REFUTED    {broken}; {count}, none with fewer; {runs}",
                 f"smallest   sigma {least['sigma']} alpha {least['alpha']}, {where}",
             ]
         case _:

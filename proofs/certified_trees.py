@@ -12,6 +12,9 @@ EXPLORER is a name that ``allworlds check`` takes: a built-in one, MODULE:FUNCTI
 FILE.py:FUNCTION, native:LIBRARY.  The file is the same, byte by byte, whenever the explorer does
 the same.
 
+Exit code 0: written; 1: a run without an answer, or no function of the percepts; 2: bad arguments;
+3: processes are lost again and again, and no fresh one is.
+
     python proofs/certified_trees.py [--edges 3] [--all | WRONG ...]
 
 has ``coqc`` accept the certificate of Algorithm 1, and those of wrong explorers exactly where
@@ -28,18 +31,22 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal, TypeAlias
 
+from allworlds.engines import Limits, Unsettled, subject_of
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
-from allworlds.explorers import Subject, in_process_subject, load
+from allworlds.explorers import Subject, built_in, in_process_subject
 from allworlds.inputs import InputError
-from allworlds.judging import Answered, Fault, bound_named, default_step_budget, paper_bound, play
-from allworlds.protocol import Choices, Move, Percept
+from allworlds.judging import Answered, Fault, bound_named, default_step_budget, paper_bound
+from allworlds.protocol import Move, Percept
+from allworlds.words import plural
 from allworlds.world import worlds
-from certified_checker import package_outcome
+from certified_checker import package_outcome, tell
+from certified_runs import NoAnswer, episodes
 
 HERE = Path(__file__).resolve().parent
 COQ = HERE / "coq"
@@ -95,39 +102,41 @@ def sensed(percept: Percept) -> Sensed:
     return percept.degree, -1 if percept.bearing is None else percept.bearing
 
 
-def tree_of(subject: Subject, edges: int, map_class: str = "maps") -> tuple[Branches, int, int]:
-    """The decision tree of what an explorer does, how many runs there were, how many had no answer.
+def tree_of(
+    subject: Subject, edges: int, map_class: str = "maps", limits: Limits | None = None
+) -> tuple[Branches, int, Counter[str]]:
+    """The decision tree of an explorer, the number of runs, and the laws of those without answer.
 
     Raises:
         NoFunction: if it does something else after the same percepts.
+        NoAnswer: at the first run that is silent, or has cost its process.
     """
     tree: Branches = {}
-    runs = unanswered = 0
-    player = subject.player()
-    most = max(paper_bound(n, edges) for n in range(1, edges + 2))
-    with subject.running():
-        for world in worlds(edges=edges, map_class=map_class, places="all"):
-            # the same for all worlds: where a run is cut off depends on its percepts alone
-            episode = play(world, player, Choices(), default_step_budget(most))
-            runs += 1
-            at, seen = tree, [sensed(episode.transcript.first)]
-            for action, percept in episode.transcript.steps:
-                assert isinstance(action, Move)  # there is nothing to be dropped
-                branch = at.setdefault(seen[-1], Node(action.k))
-                if not isinstance(branch, Node) or branch.k != action.k:
-                    raise NoFunction(apart(seen, branch, Node(action.k)))
-                at = branch.after
-                seen.append(sensed(percept))
-            match episode.ending:
-                case Answered(estimate=e):
-                    last: Leaf | Nothing = Leaf(tuple(e.map.sigma), tuple(e.map.alpha), e.here)
-                case Fault(law=law):
-                    last = Nothing(law)
-                case _:
-                    last = Nothing("no-estimate")
-            unanswered += isinstance(last, Nothing)
-            if at.setdefault(seen[-1], last) != last:
-                raise NoFunction(apart(seen, at[seen[-1]], last))
+    runs, unanswered = 0, Counter[str]()
+    # the same for all worlds: where a run is cut off depends on its percepts alone
+    budget = default_step_budget(max(paper_bound(n, edges) for n in range(1, edges + 2)))
+    every = worlds(edges=edges, map_class=map_class, places="all")
+    for episode in episodes(subject, every, budget, limits or Limits()):
+        runs += 1
+        at, seen = tree, [sensed(episode.transcript.first)]
+        for action, percept in episode.transcript.steps:
+            assert isinstance(action, Move)  # there is nothing to be dropped
+            branch = at.setdefault(seen[-1], Node(action.k))
+            if not isinstance(branch, Node) or branch.k != action.k:
+                raise NoFunction(apart(seen, branch, Node(action.k)))
+            at = branch.after
+            seen.append(sensed(percept))
+        match episode.ending:
+            case Answered(estimate=e):
+                last: Leaf | Nothing = Leaf(tuple(e.map.sigma), tuple(e.map.alpha), e.here)
+            case Fault(law=law):
+                last = Nothing(law)
+            case _:
+                last = Nothing("no-estimate")
+        if isinstance(last, Nothing):
+            unanswered[last.law] += 1
+        if at.setdefault(seen[-1], last) != last:
+            raise NoFunction(apart(seen, at[seen[-1]], last))
     return tree, runs, unanswered
 
 
@@ -167,7 +176,9 @@ def size_of(tree: Branches) -> int:
 # ---- The file ----
 
 HEAD = """(* A certificate (proofs/coq/DecisionTrees.v): what {who} does
-   in every world with at most {edges} edges.  Written by proofs/certified.py; coqc checks it. *)
+   in every world with at most {edges} edges.  Written by proofs/certified.py; coqc checks it.
+   If it cannot unify true with false, it has computed that in some of these worlds the explorer
+   gives no answer, or a wrong one, or makes more motions than the limit. *)
 Set Warnings "-notation-overridden".
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model DecisionTrees.
@@ -289,7 +300,7 @@ def asked_of_coq(file: Path) -> Literal["accepted", "refused"]:
 
 
 def write_certificate(arguments: Sequence[str]) -> int:
-    """The exit code: 0 written, 1 no function, 2 bad arguments."""
+    """The exit code: see the head of this file."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--certificate", required=True, type=Path, metavar="FILE.v")
     parser.add_argument("explorer", nargs="?", help="a name that allworlds check takes")
@@ -298,6 +309,7 @@ def write_certificate(arguments: Sequence[str]) -> int:
     parser.add_argument("--limit", default="paper", help="a bound in n, m and d0, or none")
     parser.add_argument("--universe", choices=("all", "simple"), default="all")
     parser.add_argument("--answer-timeout", type=float, default=10.0, metavar="SECONDS")
+    parser.add_argument("--memory", type=int, metavar="MB", help="of the explorer's process")
     options = parser.parse_args(arguments)
     file: Path = options.certificate
     try:
@@ -308,30 +320,35 @@ def write_certificate(arguments: Sequence[str]) -> int:
         if not re.fullmatch(r"[A-Za-z]\w*\.v", file.name, re.ASCII):
             raise InputError(f"{file}: a name of letters, digits and _ expected, and .v")
         name = options.explorer if options.exec is None else f"exec:{options.exec}"
-        subject = load(name, options.answer_timeout)
+        limits = Limits(answer_timeout=options.answer_timeout, memory=options.memory)
         map_class = "simple" if options.universe == "simple" else "maps"
-        tree, runs, unanswered = tree_of(subject, options.edges, map_class)
+        subject = subject_of(name, limits)
+        tree, runs, unanswered = tree_of(subject, options.edges, map_class, limits)
         text = certificate(tree, options.edges, name, options.limit, options.universe)
         file.write_text(text, encoding="ascii", errors="replace")
-    except NoFunction as error:
-        print(f"NO FUNCTION  {error}")
+    except (NoFunction, NoAnswer) as error:
+        word = "NO FUNCTION" if isinstance(error, NoFunction) else "NO ANSWER"
+        tell(f"{word}  {error}; no file is written")
         return 1
     except (InputError, OSError) as error:
         print(error, file=sys.stderr)
         return 2
-    print(f"{file}: {runs:,} runs, {size_of(tree):,} motions and answers, {len(text):,} bytes")
-    if unanswered:
-        print(f"{unanswered:,} runs had no answer: coqc will refuse the file")
+    except Unsettled as error:
+        print(error, file=sys.stderr)
+        return 3
+    lines = [f"{file}: {runs:,} runs, {size_of(tree):,} motions and answers, {len(text):,} bytes"]
+    for law, count in sorted(unanswered.items()):
+        lines.append(f"NO ANSWER  {law} in {plural(count, 'run')}: coqc will refuse the file")
     here = Path.cwd()
     where = COQ.relative_to(here) if COQ.is_relative_to(here) else COQ
-    print(f"to check it: coqc -Q {where} Allworlds {file}")
-    return 0
+    tell(*lines, f"to check it: coqc -Q {where} Allworlds {file}")
+    return 1 if unanswered else 0
 
 
 def verdict_of(subject: Subject, name: str, edges: int, folder: Path) -> str:
     """What coqc says of an explorer's certificate; ``no function`` if there is none."""
     try:
-        tree, _, _ = tree_of(subject, edges)
+        tree = tree_of(subject, edges)[0]
     except NoFunction:
         return "no function"
     file = folder / "certificate.v"
@@ -347,9 +364,10 @@ def certificates_agree(edges: int, names: Sequence[str]) -> bool:
     with tempfile.TemporaryDirectory() as folder:
         for name in ("algorithm1", *names):
             start = time.monotonic()
-            subject = in_process_subject(known[name].explorer()) if name in known else load(name)
+            mutant = known.get(name)
+            subject = in_process_subject(mutant.explorer()) if mutant else built_in(name)
             certified = verdict_of(subject, name, edges, Path(folder))
-            package = package_outcome(known[name], edges).verdict if name in known else "holds"
+            package = package_outcome(mutant, edges).verdict if mutant else "holds"
             agree = agree and certified == OF_THE_PACKAGE[package]
             said[certified] = said.get(certified, 0) + 1
             print(

@@ -20,6 +20,7 @@ ANSWER = '{"estimate":{"sigma":@,"alpha":[1,0],"here":0}}'
 
 ILLEGAL, NO_ESTIMATE = "illegal-action", "no-estimate"
 LONG = "1" * 4300
+CHECKPOINT = '{"checkpoint":{"sigma":[],"alpha":[],"here":0}}\n'
 
 
 @dataclass(frozen=True)
@@ -85,10 +86,12 @@ ODD = {
     "large and negative": moved("-" + "9" * 40, law=""),
     "18 and 19 digits": beside("[999999999999999999,9999999999999999999,-9223372036854775808]"),
     "4300 digits": moved(LONG, law=""),
-    "checkpoint first": Odd(move='{"checkpoint":{"sigma":[],"alpha":[],"here":0}}\n' + MOVE),
+    "checkpoint first": Odd(move=CHECKPOINT + MOVE),
+    "109 checkpoints first": Odd(move=CHECKPOINT * 109 + MOVE),
     "answer with more": Odd(answer=ANSWER.replace('"here"', '"note":[1.5],"here"')),
     "minus zero in the answer": Odd(answer=ANSWER.replace('"here":0', '"here":-0')),
     # ---- no motion ----
+    "110 checkpoints first": Odd(move=CHECKPOINT * 110 + MOVE, law="budget"),
     "fraction": moved("1.9"),
     "whole fraction": moved("1.0"),
     "exponent": moved("1e0"),

@@ -350,6 +350,15 @@ degree: Dart -> Degree
 marked: Dart -> Bool
 """
 
+STATE = """seen walked: Dart -> Bool
+known explored open: MapDart -> Bool
+phi: MapDart -> Dart
+name: Dart -> MapDart
+next partner: MapDart -> MapDart
+degree_map: MapDart -> Degree
+home: MapDart -> Bool"""
+"""What of the map and of the walk a pass may change."""
+
 STATEMENTS = {
     "turns-reversible": Statement(
         "Turning is reversible: induction step over the number of places turned",
@@ -651,13 +660,7 @@ e: MapDart""",
         "UF",
         "Dart MapDart Vertex Degree",
         f"""{WORLD_AND_MAP.strip()}
-seen walked: Dart -> Bool
-known explored open: MapDart -> Bool
-phi: MapDart -> Dart
-name: Dart -> MapDart
-next partner: MapDart -> MapDart
-degree_map: MapDart -> Degree
-home: MapDart -> Bool
+{STATE}
 fresh: Dart -> MapDart
 start: Dart""",
         (
@@ -739,13 +742,7 @@ e h: MapDart""",
         "UF",
         "Dart MapDart Vertex Degree",
         f"""{WORLD_AND_MAP.strip()}
-seen0 walked0: Dart -> Bool
-known0 explored0 open0: MapDart -> Bool
-phi0: MapDart -> Dart
-name0: Dart -> MapDart
-next0 partner0: MapDart -> MapDart
-degree_map0: MapDart -> Degree
-home0: MapDart -> Bool
+{at("0", BY_VERTEX, (STATE,))[0]}
 seen1 walked1: Dart -> Bool
 known1 explored1: MapDart -> Bool
 phi1: MapDart -> Dart

@@ -40,6 +40,10 @@ settings.register_profile(
 settings.load_profile("same-every-time")
 
 
+PATIENCE = 600
+"""Seconds after which a slow test hangs."""
+
+
 def pytest_configure(config):
     """In a worker of pytest-xdist coverage is begun twice; only what is begun later is read.
 
@@ -146,7 +150,14 @@ def needs_kernel(item):
 
 
 def pytest_collection_modifyitems(items):
-    """What needs no compiled code goes first, beside the compiler; early tests before others."""
+    """What needs no compiled code goes first, beside the compiler; early tests before others.
+
+    Slow tests, and those that wait for the compiler, have more time before they count as hanging.
+    """
+    for item in items:
+        slow = item.get_closest_marker("slow") or needs_kernel(item)
+        if slow and not item.get_closest_marker("timeout"):
+            item.add_marker(pytest.mark.timeout(PATIENCE))
     items.sort(key=lambda item: (needs_kernel(item), not item.get_closest_marker("early")))
 
 

@@ -11,9 +11,9 @@
 #include <allworlds.h>
 
 #include <stdlib.h>
+#include <string.h>
 
 struct dart {
-    int32_t twin;    /* itself: nobody knows yet where it leads */
     int32_t vertex;
     allworlds_percept expected; /* of a robot that has arrived by it */
 };
@@ -35,6 +35,8 @@ enum phase {
 
 struct robot {
     struct dart *darts;
+    int32_t *sigma; /* the next dart clockwise */
+    int32_t *twins; /* where a dart leads; itself: nobody knows yet */
     struct vertex *vertices;
     int32_t *open;       /* U, in the order in which its darts came into S */
     int32_t *hypotheses; /* H, in that order */
@@ -68,6 +70,8 @@ static void make_room(struct robot *r, int32_t darts)
         return;
     r->room = 2 * darts;
     r->darts = room_for(r->darts, r->room, sizeof *r->darts);
+    r->sigma = room_for(r->sigma, r->room, sizeof *r->sigma);
+    r->twins = room_for(r->twins, r->room, sizeof *r->twins);
     r->vertices = room_for(r->vertices, r->room, sizeof *r->vertices);
     r->open = room_for(r->open, r->room, sizeof *r->open);
     r->hypotheses = room_for(r->hypotheses, r->room, sizeof *r->hypotheses);
@@ -102,18 +106,21 @@ static void add_vertex(struct robot *r, const allworlds_percept *seen)
     r->vertices[vertex].first = first;
     r->vertices[vertex].depth = 0;
     for (int32_t dart = first; dart < first + degree; dart++) {
-        r->darts[dart] = (struct dart){dart, vertex, {degree, marks, bearing}};
+        r->darts[dart] = (struct dart){vertex, {degree, marks, bearing}};
+        r->sigma[dart] = dart + 1;
+        r->twins[dart] = dart;
         r->open[r->open_count++] = dart;
     }
     r->dart_count += degree;
+    r->sigma[r->dart_count - 1] = first;
 }
 
 /* An edge of S, whose darts leave U. */
 static void explore(struct robot *r, int32_t dart, int32_t partner)
 {
     int32_t left = 0;
-    r->darts[dart].twin = partner;
-    r->darts[partner].twin = dart;
+    r->twins[dart] = partner;
+    r->twins[partner] = dart;
     for (int32_t i = 0; i < r->open_count; i++)
         if (r->open[i] != dart && r->open[i] != partner)
             r->open[left++] = r->open[i];
@@ -132,7 +139,7 @@ static void measure(struct robot *r, int32_t goal)
         struct vertex *v = &r->vertices[queue[taken]];
         int32_t end = v->first + r->darts[v->first].expected.degree;
         for (int32_t dart = v->first; dart < end; dart++) {
-            int32_t other = r->darts[r->darts[dart].twin].vertex;
+            int32_t other = r->darts[r->twins[dart]].vertex;
             if (r->vertices[other].length < 0) {
                 r->vertices[other].length = v->length + 1;
                 queue[known++] = other;
@@ -145,7 +152,7 @@ static void measure(struct robot *r, int32_t goal)
 static int32_t nearer(struct robot *r, int32_t vertex)
 {
     int32_t dart = r->vertices[vertex].first;
-    while (vertex_of(r, r->darts[dart].twin)->length != r->vertices[vertex].length - 1)
+    while (vertex_of(r, r->twins[dart])->length != r->vertices[vertex].length - 1)
         dart++;
     return dart;
 }
@@ -153,7 +160,7 @@ static int32_t nearer(struct robot *r, int32_t vertex)
 /* An edge of S may have brought vertices nearer to v0. */
 static void draw_nearer(struct robot *r, int32_t dart)
 {
-    int32_t twin = r->darts[dart].twin, far, gain;
+    int32_t twin = r->twins[dart], far, gain;
     if (vertex_of(r, dart)->depth < vertex_of(r, twin)->depth) {
         far = twin;
         twin = dart;
@@ -178,7 +185,7 @@ static void leave_by(struct robot *r, int32_t dart, allworlds_action *action)
 {
     action->kind = ALLWORLDS_MOVE;
     action->motion = offset(r, dart);
-    r->here = r->darts[dart].twin;
+    r->here = r->twins[dart];
 }
 
 /* Lines 4-5: towards e, and along it. */
@@ -230,6 +237,7 @@ static void test(struct robot *r, allworlds_action *action)
         return;
     }
     r->phase = TESTING;
+    make_room(r, r->done + 1); /* a robot that errs may walk on and on */
     r->motions[r->done++] = offset(r, r->vertices[vertex].home);
     leave_by(r, r->vertices[vertex].home, action);
     action->motion -= r->turned;
@@ -297,12 +305,39 @@ void allworlds_delete(void *state)
 {
     struct robot *r = state;
     free(r->darts);
+    free(r->sigma);
+    free(r->twins);
     free(r->vertices);
     free(r->open);
     free(r->hypotheses);
     free(r->numbers);
     free(r->motions);
     free(r);
+}
+
+/* A copy of so many entries, in memory of its own. */
+static void *same(void *own, const void *from, int32_t count, size_t size)
+{
+    return memcpy(own, from, (size_t)count * size);
+}
+
+void allworlds_clone(const void *from, void *to)
+{
+    const struct robot *r = from;
+    struct robot *copy = to, own;
+    make_room(copy, r->dart_count > r->done ? r->dart_count : r->done);
+    own = *copy;
+    *copy = *r;
+    copy->darts = same(own.darts, r->darts, r->dart_count, sizeof *r->darts);
+    copy->sigma = same(own.sigma, r->sigma, r->dart_count, sizeof *r->sigma);
+    copy->twins = same(own.twins, r->twins, r->dart_count, sizeof *r->twins);
+    copy->vertices = same(own.vertices, r->vertices, r->vertex_count, sizeof *r->vertices);
+    copy->open = same(own.open, r->open, r->open_count, sizeof *r->open);
+    copy->hypotheses =
+        same(own.hypotheses, r->hypotheses, r->hypothesis_count, sizeof *r->hypotheses);
+    copy->motions = same(own.motions, r->motions, r->done, sizeof *r->motions);
+    copy->numbers = own.numbers; /* holds nothing between two calls */
+    copy->room = own.room;
 }
 
 void allworlds_choose(void *state, allworlds_pick pick, void *context)
@@ -361,14 +396,8 @@ int32_t allworlds_answer(void *state, int32_t capacity, int32_t *sigma, int32_t 
     const struct robot *r = state;
     if (r->dart_count > capacity)
         return r->dart_count;
-    for (int32_t dart = 0; dart < r->dart_count; dart++) {
-        sigma[dart] = dart + 1;
-        alpha[dart] = r->darts[dart].twin;
-    }
-    for (int32_t v = 0; v < r->vertex_count; v++) {
-        int32_t first = r->vertices[v].first;
-        sigma[first + r->darts[first].expected.degree - 1] = first;
-    }
+    memcpy(sigma, r->sigma, (size_t)r->dart_count * sizeof *sigma);
+    memcpy(alpha, r->twins, (size_t)r->dart_count * sizeof *alpha);
     *here = r->here;
     return r->dart_count;
 }

@@ -15,7 +15,7 @@
 From mathcomp Require Import all_ssreflect.
 From Coq Require Import Lia.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers MassFormula PathWorlds Gluings.
-From Allworlds Require Import Corridors CorridorWorlds Algorithm Refinement Policies.
+From Allworlds Require Import Corridors CorridorWorlds.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -353,41 +353,22 @@ apply: val_inj; rewrite /= -e; apply/eqP; rewrite -hub_fconnect; exact: connect_
 Qed.
 End Sizes.
 
-Lemma far_edges_exist f : inhabited (far_edges_of f).
+Lemma far_edges_exist f e : inhabited (far_edges_of f e).
 Proof.
 have Nh : 2 * f.+1 <= 3 * f + 2 by move: f; clear; numbers.
-have ev : ~~ odd (12 * f.+1 + 5).+1 by rewrite -addnS oddD oddM.
-have := far_matchings_exist (camouflaged_layout f) Nh ev.
+have := far_matchings_exist (camouflaged_layout f e) Nh (even_degree f e).
 by case/card_gt0P=> a _; exact: (inhabits a).
 Qed.
 
-Theorem camouflaged_sizes f (g : near_loops f) (a : far_edges_of f) : let W := camouflaged g a in
-  [/\ edges W = 18 * f.+1 ^ 2 + 9 * f.+1 + 1, vertices W = 3 * f.+1 + 1 &
+Theorem camouflaged_sizes f e (g : near_loops f e) (a : far_edges_of f e) : let W := camouflaged g a in
+  [/\ edges W = 18 * f.+1 ^ 2 + 9 * f.+1 + 1 + 3 * f.+1 * e, vertices W = 3 * f.+1 + 1 &
   exists (y : W) w, 2 * f.+1 < hub y /\ home_word w y].
 Proof.
 split; last exact: home_word_exists.
-  apply: double_inj; rewrite corridor_edges -mul2n expnS expn1; move: f {g a}; clear; numbers.
+  apply: double_inj; rewrite corridor_edges -mul2n expnS expn1; move: f e {g a}; clear; numbers.
 by rewrite corridor_vertices; move: f {g a}; clear; numbers.
 Qed.
 
 (* with one near hub of degree 6, and one far hub, at least 4 motions *)
 Example few_logs : [seq logs_after 4 T 0 | T <- [:: 3; 4]] = [:: 1; 9].
 Proof. by rewrite /= /logs_after !big_ord_recl !big_ord0. Qed.
-
-Example algorithm1_in_corridors f (g : near_loops f) : exists a : far_edges_of f, forall fuel t e z,
-  episode (algorithm1 fifo) (rooted (@start (camouflaged g a))) (@percept_of (camouflaged g a)) fuel
-    = (t, Some e, z) -> 2 * (2 * f.+1).+1 <= size t.
-Proof.
-have Nh : 2 * f.+1 <= 3 * f + 2 by move: f {g}; clear; numbers.
-have ev : ~~ odd (12 * f.+1 + 5).+1 by rewrite -addnS oddD oddM.
-have darts d : d * ((12 * f.+1 + 5).+1 - 4) + ((12 * f.+1 + 5).+1 - 2) =
-    (d * (6 * f.+1 + 1) + 6 * f.+1).*2.+4.
-  by rewrite -muln2; move: f d {g Nh ev}; clear; numbers.
-have [a A] := @corridor_costs _ _ _ _ (camouflaged_layout f) _ (valP g) Nh ev _ denote _
-  (fun a => right_finds_map (@algorithm1_right (camouflaged g a) fifo)).
-exists a => fuel t e z /A le; rewrite leqNgt; apply/negP=> lt; move: le.
-rewrite divn_small // big_ord_recl big_ord0 bin0 muln1 addn0 leqNgt; apply/negP/negPn.
-rewrite darts; move: (_ + _) => n; rewrite /=.
-have := @pairings_gt0 n.*2.+2; rewrite /= !negbK odd_double => /(_ isT).
-by move: (n.*2.+1 * _); clear; numbers.
-Qed.

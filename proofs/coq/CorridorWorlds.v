@@ -13,7 +13,7 @@
      near_gluing g        g makes loops of the darts of near hubs.
      far_matching         a way to match those of far hubs.
      corridor_world       the world with g and with such a matching.
-     camouflaged g a      that with 2F near hubs and F = f+1 far ones, all of degree 12F+6, where the rails
+     camouflaged g a      that with 2F near hubs and F = f+1 far ones, all of degree 12F+6+2e, where the rails
                           leave hub l by the darts -4l and -4l-2.
      corridor_world_is    it is a corridor in the sense of Corridors.v.
      near_loops_exist, home_word_exists   such worlds, and home words in them.
@@ -299,33 +299,34 @@ End Worlds.
 
 (* ---- The corridors of Corridors.v ---- *)
 Section Camouflaged.
-Variable f : nat.
+Variables f e : nat.
 Local Notation F := f.+1.
 Local Notation h := (3 * f + 2).
-Local Notation r := (12 * f.+1 + 5).
+Local Notation r := (12 * f.+1 + 5 + 2 * e).
+Local Notation R := (12 * f.+1 + 6 + 2 * e).
 
-Definition way_out_place (i : 'I_h.+1) (b : bool) : 'I_r.+1 := inord (hub_degree F - 4 * i.+1 - 2 * b).
+Definition way_out_place (i : 'I_h.+1) (b : bool) : 'I_r.+1 := inord (R - 4 * i.+1 - 2 * b).
 
-Lemma ringE : hub_degree F = r.+1.
-Proof. by rewrite /hub_degree addnS. Qed.
+Lemma ringE : R = r.+1.
+Proof. by rewrite addnS addSn. Qed.
 
-Lemma way_out_placeE i b : way_out_place i b + 4 * i.+1 + 2 * b = hub_degree F /\ 1 < way_out_place i b.
+Lemma way_out_placeE i b : way_out_place i b + 4 * i.+1 + 2 * b = R /\ 1 < way_out_place i b.
 Proof.
 have b1 : (b : nat) <= 1 by case: b.
-have le : 4 * i.+1 + 2 * b + 2 <= hub_degree F.
-  by have := ltn_ord i; move: b1; rewrite /hub_degree; move: (nat_of_bool b) (nat_of_ord i); clear; numbers.
+have le : 4 * i.+1 + 2 * b + 2 <= R.
+  by have := ltn_ord i; move: b1; move: (nat_of_bool b) (nat_of_ord i); clear; numbers.
 rewrite /way_out_place inordK; last first.
-  by rewrite -ringE; move: le; move: (nat_of_bool b) (nat_of_ord i) (hub_degree F); clear; numbers.
-by move: le; move: (nat_of_bool b) (nat_of_ord i) (hub_degree F); clear; move=> ? ? ? le; split; numbers.
+  by rewrite -ringE; move: le; move: (nat_of_bool b) (nat_of_ord i) R; clear; numbers.
+by move: le; move: (nat_of_bool b) (nat_of_ord i) R; clear; move=> ? ? ? le; split; numbers.
 Qed.
 
 Lemma camouflaged_layout : layout way_out_place.
 Proof.
 split=> [|i b|i].
-- by move: f; clear; numbers.
+- by move: f e; clear; numbers.
 - by have [] := way_out_placeE i b.
-have [e _] := way_out_placeE i false; have [e' _] := way_out_placeE i true.
-by apply/eqP=> s; rewrite s -e' in e; move/addnI: e.
+have [E _] := way_out_placeE i false; have [E' _] := way_out_placeE i true.
+by apply/eqP=> s; rewrite s -E' in E; move/addnI: E.
 Qed.
 
 Variable g : {ffun bool + 'I_h.+1 * 'I_r.+1 -> bool + 'I_h.+1 * 'I_r.+1}.
@@ -338,12 +339,12 @@ Lemma up_in (i : 'I_h.+1) b : in_dart (W := W) (@hub _ _) (@hub_place _ _) (rail
 Proof. by rewrite /in_dart /= inordK; case: b. Qed.
 
 Lemma down_out (i : 'I_h.+1) b : 0 < hub (rail_end (i, b, false)) ->
-  out_dart F (W := W) (@hub _ _) (@hub_place _ _) (rail_end (i, b, false)).
+  out_dart F R (W := W) (@hub _ _) (@hub_place _ _) (rail_end (i, b, false)).
 Proof.
 rewrite /rail_end; case: ifP => //= /negbT i0 _; have li := ltn_ord i.
 have j0 : 0 < i by rewrite lt0n.
-have e : (inord i.-1 : 'I_h.+1) = i.-1 :> nat by rewrite inordK // (leq_ltn_trans (leq_pred _) li).
-have [E _] := way_out_placeE (inord i.-1) b; rewrite /out_dart /= e prednK // in E *; apply/andP; split.
+have i1 : (inord i.-1 : 'I_h.+1) = i.-1 :> nat by rewrite inordK // (leq_ltn_trans (leq_pred _) li).
+have [E _] := way_out_placeE (inord i.-1) b; rewrite /out_dart /= i1 prednK // in E *; apply/andP; split.
   by apply: leq_trans li _; move: f; clear; numbers.
 by case: b E => E; rewrite -E ?muln1 ?muln0 ?addn0 eqxx ?orbT.
 Qed.
@@ -354,26 +355,27 @@ case: x => [b|[i p]] //= /andP[_ /= p2]; exists i, (p == 1 :> nat); congr (inr (
 by rewrite /= inordK; case: (nat_of_ord p) p2 => [|[|]].
 Qed.
 
-Lemma out_down (x : W) : out_dart F (W := W) (@hub _ _) (@hub_place _ _) x ->
+Lemma out_down (x : W) : out_dart F R (W := W) (@hub _ _) (@hub_place _ _) x ->
   exists i b, x = rail_end (i, b, false) /\ hub x = i.
 Proof.
 case: x => [b|[i p]] //= /andP[/= lF o].
 have li : i.+1 < h.+1 by apply: leq_trans lF _; move: f; clear; numbers.
-have [b e] : exists b : bool, p + 4 * i.+1 + 2 * b = hub_degree F.
+have [b E'] : exists b : bool, p + 4 * i.+1 + 2 * b = R.
   by case/orP: o => /eqP o; [exists false | exists true]; rewrite ?muln1 ?muln0 ?addn0.
 exists (Ordinal li), b; split=> //; rewrite /rail_end /=.
 have -> : inord i = i by apply: val_inj; rewrite /= inordK.
 have [E _] := way_out_placeE i b; congr (inr (_, _)).
-apply: ord_inj; move: e E; move: (nat_of_ord p) (nat_of_ord (way_out_place i b)) (4 * i.+1) (2 * b).
+apply: ord_inj; move: E' E; move: (nat_of_ord p) (nat_of_ord (way_out_place i b)) (4 * i.+1) (2 * b).
 by clear; numbers.
 Qed.
 
-Theorem corridor_world_is : @corridor F W (@hub _ _) (@hub_place _ _).
+Theorem corridor_world_is : @corridor F R W (@hub _ _) (@hub_place _ _).
 Proof.
 have alphaE (x : W) : alpha x = corridor_alpha (N := 2 * F) (out := way_out_place) g a x by [].
 have railE q : @alpha W (rail_end q) = rail_end (q.1, ~~ q.2).
   by rewrite alphaE (alpha_rail camouflaged_layout).
 split.
+- exact: leq_addr.
 - exact: hub_fconnect.
 - by [].
 - by move=> [b|[i p]] //=; apply: leq_trans (ltn_ord i) _; move: f; clear; numbers.
@@ -386,47 +388,51 @@ split.
   rewrite /=; case: ifP => [/eqP->|/negbT i0] //=.
   have j0 : 0 < i by rewrite lt0n.
   by rewrite inordK ?prednK //; exact: ltnW (ltn_ord i).
-- by move=> x /out_down[i [b [-> e]]]; rewrite railE e.
-- move=> x hx ni no; case: (three_kinds (2 * F) way_out_place x) => [[q e]|xn|xf].
-  + case: q e => [[i b] []] e; first by rewrite e up_in in ni.
-    by rewrite e down_out // -e in no; case/andP: hx.
+- by move=> x /out_down[i [b [-> E]]]; rewrite railE E.
+- move=> x hx ni no; case: (three_kinds (2 * F) way_out_place x) => [[q E]|xn|xf].
+  + case: q E => [[i b] []] E; first by rewrite E up_in in ni.
+    by rewrite E down_out // -E in no; case/andP: hx.
   + by rewrite alphaE; have [-> _ ->] := alpha_near near a xn.
   by case/andP: hx xf => _; rewrite inE leqNgt => /negbTE->; rewrite andbF.
-move=> x hx ni no; case: (three_kinds (2 * F) way_out_place x) => [[q e]|xn|xf].
-- case: q e => [[i b] []] e; first by rewrite e up_in in ni.
-  by rewrite e down_out // -e ?(leq_trans _ hx) in no.
+move=> x hx ni no; case: (three_kinds (2 * F) way_out_place x) => [[q E]|xn|xf].
+- case: q E => [[i b] []] E; first by rewrite E up_in in ni.
+  by rewrite E down_out // -E ?(leq_trans _ hx) in no.
 - by move: xn; rewrite inE leqNgt hx andbF.
 by rewrite alphaE; have [-> + ] := alpha_far g a xf; rewrite inE => /andP[].
 Qed.
 End Camouflaged.
 
-(* the world with F = f+1 far hubs, the loops g at the near ones and the matching a at the far ones *)
-Definition near_loops f := {g : {ffun _ -> _} | near_gluing (2 * f.+1) (@way_out_place f) g}.
-Definition far_edges_of f := far_matching (2 * f.+1) (@way_out_place f).
-Definition camouflaged f (g : near_loops f) (a : far_edges_of f) :=
-  corridor_world (camouflaged_layout f) (valP g) a.
+(* the world with F = f+1 far hubs of degree 12F+6+2e, the loops g at the near ones and the matching a at the
+   far ones *)
+Definition near_loops f e := {g : {ffun _ -> _} | near_gluing (2 * f.+1) (@way_out_place f e) g}.
+Definition far_edges_of f e := far_matching (2 * f.+1) (@way_out_place f e).
+Definition camouflaged f e (g : near_loops f e) (a : far_edges_of f e) :=
+  corridor_world (camouflaged_layout f e) (valP g) a.
 
-Lemma near_loops_exist f : inhabited (near_loops f).
+Lemma even_degree f e : ~~ odd (12 * f.+1 + 5 + 2 * e).+1.
+Proof. by rewrite mul2n -addSn -addnS oddD odd_double addbF oddD oddM. Qed.
+
+Lemma near_loops_exist f e : inhabited (near_loops f e).
 Proof.
-have [||g G] := @near_gluing_exists (2 * f.+1) _ _ _ (camouflaged_layout f).
+have [||g G] := @near_gluing_exists (2 * f.+1) _ _ _ (camouflaged_layout f e).
 - by move: f; clear; numbers.
-- by rewrite -addnS oddD oddM.
+- exact: even_degree.
 exact: (inhabits (exist _ g G)).
 Qed.
 
 (* ---- A home word: down the corridor from the first far hub ---- *)
 Section HomeWord.
-Variables (f : nat) (g : near_loops f) (a : far_edges_of f).
+Variables (f e : nat) (g : near_loops f e) (a : far_edges_of f e).
 Local Notation W := (camouflaged g a).
-Local Notation rail_end := (rail_end (@way_out_place f)).
+Local Notation rail_end := (rail_end (@way_out_place f e)).
 Definition way_down j := [seq 4 * l | l <- rev (iota 1 j)].
 
 Lemma down_the_way j : j < (3 * f + 2).+1 -> forall z : W, z = rail_end (inord j, false, false) ->
   [seq hub x | x <- passed (way_down j) z] = rev (iota 0 j.+1) /\ hub (walk (way_down j) z) = 0.
 Proof.
 elim: j => [|j IH] lj z ->.
-  have e : inord 0 == ord0 :> 'I_(3 * f + 2).+1 by rewrite -val_eqE /= inordK.
-  by rewrite /way_down /passed /walk /rail_end e.
+  have E : inord 0 == ord0 :> 'I_(3 * f + 2).+1 by rewrite -val_eqE /= inordK.
+  by rewrite /way_down /passed /walk /rail_end E.
 have way : way_down j.+1 = 4 * j.+1 :: way_down j.
   by rewrite /way_down -{1}(addn1 j) iotaD rev_cat add1n.
 rewrite (down_end _ _ (lj : j < 3 * f + 2)); set z0 : W := inr _.
@@ -435,9 +441,9 @@ have step : @motion W (4 * j.+1) z0 = rail_end (inord j, false, false).
   rewrite /motion /z0 [iter _ _ _]corridor_turn.
   rewrite (_ : inr _ = rail_end (inord j, false, true)); last first.
     congr (inr (_, _)); apply: ord_inj; rewrite after_turn inordK //.
-    have [E _] := way_out_placeE (inord j : 'I_(3 * f + 2).+1) false.
+    have [E _] := way_out_placeE e (inord j : 'I_(3 * f + 2).+1) false.
     by move: E; rewrite inordK ?(ltnW lj) // muln0 addn0 => ->; rewrite ringE modnn.
-  exact: (alpha_rail (camouflaged_layout f) (val g) a (inord j, false, true)).
+  exact: (alpha_rail (camouflaged_layout f e) (val g) a (inord j, false, true)).
 have [p h0] := IH (ltnW lj) _ step; rewrite way; split; last by [].
 rewrite passed_cons map_cons p hz.
 by rewrite -[in RHS](addn1 j.+1) iotaD rev_cat add0n.
@@ -449,7 +455,7 @@ have lN : 2 * f.+1 < (3 * f + 2).+1 by move: f; clear; numbers.
 pose y : W := rail_end (inord (2 * f.+1), false, true); exists y, (0 :: way_down (2 * f.+1)).
 have hy : hub y = (2 * f.+1).+1 by rewrite /y /rail_end /hub inordK.
 have step : @motion W 0 y = rail_end (inord (2 * f.+1), false, false).
-  exact: (alpha_rail (camouflaged_layout f) (val g) a (inord (2 * f.+1), false, true)).
+  exact: (alpha_rail (camouflaged_layout f e) (val g) a (inord (2 * f.+1), false, true)).
 have [p h] := down_the_way lN step; rewrite hy; split=> //.
 have C := corridor_world_is (valP g) a; apply/andP; split.
   by rewrite (hub_vertex C) [walk _ _]/(walk (way_down (2 * f.+1)) (motion 0 y)) h.

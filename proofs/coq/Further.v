@@ -13,7 +13,7 @@ From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVerti
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
 From Allworlds Require Import Shield DecisionTrees.
 From Allworlds Require Import Minimality PlanarMinimality.
-From Allworlds Require Import MassFormula Matchings Gluings Bouquets.
+From Allworlds Require Import Matchings Gluings Bouquets.
 From Allworlds Require Import Corridors CorridorWorlds CorridorLogs.
 Set Implicit Arguments.
 Unset Strict Implicit.

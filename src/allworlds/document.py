@@ -5,10 +5,13 @@ each annotated with its type and, by :func:`about`, with one line of meaning.  F
 come the JSON (:meth:`Document.to_json`), the strict reading (:func:`taken`), the JSON Schemas and
 the reference of keys.
 
+The keys of a class may be those of a request's options (``class Scope(Document, of=Request)``),
+whose types and meanings stand beside the options.
+
 Three things are said beside a type:
 
 ``key: T = computed(function)``
-    follows from the other fields, whatever the constructor is given;
+    follows from the fields, and is made when it is asked for;
 ``key: T | UnsetType = UNSET``
     may be missing in the object;
 ``key: IfAny[T]``
@@ -21,11 +24,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import fields as fields_of_dataclass, replace as replace_in_dataclass
+from dataclasses import MISSING, fields as fields_of_dataclass, replace as replace_in_dataclass
 from enum import Enum
-from functools import cache
+from functools import cache, cached_property
 from pathlib import PurePath
+from types import NoneType, UnionType
 from typing import (
+    TYPE_CHECKING,
     Annotated,
     Any,
     Final,
@@ -33,11 +38,15 @@ from typing import (
     NamedTuple,
     TypeAlias,
     TypeVar,
+    Union,
     dataclass_transform,
+    get_args,
+    get_origin,
     get_type_hints,
 )
 
 from msgspec import (
+    NODEFAULT,
     UNSET,
     Meta,
     Struct,
@@ -51,7 +60,7 @@ from msgspec import (
 )
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
-from allworlds.inputs import InputError, show
+from allworlds.inputs import Field, InputError, Option, in_scope, show
 from allworlds.lazy import loaded
 from allworlds.outcome import Exit, Facts
 
@@ -73,10 +82,36 @@ IfAny: TypeAlias = Annotated[T, IF_ANY]
 
 NOTHING = (None, "", ())
 
+_AS_IT_IS = frozenset({int, str, bool, float, NoneType})
 
-def read_by(kind: Any) -> Meta:
-    """Let the class itself read values of that kind, instead of :func:`taken`."""
-    return Meta(extra={"kind": kind})
+
+class ReadBy(NamedTuple):
+    """The type of a value, and how it is read from JSON."""
+
+    type: Any
+    read: Callable[[Any], Any]
+
+
+def read_by(kind: Any, read: Callable[[Any], Any] | None = None) -> Meta:
+    """Values of a type that msgspec does not read, in a field of the type Any.
+
+    Args:
+        kind: the type.
+        read: makes a value of what a parser of JSON hands back; None where none is read.
+    """
+    return Meta(extra={"kind": kind, "read": read and ReadBy(kind, read)})
+
+
+if TYPE_CHECKING:
+    FromJson: TypeAlias = Annotated[T, "read by its from_json"]
+    """A field of a class that reads its values by itself."""
+else:
+
+    class FromJson:
+        """The annotation of such a field, which msgspec need not know."""
+
+        def __class_getitem__(cls, kind: Any) -> Any:
+            return Annotated[Any, read_by(kind, kind.from_json)]
 
 
 def about(meaning: str) -> Meta:
@@ -114,19 +149,20 @@ Why = Annotated[
     IfAny[str | None],
     about("why rows are missing; left out: none is missing, or the user interrupted"),
 ]
+Edges = Annotated[Positive, about("the number of edges")]
+Vertices = Annotated[Positive, about("the number of vertices")]
+ExitCode = Annotated[Exit, about("the exit code of the command")]
 Bounded = Annotated[Positive | None, about("at most so many; null: not bounded")]
 WhichShard = Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
 AnyShard = Annotated[ShardText | UnsetType, about("`K/N`; missing: the whole")]
 
 
-class _Computed:
-    """The maker of a key's value, called when the fields that the value follows from are known."""
+class _Computed(cached_property[Any]):
+    """A key that is no field: its value is made when it is asked for, once."""
 
-    def __init__(self, function: Callable[[Any], Any]) -> None:
-        self.function = function
-
-    def __call__(self) -> None:
-        """Return itself, as a stand-in until the value is made."""
+    def __init__(self, function: Callable[[Any], Any], name: str | None) -> None:
+        super().__init__(function)
+        self.key = name
 
 
 def computed(
@@ -135,8 +171,8 @@ def computed(
     name: str | None = None,
     init: Literal[False] = False,  # noqa: ARG001  # tells type checkers that none is given
 ) -> Any:
-    """A key that follows from the other fields; ``name`` where its key is not its attribute."""
-    return key(default_factory=_Computed(function), name=name)
+    """A key that follows from the fields; ``name`` where its key is not its attribute."""
+    return _Computed(function, name)
 
 
 EXIT_CODE: Any = computed(lambda report: report.facts.exit)
@@ -144,19 +180,53 @@ EXIT_CODE: Any = computed(lambda report: report.facts.exit)
 
 
 class _Keywords(StructMeta):
-    """A base whose fields are all given by their names, in subclasses too."""
+    """A base whose fields are all given by their names, in subclasses too.
 
-    def __new__(mcs, name: str, bases: Any, namespace: Any, **options: Any) -> Any:
-        return super().__new__(mcs, name, bases, namespace, kw_only=True, **options)
+    A class ``of`` a request has a key for each of its options that a scope tells; a key that the
+    class itself describes comes in its place.
+    """
+
+    def __new__(mcs, name: str, bases: Any, namespace: Any, of: Any = None, **options: Any) -> Any:
+        own = namespace.get("__annotations__", {})
+        parts = of if isinstance(of, tuple) else (of,) if of else ()
+        asked = [one for part in parts for one in in_scope(part) if one.name not in own]
+        namespace["__annotations__"] = {one.name: _told(one) for one in asked} | own
+        for one in asked:
+            if one.option != one.name or one.default is not MISSING:
+                default = NODEFAULT if one.default is MISSING else one.default
+                if IF_ANY in getattr(_told(one), "__metadata__", ()):
+                    default = None
+                namespace[one.name] = key(default=default, name=one.option)
+        told = namespace["__annotations__"]
+        late = {each for each, value in namespace.items() if isinstance(value, _Computed)}
+        namespace["__annotations__"] = {each: told[each] for each in told if each not in late}
+        made: Any = super().__new__(mcs, name, bases, namespace, kw_only=True, **options)
+        made.__annotations__ = told  # of all keys, for keys_of
+        return made
+
+
+def _told(one: Field) -> Any:
+    """The type and the meaning of the key for an option, in a document."""
+    assert isinstance(one.asked, Option)
+    if one.asked.told is not None:
+        return one.asked.told
+    parts = get_args(one.held) if get_origin(one.held) in (Union, UnionType) else (one.held,)
+    if all(part in _AS_IT_IS or get_origin(part) is Literal for part in parts):
+        kind = one.held
+    else:
+        kind = Text | None if NoneType in parts else Text
+    return Annotated[kind, about(one.asked.help.rstrip("."))]
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(key, computed))
-class Document(Struct, metaclass=_Keywords, frozen=True, forbid_unknown_fields=True):
+class Document(Struct, metaclass=_Keywords, frozen=True, dict=True, forbid_unknown_fields=True):
     """A JSON object that is written, or a part of one."""
 
     def __post_init__(self) -> None:
-        for name, function in _computed_keys(type(self)):
-            force_setattr(self, name, function(self))
+        for name, kind in _read_by_itself(type(self)):
+            given = getattr(self, name)
+            if not isinstance(given, kind.type):
+                force_setattr(self, name, kind.read(given))
 
     def to_json(self) -> dict[str, Any]:
         """The JSON object of this document, in plain dictionaries and lists."""
@@ -207,9 +277,15 @@ def _names_of(kind: Any) -> tuple[str, ...]:
 
 
 @cache
-def _computed_keys(kind: type[Document]) -> tuple[tuple[str, Callable[[Any], Any]], ...]:
-    defaults = ((field.name, field.default_factory) for field in fields(kind))
-    return tuple((name, told.function) for name, told in defaults if isinstance(told, _Computed))
+def _read_by_itself(kind: type[Document]) -> tuple[tuple[str, ReadBy], ...]:
+    hints = get_type_hints(kind, include_extras=True)
+    notes = ((name, getattr(hints[name], "__metadata__", ())) for name in kind.__struct_fields__)
+    return tuple(
+        (name, note.extra["read"])
+        for name, told in notes
+        for note in told
+        if isinstance(note, Meta) and note.extra and note.extra.get("read")
+    )
 
 
 class Key(NamedTuple):
@@ -225,14 +301,12 @@ def keys_of(kind: type[Document]) -> tuple[Key, ...]:
     """The keys, in the order of the document."""
     hints = get_type_hints(kind, include_extras=True)
     notes = {name: getattr(hint, "__metadata__", ()) for name, hint in hints.items()}
+    names = {field.name: field.encode_name for field in fields(kind)}
+    for name in hints.keys() - names:
+        names[name] = getattr(kind, name).key or name
     return tuple(
-        Key(field.name, field.encode_name, IF_ANY in notes[field.name])
-        for field in fields(kind)
-        if ASIDE not in notes[field.name]
+        Key(name, names[name], IF_ANY in notes[name]) for name in hints if ASIDE not in notes[name]
     )
-
-
-_AS_IT_IS = frozenset({int, str, bool, float, type(None)})
 
 
 def plain(value: Any) -> Any:
@@ -283,6 +357,8 @@ def taken(document: object, kind: type[T], what: str) -> T:
     try:
         return convert(document, kind)
     except ValidationError as error:
+        if isinstance(error.__cause__, InputError):
+            raise error.__cause__ from None
         said, path = _PLACED.fullmatch(str(error)).groups("")  # type: ignore[union-attr]
         steps = path.lstrip(".").replace("[", ".[").split(".") if path else []
         where = f"{path.lstrip('.')} = {show(_at(document, steps))}" if path else what
@@ -349,8 +425,6 @@ class Host(Document):
     """Host.
 
     A machine and its software.
-
-    A machine, and what runs on it.
     """
 
     name: Annotated[str, about("in its network")]
@@ -410,6 +484,11 @@ class Report(Document):
         """One of the exit codes of the command."""
         return self.facts.exit
 
+    @property
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        """The seconds that its parts took, by their keys in ``made_by``; by default no part."""
+        return {}
+
     def __str__(self) -> str:
         """The text of the command line, 100 columns wide."""
         told: str = loaded("reports.notebook:text_of")(self)
@@ -424,10 +503,3 @@ class Report(Document):
         """The rows of ``--csv``, by the names of their columns: ``pandas.DataFrame`` takes them."""
         rows: list[dict[str, Any]] = loaded("reports.notebook:records")(self)
         return rows
-
-
-class Gate(Document):
-    """A count gate: the comparison of every count with an independent source."""
-
-    source: Annotated[Text, about("the independent source of the counts")]
-    agrees: Annotated[bool, about("whether each count equals the source's")]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from enum import IntEnum, StrEnum
 from typing import Any, NamedTuple, Protocol, TypeAlias, TypeVar
@@ -89,6 +89,8 @@ class Disagreed:
     final = True
 
 
+COMPLETED = Completed()
+
 Ending: TypeAlias = Completed | Stopped | Interrupted | Disagreed
 """How a job came to its end, each with the reason why it is not complete, if it is not."""
 
@@ -111,17 +113,6 @@ class Facts(NamedTuple):
     undecided: bool = False
     vacuous: bool = False
     fixed: bool = False
-
-    @classmethod
-    def of_rows(
-        cls, complete: bool, stopped: str | None, **others: bool
-    ) -> Facts:  # both are keys of a document
-        """Return the facts of a report with rows.
-
-        It is complete unless it was interrupted or stopped.
-        """
-        cut = not complete
-        return cls(interrupted=cut and not stopped, undecided=cut and bool(stopped), **others)
 
     @property
     def exit(self) -> Exit:
@@ -153,15 +144,25 @@ _CODES = (
 """Of the facts, in their order."""
 
 
-def until_interrupted(rows: Iterable[T]) -> tuple[tuple[T, ...], bool]:
-    """The rows that were made before the user interrupted, and whether they are all."""
-    made: list[T] = []
+def ended(job: Callable[[], Ending]) -> Ending:
+    """Return the ending of a job, which the user may interrupt."""
     try:
+        return job()
+    except KeyboardInterrupt:
+        return Interrupted()
+
+
+def until_interrupted(rows: Iterable[T]) -> tuple[tuple[T, ...], Ending]:
+    """The rows that were made before the user interrupted, and how it ended."""
+    made: list[T] = []
+
+    def all_made() -> Ending:
         for row in rows:
             made.append(row)  # noqa: PERF402  # what is made before an interrupt is kept
-    except KeyboardInterrupt:
-        return tuple(made), False
-    return tuple(made), True
+        return Completed()
+
+    ending = ended(all_made)
+    return tuple(made), ending
 
 
 class Result(Protocol):

@@ -119,6 +119,12 @@ VERBS = (
         telling="reports.tellings.init:init_telling",
         panel=EVERYDAY,
         has=(),
+        example="my-explorer --lang javascript",
+        help=(
+            "Write an explorer to begin with, its test, and a workflow for CI. It builds and runs, "
+            "and a check refutes it, until it is filled in. With --header print allworlds.h, for "
+            "explorers in shared libraries: check --native PATH tries one."
+        ),
     ),
     Verb(
         "play",
@@ -136,6 +142,12 @@ VERBS = (
         "Join the shards of a job into one report.",
         telling="reports.tellings.merge:merge_telling",
         panel=LONG_RUNS,
+        example="shard-0 shard-1",
+        help=(
+            "Join the run directories of all shards of a job to the report that the job would have "
+            "made by itself: counts and witnesses are judged over all of them. Exit code 75: a "
+            "part is missing, else that of the job."
+        ),
     ),
     Verb(
         "status",
@@ -145,6 +157,11 @@ VERBS = (
         telling="reports.tellings.merge:status_telling",
         panel=LONG_RUNS,
         has=(),
+        example="shard-0",
+        help=(
+            "Progress of a run directory, also while a job adds to it: units, worlds, rate, and "
+            "findings."
+        ),
     ),
     Verb(
         "compare",
@@ -209,6 +226,11 @@ VERBS = (
         "twins",
         "Decide whether any motion tells two worlds apart.",
         telling="reports.tellings.lookalikes:twins_telling",
+        example="fig1-left fig1-right",
+        help=(
+            "Can any motion tell two worlds apart? The answer comes with the shortest motions that "
+            "do, or with classes of darts that prove that none does."
+        ),
     ),
     Verb(
         "ambiguity class",
@@ -216,6 +238,8 @@ VERBS = (
         "ambiguity-class",
         "List every world that no motion tells from a given one.",
         telling="reports.tellings.lookalikes:class_telling",
+        example="k4 --class simple",
+        help=("Build every world that no motion tells from WORLD, and say why."),
     ),
     Verb(
         "ambiguity census",
@@ -236,6 +260,11 @@ VERBS = (
         "search",
         "Search for worlds that no motion tells apart, by SMT.",
         telling="reports.tellings.search:search_telling",
+        example="--lighthouse position --class simple --edges 6",
+        help=(
+            "Find two different worlds that no motion tells apart, or show that there are none. "
+            "Exit code 0: answered, 3: the time was over, 4: no world exists within the bounds."
+        ),
     ),
     Verb(
         "paper claims",
@@ -244,6 +273,14 @@ VERBS = (
         "Check the sentences of the paper, and further ones of this project.",
         telling="evidence.claims.claims_telling:claims_telling",
         has=(ROWS, CASES),
+        example="--only fig1 --html fig1.html",
+        help=(
+            "The ledger: each sentence of the paper that can be checked, and each sentence that "
+            "this project adds, with the expected verdict and the verdict found. Misprints are "
+            "expected to be refuted. Exit code 0: all that was checked is as expected, 1: "
+            "something is not, 3: a required claim was not checked, 4: no claim was checked, or a "
+            "claim was checked on no case."
+        ),
     ),
     Verb(
         "paper figure",
@@ -259,6 +296,11 @@ VERBS = (
         "mutants",
         "Try known mistakes, and show which check catches each.",
         telling="evidence.mutants.mutants_telling:mutants_telling",
+        example="--edges 3",
+        help=(
+            "Try wrong explorers, weakened judges and broken enumerators, and say which check "
+            "kills which at which smallest world. Exit code 1: one survived."
+        ),
     ),
     Verb(
         "self bench",
@@ -266,6 +308,11 @@ VERBS = (
         "bench",
         "Measure this program and others side by side.",
         telling="evidence.bench.bench_telling:bench_telling",
+        example="--edges 7 --peer 'lazy=./lazy 1 7'",
+        help=(
+            "Measure this program's engines and others side by side, in turns; ratios with their "
+            "spread."
+        ),
     ),
 )
 """Every verb, in the order of the help."""

@@ -136,7 +136,7 @@ def test_bad_input_is_one_line_that_names_it(refused, arguments, named):
         ('{"version": 1, "law": "map"}', "explorer"),
         ('{"version": 1, "explorer": "algorithm1", "law": "nonsense"}', "nonsense"),
         ('{"version": 1, "explorer": "algorithm1", "law": []}', "law"),
-        ('{"version": 1, "explorer": "algorithm1", "law": "map", "world": 3}', "3"),
+        ('{"version": 1, "explorer": "algorithm1", "law": "map", "world": 3}', "transcript"),
         (
             '{"version": 1, "explorer": "algorithm1", "law": "map", "world": %s}' % EDGE,
             "transcript",

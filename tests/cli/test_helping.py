@@ -34,6 +34,7 @@ def test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch,
     assert "<bool>" not in told.lower()
     assert "BOOLEAN" not in told
     for param in command.params:
+        assert not param.secondary_opts, "a flag has no opposite"
         for option in param.opts if param.param_type_name == "option" else ():
             assert re.search(rf"{re.escape(option)}\b", told), option
 
@@ -67,3 +68,11 @@ def test_a_default_is_told_wherever_leaving_out_an_option_means_a_value(monkeypa
     ]:
         _, told = help_of([name], 79, monkeypatch, capsys)
         assert words in " ".join(told.split())
+
+
+def test_a_verb_that_takes_an_explorer_tells_of_the_shield(monkeypatch, capsys):
+    for verb in VERBS:
+        command, told = help_of(verb.name.split(), 200, monkeypatch, capsys)
+        words = [p.metavar for p in command.params if p.param_type_name == "argument"]
+        takes_one = any("EXPLORER" in str(word) for word in words)
+        assert ("shield:EXPLORER" in told) == takes_one, verb.name

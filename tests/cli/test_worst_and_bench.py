@@ -12,7 +12,7 @@ def test_worst_prints_one_document(cli):
     code, out, _ = cli("worst", "--edges", 3, "--transit", "shortest", "--json", "-q")
     assert code == 0
     document = json.loads(out)
-    assert document["transit"] == "shortest"
+    assert document["scope"]["transit"] == "shortest"
     # The most expensive schedule over all worlds with 3 edges, by an independent program: 11.
     assert max(row["worst"] for row in document["rows"]) == 11
     assert all(row["replayed"] == row["worst"] for row in document["rows"])

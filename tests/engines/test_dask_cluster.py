@@ -14,7 +14,7 @@ from typing import ClassVar
 import pytest
 
 import processes
-from allworlds import ambiguity, check, compare, count, fuzz, worst
+from allworlds import check, count, worst
 from allworlds.engines import ClusterLost, Dask, Silent, ThisThread
 from allworlds.engines.compiled import tallies as compiled
 from allworlds.engines.transports import dask_cluster as cluster, dask_lanes as lanes
@@ -64,24 +64,7 @@ JOBS = {
     "python": lambda **more: check(edges=3, engine="python", **more),
     "kernel": lambda **more: check(edges=5, engine="kernel", **more),
     "foreign": lambda **more: check(f"{WRONG}:right", edges=2, **more),
-    "refuted": lambda **more: check(f"{WRONG}:everywhere", edges=2, max_findings=3, **more),
-    "worst": lambda **more: worst(edges=4, **more),
-    "census": lambda **more: ambiguity.census(edges=3, **more),
-    "runs": lambda **more: worst("greedy", edges=2, **more),
-    "schedules": lambda **more: worst("remembering", edges=2, **more),
-    "count": lambda **more: count(edges=3, **more),
-    "compare": lambda **more: compare("algorithm1", f"{WRONG}:right", edges=2, **more),
-    "growth": lambda **more: compare("greedy", family="bouquet", to=30, **more),
-    "fuzz": lambda **more: fuzz(f"{WRONG}:everywhere", edges=3, runs=100, **more),
 }
-
-
-@pytest.mark.no_cover
-@pytest.mark.parametrize("name", JOBS)
-def test_a_cluster_says_the_same(name, here, tmp_path):
-    whole = JOBS[name]().to_json()
-    assert JOBS[name](dask=here, run=tmp_path).to_json() == whole
-    assert JOBS[name](run=tmp_path).to_json() == whole
 
 
 def test_an_explorer_of_a_module_travels_as_its_text(here, tmp_path, monkeypatch):
@@ -138,9 +121,13 @@ def test_an_explorer_of_this_process_is_not_sent(here):
 
 def test_no_scheduler_is_refused(refused, monkeypatch):
     monkeypatch.setattr(cluster, "PATIENCE", 0.5)
-    for address in ("tcp://127.0.0.1:9", "nonsense://x"):
+    for address, why in (
+        ("tcp://127.0.0.1:9", "it is silent for 0.5 s"),
+        ("nonsense://x", "this is no address"),
+        ("foo", "this is no address"),
+    ):
         said = refused("worst", "--edges", "1", "--dask", address)
-        assert f"dask '{address}': no scheduler answers there" in said
+        assert f"dask '{address}': no scheduler answers there: {why}; legal" in said
 
 
 @contextmanager
@@ -165,7 +152,7 @@ def another_service(words):
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (b"", "no scheduler answers there (TimeoutError); legal"),
+        (b"", "no scheduler answers there: it is silent for 0.5 s; legal"),
         (b"HTTP/1.1 400 Bad Request\r\n\r\n", "what answers there is no scheduler"),
         (b"\0" * 400, "what answers there is no scheduler"),
     ],

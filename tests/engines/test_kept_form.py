@@ -2,11 +2,11 @@
 
 import json
 from collections import Counter
-from dataclasses import replace
 
 import pytest
 
 from allworlds import check, optimum
+from allworlds.document import replace
 from allworlds.engines import CostTally, Tally
 from allworlds.engines.python.costs import RunCost
 from allworlds.engines.python.tally import AtRun, Row

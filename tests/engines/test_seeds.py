@@ -1,9 +1,8 @@
 """Both plays have other hash seeds and addresses, and there are not too many of them."""
 
-from dataclasses import replace
-
 import pytest
 
+from allworlds.document import replace
 from allworlds.engines.python.tour import BEGINNING, SEEDS, SPELL, Tour
 from allworlds.inputs import InputError
 from allworlds.judging import Finding

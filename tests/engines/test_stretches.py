@@ -21,11 +21,8 @@ from allworlds.engines import (
     why_not_compiled,
 )
 from allworlds.engines.compiled.requests import level_of
-from allworlds.engines.compiled.stretches import (
-    PlayedByStretches,
-    StretchEngine,
-    load as load_here,
-)
+from allworlds.engines.compiled.stretches import PlayedByStretches
+from allworlds.engines.compiled.users_engine import UsersEngine, load as load_here
 from allworlds.engines.isolation.jobs import PlayStretch
 from allworlds.engines.isolation.messages import StretchResult, read_message, write_message
 from allworlds.engines.isolation.shared_logs import LibraryPlayer, StretchMemory
@@ -367,7 +364,7 @@ def test_runs_are_played_in_an_order_that_a_seed_draws():
 
 def test_the_rest_of_a_unit_whose_referee_was_lost_goes_to_the_general_engine():
     players = PairHere(example("c/algorithm1.c"))
-    engine = StretchEngine(scope_of(2), 1)
+    engine = UsersEngine(scope_of(2), 1)
     bound = engine.for_users("native:x", players, EarlierPlays())
     unit = next(iter(scope_of(2).units(2)))
     whole, rest = Tally(1), Tally(1)
@@ -382,7 +379,7 @@ def test_the_rest_of_a_unit_whose_referee_was_lost_goes_to_the_general_engine():
 
 
 def test_our_own_explorers_are_played_as_ever():
-    own = StretchEngine(scope_of(1), 1).for_built_in(load("algorithm1"))
+    own = UsersEngine(scope_of(1), 1).for_built_in(load("algorithm1"))
     units = [*scope_of(1).units(1)]
     assert sum(part.runs for unit in units for _, part in own.parts(unit)) == 3
 
@@ -392,12 +389,12 @@ def test_what_is_needed_is_compiled_once_and_said(monkeypatch):
     notices = []
     subject = load(native(example("c/algorithm1.c")))
     job = Job(scope_of(2), subject, Limits(), 1, None, notices.append)
-    StretchEngine.compiled(job)
+    UsersEngine.compiled(job)
     notices.clear()  # in a fresh cache there is something to be compiled
-    StretchEngine.compiled(job)
+    UsersEngine.compiled(job)
     assert not notices
-    monkeypatch.setattr("allworlds.engines.compiled.stretches.is_compiled", lambda _: False)
-    StretchEngine.compiled(job)
+    monkeypatch.setattr("allworlds.engines.compiled.users_engine.is_compiled", lambda _: False)
+    UsersEngine.compiled(job)
     assert notices == [COMPILING]
 
 
@@ -414,7 +411,7 @@ def test_a_stretch_without_room_for_its_logs_says_so():
     player = LibraryPlayer(subject.native, bytearray(16))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(first.stretch, "logs", first.stretch.logs[:10])
-        assert player._native.play(first.stretch, batch.runs, 1, "fifo", again=False) == -1
+        assert player.native.play(first.stretch, batch.runs, 1, "fifo", again=False) == -1
     first.close()
     with pytest.raises(OSError, match="No such file"):
         player.play(PlayStretch("/proc/self/fd/none", 2, 1, 1, "fifo", again=False))

@@ -11,6 +11,7 @@ import allworlds
 from allworlds import ambiguity, check, compare, count, fuzz, optimum, worst
 from allworlds.engines import Silent, TimeIsUp, Unsettled, sweep
 from allworlds.verbs import VERBS
+from clusters import cluster_here
 from kept_jobs import EXPLORERS
 
 pytestmark = [pytest.mark.usefixtures("compiled", "without_workers")]
@@ -104,6 +105,31 @@ def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_p
     assert text(job(run=tmp_path)) == whole
     standing = allworlds.status(tmp_path)
     assert (standing.state, standing.left_s) == ("finished", 0)
+    if "refuted" not in name:  # a finding ends it before the last level
+        assert standing.worlds.done == standing.worlds.all
+        assert standing.units.done == standing.units.all
+
+
+class Counts(Silent):
+    """Counts how many worlds were announced for each level, and how many were done."""
+
+    def __init__(self):
+        self.announced, self.done = [], []
+
+    def level(self, edges, worlds):
+        self.announced.append(worlds)
+        self.done.append(0)
+
+    def progress(self, count):
+        self.done[-1] += count
+
+
+@pytest.mark.parametrize("name", SWEEPS)
+def test_as_many_worlds_are_done_in_each_level_as_were_announced(name):
+    heard = Counts()
+    SWEEPS[name](listener=heard)
+    assert sum(heard.done)
+    assert heard.done == heard.announced
 
 
 @pytest.mark.no_cover
@@ -116,6 +142,29 @@ def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
     assert codes <= {0, code}
     merged = allworlds.merge(*reversed(runs))
     assert text(merged) == undisturbed(name)
+
+
+@pytest.fixture(scope="module")
+def cluster():
+    """The address of a scheduler whose workers are threads of this process."""
+    with cluster_here(pytest.importorskip("distributed")) as address:
+        yield address
+
+
+@pytest.mark.no_cover
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+@pytest.mark.parametrize("name", SHARDED)
+def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
+    name, undisturbed, cluster, tmp_path, monkeypatch
+):
+    for least in ("SOON", "SOON_WALKED"):  # else small levels are not sent
+        monkeypatch.setattr(f"allworlds.engines.compiled.tallies.{least}", 0)
+    job = SWEEPS[name]
+    cut = job(run=tmp_path, dask=cluster, listener=Interrupts(2))
+    if cut.exit_code == 130:
+        assert_finished_rows(text(cut), undisturbed(name))
+    assert text(job(run=tmp_path, dask=cluster)) == undisturbed(name)
+    assert text(job(run=tmp_path)) == undisturbed(name)
 
 
 @pytest.mark.parametrize("name", SWEEPS)

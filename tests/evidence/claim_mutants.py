@@ -40,8 +40,8 @@ from allworlds.explorers import BUILT_IN, Algorithm1
 from allworlds.judging import paper_bound
 from allworlds.maps import CombinatorialMap, named_map, rooted_code
 from allworlds.protocol import Choices, Move
-from allworlds.studies.ambiguity import class_of
-from allworlds.studies.ambiguity.smt import twin_search
+from allworlds.studies.ambiguity import class_of, search
+from allworlds.studies.ambiguity.smt import pair, twin_search
 from allworlds.studies.check import check
 from allworlds.studies.run import run
 from allworlds.studies.worst import EverySchedule
@@ -233,6 +233,24 @@ def contradictory(*asked: Any) -> Any:
     return formula, pair
 
 
+def directional(wrong: Callable[..., Any], right: Callable[..., Any]) -> Callable[..., Any]:
+    """The wrong formula of a question with a direction, the right one of any other."""
+    return lambda question, sizes: (wrong if question.sensing.bearing else right)(question, sizes)
+
+
+def in_section(write: Callable[..., Any]) -> Callable[..., Any]:
+    """What writes clauses, with a contradiction among them where worlds have directions."""
+
+    def wrong(formula: Any, *asked: Any) -> Any:
+        written = write(formula, *asked)
+        if any(name.startswith("pointed") for name in formula.blocks):
+            formula.add(1)
+            formula.add(-1)
+        return written
+
+    return wrong
+
+
 def marked_everywhere(lighthouse: str) -> Callable[..., Any]:
     """``worlds`` under another lighthouse."""
     return lambda **asked: worlds(**{**asked, "lighthouse": lighthouse})
@@ -362,22 +380,38 @@ def without_an_assertion(data: bytes) -> bytes:
     return b"".join(lines[:last] + lines[end:])
 
 
-def another_statement(claim: str) -> Mutant:
-    """The first theorem of the claim says something else, which is proved."""
-    bounds = theorems(claim)
-    said = dict(zip(bounds["names"], bounds["says"], strict=True))
-    said[bounds["names"][0]] = "0" * 16
-    return Mutant(
-        claim,
-        "a theorem that says something else",
-        (
-            (
-                machine,
-                "_assumptions",
-                lambda _: {name: (machine.CLOSED, says) for name, says in said.items()},
-            ),
-        ),
-    )
+Proved = dict[str, tuple[str, str]]
+"""By theorem what Coq prints that it rests on, and its digest."""
+
+
+def says_something_else(name: str, proved: Proved) -> Proved:
+    """The theorem says something else, which is proved."""
+    return {**proved, name: (machine.CLOSED, "0" * 16)}
+
+
+def rests_on_an_axiom(name: str, proved: Proved) -> Proved:
+    """The theorem says what it should, and rests on an axiom."""
+    return {**proved, name: ("Axioms:", proved[name][1])}
+
+
+def is_missing(name: str, proved: Proved) -> Proved:
+    """There is no such theorem."""
+    return {other: told for other, told in proved.items() if other != name}
+
+
+WRONG_PROOFS = {
+    "a theorem that says something else": says_something_else,
+    "a theorem that rests on an axiom": rests_on_an_axiom,
+    "a theorem that is missing": is_missing,
+}
+"""What may be wrong with a theorem, and how Coq's answer changes."""
+
+
+def without(claim: str, what: str) -> Mutant:
+    """The claim, with that wrong with its last theorem."""
+    name = theorems(claim)["names"][-1]
+    told = WRONG_PROOFS[what](name, as_claimed(Path()))
+    return Mutant(claim, what, ((machine, "_assumptions", lambda _: told),))
 
 
 def theorems(claim: str) -> dict[str, Any]:
@@ -452,6 +486,18 @@ MUTANTS = (
            ((algorithm, "worlds", marked_everywhere("position")),), {"edges": 2}),
     Mutant("no-twins-smt", "each formula has a contradiction",
            ((twin_search, "pair_formula", contradictory),), slow=True),
+    Mutant("no-twins-smt", "a contradiction where there is a direction, at the end",
+           ((twin_search, "pair_formula", directional(contradictory, right_pair_formula)),),
+           slow=True),
+    Mutant("no-twins-smt", "a contradiction where there is a direction, in 'alike'",
+           ((pair, "_sense_the_same", in_section(pair._sense_the_same)),), slow=True),
+    Mutant("no-twins-smt", "a contradiction where there is a direction, in 'different'",
+           ((pair, "_smaller_code", in_section(pair._smaller_code)),), slow=True),
+    Mutant("no-twins-smt", "a contradiction where there is a direction, in one world",
+           ((pair, "_reference_darts", in_section(pair._reference_darts)),), slow=True),
+    Mutant("no-twins-smt", "the direction is not sensed",
+           ((algorithm, "search", lambda **asked: search(**{**asked, "lighthouse": "position"})),),
+           slow=True),
     # V
     Mutant("invariant-at-start", "U begins with one edge",
            ((correctness, "Algorithm1", BeginsWithLess),), {"edges": 2}),
@@ -603,7 +649,12 @@ MUTANTS = (
     Mutant("cert-second-opinions", "an assertion is missing",
            folder=damaged("second-opinions/bound-polynomial.smt2", without_an_assertion),
            slow=True),
-    *(another_statement(claim.id) for claim in manifest() if claim.id.startswith("coq-")),
+    *(
+        without(claim.id, what)
+        for claim in manifest()
+        if claim.id.startswith("coq-")
+        for what in WRONG_PROOFS
+    ),
 )  # fmt: skip
 
 

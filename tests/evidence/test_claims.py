@@ -1,5 +1,7 @@
 """Each claim can fail: what it looks at is damaged, and it says so."""
 
+import re
+
 import pytest
 
 from allworlds.evidence.claims import (
@@ -74,6 +76,18 @@ def test_sympy_is_asked_only_where_it_is(monkeypatch):
     found = complexity.terms_left_out(Means(), edges=2)
     assert isinstance(found, NotChecked)
     assert ".[proofs]" in found.reason
+
+
+REFERS = re.compile(r"(The same|So (does|do|is|are)|It|They|That|These|Those|This|Such|There)\b")
+"""The beginnings of a sentence that is understood beside another one alone."""
+
+
+@pytest.mark.parametrize("name", BY_NAME)
+def test_a_statement_says_by_itself_what_is_claimed(name):
+    statement = BY_NAME[name].statement
+    assert not REFERS.match(statement)
+    assert "The same" not in statement
+    assert statement.endswith(".")
 
 
 SMALL = {

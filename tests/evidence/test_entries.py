@@ -6,13 +6,20 @@ import pytest
 
 import allworlds
 from allworlds.document import replace
+from allworlds.engines.isolation.jobs import HarnessError
 from allworlds.evidence.claims import claim_table, ledger
 from allworlds.evidence.claims.claim_table import CHECKS
-from allworlds.evidence.claims.claim_types import FAULTS, Found, Means, NotChecked
+from allworlds.evidence.claims.claim_types import (
+    FAULTS,
+    Found,
+    InternalError,
+    Means,
+    NotChecked,
+)
 from allworlds.evidence.claims.ledger import ClaimsReport, entry_of, entry_with
 from allworlds.evidence.claims.manifest import manifest
 from allworlds.inputs import InputError
-from allworlds.outcome import Exit
+from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.reports import brief
 
 BY_NAME = {claim.id: claim for claim in manifest()}
@@ -47,9 +54,9 @@ def changes(entry):
             yield name, replace(entry, **{part: {**getattr(entry, part), name: other(value)}})
 
 
-def ledger_of(*entries, required=(), complete=True):
+def ledger_of(*entries, required=(), ending=COMPLETED):
     """The report of these entries."""
-    return ClaimsReport(budget="quick", required=required, claims=entries, complete=complete)
+    return ClaimsReport(budget="quick", required=required, claims=entries, ending=ending)
 
 
 def fails_when_changed(entry):
@@ -166,12 +173,36 @@ def test_a_disagreement_within_the_program_refutes_whatever_is_expected(monkeypa
     assert one.differences == ("a disagreement within this program: one says 3, the other 4",)
 
 
+@pytest.mark.parametrize("error", [AssertionError, RuntimeError, HarnessError, KeyError])
+def test_an_error_in_one_claim_leaves_the_others_and_keeps_its_traceback(monkeypatch, error):
+    def failing(_means, **_bounds):
+        raise error("so it is")
+
+    monkeypatch.setattr(claim_table, "CHECKS", {**CHECKS, "fig1": failing})
+    report = allworlds.claims(only=["fig1", "fig1-caption"])
+    one, other_one = report.claims
+    assert (one.verdict, one.standing, report.exit_code) == ("error", "unexpected", Exit.INTERNAL)
+    assert other_one.standing == "as-expected"
+    assert error.__name__ in one.differences[0]
+    assert one.told.startswith("Traceback")
+    assert "in failing" in one.told
+    assert "1 holds, 1 ended in an error of this program" in brief("paper claims", report, 100)
+    (alone,) = allworlds.claims(only=["fig1"]).claims
+    assert alone.truth is None
+
+
+def test_an_error_outweighs_an_interrupt_and_a_refutation():
+    wrong = entry(Found("refuted", as_expected(BY_NAME["fig1"]).witnesses))
+    failed = entry(InternalError("KeyError: 3", "Traceback ..."), "coq-2m")
+    assert ledger_of(wrong, failed, ending=Interrupted()).exit_code == Exit.INTERNAL
+
+
 def test_a_difference_outweighs_what_is_missing_and_an_interrupt_both():
     wrong = entry(Found("refuted", as_expected(BY_NAME["fig1"]).witnesses))
     missing = entry(NotChecked("no Coq"), "coq-2m")
     told = ledger_of(wrong, missing, required=("coq-2m",))
     assert told.exit_code == Exit.REFUTED
-    assert replace(told, complete=False).exit_code == Exit.INTERRUPTED
+    assert replace(told, ending=Interrupted()).exit_code == Exit.INTERRUPTED
 
 
 def test_a_required_claim_is_checked_along_with_those_that_are_named():
@@ -195,8 +226,10 @@ def test_an_interrupt_leaves_what_was_checked(monkeypatch):
     [
         ({"only": ["fig-1"]}, "only 'fig-1' is no claim; near it are fig1"),
         ({"require": ["@"]}, "require '@' is no claim"),
+        ({"only": ["fig1,cycles"]}, "claims are named one by one: --only fig1 --only cycles"),
+        ({"only": ["fig1,fig2"]}, "only 'fig1,fig2' is no claim; near it are fig1"),
         ({"budget": "large"}, "budget 'large' is not one of quick, full"),
-        ({"workers": 0}, "workers = 0"),
+        ({"workers": 0}, "workers 0 is not positive"),
         ({"proofs": "nowhere"}, "proofs 'nowhere' is no folder"),
     ],
 )

@@ -20,8 +20,7 @@ from allworlds.evidence.figures.holes import figure_3, standard_error
 from allworlds.evidence.figures.twins import CAPTION, figure_1
 from allworlds.inputs import InputError
 from allworlds.judging import paper_bound, printed_bound
-from allworlds.outcome import Verdict
-from allworlds.studies.compare import Growth
+from allworlds.outcome import Interrupted, Verdict
 from allworlds.studies.optimum import optimum
 from allworlds.world import FamilyWords
 
@@ -137,7 +136,7 @@ def test_the_caption_tells_when_a_mean_lies_below_twice_the_edges(small):
 
 @pytest.mark.no_cover
 def test_an_interrupted_figure_is_drawn_as_far_as_it_came(small, monkeypatch, tmp_path):
-    none = Growth(complete=False, explorers=("greedy",), families=("lattice",), rows=())
+    none = structs.replace(small.growth, ending=Interrupted(), rows=())
     monkeypatch.setattr(
         "allworlds.evidence.figures.figure_table.figure_3", lambda *_: replace(small, growth=none)
     )
@@ -169,7 +168,7 @@ def test_a_worst_case_above_the_bound_or_below_the_optimum_is_refuted(cells):
     for spoilt in ({"worst": 10**6}, {"worst": 0, "best": 0}, {"optimum": 10**6}):
         wrong = (replace(cells.cells[-1], **spoilt), *cells.cells[:-1])
         assert verdict_of(replace(cells, cells=wrong)) is Verdict.REFUTED
-    some = structs.replace(cells.report, complete=False)
+    some = structs.replace(cells.report, ending=Interrupted())
     assert verdict_of(replace(cells, report=some)) is Verdict.INCONCLUSIVE
     disagrees = structs.replace(cells.report.rows[0], worlds=7)
     error = structs.replace(cells.report, rows=(disagrees,))

@@ -5,7 +5,7 @@ import inspect
 import pytest
 
 from allworlds.explorers import whole_name
-from allworlds.explorers.spelling import did_you_mean, generator_functions, short_names
+from allworlds.explorers.spelling import did_you_mean, explorers_in, short_names
 from allworlds.inputs import InputError
 from allworlds.studies.check import check
 
@@ -30,12 +30,12 @@ def file(tmp_path):
     return place
 
 
-def test_the_generator_functions_are_those_that_python_sees():
+def test_the_explorers_in_are_those_that_python_sees():
     text = TEXT + "def second():\n    if 0:\n        x = yield\n"
     module = {}
     exec(text, module)
     truth = [name for name, value in module.items() if inspect.isgeneratorfunction(value)]
-    assert [*generator_functions(text)] == [name for name in truth if name != "algorithm1"]
+    assert [*explorers_in(text)] == [name for name in truth if name != "algorithm1"]
 
 
 def test_a_file_with_one_generator_function_is_its_name(file):
@@ -47,7 +47,7 @@ def test_a_file_with_one_generator_function_is_its_name(file):
 @pytest.mark.parametrize(
     ("more", "words"),
     [
-        ("def second():\n    yield\n", "has several generator functions; legal are "),
+        ("def second():\n    yield\n", "has several explorers; legal are "),
         (None, "has no generator function"),
     ],
 )
@@ -68,7 +68,7 @@ def test_a_file_that_is_not_there_is_no_name():
 
 
 def test_what_is_no_python_has_no_functions():
-    assert [*generator_functions("def")] == []
+    assert [*explorers_in("def")] == []
 
 
 def test_a_name_that_is_nearly_one_is_told():

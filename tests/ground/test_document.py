@@ -69,8 +69,11 @@ def test_a_key_that_is_left_out_while_empty_is_told_when_it_is_not_even_if_it_is
 
 
 def test_what_follows_cannot_be_contradicted():
-    assert Whole(class_="toys", parts=WHOLE.parts, total=9).total == 5
-    empty = replace(WHOLE, parts=(Part(size=0),), total=9)
+    with pytest.raises(TypeError):
+        Whole(class_="toys", parts=WHOLE.parts, total=9)
+    with pytest.raises(AttributeError):
+        WHOLE.total = 9
+    empty = replace(WHOLE, parts=(Part(size=0),))
     assert (empty.total, empty.code) == (0, Exit.VACUOUS)
 
 

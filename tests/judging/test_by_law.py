@@ -164,14 +164,14 @@ def test_it_is_told_whose_the_bound_is(rules, said, answering):
 def test_the_bound_of_an_explorer_is_called_its_own(finding_of):
     rules = Rules(own_bound="2*m", bound=None)
     finding = replace(finding_of("walks-too-much"), world=World(PATH, Directional(0)))
-    told = tell_whose_bound(replace(finding, rules=rules, expected=4))
+    told = tell_whose_bound(replace(finding, under=rules, expected=4))
     assert "The bound is the explorer's own: 2*m, which is 4" in " ".join(told)
 
 
 def test_the_bound_with_the_tests_is_told_with_both_parts(finding_of):
     finding = replace(finding_of("walks-too-much"), world=World(PATH, Directional(0)))
     rules = Rules(bound="two-vertices")
-    told = tell_whose_bound(replace(finding, rules=rules, expected=20))
+    told = tell_whose_bound(replace(finding, under=rules, expected=20))
     assert "two traversals for each test" in " ".join(told)
     assert "with those 20." in " ".join(told)
 

@@ -1,11 +1,11 @@
 """The findings of wrong explorers in words, whatever the law."""
 
 import json
-from dataclasses import replace
 
 import pytest
 
 import allworlds
+from allworlds.document import replace
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.inputs import InputError
 from allworlds.judging import PRECEDENCE, Finding, explain

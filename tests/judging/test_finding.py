@@ -1,9 +1,9 @@
-import dataclasses
 import json
 from pathlib import Path
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.inputs import InputError
 from allworlds.judging import Finding, canonical_world, place_of
 from allworlds.maps import named_map
@@ -46,7 +46,7 @@ def test_a_finding_survives_its_json(finding):
 
 def test_a_checkpoint_before_the_first_step_is_told(finding):
     assert "step" not in finding.to_json()
-    at_once = dataclasses.replace(finding, step=0)
+    at_once = replace(finding, step=0)
     assert at_once.to_json()["step"] == 0
     assert Finding.from_json(at_once.to_json()).step == 0
 
@@ -103,7 +103,7 @@ def test_the_recorded_choices_are_honoured(one_schedule, wrong):
     ],
 )
 def test_recorded_choices_that_do_not_fit_are_told(one_schedule, choices, notice):
-    finding = dataclasses.replace(one_schedule, choices=choices)
+    finding = replace(one_schedule, choices=choices)
     assert replay(finding).notice.startswith(notice)
     assert not replay(finding, algorithm).notice
 
@@ -111,7 +111,7 @@ def test_recorded_choices_that_do_not_fit_are_told(one_schedule, choices, notice
 def test_choices_of_an_explorer_that_takes_none_are_refused_unless_it_is_named(wrong):
     finding = check(wrong("everywhere"), edges=1).findings[0]
     assert replay(finding).notice == ""
-    finding = dataclasses.replace(finding, choices=(0, 0))
+    finding = replace(finding, choices=(0, 0))
     with pytest.raises(InputError, match=r"\[0, 0\], but .*:everywhere takes no choices"):
         replay(finding)
     named = replay(finding, wrong("everywhere"))

@@ -5,7 +5,9 @@ import pytest
 
 from allworlds.inputs import InputError
 from allworlds.maps import (
+    AND,
     CONDITIONS,
+    AllOf,
     Extent,
     MapClass,
     condition_named,
@@ -54,6 +56,31 @@ def by_definition(name, map_):
 
 def ends(map_):
     return [tuple(map_.vertex_of[d] for d in edge) for edge in map_.edges]
+
+
+TOGETHER = [
+    *("cubic and girth:2", "eulerian and genus:0", "trees and regular:3"),
+    *("triangulation and quadrangulation", "triangulation and genus:0", "triangulation and cubic"),
+]
+
+
+@pytest.mark.parametrize("edges", [1, 2, 3, slow(4), slow(6)])
+@pytest.mark.parametrize("name", TOGETHER)
+def test_several_conditions_leave_what_each_of_them_leaves(name, edges):
+    parts = [condition_named(part) for part in name.split(AND)]
+    both = AllOf(tuple(parts))
+    assert both.name == str(both) == name
+    whole = rooted_maps(edges) if edges < 6 else rooted_maps(edges, where=parts[0])
+    left = [map_ for map_ in whole if all(part.holds(map_) for part in parts)]
+    assert sorted(map(code, rooted_maps(edges, where=both))) == sorted(map(code, left))
+    grown = {
+        code(m)
+        for p in prefixes(edges, where=both)
+        for m in rooted_maps(edges, prefix=p, where=both)
+    }
+    assert grown == {*map(code, left)}
+    # A false cousin: one of them alone leaves more, at some size.
+    assert len(left) <= min(sum(1 for _ in rooted_maps(edges, where=part)) for part in parts)
 
 
 @pytest.mark.parametrize("edges", [1, 2, 3, slow(4)])

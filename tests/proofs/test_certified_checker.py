@@ -61,6 +61,19 @@ def test_a_wrong_program_is_refuted_by_a_smallest_world(built, capsys):
     assert "sigma [0, 2, 3, 5, 1, 4] alpha [1, 0, 4, 5, 2, 3], start 0, place 0" in said
 
 
+@pytest.mark.parametrize(
+    ("world", "said"),
+    [
+        ({"finding": "pose"}, "REFUTED    pose; 1 world with 1 edge"),
+        ({"finding": "map", "fault": "crash", "how": "gone"}, "REFUTED    crash: gone; 1 world"),
+    ],
+)
+def test_the_law_that_is_broken_is_said_first(checker, world, said):
+    refuted = {"sigma": [0, 1], "alpha": [1, 0], "place": 0, **world}
+    answer = {"verdict": "refuted", "edges": 1, "runs": 3, "refutations": [refuted]}
+    assert checker.told(answer, "paper")[0].startswith(said)
+
+
 @pytest.mark.slow
 def test_a_limit_that_is_too_low_refutes(built, capsys):
     arguments = ["--exec", served(built, "algorithm1"), "--edges", "2"]

@@ -1,13 +1,14 @@
 """Certificates for Coq's kernel: what is written of a program, and that it is what it does."""
 
 import re
+import subprocess
 import sys
 from functools import partial
 from pathlib import Path
 
 import pytest
 
-from allworlds.explorers import algorithm1, in_process_subject, load
+from allworlds.explorers import algorithm1, built_in, in_process_subject
 from allworlds.protocol import Choices, policy_named
 from allworlds.world import worlds
 
@@ -57,9 +58,8 @@ def test_the_tree_of_algorithm_1_for_one_edge_is_the_example_in_coq(written):
 
 
 def test_every_run_is_in_the_tree_and_nothing_else(trees):
-    subject = load("algorithm1")
-    tree, runs, unanswered = trees.tree_of(subject, 3)
-    assert (runs, unanswered) == (sum(1 for _ in worlds(edges=3, places="all")), 0)
+    tree, runs, unanswered = trees.tree_of(built_in("algorithm1"), 3)
+    assert (runs, unanswered.total()) == (sum(1 for _ in worlds(edges=3, places="all")), 0)
     visited = set()
     for world in worlds(edges=3, places="all"):
         state, percept = world.initial, world.first
@@ -97,8 +97,8 @@ def test_of_a_file_all_lines_but_those_of_the_tree_are_to_be_read_and_they_are_f
     for edges, limit in ((3, "paper"), (2, "2*m*n")):
         _, text, _ = written("algorithm1", "--edges", str(edges), "--limit", limit)
         rest = [line for line in text.splitlines() if not TREE_LINE.fullmatch(line)]
-        assert 20 <= len(rest) <= 24
-        assert rest[:2] == text.splitlines()[:2]
+        assert 22 <= len(rest) <= 26
+        assert rest[:4] == text.splitlines()[:4]
         assert "Definition tree : branches :=" in rest
         assert rest[-1] == "Print Assumptions right_in_every_world."
 
@@ -132,10 +132,78 @@ def test_a_program_that_answers_once_and_then_crashes_has_none(trees):
 
 def test_a_program_without_an_answer_is_written_down_as_far_as_it_goes(written):
     code, text, said = written("--exec", f"{sys.executable} {SERVER} no-answer", "--edges", "1")
-    assert code == 0
+    assert code == 1
     assert "Leaf" not in text
     assert text.count("Node 0 [::") == 3
-    assert "3 runs had no answer: coqc will refuse the file" in said
+    assert "NO ANSWER  no-estimate in 3 runs: coqc will refuse the file" in said
+
+
+UNRULY = """
+import os, time
+from allworlds.explorers import algorithm1
+
+begun = []
+
+
+def never(first):
+    while True:
+        pass
+    yield
+
+
+def from_the_sixth_on(first):
+    begun.append(first)
+    if len(begun) > 5:
+        time.sleep(60)
+    return (yield from algorithm1(first))
+
+
+def leaves(first):
+    os._exit(3)
+    yield
+
+
+def hungry(first):
+    hoard = bytearray(1 << 34)
+    return (yield from algorithm1(first))
+"""
+"""Explorers that a process is needed for."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "law", "written_down"),
+    [
+        ("never", "timeout: silent for 0.5 s", False),
+        ("from_the_sixth_on", "timeout: silent for 0.5 s", False),
+        ("leaves", "crash: the end of the process (exit code 3)", False),
+        ("hungry", "crash in 30 runs: coqc will refuse the file", True),
+    ],
+)
+def test_an_explorer_is_played_where_it_does_no_harm_and_its_silence_is_waited_out_once(
+    written, tmp_path, name, law, written_down
+):
+    (tmp_path / "unruly.py").write_text(UNRULY)
+    limits = ["--answer-timeout", "0.5", "--memory", "4096", "--edges", "2"]
+    code, text, said = written(f"{tmp_path}/unruly.py:{name}", *limits)
+    assert code == 1
+    assert said.count("NO ANSWER") == 1
+    assert law in said
+    assert (text is not None) == written_down
+
+
+@pytest.mark.slow
+def test_a_program_that_is_silent_is_waited_for_in_one_run(written):
+    code, text, said = written("--exec", "sleep 60", "--answer-timeout", "0.5", "--edges", "4")
+    assert (code, text) == (1, None)
+    assert said == "NO ANSWER  timeout: silent for 0.5 s; no file is written\n"
+
+
+def test_a_reader_that_has_gone_is_no_fault(tmp_path):
+    program = COQ.parent / "certified.py"
+    arguments = ["--certificate", str(tmp_path / "mine.v"), "algorithm1", "--edges", "1"]
+    command = ["sh", "-c", '"$@" | :', "sh", sys.executable, str(program), *arguments]
+    assert subprocess.run(command, capture_output=True, check=True).stderr == b""
 
 
 @pytest.mark.parametrize(

@@ -18,6 +18,8 @@ LISTED = [name for name in (COQ / "_CoqProject").read_text().split() if name.end
 needs_coq = pytest.mark.skipif(
     shutil.which("coqc") is None, reason="Coq is not installed (Debian: coq, mathcomp-ssreflect)"
 )
+builds = pytest.mark.timeout(1200)
+"""Of a test whose fixture compiles all of the proofs."""
 needs_programs = pytest.mark.skipif(
     not (COQ / "explorer").exists(), reason="not built: make -C proofs/coq explorer"
 )
@@ -219,6 +221,7 @@ def built(tmp_path_factory):
 
 
 @needs_coq
+@builds
 @pytest.mark.slow
 def test_every_headline_theorem_is_closed_under_the_global_context(built):
     checked = subprocess.run(["make", "-C", str(built), "assumptions"], check=False)
@@ -226,6 +229,7 @@ def test_every_headline_theorem_is_closed_under_the_global_context(built):
 
 
 @needs_coq
+@builds
 @pytest.mark.slow
 def test_a_theorem_that_rests_on_an_axiom_is_refused(built, tmp_path):
     copy = tmp_path / "coq"
@@ -248,6 +252,7 @@ def test_a_theorem_that_rests_on_an_axiom_is_refused(built, tmp_path):
 
 
 @needs_coq
+@builds
 @pytest.mark.slow
 def test_a_certificate_with_a_changed_class_is_no_theorem(built, tmp_path):
     root = tmp_path / "project"

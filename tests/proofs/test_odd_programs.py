@@ -185,6 +185,7 @@ MUTANTS = [
     ("pipe.ml", '"estimate"; "ambiguous"]', '"estimate"]', "motion and ambiguous"),
     ("pipe.ml", "when Buffer.length p.buffer > 0", "when false", "motion after the answer"),
     ("pipe.ml", "if whole c then None", "if true then None", "checkpoint of nothing"),
+    ("pipe.ml", "when checkpoints = t.most_checkpoints", "when false", "110 checkpoints first"),
 ]
 
 

@@ -9,6 +9,7 @@ from allworlds.document import replace
 from allworlds.evidence.claims.claim_types import Found, NotChecked
 from allworlds.evidence.claims.ledger import ClaimsReport, entry_with
 from allworlds.evidence.claims.manifest import manifest
+from allworlds.outcome import COMPLETED
 from allworlds.reports import brief, file_of, text
 
 BY_NAME = {claim.id: claim for claim in manifest()}
@@ -22,7 +23,7 @@ def entry(name, found):
 def mixed():
     """One of each standing."""
     return ClaimsReport(
-        complete=True,
+        ending=COMPLETED,
         budget="quick",
         required=("coq-2m",),
         claims=(

@@ -110,7 +110,8 @@ CELLS = [["a|b", 1000, Shown(2.5, "2.50")], ["=1", None, Shown("3 or more", "3 o
 
 def test_a_cell_is_a_number_to_programs_and_a_text_to_people():
     told = telling(None, CELLS)
-    assert text(told, 80).splitlines()[2:5] == [
+    assert text(told, 80).splitlines()[2:6] == [
+        "What it costs",
         "name  costs       much",
         "a|b   1,000       2.50",
         "=1        -  3 or more",

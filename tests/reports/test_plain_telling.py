@@ -30,6 +30,7 @@ class Judged(Leaves):
 
 ROWS_OF_TWO = (Row(edges=1, leaves=2), Row(edges=1200))
 TEXT = """\
+rows
 edges  leaves
     1       2
 1,200       -

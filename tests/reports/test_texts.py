@@ -1,9 +1,9 @@
 import sys
-from dataclasses import replace
 
 import pytest
 from msgspec import structs
 
+from allworlds.document import replace
 from allworlds.maps import named_map
 from allworlds.reports import brief, finding_in_words as finding_text, text as text_of
 from allworlds.studies.check import check

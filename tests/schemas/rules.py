@@ -15,7 +15,7 @@ def integer(value):
     return type(value) is int
 
 
-WRITTEN = "check#/$defs/FindingDocument"
+WRITTEN = "check#/$defs/Finding"
 
 FINDING = {
     "map and pose speak of rooted maps": lambda d: (

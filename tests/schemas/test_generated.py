@@ -25,6 +25,7 @@ from allworlds.outcome import Verdict
 from allworlds.reports.schemas import main, schema_of, schemas
 from allworlds.verbs import VERBS
 from allworlds.world import World
+from schemas import compare_keywords
 from schemas.generate import package_text
 from schemas.reference import PROTOCOL, REFERENCE, page_text, with_tables
 
@@ -64,14 +65,48 @@ def test_the_package_names_every_verb_for_those_who_do_not_run_it():
     assert package_text(less) == source
 
 
-def test_every_key_that_needs_words_has_them():
-    # What a number of edges is, or a verdict's exit code, is told once for all documents.
-    plain = {"edges", "vertices", "exit_code", "kind", "rounds", "status", "world"}
-    plain |= {"lighthouse", "median", "lowest", "highest"}
+def test_the_keywords_of_compare_are_the_fields_of_its_request():
+    source = compare_keywords.MODULE.read_text(encoding="utf-8")
+    assert source == compare_keywords.module_text(), WRITE_ANEW
+
+
+def test_every_key_has_words():
     for name, told in schemas().items():
         for word, inner in keys(told):
-            words = inner.get("description") or "const" in inner
-            assert words or word in plain, f"{name}: {word}"
+            part = told.get("$defs", {}).get(inner.get("$ref", "").rpartition("/")[2], inner)
+            assert "description" in inner or "title" in part, f"{name}: {word}"
+
+
+# A bound is any expression, and a motion and what is answered any integer; what an exponent is
+# fitted to, and what a claim counts, may fall.
+ANY_NUMBER = {"bound", "expected", "seen", "move", "exponent", "interval"}
+ANY_NUMBER |= {"figures", "expected_figures"}
+
+
+def test_every_number_has_a_range_unless_it_may_be_any():
+    free = {
+        word
+        for told in schemas().values()
+        for word, inner in keys(told)
+        for number in numbers(inner)
+        if not number.keys() & {"minimum", "maximum", "enum", "const"}
+    }
+    assert free == ANY_NUMBER
+
+
+def numbers(told):
+    """The schemas of numbers in the schema of a key, but those of keys inside."""
+    match told:
+        case {"type": kind} if {"integer", "number"} & {
+            *([kind] if isinstance(kind, str) else kind)
+        }:
+            yield told
+        case dict():
+            for key, inner in told.items():
+                yield from numbers(inner) if key != "properties" else ()
+        case list():
+            for inner in told:
+                yield from numbers(inner)
 
 
 def keys(told):

@@ -17,7 +17,7 @@ from allworlds.evidence.mutants import mutants
 from allworlds.evidence.mutants.explorers import WRONG_EXPLORERS
 from allworlds.judging import explain
 from allworlds.maps import named_map
-from allworlds.outcome import Interrupted
+from allworlds.outcome import Interrupted, Stopped
 from allworlds.studies.ambiguity import census, class_of, search, twins
 from allworlds.studies.check import check
 from allworlds.studies.compare import compare
@@ -49,7 +49,7 @@ def whole(name):
     return f"{file}.schema.json{hash_}{part}"
 
 
-FINDING, WORLD = "check#/$defs/FindingDocument", "explain#/$defs/WorldDocument"
+FINDING, WORLD = "check#/$defs/Finding", "explain#/$defs/WorldDocument"
 """What is written; the schemas ``finding`` and ``world`` are of what is read."""
 
 
@@ -116,7 +116,7 @@ def without_optimum():
     report = optimum(edges=2)
     *rows, last = report.rows
     rows.append(replace(last, strategy=None, replayed=None, explorers={}))
-    return replace(report, complete=False, stopped="the time limit", rows=tuple(rows))
+    return replace(report, ending=Stopped("the time limit"), rows=tuple(rows))
 
 
 DOCUMENTS = {
@@ -128,7 +128,7 @@ DOCUMENTS = {
     **{
         f"{name} interrupted": (
             whole(name),
-            lambda ask=ask: replace(ask(), complete=False).to_json(),
+            lambda ask=ask: replace(ask(), ending=Interrupted()).to_json(),
         )
         for name, ask in {
             "count": lambda: count(edges=2),

@@ -9,6 +9,7 @@ from allworlds.explorers import load
 from allworlds.inputs import InputError
 from allworlds.judging import Rules
 from allworlds.maps import rooted_maps
+from allworlds.outcome import Interrupted
 from allworlds.protocol import Estimate, Schedules
 from allworlds.reports import text
 from allworlds.world import Directional, World
@@ -46,13 +47,13 @@ def test_an_explorer_without_choices_has_one_schedule():
         told = rows[row.edges, row.vertices]
         assert row.worst == row.best == told["max_cost"]
         assert (row.worlds, row.bound) == (told["worlds"], told["bound"])
-    assert report.to_json()["schedules"] == "one"
+    assert report.to_json()["scope"]["schedules"] == "one"
     assert "the one schedule" in text("worst", report, 100)
 
 
 def test_algorithm_1_under_another_lighthouse_is_played():
     report = worst("algorithm1-cluster", edges=2, lighthouse="cluster")
-    assert report.lighthouse == "cluster"
+    assert report.to_json()["scope"]["lighthouse"] == "cluster"
     assert report.exit_code == 0
 
 
@@ -82,7 +83,7 @@ def test_a_replay_or_a_count_that_disagrees_is_exit_70():
         told = replace(report, rows=(replace(report.rows[0], **wrong), *report.rows[1:]))
         assert told.exit_code == 70
         assert "MISMATCH" in text("worst", told, 100)
-    assert replace(report, complete=False).exit_code == 130
+    assert replace(report, ending=Interrupted()).exit_code == 130
     assert replace(report, rows=()).exit_code == 4
 
 

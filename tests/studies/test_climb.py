@@ -12,11 +12,27 @@ import pytest
 from allworlds import compare, run
 from allworlds.document import replace
 from allworlds.engines import TimeIsUp, Unsettled
+from allworlds.explorers import load
 from allworlds.inputs import InputError
-from allworlds.maps import CombinatorialMap, edges_of, rooted_code, rooted_isomorphism
+from allworlds.judging import Rules
+from allworlds.maps import (
+    CombinatorialMap,
+    Extent,
+    MapClass,
+    edges_of,
+    rooted_code,
+    rooted_isomorphism,
+)
+from allworlds.outcome import Completed, Interrupted
 from allworlds.protocol import Estimate
 from allworlds.reports import file_of, text as text_of
-from allworlds.studies.compare import GrowingWorlds, GrowRow, Growth
+from allworlds.studies.compare import (
+    CompareRequest,
+    Contestant,
+    GrowingWorlds,
+    GrowRow,
+    Growth,
+)
 from allworlds.studies.compare.growing_families import GROWING, distinct, members_of
 from allworlds.studies.compare.growth import GrownWorld
 from allworlds.world import Directional, FamilyWords, World
@@ -112,7 +128,14 @@ def grown(costs, explorers=("who",)):
         for name in explorers
         for m, some in costs[name].items()
     ]
-    return Growth(complete=True, explorers=explorers, families=("torus",), rows=tuple(rows))
+    return Growth(
+        ending=Completed(),
+        request=CompareRequest(to=40, worlds=5, places=1, seed=1),
+        extent=Extent(MapClass.MAPS, 1),
+        contestants=tuple(Contestant(load("greedy"), Rules(), name) for name in explorers),
+        families=("torus",),
+        rows=tuple(rows),
+    )
 
 
 def test_the_exponent_of_a_power_is_its_exponent():
@@ -162,7 +185,7 @@ def test_a_broken_law_refutes():
     assert (told.verdict.value, told.exit_code) == ("refuted", 1)
     assert told.findings[0].law == "no-estimate"
     assert "broken a law" in text_of("compare", told, 100)
-    assert replace(told, complete=False).exit_code == 130
+    assert replace(told, ending=Interrupted()).exit_code == 130
 
 
 def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():
@@ -300,8 +323,9 @@ def test_a_program_grows_like_any_other(cli):
     )
     document = json.loads(out)
     assert code == 0
-    assert document["explorers"] == ["algorithm1", f"exec:{program}"]
-    walked = {name: [] for name in document["explorers"]}
+    names = [one["name"] for one in document["explorers"]]
+    assert names == ["algorithm1", f"exec:{program}"]
+    walked = {name: [] for name in names}
     for row in document["rows"]:
         walked[row["explorer"]].append(row["members"])
     assert walked["algorithm1"] == walked[f"exec:{program}"] != []

@@ -14,6 +14,7 @@ from allworlds.document import replace
 from allworlds.engines import TimeIsUp, Unsettled
 from allworlds.inputs import InputError
 from allworlds.maps import rooted_maps
+from allworlds.outcome import Interrupted
 from allworlds.protocol import Estimate
 from allworlds.reports import file_of, text as text_of
 from allworlds.studies.compare import SameWorlds
@@ -118,9 +119,10 @@ def test_one_world_of_a_family_is_compared_over_every_place():
     assert (row.edges, row.vertices, row.worlds) == (22, 16, 1)
     assert row.ratio["prudent"] < 0.75
     document = report.to_json()
-    assert document["family"] == "lattice:4x4 with holes 10%, seed 5"
-    assert document["edges"] is None
-    assert "one world" in text_of("compare", report, 80)
+    scope = document["scope"]
+    assert (scope["family"], scope["holes"], scope["seed"]) == (["lattice:4x4"], "10%", 5)
+    assert scope["edges"] is None
+    assert "one world: lattice:4x4 with holes 10%, seed 5" in text_of("compare", report, 100)
 
 
 def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
@@ -144,8 +146,8 @@ def test_the_time_limit_and_an_interrupt_leave_finished_levels(monkeypatch):
 
 def test_an_interrupt_goes_before_a_finding_and_a_count_that_disagrees_before_both(report):
     found = replace(report, findings=tuple(check(stops_at_once, edges=1).findings))
-    assert (found.exit_code, replace(found, complete=False).exit_code) == (1, 130)
-    assert replace(found, complete=False, all_counted=False).exit_code == 70
+    assert (found.exit_code, replace(found, ending=Interrupted()).exit_code) == (1, 130)
+    assert replace(found, ending=Interrupted(), all_counted=False).exit_code == 70
 
 
 def test_a_count_that_disagrees_is_an_error(report):

@@ -135,7 +135,8 @@ def test_the_document_has_the_promised_parts():
         "largest_class": 2,
     }
     assert document["gate"]["agrees"] is True
-    assert (document["class"], document["edges"], document["vertices"]) == ("maps", 2, None)
+    scope = document["scope"]
+    assert (scope["class"], scope["edges"], scope["vertices"]) == ("maps", 2, None)
     assert found.exit_code == 0
 
 

@@ -76,7 +76,11 @@ def test_a_shard_that_is_not_finished_is_a_gap(tmp_path):
         allworlds.merge(tmp_path / "0", tmp_path / "1")
     job(0)
     merged = allworlds.merge(tmp_path / "0", tmp_path / "1")
-    assert merged.to_json() == allworlds.check(edges=2).to_json()
+    alone = allworlds.check(edges=2)
+    assert type(merged) is type(alone)
+    assert merged.to_json() == alone.to_json()
+    assert str(merged) == str(alone)
+    assert merged.records() == alone.records()
 
 
 @pytest.mark.usefixtures("without_workers")

@@ -8,7 +8,7 @@ import pytest
 import allworlds
 from allworlds.document import replace
 from allworlds.maps import CombinatorialMap, rooted_code
-from allworlds.outcome import Exit
+from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.protocol import Estimate, Move, Percept
 from allworlds.reports import text
 from allworlds.studies.optimum import OptimumReport, OptimumRow, minimax, optimum_table
@@ -187,7 +187,7 @@ def test_a_row_leaves_out_explorers_for_which_there_was_no_time(monkeypatch):
     assert "greedy" in first.explorers
     assert [*last.explorers] == [*first.explorers][: [*first.explorers].index("greedy")]
     assert (last.optimum, report.exit_code) == (1, Exit.INCONCLUSIVE)
-    assert [*text("optimum", report, 100).splitlines()[4].split()][-1] == "-"
+    assert [*text("optimum", report, 100).splitlines()[5].split()][-1] == "-"
 
 
 @pytest.mark.parametrize(("replayed", "seen"), [(None, "wrong in some world"), (7, "costs 7")])
@@ -203,13 +203,13 @@ def test_a_replay_that_disagrees_is_an_error(replayed, seen):
         explorers={"algorithm1": 1},
         strategy=strategy,
     )
-    report = OptimumReport(complete=True, rows=(row,))
+    report = OptimumReport(ending=COMPLETED, rows=(row,))
     assert report.exit_code == Exit.DISAGREES
     assert seen in text("optimum", report, 100)
 
 
 def test_an_interrupt_keeps_the_rows():
-    report = OptimumReport(complete=False, rows=())
+    report = OptimumReport(ending=Interrupted(), rows=())
     assert report.exit_code == Exit.INTERRUPTED
     assert text("optimum", report, 100)
 

@@ -62,4 +62,44 @@ def test_findings_are_counted_before_the_end(cli, tmp_path):
     assert standing.state == "unfinished"
     allworlds.check(name, edges=2, run=tmp_path)
     assert allworlds.status(tmp_path).findings > 0
-    assert "so far" in cli("status", tmp_path)[1]
+    assert "findings   2\n" in cli("status", tmp_path)[1]
+
+
+def flat(words):
+    return " ".join(words.split())
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_the_job_is_told_with_everything_that_was_asked_for(cli, tmp_path):
+    options = {"task": "cover", "policy": "lifo", "lighthouse": "compass", "where": "trees"}
+    allworlds.check("dfs", edges=2, run=tmp_path, step_budget=50, **options)
+    told = flat(cli("status", tmp_path)[1])
+    assert (
+        "job check dfs: class maps, trees, at most 2 edges, lighthouse compass, task cover" in told
+    )
+    assert "options --policy lifo --step-budget 50" in told
+    assert "so far" not in told
+    assert "1 traversals" not in told
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_worlds_that_no_source_counts_are_at_most_so_many(cli, tmp_path):
+    predicate = tmp_path / "mine.py"
+    predicate.write_text("def few(map):\n    return map.vertex_count == 2\n", encoding="utf-8")
+    allworlds.check(edges=3, where=f"{predicate}:few", run=tmp_path / "run")
+    assert "38 of at most 86" in flat(cli("status", tmp_path / "run")[1])
+    allworlds.check(edges=3, where="trees", run=tmp_path / "trees")
+    assert "worlds 8 of 8 " in flat(cli("status", tmp_path / "trees")[1])
+
+
+@pytest.mark.usefixtures("without_workers")
+def test_what_is_not_finished_is_told_so_far(cli, tmp_path):
+    def ends(edges, worlds):
+        if edges == 3:
+            raise KeyboardInterrupt
+
+    class Ends(Silent):
+        level = staticmethod(ends)
+
+    allworlds.check(edges=3, run=tmp_path, listener=Ends())
+    assert "worst 4 traversals so far, with 2 edges" in flat(cli("status", tmp_path)[1])

@@ -3,7 +3,7 @@ from random import Random
 
 import pytest
 
-from allworlds.engines import Sample
+from allworlds.engines import Sample, Shard
 from allworlds.inputs import InputError
 from allworlds.maps import CombinatorialMap, Extent, MapClass, random_map, rooted_code, rooted_maps
 from allworlds.studies.fuzz.sample import GENERATORS, batches
@@ -18,7 +18,7 @@ def code(map_):
 
 def drawn(map_class, edges, runs, seed=0):
     extent = Extent(map_class, edges)
-    parts = batches(Sample(runs, seed))
+    parts = batches(Sample(runs, seed), 1)
     return [placed for batch in parts for placed in batch.placed(extent, Directional)]
 
 
@@ -28,6 +28,17 @@ def drawn(map_class, edges, runs, seed=0):
 def test_a_sample_is_a_function_of_its_seed(map_class):
     assert drawn(map_class, 10, 100, seed=7) == drawn(map_class, 10, 100, seed=7)
     assert drawn(map_class, 10, 100, seed=7) != drawn(map_class, 10, 100, seed=8)
+
+
+@pytest.mark.parametrize(("runs", "count"), [(60, 3), (1000, 7), (2, 3), (64, 1)])
+def test_shards_share_the_run_numbers_evenly_and_are_cut_where_they_are_joined(runs, count):
+    parts = [[*batches(Sample(runs, portion=Shard(k, count)), count)] for k in range(count)]
+    sizes = [sum(batch.last - batch.first for batch in part) for part in parts]
+    assert max(sizes) - min(sizes) <= 1
+    every = [batch for part in parts for batch in part]
+    assert every == [*batches(Sample(runs), count)]
+    numbers = [run for batch in every for run in range(batch.first, batch.last)]
+    assert numbers == [*range(runs)]
 
 
 def test_a_longer_sample_begins_with_the_shorter():
@@ -51,7 +62,7 @@ def test_every_run_has_one_valid_world_of_the_class_within_the_bound(map_class):
 @pytest.mark.parametrize("least", [7, pytest.param(14, marks=pytest.mark.slow)])
 def test_no_world_of_a_sample_is_smaller_than_it_is_to_be(map_class, least):
     # No lattice has 14 edges of which none is taken away: other maps take its place.
-    (batch,) = batches(Sample(30, min_edges=least))
+    (batch,) = batches(Sample(30, min_edges=least), 1)
     sizes = [map_.edge_count for map_, _ in batch.placed(Extent(map_class, 14), Directional)]
     assert len(sizes) == 30
     assert min(sizes) >= least

@@ -23,7 +23,7 @@ def test_a_copy_of_position_has_the_census_of_position(folder):
     ours, theirs = census(edges=4), census(edges=4, lighthouse="parity.py:Copy")
     assert ours.rows == theirs.rows
     assert (ours.pair, len(theirs.pair)) == ((), 2)
-    assert ours.lighthouse == "position"
+    assert ours.scope.lighthouse == "position"
     assert ours.rows[-1].ambiguous_worlds > 0
 
 

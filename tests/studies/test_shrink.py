@@ -1,8 +1,7 @@
-from dataclasses import replace
-
 import pytest
 
 import allworlds
+from allworlds.document import replace
 from allworlds.engines import Scope
 from allworlds.judging import Rules
 from allworlds.maps import Extent, MapClass, contracted, deleted, rooted_code
@@ -82,7 +81,7 @@ class Recorder:
         return min(found, key=lambda f: f.key, default=None)
 
     def found(self, world, place):
-        return replace(self.finding, world=world, place=place, choices=())
+        return replace(self.finding, world=world, at=place, choices=())
 
 
 @pytest.fixture

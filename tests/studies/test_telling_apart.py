@@ -6,7 +6,7 @@ import pytest
 from allworlds.inputs import InputError
 from allworlds.maps import Disagreement, named_map, rooted_code, rooted_maps
 from allworlds.protocol import Move
-from allworlds.studies.ambiguity import twins
+from allworlds.studies.ambiguity import class_of, twins
 from allworlds.studies.ambiguity.telling_apart import Separation, replayed, separation
 from allworlds.world import LIGHTHOUSES, Compass, Directional, Nothing, Position, World, flaw
 from small import stepped
@@ -48,6 +48,13 @@ def naive_separation(a, b, longest):
             if one != other:
                 return motions
     return None
+
+
+def test_worlds_may_be_named_as_on_the_command_line():
+    assert twins("k4", "k4", lighthouse="none") == twins(named("k4", "none"), named("k4", "none"))
+    assert twins("cycle-3", "cycle-4", lighthouse="none").twins
+    assert not twins("cycle-3", "cycle-4").twins
+    assert class_of("k4") == class_of(named("k4"))
 
 
 @pytest.mark.parametrize("kind", KINDS)

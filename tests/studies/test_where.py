@@ -67,6 +67,24 @@ def test_a_check_is_of_the_maps_of_which_it_is_true(where, worlds, workers):
     assert report.to_json()["scope"].get("where") == where
 
 
+def test_several_conditions_add_up(folder, cli):
+    several = ["girth:2", "alone.py:even", "girth:2"]
+    report = allworlds.check("mine.py:explore", edges=3, where=several, workers=1)
+    assert report.to_json()["scope"]["where"] == "girth:2 and alone.py:even"
+    both = [
+        world
+        for world in allworlds.worlds(edges=3, where="girth:2")
+        if all(degree % 2 == 0 for degree in world.map.degrees)
+    ]
+    assert report.worlds == len(both) > 0
+    assert report.worlds < sum(1 for _ in allworlds.worlds(edges=3, where="alone.py:even"))
+    code, out, _ = cli("count", "--edges", "4", "--where", "trees", "--where", "regular:1")
+    assert code == 0
+    assert out.startswith("COUNTED    1 rooted map of the class maps, trees and regular:1,")
+    with pytest.raises(InputError, match=r"^where 'foo' is not one of cubic"):
+        allworlds.count(edges=2, where="cubic and foo")
+
+
 def test_a_predicate_of_ones_own_is_the_same_as_ours(folder):
     ours = allworlds.check("mine.py:explore", edges=3, where="eulerian", workers=1)
     theirs = allworlds.check("mine.py:explore", edges=3, where="alone.py:even", workers=2)

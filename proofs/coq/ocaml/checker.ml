@@ -119,7 +119,9 @@ let under senses admits of_policy words folds =
   | Some (Policy policy) -> judge_all (of_policy policy) senses admits folds (fun _ -> None)
   | Some (Program command) ->
       let most_darts = 2 * !edges in
-      let t = Pipe.create words ~timeout:!timeout ~most_darts command in
+      (* as many as the step budget of allworlds check lets pass in the largest of these worlds *)
+      let most_checkpoints = 8 * paper_limit (!edges + 1) !edges + 101 in
+      let t = Pipe.create words ~timeout:!timeout ~most_darts ~most_checkpoints command in
       Fun.protect ~finally:(fun () -> Pipe.stop t) (fun () ->
         try judge_all (Pipe.resumption t) senses admits folds (Pipe.fault t) with
         | Pipe.Not_a_function { history; before; now } ->

@@ -32,6 +32,7 @@ type 'o t = {
   command : string array;
   timeout : float;
   most_darts : int;  (* of any world that is asked about *)
+  most_checkpoints : int;  (* before a motion, or the answer *)
   words : 'o words;
   mutable process : process option;
   mutable standing : 'o node option;  (* the node whose motion waits for its percept *)
@@ -39,11 +40,10 @@ type 'o t = {
   mutable episodes : int }
 
 let longest_line = 1 lsl 24
-let most_checkpoints = 1_000_000
 
-let create words ~timeout ~most_darts command =
+let create words ~timeout ~most_darts ~most_checkpoints command =
   ignore (Sys.signal Sys.sigpipe Sys.Signal_ignore);
-  { command; timeout; most_darts; words; process = None; standing = None; first = []; episodes = 0 }
+  { command; timeout; most_darts; most_checkpoints; words; process = None; standing = None; first = []; episodes = 0 }
 
 let stop t =
   Stdlib.Option.iter (fun p ->
@@ -150,7 +150,8 @@ let rec hear t p degree checkpoints =
       | Some (Estimate _) when Buffer.length p.buffer > 0 ->
           illegal "a line after the answer" (Buffer.contents p.buffer)
       | Some said -> said
-      | None when checkpoints = most_checkpoints -> Fault ("budget", "checkpoints without end")
+      | None when checkpoints = t.most_checkpoints ->
+          Fault ("budget", Printf.sprintf "more than %d checkpoints before a motion" checkpoints)
       | None -> hear t p degree (checkpoints + 1)
 
 (* ---- Asking ---- *)

@@ -50,7 +50,7 @@ def check(
     def once(request: CheckRequest) -> int:
         report = answered(allworlds.check, request, output)
         files.write("check", report)
-        return emit(report, "check", output, workers=request.workers)
+        return emit(report, "check", output, request.workers)
 
     if not watch:
         return once(request)
@@ -68,7 +68,7 @@ def _estimate(request: CheckRequest, output: LongOutputGroup) -> int:
     from allworlds.studies.check import estimate
 
     guess = answered(estimate, request, output)
-    return emit(guess, "check", output, workers=request.workers)
+    return emit(guess, "check", output, request.workers)
 
 
 def _refuse_beside_estimate(given: Mapping[str, object]) -> None:

@@ -33,4 +33,4 @@ def compare(
         ensure_drawable()
     report = answered(compared, request, output)
     files.write("compare", report)
-    return emit(report, "compare", output, workers=request.workers)
+    return emit(report, "compare", output, request.workers)

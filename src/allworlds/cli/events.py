@@ -11,9 +11,9 @@ from typing import Any, TextIO, TypeVar
 
 from typing_extensions import override
 
-from allworlds.cli.options import LongOutputGroup
+from allworlds.cli.options import LongOutputGroup, OutputGroup
 from allworlds.cli.output import Progress, complain
-from allworlds.engines import AskedListener, Listener
+from allworlds.engines import Listener
 from allworlds.inputs import InputError, a_path, answer, show
 from allworlds.outcome import Result
 from allworlds.reports import (
@@ -104,10 +104,13 @@ def listening(output: LongOutputGroup) -> Iterator[Events]:
         yield Events(stack.enter_context(Progress(quiet=output.quiet)), file)
 
 
-def answered(
-    function: Callable[..., Answer], request: AskedListener, output: LongOutputGroup
-) -> Answer:
-    """Answer a request by a function of the package, reporting progress and the result."""
+def answered(function: Callable[..., Answer], request: Any, output: OutputGroup) -> Answer:
+    """Answer a request by a function of the package, reporting progress and the result.
+
+    There is progress where the request names a listener.
+    """
+    if not isinstance(output, LongOutputGroup):
+        return answer(function, request)
     with listening(output) as listener:
         report = answer(function, replace(request, listener=listener))
         listener.verdict(report)

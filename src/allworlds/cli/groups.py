@@ -77,7 +77,9 @@ def _parameter(name: str, kind: Any, asked: Option, default: Any) -> Parameter:
     if isinstance(asked, Argument):
         option = typer.Argument(**told)
     else:
-        names = [f"--{asked.name}"] if asked.name else []
+        # Without its name a flag would get an opposite, such as --no-watch.
+        own = asked.name or (name.replace("_", "-") if kind is bool else "")
+        names = [f"--{own}"] if own else []
         names += [f"-{asked.short}"] if asked.short else []
         option = typer.Option(*names, rich_help_panel=asked.panel, **told)
     seen: Any = bool if kind is bool else list[str] if asked.repeated else str

@@ -8,26 +8,12 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from time import perf_counter
-from typing import TYPE_CHECKING, TypedDict
+from typing import TYPE_CHECKING
 
 from allworlds.version import __version__
 
 if TYPE_CHECKING:
-    from allworlds.document import MadeBy, UnsetType
-
-
-class MeasuredEffort(TypedDict, total=False):
-    """Measurements that only the verb can report.
-
-    Attributes:
-        workers: processes or threads; left out by a verb that takes none.
-        level_seconds: of each level, where each is timed.
-        claim_seconds: of each claim.
-    """
-
-    workers: int
-    level_seconds: Sequence[float]
-    claim_seconds: Sequence[float]
+    from allworlds.document import MadeBy, Report
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,22 +39,27 @@ def beginning(command: Sequence[str]) -> Iterator[None]:
         _COMMAND.reset(token)
 
 
-def made_by(effort: MeasuredEffort) -> MadeBy:
-    """Origin and measurements of a document that is written now."""
-    from allworlds.document import UNSET, MadeBy
+def made_by(report: Report, workers: int | None = None) -> MadeBy:
+    """Origin and measurements of the document of a report that is written now.
+
+    Args:
+        report: may know how long its parts took.
+        workers: processes or threads; None of a verb that takes none.
+    """
+    from allworlds.document import MadeBy
     from allworlds.version import host
 
-    def rounded(each: Sequence[float] | None) -> tuple[float, ...] | UnsetType:
-        return UNSET if each is None else tuple(round(seconds, 3) for seconds in each)
-
+    parts = {
+        name: tuple(round(each, 3) for each in seconds)
+        for name, seconds in report.seconds_by_part.items()
+    }
     begun = _COMMAND.get()
     return MadeBy(
         version=__version__,
         command=begun.command,
-        workers=effort.get("workers"),
+        workers=workers,
         host=host(),
         started=begun.started.strftime("%Y-%m-%dT%H:%M:%SZ"),
         seconds=round(perf_counter() - begun.clock, 3),
-        level_seconds=rounded(effort.get("level_seconds")),
-        claim_seconds=rounded(effort.get("claim_seconds")),
+        **parts,
     )

@@ -5,15 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from allworlds.inputs import OUTPUT, SCOPE, Argument, Option, one_of
-from allworlds.world import LIGHTHOUSES
-
-WORLD = "Inline JSON, @file, or a name such as k4, wheel:4, cycle:5."
-WorldText = Annotated[str, Argument("", "WORLD", WORLD)]
-LighthouseOfWorld = Annotated[
-    str,
-    Option(SCOPE, "KIND", f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}."),
-]
+from allworlds.inputs import OUTPUT, Option
 
 
 @dataclass(frozen=True, slots=True)

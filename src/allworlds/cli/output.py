@@ -10,14 +10,17 @@ import shutil
 import sys
 from collections.abc import Mapping
 from contextlib import suppress
-from typing import Any, Self, Unpack
+from typing import TYPE_CHECKING, Any, Self
 
-from allworlds.cli.made_by import MeasuredEffort, made_by
+from allworlds.cli.made_by import made_by
 from allworlds.cli.options import OutputGroup
 from allworlds.engines import patient_stderr
-from allworlds.outcome import Exit, Result
+from allworlds.outcome import Exit
 from allworlds.reports import brief, text
 from allworlds.words import escaped
+
+if TYPE_CHECKING:
+    from allworlds.document import Report
 
 NARROWEST = 40
 
@@ -68,17 +71,19 @@ def coloured(text: str) -> str:
     )
 
 
-def emit(result: Result, verb: str, output: OutputGroup, **effort: Unpack[MeasuredEffort]) -> int:
+def emit(result: Report, verb: str, output: OutputGroup, workers: int | None = None) -> int:
     """Print a verb's result in the form that was asked for, and return its exit code.
 
-    In a document all that can differ from run to run stands under the key ``made_by``.
+    In a document all that can differ from run to run stands under the key ``made_by``, also the
+    number of workers.
 
     Raises:
         OSError: saying that it is stdout that cannot be written.
     """
     try:
         if output.as_json:
-            print(json.dumps({**result.to_json(), "made_by": made_by(effort).to_json()}, indent=2))
+            origin = {"made_by": made_by(result, workers).to_json()}
+            print(json.dumps(result.to_json() | origin, indent=2))
         else:
             told = brief if output.quiet else text
             print(coloured(printable(told(verb, result, width()))))

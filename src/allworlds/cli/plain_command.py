@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from allworlds.cli.events import answered
 from allworlds.cli.files import Files
-from allworlds.cli.made_by import MeasuredEffort
-from allworlds.cli.options import LongOutputGroup
+from allworlds.cli.options import LongOutputGroup, OutputGroup
 from allworlds.cli.output import emit
 from allworlds.engines import AskedListener
 from allworlds.lazy import loaded
@@ -18,14 +18,13 @@ def plain_command(verb: Verb) -> Callable[..., int]:
     """The function that runs a verb on the command line: it answers, writes files, and prints."""
     function = loaded(verb.function)
 
-    def command(request: AskedListener, *, files: Files, output: LongOutputGroup) -> int:
+    def command(request: Any, *, files: Files, output: OutputGroup) -> int:
         report = answered(function, request, output)
         files.write(verb.name, report)
-        workers = getattr(request, "workers", None)
-        effort = MeasuredEffort() if workers is None else MeasuredEffort(workers=workers)
-        return emit(report, verb.name, output, **effort)
+        return emit(report, verb.name, output, getattr(request, "workers", None))
 
-    hints = {"request": function.request, "files": Files, "output": LongOutputGroup, "return": int}
+    output = LongOutputGroup if issubclass(function.request, AskedListener) else OutputGroup
+    hints = {"request": function.request, "files": Files, "output": output, "return": int}
     command.__annotations__ = hints
-    command.__doc__ = f"Example: allworlds {verb.name} {verb.example}\n\n{verb.help}"
+    command.__doc__ = f"Example: allworlds {verb.name} {verb.example}".rstrip() + f"\n\n{verb.help}"
     return command

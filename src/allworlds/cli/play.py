@@ -9,26 +9,17 @@ from typing import Annotated
 import allworlds
 from allworlds import Drop, Move, Percept, Pick
 from allworlds.cli.files import ensure_writable, write_text
-from allworlds.cli.options import LighthouseOfWorld, OutputGroup, WorldText
+from allworlds.cli.options import OutputGroup
 from allworlds.cli.output import emit, printable
 from allworlds.document import replace
-from allworlds.inputs import OUTPUT, SCOPE, Option, integer_of
+from allworlds.inputs import OUTPUT, Option, answer
 from allworlds.reports import game
+from allworlds.studies.play import PlayRequest
 
 
 def play(
-    world: WorldText,
+    request: PlayRequest,
     *,
-    lighthouse: LighthouseOfWorld = "directional",
-    seed: Annotated[
-        int | None,
-        Option(
-            SCOPE,
-            "S",
-            "The seed of a WORLD of a family: random:8 with --seed 3 is one for a class-room.",
-            parse=integer_of,
-        ),
-    ] = None,
     html: Annotated[
         str | None,
         Option(
@@ -46,10 +37,10 @@ def play(
     walk and uncovers the world. In the end your cost stands beside that of Algorithm 1.
     """
     if html is None:
-        made = allworlds.play(world, lighthouse=lighthouse, seed=seed, player=_asked)
+        made = answer(allworlds.play, replace(request, player=_asked))
         return emit(made, "play", output)
     ensure_writable(html)
-    made = replace(allworlds.play(world, lighthouse=lighthouse, seed=seed), path=html)
+    made = replace(answer(allworlds.play, request), path=html)
     write_text(html, game(made))
     return emit(made, "play", output)
 

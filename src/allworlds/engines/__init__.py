@@ -18,8 +18,9 @@
     the task of an engine, and **the** table of the engines;
 ``progress``
     the listeners to the progress of a long job;
-``sweep``
-    **the** loop through the levels of a study, with its endings;
+``sweep``, ``ended_report``, ``swept_report``
+    **the** loop through the levels of a study, with its endings, and what the reports of jobs
+    that may end early, and of such studies, have;
 ``single``
     one run, in this process or in one of its own.
 """
@@ -30,6 +31,7 @@ from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
     from allworlds.engines.compiled.sizes import WALKED_FROM as WALKED_FROM
+    from allworlds.engines.ended_report import EndedReport as EndedReport, RowsReport as RowsReport
     from allworlds.engines.engine_table import (
         ENGINES as ENGINES,
         EngineKind as EngineKind,
@@ -117,6 +119,17 @@ if TYPE_CHECKING:
         unused_choice as unused_choice,
     )
     from allworlds.engines.sweep import Sweep as Sweep
+    from allworlds.engines.swept_report import (
+        GATE as GATE,
+        STOPPED as STOPPED,
+        Gate as Gate,
+        SweptExit as SweptExit,
+        SweptReport as SweptReport,
+        ToldGate as ToldGate,
+        TriedPlaces as TriedPlaces,
+        told_scope as told_scope,
+        tried_places as tried_places,
+    )
     from allworlds.engines.transports.dask_cluster import Dask as Dask, here_or as here_or
     from allworlds.engines.transports.dask_lanes import ClusterLost as ClusterLost
     from allworlds.engines.transports.inline import ThisThread as ThisThread
@@ -140,6 +153,7 @@ if TYPE_CHECKING:
         SweptLevel as SweptLevel,
         cells_of_level as cells_of_level,
         drawn_units as drawn_units,
+        is_counted as is_counted,
         level_size as level_size,
         levels_of as levels_of,
         tell_of_size as tell_of_size,

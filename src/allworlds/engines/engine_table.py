@@ -93,9 +93,9 @@ class Compiled:
         For a user's explorer processes, where the engines are compared on the way.
         """
         if job.subject.from_user:
-            from allworlds.engines.compiled.stretches import StretchEngine
+            from allworlds.engines.compiled.users_engine import UsersEngine
 
-            apart = StretchEngine(job.scope, job.keep)
+            apart = UsersEngine(job.scope, job.keep)
             if job.cluster is None:
                 apart.compiled(job)
             return ReadyEngine(players_for(job), apart)

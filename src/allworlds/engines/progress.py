@@ -34,6 +34,10 @@ class Silent(Listener):
     """The listener that ignores all events."""
 
 
+NOBODY = Silent()
+"""The listener of a job of which nobody hears any more."""
+
+
 class Once(Silent):
     """A listener that hands on notices alone, and each of them once."""
 
@@ -65,9 +69,10 @@ class InNotebook(Listener):
         self._show()
 
     def progress(self, count: int) -> None:
-        """Move the bar on, by a hundredth at least."""
+        """Move the bar on, by a hundredth at least, and to its end."""
         self._done += count
-        if 100 * (self._done - self._shown) >= self._total:
+        moved = 100 * (self._done - self._shown) >= self._total
+        if moved or self._shown < self._total <= self._done:
             self._show()
 
     def notice(self, text: str) -> None:

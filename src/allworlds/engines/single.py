@@ -10,6 +10,7 @@ from allworlds.document import (
     UNSET,
     Aside,
     Document,
+    ExitCode,
     IfAny,
     Natural,
     Report,
@@ -47,7 +48,7 @@ class Decisions(Document):
     """
 
     name: Annotated[Text, about("`adversary:corridor:F` or `adversary:corridor:FxR`")]
-    seed: Annotated[int, about("of the loops, and of the matching at first")]
+    seed: Annotated[Natural, about("of the loops, and of the matching at first")]
     cost: Annotated[Natural, about("traversals against the adversary")]
     excluded: Annotated[Natural, about("pairs of free darts that an answer has excluded")]
     forced: Annotated[Natural, about("edges that were left as the only ones")]
@@ -84,7 +85,7 @@ class SingleRun(Report):
         about("about this run alone; `error`: a tester did less than every tester must"),
         one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.ERROR),
     ] = computed(lambda run: run.facts.verdict)
-    exit_code: Annotated[Exit, one_of(Exit.HOLDS, Exit.REFUTED, Exit.INTERNAL)] = EXIT_CODE
+    exit_code: Annotated[ExitCode, one_of(Exit.HOLDS, Exit.REFUTED, Exit.INTERNAL)] = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     world: Annotated[World, about("as it was given")]
     options: Annotated[RecordedRules, about("how it was played and judged")] = computed(

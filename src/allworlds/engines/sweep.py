@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.isolation.jobs import Unsettled
-from allworlds.engines.progress import Listener
+from allworlds.engines.progress import NOBODY, Listener
 from allworlds.engines.python.run_counter import EnginesDisagree
 from allworlds.engines.run_directory.finished_units import ENDED, Records, records_in, shelf
 from allworlds.engines.run_directory.identity import Identity
@@ -26,9 +27,9 @@ from allworlds.engines.units.kept_form import from_kept
 from allworlds.engines.units.levels import SweptLevel, levels_of, tell_of_size
 from allworlds.engines.units.shards import UNMERGEABLE, WHOLE, AskedShard, Portion, Shard, shards_of
 from allworlds.engines.units.unit import Sum
-from allworlds.inputs import codes_in, meant, remembered
+from allworlds.inputs import codes_in, meant, remembered, without_effort
 from allworlds.maps import Extent
-from allworlds.outcome import Completed, Disagreed, Ending, Interrupted, Stopped
+from allworlds.outcome import Completed, Disagreed, Ending, Stopped, ended
 from allworlds.protocol import ensure_same_content
 
 Total = TypeVar("Total", bound=Sum)
@@ -128,6 +129,11 @@ class Sweep(ABC, Generic[Total, Answer]):
     def report(self, ending: Ending) -> Answer:
         """Return the report of all that was taken in."""
 
+    def ended(self, ending: Ending, extent: Extent | None = None) -> dict[str, Any]:
+        """Return the keywords of every report; the extent where the sweep has no other."""
+        asked = replace(without_effort(self.request), listener=NOBODY)
+        return {"ending": ending, "request": asked, "extent": extent or self.extent}
+
     def begin(self) -> Ending | None:
         """Do what comes before the first level; an ending ends the job before it."""
         return None
@@ -167,10 +173,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def _answered(self, records: Records, swept: Callable[[], Ending]) -> Answer:
         self.records = records
-        try:
-            ending = swept()
-        except KeyboardInterrupt:
-            ending = Interrupted()
+        ending = ended(swept)
         records.note("ended", ENDED if ending.final else ending.reason)
         return self.report(ending)
 

@@ -18,6 +18,8 @@
     the file and the line of one;
 ``program``
     a program in any language behind a pipe;
+``stepping``
+    explorers as objects, which can be copied;
 ``shared_library``
     explorers in shared libraries: the C interface;
 ``skeletons``
@@ -88,6 +90,7 @@ if TYPE_CHECKING:
         short_names as short_names,
         whole_name as whole_name,
     )
+    from allworlds.explorers.stepping import CopyingExplorer as CopyingExplorer
     from allworlds.explorers.subject import (
         EXEC as EXEC,
         HASH_SEED as HASH_SEED,

@@ -53,7 +53,8 @@ class ExplorerWords(ProgramWords):
             "",
             "[EXPLORER]",
             "A built-in name, module:attribute, path/to/file.py:attribute or an entry point "
-            "(default: algorithm1). Of a file with one generator function its name will do.",
+            "(default: algorithm1); shield:EXPLORER makes any of them right under the directional "
+            "lighthouse. Of a file with one generator function its name will do.",
         ),
     ] = None
 
@@ -70,8 +71,8 @@ class ExplorersWords(Request):
         Argument(
             "",
             "[EXPLORER...]",
-            "Built-in names, module:attribute, path/to/file.py:attribute or entry points; those "
-            "of --exec and --native come after them.",
+            "Built-in names, module:attribute, path/to/file.py:attribute or entry points, each "
+            "also as shield:EXPLORER; those of --exec and --native come after them.",
             repeated=True,
         ),
     ] = None

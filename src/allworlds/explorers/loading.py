@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import os
+from collections.abc import Mapping
 from typing import Any
 
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
@@ -20,8 +21,8 @@ from allworlds.explorers.subject import (
     has_shield,
     is_library,
     is_program,
-    keywords_of,
     path_of,
+    subject_of,
     unshielded,
     with_shield,
 )
@@ -109,17 +110,20 @@ def load(
     plain, arguments = arguments_of(name)
     points = entry_points()
     if plain in points:
-        found = imported(plain, points[plain].load)
-        return _subject(name, called(name, found, arguments))
+        return _subject(name, imported(plain, points[plain].load), arguments)
     source = source or source_of(name)
     place, _, attribute = plain.rpartition(":")
     module = module_of_text(place, source) if source else _module(place)
-    found = called(name, _attribute(module, attribute, place), arguments)
-    return _subject(name, found, source)
+    return _subject(name, _attribute(module, attribute, place), arguments, source)
 
 
-def _subject(name: str, explore: Any, source: SourceText | None = None) -> Subject:
-    return Subject(name, keywords_of(name, explore), explore, source=source)
+def _subject(
+    name: str, found: Any, arguments: Mapping[str, Any], source: SourceText | None = None
+) -> Subject:
+    if inspect.isclass(found) and hasattr(found, "step"):
+        # It is called once for each run.
+        return subject_of(name, found, source, **arguments)
+    return subject_of(name, called(name, found, arguments), source)
 
 
 def _module(name: str) -> Any:

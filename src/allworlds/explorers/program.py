@@ -5,8 +5,10 @@ if there is something to tell), then ``{"percept": P}`` after each action.  From
 ``{"move": k}``, ``{"drop": true}``, ``{"pick": true}``, ``{"write": k}``,
 ``{"checkpoint": {...}}`` (unanswered) or ``{"estimate": {"sigma", "alpha", "here"}}`` or
 ``{"ambiguous": {"sigma", "alpha", "degree", "marks", "here"}}``, or ``{"answer": VALUE}`` where
-the task is not ``map``.  Unknown keys are ignored by both
-sides.
+the task is not ``map``.  Unknown keys are ignored by both sides.
+
+A program whose first line is ``{"forks": true}`` (unanswered) can keep its state:  to it
+``{"fork": N}`` (unanswered) and later, in place of an ``episode``, ``{"goto": N, "percept": P}``.
 """
 
 from __future__ import annotations
@@ -23,11 +25,11 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from functools import lru_cache
 from pathlib import Path
 from random import Random
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from allworlds.inputs import SHOWN, InputError, show
 from allworlds.maps import CombinatorialMap, InvalidMap
@@ -54,12 +56,21 @@ SHORT = 64
 """Lines of fewer bytes, as most are, are parsed once."""
 
 
+class EpisodeEnd(NamedTuple):
+    """The answer of an episode, which is over."""
+
+    answer: object
+
+
 class Program:
     """The process behind ``--exec COMMAND``; started at the first episode.
 
     Args:
         command: split as a shell splits words; no shell is involved.
         answer_timeout: seconds of silence after which it is killed.
+
+    Attributes:
+        forks: whether the program has said that it can keep its state.
 
     Raises:
         InputError: if the command is empty, or its program is not found or cannot be run.
@@ -84,6 +95,10 @@ class Program:
         self._process: subprocess.Popen[bytes] | None = None
         self._numbers = Random(secrets.randbits(64))  # noqa: S311  # they are to tell nothing
         self._heard = False
+        self._lines = 0
+        self._unanswered = False
+        self._from: int | None = None
+        self.forks = False
         self._err = bytearray()
         self._out = bytearray()
         self._said = select.poll()
@@ -99,38 +114,107 @@ class Program:
         """
         finished = False
         try:
-            self._begin(first, told)
-            while True:
-                line = self._line()
-                action = _short_action(line) if len(line) < SHORT else None
-                if action is not None:
-                    percept = yield action
-                    self._send(_answering(percept))
-                    continue
-                message = self._message(line)
-                if len(message.keys() & SAYINGS) != 1:
-                    raise self._fault("illegal-action", f"the line {_short(message)}")
-                action = action_from_json(message)
-                if action is not None:
-                    percept = yield action
-                    self._send(_answering(percept))
-                elif "checkpoint" in message:
-                    yield _checkpoint(message["checkpoint"])
-                elif message.keys() & ANSWERS:
-                    if self._out:
-                        raise self._fault(
-                            "illegal-action", f"a line after its answer: {_text(self._out)}"
-                        )
-                    answer = _answer(message)
-                    finished = True
-                    return answer
-                else:
-                    raise self._fault("illegal-action", f"the line {_short(message)}")
+            message = self.begin(first, told)
+            while not isinstance(message, EpisodeEnd):
+                percept = yield message
+                message = self.go_on(percept)
+            finished = True
+            return message.answer
         finally:
             self._pass_stderr_on()
             if not finished:
                 # Whatever it would say next belongs to an episode that is over.
                 self._kill()
+
+    def explore_by_copies(
+        self, first: Percept, *, told: Told = None
+    ) -> Generator[Action | Checkpoint, Percept, object]:
+        """Play one episode, in which each step is made twice: from a state that has been kept, too.
+
+        A program that keeps no states plays it as ever.
+
+        Raises:
+            ExplorerFault: as :meth:`explore`.
+        """
+        finished = False
+        try:
+            message = self.begin(first, told)
+            while not isinstance(message, EpisodeEnd):
+                percept = yield message
+                if self.forks and not isinstance(message, Checkpoint):
+                    self.fork(0)
+                    while isinstance(self.go_on(percept), Checkpoint):
+                        pass
+                    self.goto(0)
+                message = self.go_on(percept)
+            finished = True
+            return message.answer
+        finally:
+            self._pass_stderr_on()
+            if not finished:
+                self._kill()
+
+    def begin(self, first: Percept, told: Told) -> Action | Checkpoint | EpisodeEnd:
+        """Begin an episode; return the first message.
+
+        Raises:
+            ExplorerFault: as :meth:`explore`.
+        """
+        self._begin(first, told)
+        return self._next_message()
+
+    def go_on(self, percept: Percept | None) -> Action | Checkpoint | EpisodeEnd:
+        """Answer an action, and return the next message; a checkpoint is not answered.
+
+        Raises:
+            ExplorerFault: as :meth:`explore`.
+        """
+        if self._from is not None:
+            assert percept is not None
+            self._empty()
+            self._send(b'{"goto": %d, ' % self._from + _answering(percept)[1:])
+            self._from = None
+        elif not self._unanswered:
+            assert percept is not None
+            self._send(_answering(percept))
+        return self._next_message()
+
+    def fork(self, number: int) -> None:
+        """Ask the program to keep its state by that number."""
+        self._send(b'{"fork": %d}\n' % number)
+
+    def goto(self, number: int) -> None:
+        """Let the program go on from that state with the next percept."""
+        if self._process is None:
+            raise ExplorerFault(
+                "crash", "the program that kept states has been ended", machine=True
+            )
+        self._from, self._unanswered = number, False
+
+    def _next_message(self) -> Action | Checkpoint | EpisodeEnd:
+        """The program's next message."""
+        line = self._line()
+        action = _short_action(line) if len(line) < SHORT else None
+        self._unanswered = False
+        if action is not None:
+            return action
+        message = self._message(line)
+        if self._lines == 1 and message.get("forks") is True:
+            self.forks = True
+            return self._next_message()
+        if len(message.keys() & SAYINGS) != 1:
+            raise self._fault("illegal-action", f"the line {_short(message)}")
+        action = action_from_json(message)
+        if action is not None:
+            return action
+        if "checkpoint" in message:
+            self._unanswered = True
+            return _checkpoint(message["checkpoint"])
+        if message.keys() & ANSWERS:
+            if self._out:
+                raise self._fault("illegal-action", f"a line after its answer: {_text(self._out)}")
+            return EpisodeEnd(_answer(message))
+        raise self._fault("illegal-action", f"the line {_short(message)}")
 
     def close(self) -> None:
         """Close the program's input, wait a second for its end, then kill it."""
@@ -147,14 +231,18 @@ class Program:
     def _begin(self, first: Percept, told: Told) -> None:
         if self._process is None:
             self._start()
+        self._empty()
+        self._heard, self._from = False, None
+        number = self._numbers.getrandbits(53)
+        heard = b"" if told is None else b'"told": %b, ' % json.dumps(told).encode()
+        self._send(b'{"episode": %d, ' % number + heard + _answering(first)[1:])
+
+    def _empty(self) -> None:
+        """Raise ExplorerFault if the program has said more than it was asked for."""
         self._read(0)
         self._err.clear()
         if self._out:
             raise self._fault("illegal-action", f"a line before it was asked: {_text(self._out)}")
-        self._heard = False
-        number = self._numbers.getrandbits(53)
-        heard = b"" if told is None else b'"told": %b, ' % json.dumps(told).encode()
-        self._send(b'{"episode": %d, ' % number + heard + _answering(first)[1:])
 
     def _start(self) -> None:
         try:
@@ -178,6 +266,12 @@ class Program:
         self._said.register(self._process.stderr, select.POLLIN)
         self._out.clear()
         self._err.clear()
+        self._lines = 0
+
+    def end(self) -> None:
+        """End the program; the next episode starts it anew."""
+        self._pass_stderr_on()
+        self._kill()
 
     def _kill(self) -> None:
         process, self._process = self._process, None
@@ -234,6 +328,7 @@ class Program:
         line = bytes(self._out[:end])
         del self._out[: end + 1]
         self._heard = True
+        self._lines += 1
         return line
 
     def _read(self, wait: float) -> bool:
@@ -406,3 +501,34 @@ def _short(value: object) -> str:
 
 def _text(line: bytes | bytearray) -> str:
     return repr(line[:SHOWN].decode(errors="replace"))
+
+
+class ProgramRuns:
+    """The runs of a program that keeps its states, in a process that plays trees."""
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+
+    def begin(self, first: Percept, told: Told) -> object:
+        """Begin a run; return the first action, or the answer."""
+        return self._message(lambda: self._program.begin(first, told))
+
+    def step(self, percept: Percept) -> object:
+        """Go on; return the next action, or the answer."""
+        return self._message(lambda: self._program.go_on(percept))
+
+    def store(self, place: int) -> None:
+        """Let the program keep its state by that number."""
+        self._program.fork(place)
+
+    def restore(self, place: int, *, last: bool) -> None:  # noqa: ARG002  # another one takes its place
+        """Go on from the state that is kept by that number."""
+        self._program.goto(place)
+
+    def _message(self, asked: Callable[[], Action | Checkpoint | EpisodeEnd]) -> object:
+        try:
+            message = asked()
+        except BaseException:
+            self._program.end()
+            raise
+        return message.answer if isinstance(message, EpisodeEnd) else message

@@ -37,17 +37,20 @@ def whole_name(name: str) -> str:
         said = getattr(error, "msg", None) or error
         kind = type(error).__name__
         raise InputError(f"{show(name)}{where} is no Python: {kind}: {said}") from None
-    functions = [*generator_functions(text)]
-    if len(functions) == 1:
-        return f"{name}:{functions[0]}"
-    if not functions:
+    explorers = [*explorers_in(text)]
+    if len(explorers) == 1:
+        return f"{name}:{explorers[0]}"
+    if not explorers:
         raise InputError(f"{show(name)} has no generator function: none that yields motions")
-    legal = ", ".join(f"{name}:{function}" for function in functions)
-    raise InputError(f"{show(name)} has several generator functions; legal are {legal}")
+    legal = ", ".join(f"{name}:{explorer}" for explorer in explorers)
+    raise InputError(f"{show(name)} has several explorers; legal are {legal}")
 
 
-def generator_functions(text: str) -> Iterator[str]:
-    """The names of a module's generator functions, in their order; none if it is no Python."""
+def explorers_in(text: str) -> Iterator[str]:
+    """The names of a module's generator functions, and of its classes that have a method ``step``.
+
+    They come in their order; there are none if the text is no Python.
+    """
     try:
         module = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError):
@@ -55,6 +58,10 @@ def generator_functions(text: str) -> Iterator[str]:
     for statement in module.body:
         if isinstance(statement, ast.FunctionDef) and _yields(statement.body):
             yield statement.name
+        elif isinstance(statement, ast.ClassDef):
+            methods = (each for each in statement.body if isinstance(each, ast.FunctionDef))
+            if any(method.name == "step" for method in methods):
+                yield statement.name
 
 
 def _yields(body: Iterable[ast.AST]) -> bool:

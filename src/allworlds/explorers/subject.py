@@ -15,8 +15,9 @@ from typing import Any
 from allworlds.explorers.builtin.algorithm1 import nobody, unseen
 from allworlds.explorers.builtin.explorer_table import BUILT_IN, BuiltIn, Size
 from allworlds.explorers.builtin.shield import Shield
-from allworlds.explorers.program import Program
+from allworlds.explorers.program import Program, ProgramRuns
 from allworlds.explorers.shared_library.native import NativeExplorer
+from allworlds.explorers.stepping import CopyingExplorer, SteppedRuns, SteppingExplorer, stepping
 from allworlds.inputs import InputError, show
 from allworlds.protocol import (
     Checkpoint,
@@ -60,6 +61,7 @@ class Subject:
         source: the text of its file, if it stands in a file.
         program: the user's program behind it, if there is one that is run here.
         native: the shared library behind it, if there is one that is run here.
+        steps: the object or the class behind it, if it is one.
         inside: the explorer inside, if this one has a shield and is run here.
     """
 
@@ -70,6 +72,7 @@ class Subject:
     source: SourceText | None = None
     program: Program | None = None
     native: NativeExplorer | None = None
+    steps: SteppingExplorer | None = None
     inside: Subject | None = None
 
     @property
@@ -122,14 +125,44 @@ class Subject:
         """Whether the explorer takes choices, so that its schedules can be enumerated."""
         return "choices" in self.keywords
 
+    @property
+    def copies(self) -> bool:
+        """Whether it can be copied, and is run here; of a program that is known once it has run."""
+        if self.steps is not None:
+            return self.steps.copies
+        if self.program is not None and self.inside is None:
+            return self.program.forks
+        return self.native is not None and self.native.library.clone is not None
+
     def player(
         self,
         notice: Callable[[str], None] = nobody,
         settled: Callable[[Checkpoint], None] = unseen,
     ) -> Player:
         """The explorer with its keywords bound; its code must be in this process."""
-        explore, keywords = self.explore, self.keywords
-        assert explore is not None
+        assert self.explore is not None
+        return self._bound(self.explore, notice, settled)
+
+    def second_player(self) -> Player:
+        """The explorer as it is played once more: by copies, if it can be copied."""
+        behind = self.steps or self.program or self.native
+        if behind is not None and (self.copies or self.program):
+            return self._bound(behind.explore_by_copies)
+        return self.player()
+
+    def runs_of_copies(self) -> CopyingExplorer | None:
+        """The explorer as it is played in trees in Python; None if it cannot be copied there."""
+        if self.program:
+            return ProgramRuns(self.program)
+        return SteppedRuns(self.steps) if self.steps and self.steps.copies else None
+
+    def _bound(
+        self,
+        explore: Callable[..., Generator[Any, Any, Any]],
+        notice: Callable[[str], None] = nobody,
+        settled: Callable[[Checkpoint], None] = unseen,
+    ) -> Player:
+        keywords = self.keywords
 
         def play(first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
             offered = {"choices": choices, "told": told, "notice": notice, "settled": settled}
@@ -252,8 +285,28 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
             return built_in(name)
     module = getattr(explore, "__module__", None) or "?"
     name = f"{module}:{getattr(explore, '__qualname__', type(explore).__qualname__)}"
-    keywords = keywords_of(name, explore)
-    return Subject(name, keywords, None if _is_found_by_name(explore) else explore)
+    found = subject_of(name, explore)
+    return replace(found, explore=None, steps=None) if _is_found_by_name(explore) else found
+
+
+def subject_of(
+    name: str, found: Any, source: SourceText | None = None, **arguments: Any
+) -> Subject:
+    """The subject of a generator function, or of an object or class with a method ``step``.
+
+    Args:
+        name: of the explorer.
+        found: the function, the object or the class.
+        source: the text of its file.
+        arguments: for a class.
+
+    Raises:
+        InputError: if it is none of these, or must be called in another way.
+    """
+    steps = stepping(name, found, **arguments)
+    if steps is not None:
+        return Subject(name, steps.keywords, steps.explore, source=source, steps=steps)
+    return Subject(name, keywords_of(name, found), found, source=source)
 
 
 def keywords_of(name: str, explore: Any) -> frozenset[str]:
@@ -266,7 +319,8 @@ def keywords_of(name: str, explore: Any) -> frozenset[str]:
     generates = inspect.isgeneratorfunction(explore) or inspect.isgeneratorfunction(function)
     if not callable(explore) or not generates:
         raise InputError(
-            f"{name} is no generator function: an explorer is def explore(first) with yield"
+            f"{name} is no generator function: an explorer is def explore(first) with yield, or a "
+            "class with step(percept)"
         )
     parameters = inspect.signature(explore).parameters
     takes_all = any(p.kind is p.VAR_KEYWORD for p in parameters.values())

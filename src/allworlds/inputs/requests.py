@@ -11,8 +11,9 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, fields
-from functools import wraps
+from dataclasses import dataclass, field, fields, replace
+from functools import cached_property, wraps
+from operator import index
 from textwrap import fill
 from typing import (
     Annotated,
@@ -22,6 +23,7 @@ from typing import (
     Generic,
     NamedTuple,
     ParamSpec,
+    SupportsIndex,
     TypeVar,
     dataclass_transform,
     get_args,
@@ -30,6 +32,7 @@ from typing import (
 )
 
 P = ParamSpec("P")
+T = TypeVar("T")
 Given = TypeVar("Given")
 Value = TypeVar("Value")
 Asked = TypeVar("Asked")
@@ -57,6 +60,8 @@ class Option:
         apart: it says where, how long or for whom a job is done; what is found does not depend
             on it.
         repeated: it may be given several times; the field gets a list.
+        told: the type and the meaning of its key in documents; by default its own type, and the
+            help.
     """
 
     panel: str
@@ -68,6 +73,7 @@ class Option:
     default: Any = AS_IN_PYTHON
     apart: bool = False
     repeated: bool = False
+    told: Any = None
 
 
 class Argument(Option):
@@ -124,14 +130,36 @@ class Request:
 
     def __init_subclass__(cls, *, kw_only: bool = True) -> None:
         dataclass(frozen=True, kw_only=kw_only)(cls)
+        for told in fields(cls):
+            for part in cls.__mro__:
+                if isinstance(vars(part).get(told.name), property | cached_property):
+                    raise TypeError(
+                        f"the field {told.name} of {cls.__name__} has the name of a property of "
+                        f"{part.__name__}: give one of them another name"
+                    )
 
 
 class Field(NamedTuple):
-    """A field of a request: its name, its type for callers, and its option."""
+    """A field of a request.
+
+    Attributes:
+        name: in Python.
+        type: what callers may give.
+        held: the type of its value.
+        asked: its option.
+        default: what is given where it is left out.
+    """
 
     name: str
     type: Any
+    held: Any
     asked: Option | Named | str | None
+    default: Any
+
+    @property
+    def option(self) -> str:
+        """The name of its option, which is that of its key in documents."""
+        return (isinstance(self.asked, Option) and self.asked.name) or self.name
 
 
 def fields_of(request: type[Any]) -> Iterator[Field]:
@@ -141,9 +169,8 @@ def fields_of(request: type[Any]) -> Iterator[Field]:
         kind, asked = hints[told.name], None
         if get_origin(kind) is Annotated:
             kind, asked = get_args(kind)
-        if get_origin(kind) is Taken:
-            kind = get_args(kind)[0]
-        yield Field(told.name, kind, asked)
+        given, held = get_args(kind) if get_origin(kind) is Taken else (kind, kind)
+        yield Field(told.name, given, held, asked, told.default)
 
 
 def values_of(part: type[Request], request: object) -> dict[str, Any]:
@@ -160,22 +187,49 @@ def answers(
     """
 
     def made(answered: Callable[[Asked], Answer]) -> Callable[P, Answer]:
-        plain = inspect.signature(request)
-        of = {each.name: each for each in fields_of(request)}  # type: ignore[arg-type]  # a class
-        taken = [each.replace(annotation=of[name].type) for name, each in plain.parameters.items()]
-        returned = inspect.signature(answered).return_annotation
-        signature = inspect.Signature(taken, return_annotation=returned)
-
         @wraps(answered)
         def function(*args: P.args, **keywords: P.kwargs) -> Answer:
-            ensure_takes(answered.__name__, signature, *args, **keywords)
             return answered(request(*args, **keywords))
 
-        function.__signature__ = signature  # type: ignore[attr-defined]  # for those who ask
-        function.request = request  # type: ignore[attr-defined]  # for the command line
-        told = inspect.cleandoc(answered.__doc__ or "")
-        function.__doc__ = _with_arguments(told, [of[name] for name in plain.parameters])
-        return function
+        return takes_fields(request)(function)
+
+    return made
+
+
+def takes_fields(
+    request: Callable[..., Any],
+    several: str = "",
+    answered: Callable[[Any], Any] | None = None,
+) -> Callable[[Callable[P, Answer]], Callable[P, Answer]]:
+    """Give a function the signature and the docstring that tell of a request's fields.
+
+    Args:
+        request: the class of the request.
+        several: the field that the function takes as positional arguments, of any number.
+        answered: the function that takes a finished request, if it is not wrapped in this one.
+    """
+
+    def made(function: Callable[P, Answer]) -> Callable[P, Answer]:
+        of = {each.name: each for each in fields_of(request)}  # type: ignore[arg-type]  # a class
+        plain = inspect.signature(request).parameters
+        taken = [each.replace(annotation=of[name].type) for name, each in plain.items()]
+        if several:
+            given = inspect.Parameter(several, inspect.Parameter.VAR_POSITIONAL)
+            taken = [given, *(each for each in taken if each.name != several)]
+        returned = inspect.signature(function).return_annotation
+        signature = inspect.Signature(taken, return_annotation=returned)
+
+        @wraps(function)
+        def checked(*args: P.args, **keywords: P.kwargs) -> Answer:
+            ensure_takes(function.__name__, signature, *args, **keywords)
+            return function(*args, **keywords)
+
+        checked.__wrapped__ = answered or function  # type: ignore[assignment]  # for answer()
+        checked.__signature__ = signature  # type: ignore[attr-defined]  # for those who ask
+        checked.request = request  # type: ignore[attr-defined]  # for the command line
+        told = inspect.cleandoc(function.__doc__ or "")
+        checked.__doc__ = _with_arguments(told, [of[each.name] for each in taken])
+        return checked
 
     return made
 
@@ -196,7 +250,7 @@ def ensure_takes(
 
 def answer(function: Callable[..., Answer], request: object) -> Answer:
     """The answer of such a function, or of one that takes a request, to a finished request."""
-    answered: Answer = getattr(function, "__wrapped__", function)(request)
+    answered: Answer = inspect.unwrap(function)(request)
     return answered
 
 
@@ -216,33 +270,71 @@ def meant(request: object) -> dict[str, Any]:
     A value that JSON does not have stands there by its name, which is its text; of the user's
     code there is the digest.
     """
-    told = {key: getattr(request, name) for key, name in _keys(type(request)).items()}
     digests = {code.name: code.digest for code in codes_in(request)}
-    found = {key: _as_json(value) for key, value in told.items()}
+    found = told_by(type(request), request)
     return {**found, "code": digests} if digests else found
+
+
+def told_by(part: type[Any], request: object) -> dict[str, Any]:
+    """The options of a part of a request on which the answer depends, as JSON has them."""
+    return {each.option: as_json(getattr(request, each.name)) for each in _meant(part)}
 
 
 def codes_in(request: object) -> list[Any]:
     """The user's code that values of a request stand for, each with its name and its digest."""
-    values = (getattr(request, name) for name in _keys(type(request)).values())
+    values = (getattr(request, each.name) for each in _meant(type(request)))
     return [code for value in values for code in getattr(value, "codes", ())]
 
 
-def _as_json(value: object) -> object:
+def as_json(value: object) -> Any:
+    """The JSON value for a value of a request."""
     if isinstance(value, tuple | list):
         return [*value]
-    return value if value is None or isinstance(value, str | int | float) else str(value)
+    if value is None or isinstance(value, str | int | float):
+        return value
+    return index(value) if isinstance(value, SupportsIndex) else str(value)
+
+
+def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> list[str]:
+    """The options of the command line that give this part of a request again.
+
+    Those that are left out have their defaults, or are of the fields ``but`` which all are told.
+    """
+    words, left = list[str](), {*but}
+    for each in _meant(part):
+        value = as_json(getattr(request, each.name))
+        if value != as_json(each.default) and each.name not in left:
+            text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
+            words += [f"--{each.option.replace('_', '-')}", text]
+    return words
 
 
 def remembered(request: type, told: Mapping[str, Any]) -> dict[str, Any]:
     """The constructor's keywords for the request that :func:`meant` described."""
-    return {name: told[key] for key, name in _keys(request).items()}
+    return {each.name: told[each.option] for each in _meant(request)}
 
 
-def _keys(request: type) -> dict[str, str]:
-    """The names of the fields for which the condition is true, by the names of their options."""
-    return {
-        (each.asked.name or each.name): each.name
-        for each in fields_of(request)
-        if isinstance(each.asked, Option) and not each.asked.apart
-    }
+def without_effort(request: T) -> T:
+    """The request with the defaults of all that is apart, but for the shard."""
+    apart = (
+        each
+        for each in fields_of(type(request))
+        if isinstance(each.asked, Option) and each.asked.apart and each.name != "shard"
+    )
+    return replace(request, **{each.name: each.default for each in apart})  # type: ignore[type-var]
+
+
+def in_scope(request: type[Any]) -> Iterator[Field]:
+    """The fields that stand in the scope of a document: those that say what is asked."""
+    return (
+        each
+        for each in _meant(request)
+        if isinstance(each.asked, Option) and each.asked.panel in (SCOPE, RULES)
+    )
+
+
+def _meant(request: type[Any]) -> Iterator[Field]:
+    """The fields of the options on which the answer depends."""
+    for each in fields_of(request):
+        if isinstance(each.asked, Option) and not each.asked.apart:
+            yield each

@@ -77,7 +77,6 @@ if TYPE_CHECKING:
     from allworlds.judging.findings.divergence import find_parting as find_parting
     from allworlds.judging.findings.finding import (
         Finding as Finding,
-        FindingDocument as FindingDocument,
         canonical_world as canonical_world,
         place_of as place_of,
     )
@@ -92,6 +91,7 @@ if TYPE_CHECKING:
         true_walk as true_walk,
     )
     from allworlds.judging.laws.bounds import (
+        Bound as Bound,
         bound_named as bound_named,
         paper_bound as paper_bound,
         printed_bound as printed_bound,
@@ -100,6 +100,7 @@ if TYPE_CHECKING:
     from allworlds.judging.laws.folding import fold as fold
     from allworlds.judging.laws.law_table import (
         ASKED as ASKED,
+        JUDGED as JUDGED,
         LAWS as LAWS,
         PRECEDENCE as PRECEDENCE,
         Check as Check,
@@ -115,6 +116,7 @@ if TYPE_CHECKING:
     from allworlds.judging.laws.quotient_answers import ambiguity_law as ambiguity_law
     from allworlds.judging.laws.second_opinion import same_map as same_map
     from allworlds.judging.tasks import (
+        MAP as MAP,
         TASKS as TASKS,
         Judge as Judge,
         Task as Task,

@@ -107,12 +107,15 @@ if TYPE_CHECKING:
     )
     from allworlds.maps.completion_counts import completions as completions
     from allworlds.maps.conditions import (
+        AND as AND,
         CONDITIONS as CONDITIONS,
         LEGAL as LEGAL,
+        AllOf as AllOf,
         Condition as Condition,
         NamedCondition as NamedCondition,
         condition_named as condition_named,
         girth as girth,
+        narrowing as narrowing,
     )
     from allworlds.maps.corridor import (
         CorridorShape as CorridorShape,
@@ -128,6 +131,7 @@ if TYPE_CHECKING:
         pose_count as pose_count,
     )
     from allworlds.maps.enumeration import (
+        Decision as Decision,
         Gluing as Gluing,
         prefixes as prefixes,
         rooted_maps as rooted_maps,

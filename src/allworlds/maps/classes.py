@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Annotated
 
+from allworlds.document import Bounded, about
 from allworlds.inputs import (
     LARGEST_SIZE,
     SCOPE,
@@ -174,7 +175,14 @@ class AskedClass(Request):
     """The part of a request that names a class of maps."""
 
     map_class: Annotated[
-        Taken[str, MapClass], Option(SCOPE, "CLASS", f"{one_of(MapClass)}.", "class")
+        Taken[str, MapClass],
+        Option(
+            SCOPE,
+            "CLASS",
+            f"{one_of(MapClass)}.",
+            "class",
+            told=Annotated[MapClass, about("the class of maps")],
+        ),
     ] = Taken(MapClass.named, MapClass.MAPS.value)
 
 
@@ -182,13 +190,7 @@ class AskedSize(Request):
     """The part of a request that bounds the size of maps."""
 
     edges: Annotated[
-        int | None,
-        Option(
-            SCOPE,
-            "M",
-            f"At most M edges (default of check, unless --vertices is given: {DEFAULT_EDGES}).",
-            parse=integer_of,
-        ),
+        int | None, Option(SCOPE, "M", "At most M edges.", parse=integer_of, told=Bounded)
     ] = None
     vertices: Annotated[
         int | None,
@@ -197,6 +199,7 @@ class AskedSize(Request):
             "N",
             "At most N vertices (alone: simple classes only; default: any).",
             parse=integer_of,
+            told=Bounded,
         ),
     ] = None
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from allworlds.inputs import InputError, show
 from allworlds.maps.beginnings import (
@@ -118,6 +118,9 @@ CONDITIONS: dict[str, ConditionKind] = {
 }
 """Every condition with a name."""
 
+AND = " and "
+"""The text between the names of several conditions."""
+
 LEGAL = "cubic, regular:D, eulerian, trees, girth:G, genus:G, triangulation, quadrangulation"
 """How they are written."""
 
@@ -157,6 +160,37 @@ class NamedCondition:
 
     def __str__(self) -> str:
         return self.name
+
+
+@dataclass(frozen=True, slots=True)
+class AllOf:
+    """Several conditions, each of which must hold."""
+
+    parts: tuple[Condition, ...]
+
+    @property
+    def name(self) -> str:
+        """The names of the parts."""
+        return AND.join(part.name for part in self.parts)
+
+    @property
+    def codes(self) -> tuple[Any, ...]:
+        """The user's code among the parts."""
+        return tuple(code for part in self.parts for code in getattr(part, "codes", ()))
+
+    def holds(self, map_: CombinatorialMap) -> bool:
+        """Whether the map has every property."""
+        return all(part.holds(map_) for part in self.parts)
+
+    def __str__(self) -> str:
+        return self.name
+
+
+def narrowing(where: Condition | None) -> tuple[NamedCondition, ...]:
+    """The conditions that cut off gluings: of maps, or else of their duals."""
+    parts = where.parts if isinstance(where, AllOf) else (where,)
+    named = [part for part in parts if isinstance(part, NamedCondition)]
+    return tuple([part for part in named if not part.dual] or named)
 
 
 def condition_named(text: str) -> NamedCondition | None:

@@ -21,7 +21,7 @@ from typing import TypeAlias
 
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.maps.conditions import Condition, NamedCondition
+from allworlds.maps.conditions import Condition, narrowing
 
 Decision: TypeAlias = int
 """A decision about the oldest open dart: ``z >= 0``: it is glued to the open dart ``z``;
@@ -51,8 +51,8 @@ class Gluing:
         vertices: int | None = None,
         where: Condition | None = None,
     ) -> None:
-        self._where = where if isinstance(where, NamedCondition) else None
-        self._dual = self._where is not None and self._where.dual
+        self._where = narrowing(where)
+        self._dual = any(condition.dual for condition in self._where)
         self.edges = edges
         self.limit = edges + 1
         if vertices is not None and not self._dual:
@@ -76,35 +76,34 @@ class Gluing:
         """Whether no dart is open, and none is owed."""
         return bool(self.degrees) and not self.faces
 
-    def successors(self) -> Iterator[tuple[Decision, Gluing]]:
-        """The legal next decisions, in the fixed order: gluings ascending, then degrees ascending.
+    def successors(self, dart: Dart | None = None) -> Iterator[tuple[Decision, Gluing]]:
+        """The legal decisions about an open dart, the oldest one unless another is named.
 
-        Each successor can be followed up to a finished map (simple classes: as far as the
-        counting of partners can tell).  Cost: O(m) for each.
+        They come in the fixed order: gluings ascending, then degrees ascending.  Each successor can
+        be followed up to a finished map (simple classes: as far as the counting of partners can
+        tell).  Cost: O(m) for each.
         """
         if not self.degrees:
             most = self.edges if self.simple else 2 * self.edges
             decisions: list[Decision] = [-degree for degree in range(1, most + 1)]
         else:
-            face = min(self.faces, key=min)
-            oldest = min(face)
-            decisions = sorted(z for z in face if z != oldest and not self._excluded(oldest, z))
+            y, face = self._decided(dart)
+            decisions = sorted(z for z in face if z != y and not self._excluded(y, z))
             if len(self.degrees) < self.limit:
                 decisions += [-degree for degree in range(1, self.owed + 1)]
         for decision in decisions:
             after = self._fork()
-            after.apply(decision)
+            after.apply(decision, dart)
             if after._can_be_finished() and after._may_be_meant():  # noqa: SLF001  # its own kind
                 yield decision, after
 
-    def apply(self, decision: Decision) -> None:
-        """Take a decision.  Cost: O(m)."""
+    def apply(self, decision: Decision, dart: Dart | None = None) -> None:
+        """Take a decision about an open dart, the oldest unless another is named.  Cost: O(m)."""
         if not self.degrees:
             self._new_vertex(-decision)
             self.faces = [list(range(-decision))]
             return
-        face = min(self.faces, key=min)
-        y = min(face)
+        y, face = self._decided(dart)
         rest = [other for other in self.faces if other is not face]
         i = face.index(y)
         around = face[i + 1 :] + face[:i]
@@ -118,6 +117,11 @@ class Gluing:
             between, beyond = around[:j], around[j + 1 :]
             parts = [between, beyond] if self.planar else [between + beyond]
         self.faces = rest + [part for part in parts if part]
+
+    def _decided(self, dart: Dart | None) -> tuple[Dart, list[Dart]]:
+        """The dart that a decision is about, and the face that it is in."""
+        y = min(map(min, self.faces)) if dart is None else dart
+        return y, next(face for face in self.faces if y in face)
 
     def finish(self) -> CombinatorialMap:
         """The finished map; its root is dart 0.
@@ -163,7 +167,7 @@ class Gluing:
         return self.simple and (u == v or bool(self.neighbours[u] >> v & 1))
 
     def _may_be_meant(self) -> bool:
-        return self._where is None or self._where.may_begin(self)
+        return all(condition.may_begin(self) for condition in self._where)
 
     def _can_be_finished(self) -> bool:
         owed = self.owed

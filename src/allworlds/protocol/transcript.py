@@ -29,14 +29,14 @@ class Moved(Document, forbid_unknown_fields=False):
 class Dropped(Document, forbid_unknown_fields=False):
     """A row of a transcript: a marker is laid down."""
 
-    drop: Literal[True]
+    drop: Annotated[Literal[True], about("always true")]
     percept: Annotated[Percept, about("what was sensed then")]
 
 
 class Picked(Document, forbid_unknown_fields=False):
     """A row of a transcript: a marker is taken up."""
 
-    pick: Literal[True]
+    pick: Annotated[Literal[True], about("always true")]
     percept: Annotated[Percept, about("what was sensed then")]
 
 

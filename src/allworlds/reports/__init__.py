@@ -69,7 +69,7 @@ if TYPE_CHECKING:
         ToldResult as ToldResult,
         ToldTable as ToldTable,
         Words as Words,
-        interruption as interruption,
+        so_far as so_far,
     )
     from allworlds.reports.text_layout import table as table
 else:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, TypeAlias
 
-from allworlds.document import SCHEMA, Document, Natural, Positive, Text, about, read_by
-from allworlds.judging import FindingDocument
+from allworlds.document import SCHEMA, Document, Edges, Natural, Text, about, read_by
+from allworlds.judging import Finding
 from allworlds.outcome import Result
+
+WHICH = about("which event it is")
 
 
 class EventLine(Document):
@@ -18,15 +20,15 @@ class EventLine(Document):
 class LevelEvent(EventLine):
     """The beginning of a level."""
 
-    event: Literal["level"] = "level"
-    edges: Positive
+    event: Annotated[Literal["level"], WHICH] = "level"
+    edges: Edges
     worlds: Annotated[Natural, about("rooted maps; of a shard about so many")]
 
 
 class StageEvent(EventLine):
     """The beginning of a stage of another kind."""
 
-    event: Literal["stage"] = "stage"
+    event: Annotated[Literal["stage"], WHICH] = "stage"
     name: Annotated[Text, about("of the part")]
     all: Annotated[Natural, about("the number of items in the stage")]
     of: Annotated[Text, about("the items that are counted")]
@@ -35,14 +37,14 @@ class StageEvent(EventLine):
 class ProgressEvent(EventLine):
     """Progress of the level or stage that began last, once a second."""
 
-    event: Literal["progress"] = "progress"
+    event: Annotated[Literal["progress"], WHICH] = "progress"
     done: Annotated[Natural, about("worlds, or what the stage counts")]
 
 
 class UnitEvent(EventLine):
     """The end of a unit."""
 
-    event: Literal["unit"] = "unit"
+    event: Annotated[Literal["unit"], WHICH] = "unit"
     unit: Annotated[Text, about("its key, `EDGES:DECISION,...`")]
     worlds: Annotated[Natural, about("rooted maps")]
 
@@ -50,10 +52,10 @@ class UnitEvent(EventLine):
 class FindingEvent(EventLine):
     """A run that breaks a law, in a finished unit."""
 
-    event: Literal["finding"] = "finding"
+    event: Annotated[Literal["finding"], WHICH] = "finding"
     finding: Annotated[
         Any,
-        read_by(FindingDocument),
+        read_by(Finding),
         about("not confirmed yet; the report may hold a smaller one"),
     ]
 
@@ -61,14 +63,14 @@ class FindingEvent(EventLine):
 class NoticeEvent(EventLine):
     """A message for the user."""
 
-    event: Literal["notice"] = "notice"
+    event: Annotated[Literal["notice"], WHICH] = "notice"
     text: Annotated[Text, about("the line that also goes to stderr")]
 
 
 class VerdictEvent(EventLine):
     """The end of the job."""
 
-    event: Literal["verdict"] = "verdict"
+    event: Annotated[Literal["verdict"], WHICH] = "verdict"
     report: Annotated[
         Any,
         read_by(Result),

@@ -39,7 +39,7 @@ def growth_plot(telling: ToldResult) -> str:
 
 
 def _draw(report: Growth, family: str, panel: Any) -> None:
-    for name in report.explorers:
+    for name in report.names:
         rows = [row for row in report.rows if (row.family, row.explorer) == (family, name)]
         if rows:
             edges = [row.edges for row in rows]

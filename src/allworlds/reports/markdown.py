@@ -34,7 +34,10 @@ def _section(section: Section) -> Iterator[str]:
         yield _fenced(text_of([section], WIDTH))
         return
     tables = [block for block in section.blocks if isinstance(block, ToldTable)]
-    yield from (_table(table.header, table.texts, table.right) for table in tables if table.rows)
+    for table in tables:
+        if table.rows:
+            yield from [f"**{_plain(table.caption)}**"] if table.caption else []
+            yield _table(table.header, table.texts, table.right)
     others = [block for block in section.blocks if not isinstance(block, ToldTable)]
     if others:
         yield f"<details><summary>{_plain(section.title or 'More')}</summary>"

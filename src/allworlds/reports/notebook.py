@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from functools import cache
 from html import escape
-from inspect import getdoc
 from typing import Any
 from xml.etree import ElementTree as ET
 
@@ -17,9 +14,8 @@ from allworlds.reports.html.frame import Page, framed
 from allworlds.reports.html.html_page import html
 from allworlds.reports.html.sections import element
 from allworlds.reports.markup import tag
-from allworlds.reports.rendering import finding_in_words, text, told
+from allworlds.reports.rendering import finding_in_words, text, told, verb_of
 from allworlds.reports.tellings.finding import finding_section, headline_of
-from allworlds.verbs import VERBS
 
 WIDTH = 100
 """Columns of a printed report."""
@@ -68,11 +64,3 @@ def _steps(transcript: Transcript) -> str:
     ]
     head = tag("tr", *(tag("th", name) for name in ("step", "action", "sensed")))
     return ET.tostring(tag("table", tag("thead", head), tag("tbody", *body)), "unicode")
-
-
-@cache
-def verb_of(kind: type[Report]) -> str:
-    """The verb whose report this is: its docstring begins with the name, or its folder has it."""
-    named = re.match(r"Report of '([a-z ]+)", getdoc(kind) or "")
-    words = named[1].strip() if named else kind.__module__.split(".")[2]
-    return next(verb.name for verb in VERBS if f" {verb.name}".endswith(f" {words}"))

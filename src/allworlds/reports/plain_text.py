@@ -95,7 +95,10 @@ def _block(block: Block, width: int) -> Iterator[str]:
 
 
 def _table(told: ToldTable, width: int) -> list[str]:
-    return table(told.header, told.texts, told.right, width, told.keys) if told.rows else []
+    if not told.rows:
+        return []
+    title = wrap(told.caption, width)
+    return [*title, *table(told.header, told.texts, told.right, width, told.keys)]
 
 
 def _walk(walk: ToldWalk, width: int) -> Iterator[str]:

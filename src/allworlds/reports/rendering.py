@@ -7,14 +7,17 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import cache
+from inspect import getdoc
 from typing import TYPE_CHECKING, Any
 
 from allworlds.inputs import ensure_installed
 from allworlds.lazy import loaded
-from allworlds.verbs import BY_NAME, CASES, FINDINGS, GROWTH, ROWS
+from allworlds.verbs import BY_NAME, CASES, FINDINGS, GROWTH, ROWS, VERBS
 from allworlds.words import escaped
 
 if TYPE_CHECKING:
+    from allworlds.document import Report
     from allworlds.reports.telling import ToldResult
 
 
@@ -82,6 +85,14 @@ def told(verb: str, result: Any) -> ToldResult:
     """The telling of a verb's result."""
     telling: ToldResult = loaded(BY_NAME[verb].telling)(result)
     return telling
+
+
+@cache
+def verb_of(kind: type[Report]) -> str:
+    """The verb whose report this is: its docstring begins with the name, or its folder has it."""
+    named = re.match(r"Report of '([a-z ]+)", getdoc(kind) or "")
+    words = named[1].strip() if named else kind.__module__.split(".")[2]
+    return next(verb.name for verb in VERBS if f" {verb.name}".endswith(f" {words}"))
 
 
 def text(verb: str, result: Any, width: int) -> str:
@@ -164,4 +175,5 @@ __all__ = [
     "parquet_of",
     "text",
     "told",
+    "verb_of",
 ]

@@ -20,9 +20,18 @@ from msgspec import UNSET, Meta, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
-from allworlds.document import IF_ANY, Document, MadeBy, Text, WrittenByFields, keys_of, plain
+from allworlds.document import (
+    IF_ANY,
+    Document,
+    MadeBy,
+    Text,
+    WrittenByFields,
+    about,
+    keys_of,
+    plain,
+)
 from allworlds.engines import ENGINES
-from allworlds.judging import LAWS, PRECEDENCE, Finding, FindingDocument
+from allworlds.judging import JUDGED, PRECEDENCE, Finding
 from allworlds.lazy import loaded
 from allworlds.maps import MapClass
 from allworlds.outcome import Result, Verdict
@@ -38,7 +47,6 @@ from allworlds.protocol import (
 )
 from allworlds.reports.event_lines import Event
 from allworlds.studies.check import TimeEstimate
-from allworlds.studies.merge import MergedReport
 from allworlds.studies.run import WorldNames
 from allworlds.verbs import VERBS, Verb
 from allworlds.world import LIGHTHOUSES, Lighthouse, Manifest, World, WorldDocument
@@ -50,7 +58,6 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 WRITTEN_AS = {
     World: WorldDocument,
     Estimate: RootedMap,
-    Finding: FindingDocument,
     Path: Text,
 }
 """The JSON that is written in place of a value that is no JSON."""
@@ -60,7 +67,7 @@ READ = {"finding", "world", "transcript", "manifest"}
 
 NAMES: dict[str, tuple[str, Iterable[Any]]] = {
     "law": ("Law", PRECEDENCE),
-    "judged_law": ("Judged law", LAWS),
+    "judged_law": ("Judged law", JUDGED),
     "class": ("Class of maps", MapClass),
     "verdict": ("Verdict", Verdict),
     "engine": ("Engine", ENGINES),
@@ -73,7 +80,7 @@ def reports() -> dict[str, Any]:
     """The type of every report by the name of its schema."""
     found: dict[str, Any] = {}
     for verb in VERBS:
-        if reports_of(verb) != [MergedReport]:
+        if reports_of(verb) != [Any]:  # merge hands on that of another verb
             first, *others = reports_of(verb)
             found[verb.document] = first
             found |= {other.__name__.lower(): other for other in others}
@@ -92,7 +99,7 @@ def pages() -> dict[str, Any]:
     merged = dict.fromkeys(kind for verb in VERBS if verb.sweep for kind in reports_of(verb))
     return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
-        "finding": FindingDocument,
+        "finding": Finding,
         "world": WorldDocument,
         "transcript": Transcript,
         "event": Event,
@@ -193,7 +200,7 @@ class Shapes:
 
     def _lighthouse(self, kind: type[Lighthouse]) -> Any:
         hints = get_type_hints(kind, include_extras=True)
-        keys: list[tuple[str, Any, bool]] = [("kind", Literal[kind.kind], True)]
+        keys: list[tuple[str, Any, bool]] = [("kind", _kind(kind.kind), True)]
         keys += [
             (key, hints[key], self.written and IF_ANY not in get_args(hints[key])[1:])
             for key in kind.keys
@@ -280,6 +287,10 @@ def _enum(table: Iterable[Any]) -> Schema:
     if all(hasattr(name, "summary") for name in found):
         return {"oneOf": [{"const": str(name), "description": name.summary} for name in found]}
     return {"enum": [str(name) for name in found]}
+
+
+def _kind(name: str) -> Any:
+    return Annotated[Literal[name], about("which lighthouse it is")]
 
 
 def _plain(told: Any) -> Any:

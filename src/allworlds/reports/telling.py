@@ -7,7 +7,7 @@ A module of ``tellings`` makes the telling of a verb's result.  A form of report
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 from allworlds.words import number
@@ -351,9 +351,18 @@ def fact(name: str, text: str) -> ToldFacts:
     return ToldFacts([(name, text)])
 
 
-def interruption(*, complete: bool, stopped: str | None = None) -> list[tuple[str, str]]:
-    """A fact about an interruption or another early end; none about a complete job."""
-    text = "here stands what was finished before; nothing is known of the rest"
-    if stopped:
-        return [("STOPPED", f"{stopped}; {text}")]
-    return [] if complete else [("INTERRUPTED", text)]
+def so_far(report: Any, headline: Headline | None) -> Headline | None:
+    """The headline of a report with rows; of a job that was ended early the end comes first.
+
+    Args:
+        report: says whether it is complete, and has the ending.
+        headline: of what was finished; None where nothing was.
+    """
+    if report.complete:
+        return headline
+    why = report.ending.reason
+    if headline is None or not headline.text:
+        return Headline("INCONCLUSIVE", f"{why}; nothing was finished before")
+    if headline.verdict in ("refuted", "error"):
+        return replace(headline, text=f"{headline.text}; {why}, and the rest was not tried")
+    return Headline("INCONCLUSIVE", f"{why}; finished before: {headline.text}")

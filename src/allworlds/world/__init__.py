@@ -65,7 +65,10 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.written import Ports as Ports, Whiteboard as Whiteboard
     from allworlds.world.named import (
         HOLES as HOLES,
+        LIGHTHOUSE as LIGHTHOUSE,
+        WORLD as WORLD,
         FamilyWords as FamilyWords,
+        a_world as a_world,
         code_of as code_of,
         map_of_code as map_of_code,
         map_of_family as map_of_family,

@@ -7,12 +7,15 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated
 
+from allworlds.document import Text, about
 from allworlds.inputs import (
     SCOPE,
+    Argument,
     InputError,
     Option,
     Request,
     integer_of,
+    one_of,
     parse_json,
     read_text,
     show,
@@ -31,6 +34,7 @@ from allworlds.world.adversary import FORM, PREFIX
 from allworlds.world.corpus import own_corpus
 from allworlds.world.lighthouses.directional import Directional
 from allworlds.world.lighthouses.kinds import (
+    LIGHTHOUSES,
     GivenLighthouse,
     LighthouseKind,
     lighthouse_from_json,
@@ -38,8 +42,36 @@ from allworlds.world.lighthouses.kinds import (
 )
 from allworlds.world.world import World
 
-HOLES = Option(SCOPE, "P%", "Share of a family's edges to remove [default: none].")
+WORLD = Argument("", "WORLD", "Inline JSON, @file, or a name such as k4, wheel:4, cycle:5.")
+"""An argument of every verb that takes a world."""
+
+LIGHTHOUSE = Option(
+    SCOPE, "KIND", f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}."
+)
+"""An option of most of them."""
+
+HOLES = Option(
+    SCOPE,
+    "P%",
+    "Share of a family's edges to remove [default: none].",
+    told=Annotated[Text | None, about("the share of a family's edges that was removed")],
+)
 """An option of every verb that takes a family."""
+
+
+def a_world(given: object, kind: GivenLighthouse, seed: int | None = None) -> World:
+    """The world of a text, as :func:`world_named` has it, or a world that is given as it is.
+
+    Raises:
+        InputError: if it is neither, or a seed is given beside a world.
+    """
+    if isinstance(given, str):
+        return world_named(given, kind, seed)
+    if not isinstance(given, World):
+        raise InputError(f"world = {show(given)} is no World; World.from_json makes one")
+    if seed is not None:
+        raise InputError(f"seed = {show(seed)} has no effect on a world that is given")
+    return given
 
 
 def world_named(

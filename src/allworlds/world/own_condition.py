@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from random import Random
 from typing import Annotated, TypeAlias
 
+from allworlds.document import IfAny, Text, about
 from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, let_users_interrupt, show
-from allworlds.maps import LEGAL, CombinatorialMap, Condition, condition_named, rooted_maps
+from allworlds.maps import (
+    AND,
+    LEGAL,
+    AllOf,
+    CombinatorialMap,
+    Condition,
+    condition_named,
+    rooted_maps,
+)
 from allworlds.protocol import UserCode, find_code, function_of, said
 
 ENTRY_POINTS = "allworlds.predicates"
@@ -61,16 +70,24 @@ def _predicate(code: UserCode) -> Predicate:
 
 
 def a_condition(given: object) -> Condition | None:
-    """The condition of a name, tried on small maps if it is the user's.
+    """The condition of a name, or all of those of several, the user's tried on small maps.
 
     Raises:
         InputError: naming the legal ones, or two numberings of one map that it takes apart.
     """
-    if given is None or isinstance(given, OwnCondition):
-        return given
+    if given is None:
+        return None
+    several = given.split(AND) if isinstance(given, str) else given
+    if not isinstance(several, list | tuple):
+        return _one_condition(given)
+    parts = tuple(dict.fromkeys(map(_one_condition, several)))
+    return AllOf(parts) if len(parts) > 1 else next(iter(parts), None)
+
+
+def _one_condition(given: object) -> Condition:
     if not isinstance(given, str):
-        if hasattr(given, "holds") and hasattr(given, "name"):
-            return given
+        if isinstance(getattr(given, "name", None), str) and hasattr(given, "holds"):
+            return given  # type: ignore[return-value]  # it has what conditions have
         raise InputError(f"where = {show(given)} is not a text")
     if (ours := condition_named(given)) is not None:
         return ours
@@ -99,12 +116,14 @@ class AskedWhere(Request):
     """The part of a request that adds a condition on the maps."""
 
     where: Annotated[
-        Taken[str | Condition | None, Condition | None],
+        Taken[str | Condition | Sequence[str | Condition] | None, Condition | None],
         Option(
             SCOPE,
             "WHERE",
             f"Only maps of which that is true: {LEGAL}, or path/to/file.py:predicate, a function "
-            "of a map.",
+            "of a map; of several, given one by one, each is.",
+            repeated=True,
+            told=Annotated[IfAny[Text | None], about("what besides is true of the maps")],
         ),
     ] = Taken(a_condition, None)
 
@@ -116,5 +135,5 @@ class AskedWhere(Request):
 
 def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
     """The files of the user's that a condition needs."""
-    codes = condition.codes if isinstance(condition, OwnCondition) else ()
+    codes: Sequence[UserCode] = getattr(condition, "codes", ())
     return tuple(code.file(ENTRY_POINTS) for code in codes)

@@ -6,6 +6,10 @@
     built-in explorers: its rows into tallies;
 ``stretches``
     users' explorers, many runs at a time;
+``trees``
+    users' explorers that can be copied, all runs of a unit as one tree;
+``users_engine``
+    the engine of both, for workers;
 ``agreement``
     its comparison with the Python engine, before it is believed;
 ``sizes``

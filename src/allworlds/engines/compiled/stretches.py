@@ -12,7 +12,7 @@ twice; if the judges differ, the engines disagree.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, MutableSequence, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from itertools import islice
@@ -20,30 +20,21 @@ from typing import Any, NamedTuple
 
 from allworlds.engines.compiled.requests import level_of
 from allworlds.engines.compiled.tallies import tally_of
-from allworlds.engines.isolation.generator_player import load as load_generators
 from allworlds.engines.isolation.player_pair import PlayerPair
-from allworlds.engines.isolation.process import guardian
 from allworlds.engines.isolation.shared_logs import StretchMemory
-from allworlds.engines.job import Job
-from allworlds.engines.kernel import engine as kernel
-from allworlds.engines.kernel.batches import LaidOutRuns, ReplayableRun, UnitJudge, load_native
-from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.native import play_worlds
-from allworlds.engines.kernel.rows import BrokenRun, Rows
-from allworlds.engines.kernel.runs import examine
+from allworlds.engines.kernel.batches import LaidOutRuns, ReplayableRun, UnitJudge
+from allworlds.engines.kernel.rows import BrokenRun, Level, Rows
 from allworlds.engines.kernel.stretch import LONGEST_STRETCH, MOST_EARLIER
 from allworlds.engines.kernel.writing import LogEnd, read_log
 from allworlds.engines.python.comparison import nondeterministic
 from allworlds.engines.python.examiner import LOST, Outcome, Referee
 from allworlds.engines.python.python_engine import PythonEngine
-from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree, PartwiseEngine
+from allworlds.engines.python.run_counter import REPORT_EVERY, EnginesDisagree
 from allworlds.engines.python.runs_of_unit import GivenWorlds, LevelRuns, NumberedRun, UnitOfRuns
-from allworlds.engines.python.scope import Scope
 from allworlds.engines.python.second_play import KEPT, EarlierPlays, OneRun, PlayedTwice
 from allworlds.engines.python.tally import Tally
 from allworlds.engines.python.tour import SPELL
-from allworlds.explorers import Subject
-from allworlds.judging import Fault, Finding, Log, UncheckedAnswer, retold
+from allworlds.judging import Fault, Finding, Log, LostRun, UncheckedAnswer, Violation, retold
 from allworlds.maps import Code, CombinatorialMap
 from allworlds.world import World
 
@@ -64,50 +55,6 @@ ANEW = 8
 DIFFERENT = "the second walk or answer differs"
 
 THIRD = "when it was played once more, the walk or the answer was another"
-
-
-def load() -> None:
-    """Load the kernel, and with it this module and all that players need."""
-    load_native()
-    load_generators()
-
-
-@dataclass(frozen=True, slots=True)
-class StretchEngine:
-    """The engine in which a user's explorer plays in stretches, and the kernel judges.
-
-    Attributes:
-        scope, keep: as for the general engine.
-    """
-
-    scope: Scope
-    keep: int
-
-    def tally(self) -> Tally:
-        """Return an empty tally."""
-        return Tally(self.keep)
-
-    @staticmethod
-    def compiled(job: Job) -> None:
-        """Compile or load the kernel in the guardian, before it forks."""
-        if not (is_compiled(play_worlds) and is_compiled(examine)):
-            job.notice(kernel.COMPILING)
-        guardian().prepare(__name__, load.__name__)
-
-    def for_built_in(
-        self,
-        subject: Subject,
-        beat: MutableSequence[int] | None = None,
-    ) -> PartwiseEngine:
-        """Return the engine with a built-in explorer, of the interface ``WorkerEngine``."""
-        return PythonEngine(self.scope, self.keep).for_built_in(subject, beat)
-
-    def for_users(
-        self, explorer: str, players: PlayerPair, earlier: EarlierPlays[Any]
-    ) -> PartwiseEngine:
-        """Return the engine with a user's explorer, of the interface ``WorkerEngine``."""
-        players.in_stretches = True
-        return PlayedByStretches(PythonEngine(self.scope, self.keep), explorer, players, earlier)
 
 
 class _EarlierRun(NamedTuple):
@@ -156,9 +103,9 @@ class PlayedByStretches:
             # The rest of a unit whose referee was lost.
             yield from self._general.parts(unit, start)
             return
-        scope, keep = self.engine.scope, self.engine.keep
-        level = level_of(self.explorer, scope.rules, scope.extent, unit.edges)
+        level = self.level(unit)
         first, second = _memory(unit.edges)
+        keep = self.engine.keep
         judge = UnitJudge(level, unit.prefix, keep, first.stretch, second.stretch)
         batch = None
         while batch is None or not batch.last:
@@ -183,6 +130,21 @@ class PlayedByStretches:
                     for found in general.findings:
                         tally.find(found)
             yield batch.until, tally
+            yield from self._general.ended_if_silent_after_others(batch.until)
+
+    def level(self, unit: LevelRuns) -> Level:
+        """The kernel's request for the level of a unit."""
+        scope = self.engine.scope
+        return level_of(self.explorer, scope.rules, scope.extent, unit.edges)
+
+    def outcomes(self, one: OneRun) -> Iterator[tuple[OneRun, Outcome | LostRun]]:
+        """The outcome of a run that is played anew, by the general engine."""
+        given = GivenWorlds(((one.world, one.place),))
+        return self._general.outcomes(given, {one.number: one})
+
+    def finding(self, one: OneRun, outcome: Outcome | LostRun) -> Finding:
+        """The finding of a run that breaks a law, or that was lost."""
+        return self._general.finding(one, outcome)
 
     def _compiled(self, unit: LevelRuns, judge: UnitJudge, batch: LaidOutRuns) -> Tally | None:
         """The tally of a stretch; None if the general engine must make it."""
@@ -243,7 +205,9 @@ class PlayedByStretches:
             yield
         else:
             for each in broken:
-                self._find(unit, batch, judge, each, tally)
+                if not self.find(unit, each, tally):
+                    self._confirm(unit, batch, judge, each)
+                    self.find(unit, each, tally, otherwise=nondeterministic(THIRD))
                 yield
         for play in differing.earlier:
             self._find_differing(play.unit, [play.number], tally)
@@ -262,16 +226,7 @@ class PlayedByStretches:
         counted, judged = tally_of(rows, unit, scope, keep), self.engine.tally()
         for one, outcome in self._outcomes(unit, batch, judge, judged):
             self.engine.count_outcome(self._referee, one.world, one.place, outcome, judged)
-        kernels, pythons = (
-            (
-                tally.rows,
-                _most_expensive(tally),
-                tally.left_out,
-                tally.checkpoints,
-                +tally.witnesses,
-            )
-            for tally in (counted, judged)
-        )
+        kernels, pythons = counts_of(counted), counts_of(judged)
         broken = sorted((_key(unit, each), each.law) for each in rows.broken)
         found = sorted((each.key[:4], each.law) for each in judged.findings)
         if kernels != pythons or broken != found:
@@ -293,39 +248,45 @@ class PlayedByStretches:
                 yield OneRun(run.number, run.place, world), outcome
                 row += 1
 
-    def _find(
+    def find(
         self,
         unit: LevelRuns,
-        batch: LaidOutRuns,
-        judge: UnitJudge,
         broken: BrokenRun,
         tally: Tally,
-    ) -> None:
-        """Find a broken run by the general engine, if it may be among the smallest."""
+        otherwise: Violation | None = None,
+    ) -> bool:
+        """Find a broken run by the general engine, if it may be among the smallest.
+
+        Return False if another law is broken then, or none; if ``otherwise`` is given, find that.
+        """
         key = _key(unit, broken)
         # In small levels each unit must find what the general engine finds in it.
         small = unit.edges <= AGREEMENT_EDGES
         worst = self._worst.findings
         if not small and len(worst) >= self.engine.keep and key >= worst[-1].key:
-            return
-        map_, place = CombinatorialMap(broken.sigma, broken.alpha), key[-1]
-        rules = self.engine.scope.rules
-        lighthouse = next(islice(rules.kind.places(map_, 0), place, None))
-        world = World(map_, lighthouse, 0)
-        given = GivenWorlds(((world, place),))
-        for one, outcome in self._general.outcomes(given, {0: OneRun(0, place, world)}):
+            return True
+        one = self.placed(broken.sigma, broken.alpha, key[-1])
+        for again, outcome in self.outcomes(one):
             if not isinstance(outcome, Outcome):
-                tally.find(self._general.finding(one, outcome))
+                tally.find(self.finding(again, outcome))
                 continue
             settled, law = outcome, _law(outcome)
             # Of a run without an answer the general engine alone knows why.
             unknown = law and broken.law == "illegal-action"
             if not unknown and law not in (broken.law, "nondeterministic", *LOST):
-                self._confirm(unit, batch, judge, broken)
-                settled = replace(outcome, violation=nondeterministic(THIRD))
-            finding = self._general.finding(one, settled)
+                if otherwise is None:
+                    return False
+                settled = replace(outcome, violation=otherwise)
+            finding = self.finding(again, settled)
             tally.find(finding)
             self._worst.find(finding)
+        return True
+
+    def placed(self, sigma: Sequence[int], alpha: Sequence[int], place: int) -> OneRun:
+        """The run in this map, rooted at dart 0, at that place of the lighthouse."""
+        map_ = CombinatorialMap(sigma, alpha)
+        lighthouse = next(islice(self.engine.scope.rules.kind.places(map_, 0), place, None))
+        return OneRun(0, place, World(map_, lighthouse, 0))
 
     def _confirm(
         self, unit: LevelRuns, batch: LaidOutRuns, judge: UnitJudge, broken: BrokenRun
@@ -373,6 +334,12 @@ def _law(outcome: Outcome) -> str:
 def _one(run: NumberedRun) -> OneRun:
     assert run.lighthouse is not None
     return OneRun(run.number, run.place, World(run.map, run.lighthouse, 0))
+
+
+def counts_of(tally: Tally) -> object:
+    """All that is counted of the runs of a unit."""
+    rows = [row for _, row in sorted(tally.rows.items())]
+    return rows, _most_expensive(tally), tally.left_out, tally.checkpoints, +tally.witnesses
 
 
 def _most_expensive(tally: Tally) -> list[object]:

@@ -19,6 +19,8 @@ The **guardian** forks them all, and ends them, and all that they have started.
 ``shared_logs``, ``generator_player``
     many runs of a user's explorer at a time, in shared memory; and the writing of their logs,
     where the explorer is a generator;
+``chunk_player``
+    trees of runs, walked by an explorer in Python, or a program, that can be copied;
 ``confirm``
     single runs, and findings once more in fresh processes;
 ``subject_probe``

@@ -6,10 +6,10 @@ import os
 import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from random import Random
 from typing import NamedTuple
 
+from allworlds.document import replace
 from allworlds.engines.isolation.jobs import PlayerSetup, PlayRecords, Trace
 from allworlds.engines.isolation.messages import RecordLogs, TraceEvent
 from allworlds.engines.isolation.overheard import Overheard

@@ -9,6 +9,7 @@ import os
 from dataclasses import dataclass
 from typing import Self
 
+from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
 from allworlds.engines.python.play import Record
 from allworlds.engines.python.run_counter import RunCounter
 from allworlds.engines.python.runs_of_unit import UnitOfRuns
@@ -86,11 +87,15 @@ class PlayRuns:
 
 @dataclass(frozen=True, slots=True)
 class PlayRecords:
-    """Play against recorded percepts alone, without a world; answered by ``RecordLogs``."""
+    """Play against recorded percepts alone, without a world; answered by ``RecordLogs``.
+
+    If ``plain``, they are played as in worlds, and not by copies.
+    """
 
     records: tuple[Record, ...]
     policy: str
     order: int
+    plain: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +120,44 @@ class PlayStretch:
     order: int
     policy: str
     again: bool
+    compiled: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class PlayTree:
+    """Play a chunk of the tree of a unit; answered by a ``StretchResult``.
+
+    Attributes:
+        memory: a file that both sides share.
+        request: the unit.
+        chunk: where it begins.
+        runs: the number of runs after which it ends.
+        compiled: as for :class:`PlayStretch`.
+    """
+
+    memory: str
+    request: TreeRequest
+    chunk: Chunk
+    runs: int
+    compiled: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class PlaySegments:
+    """Play the segments of a chunk that stand in shared memory; answered by a ``StretchResult``.
+
+    Attributes:
+        memory: a file that both sides share.
+        policy: answers the explorer's choices.
+        roots: the first segments of trees, in the order in which they are played.
+        runs: the number of runs in them.
+        compiled: as for :class:`PlayStretch`.
+    """
+
+    memory: str
+    policy: str
+    roots: tuple[int, ...]
+    runs: int
     compiled: bool = True
 
 

@@ -19,7 +19,9 @@ from allworlds.engines.isolation.jobs import (
     PlayerSetup,
     PlayRecords,
     PlayRuns,
+    PlaySegments,
     PlayStretch,
+    PlayTree,
     Trace,
 )
 from allworlds.engines.isolation.messages import (
@@ -68,7 +70,7 @@ TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 LOOK = 0.002
 """Seconds between two looks at timers and pipe: each costs as much as a short run."""
 
-Job = PlayRuns | PlayRecords | PlayStretch | Trace
+Job = PlayRuns | PlayRecords | PlayStretch | PlayTree | PlaySegments | Trace
 """Every message to a player after its setup."""
 
 
@@ -109,9 +111,11 @@ class PlayerProcess:
         if native is not None:
             native.library.print_line_by_line()
         has_shield = isinstance(subject.explore, Shield)
-        self._send(ExplorerDescription(subject.keywords, _digest(subject), has_shield))
+        described = subject.keywords, _digest(subject), has_shield, subject.copies
+        self._send(ExplorerDescription(*described))
         with subject.running():
-            self._serve(subject, ExplorerRunner(subject.player(), self._beat, self._intact))
+            first, second = subject.player(), subject.second_player()
+            self._serve(subject, ExplorerRunner(first, self._beat, self._intact, second))
 
     def _serve(self, subject: Subject, runner: ExplorerRunner) -> None:
         while True:
@@ -130,14 +134,16 @@ class PlayerProcess:
         match job:
             case PlayRuns():
                 self._play_runs(runner, job)
-            case PlayRecords(records, policy, order):
-                self._send(RecordLogs(runner.play_records(records, policy, order)))
-            case PlayStretch():
+            case PlayRecords(records, policy, order, plain):
+                self._send(RecordLogs(runner.play_records(records, policy, order, plain=plain)))
+            case PlayStretch() | PlayTree() | PlaySegments():
                 self._send(self._play_stretch(subject, job))
             case Trace():
                 self._trace(subject, job)
 
-    def _play_stretch(self, subject: Subject, job: PlayStretch) -> StretchResult:
+    def _play_stretch(
+        self, subject: Subject, job: PlayStretch | PlayTree | PlaySegments
+    ) -> StretchResult:
         from allworlds.engines.isolation.generator_player import GeneratorPlayer
         from allworlds.engines.isolation.shared_logs import LibraryPlayer
 
@@ -145,10 +151,11 @@ class PlayerProcess:
             if subject.native is not None and job.compiled:
                 self._stretches = LibraryPlayer(subject.native, self._beat)
             else:
-                self._stretches = GeneratorPlayer(subject.player(), self._beat, self._intact)
+                players = subject.player(), subject.second_player(), subject.runs_of_copies()
+                self._stretches = GeneratorPlayer(*players, self._beat, self._intact)
         result = self._stretches.play(job)
         self._intact()
-        return result
+        return StretchResult(result.size, result.threads, result.last, subject.copies)
 
     def _play_runs(self, runner: ExplorerRunner, job: PlayRuns) -> None:
         logs: list[tuple[int, Log]] = []

@@ -14,7 +14,9 @@ from allworlds.engines.isolation.jobs import (
     PlayerSetup,
     PlayRecords,
     PlayRuns,
+    PlaySegments,
     PlayStretch,
+    PlayTree,
     Unsettled,
 )
 from allworlds.engines.isolation.messages import (
@@ -183,7 +185,18 @@ class PlayerPair:
     _processes: dict[str, Process] = field(default_factory=dict)
     _losses: int = 0
     _at_home: bool = False
+    _copies: bool = False
     _sent: PlayRecords = field(default_factory=lambda: PlayRecords((), "fifo", 0))
+
+    @property
+    def copies(self) -> bool:
+        """Whether the explorer can be copied, once a player has loaded it."""
+        return self._copies
+
+    @property
+    def in_trees(self) -> bool:
+        """Whether both players can walk trees, which compiled code does for a library."""
+        return self._copies and (self._at_home or not is_library(self.setup.name))
 
     def close(self) -> None:
         """End both processes."""
@@ -307,8 +320,10 @@ class PlayerPair:
             return interfered
         return None
 
-    def play_stretch(self, which: str, job: PlayStretch) -> StretchResult | None:
-        """Let the first or the second player play a stretch; return None if it was lost."""
+    def play_stretch(
+        self, which: str, job: PlayStretch | PlayTree | PlaySegments
+    ) -> StretchResult | None:
+        """Let a player, ``first`` or ``second``, play a stretch; return None if it was lost."""
         if which == "second":
             self._change_second(job.runs)
         elif self.tour.alike and self.tour.change():
@@ -322,13 +337,14 @@ class PlayerPair:
             self._end(which)
             return None
         if isinstance(message, StretchResult):
+            self._copies = message.copies
             return message
         self._end(which)
         return None
 
-    def send_records(self, records: Sequence[Record], policy: str) -> None:
+    def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
         """Begin to play these once more."""
-        self._sent = PlayRecords(tuple(records), policy, self.random.getrandbits(64))
+        self._sent = PlayRecords(tuple(records), policy, self.random.getrandbits(64), plain)
         if records:
             self._change_second(len(records))
             self._player("second").send(self._sent)
@@ -354,7 +370,7 @@ class PlayerPair:
         for record in self._sent.records:
             try:
                 player = self._player("second")
-                player.send(PlayRecords((record,), self._sent.policy, 0))
+                player.send(replace(self._sent, records=(record,), order=0))
                 (log,) = self._receive(player, RecordLogs).logs
             except PlayerLost as again:
                 self._end("second")
@@ -386,7 +402,8 @@ class PlayerPair:
 
     def _player(self, which: str) -> Process:
         if which not in self._processes:
-            self._processes[which], _ = self._start(*self._place(which))
+            process, description = self._start(*self._place(which))
+            self._processes[which], self._copies = process, description.copies
         return self._processes[which]
 
     def _place(self, which: str) -> tuple[int, int]:

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import mmap
 import os
-from collections.abc import MutableSequence
+from collections.abc import MutableSequence, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, cast
 
-from allworlds.engines.isolation.jobs import PlayStretch
+from allworlds.engines.isolation.jobs import PlaySegments, PlayStretch, PlayTree
 from allworlds.engines.isolation.messages import StretchResult
 from allworlds.engines.isolation.player_pair import PlayerPair
+from allworlds.engines.kernel.tree_requests import Chunk, TreeRequest
 from allworlds.explorers import NativeExplorer, threads_left, threads_now
 
 if TYPE_CHECKING:
+    from allworlds.engines.kernel.chunks import CopyingPlayer
     from allworlds.engines.kernel.stretch import Stretch
+    from allworlds.engines.kernel.tree_memory import TreeMemory
 
 
 class StretchMemory:
@@ -57,45 +60,115 @@ class StretchMemory:
         return None if result is None or result.size < 0 or result.threads else result.size
 
 
+class TreeMemoryPair:
+    """Memory for chunks of trees, which a referee shares with its first and its second player."""
+
+    def __init__(self) -> None:
+        from allworlds.engines.kernel.tree_memory import TreeMemory
+
+        self._files = [os.memfd_create("allworlds") for _ in range(2)]
+        for file in self._files:
+            os.truncate(file, TreeMemory.size())
+        self.first, self.second = (
+            TreeMemory(mmap.mmap(file, TreeMemory.size())) for file in self._files
+        )
+
+    def play(
+        self, players: PlayerPair, request: TreeRequest, chunk: Chunk, runs: int
+    ) -> StretchResult | None:
+        """Let the first player play a chunk; return None if its log cannot be trusted."""
+        return _trusted(
+            players.play_stretch("first", PlayTree(self._path(0), request, chunk, runs))
+        )
+
+    def play_again(
+        self, players: PlayerPair, policy: str, roots: Sequence[int], runs: int
+    ) -> StretchResult | None:
+        """Let the second player play segments; return None if its log cannot be trusted."""
+        order = players.random.sample(roots, len(roots))
+        return _trusted(
+            players.play_stretch("second", PlaySegments(self._path(1), policy, (*order,), runs))
+        )
+
+    def _path(self, which: int) -> str:
+        return f"/proc/{os.getpid()}/fd/{self._files[which]}"
+
+
+def _trusted(result: StretchResult | None) -> StretchResult | None:
+    return None if result is None or result.threads else result
+
+
 class OpenedMemories:
     """A player's side of the shared memories; each is opened once."""
 
     def __init__(self) -> None:
-        self._opened: dict[str, Stretch] = {}
+        self._opened: dict[str, Any] = {}
 
     def stretch(self, job: PlayStretch) -> Stretch:
-        """The memory of a job."""
+        """The memory of a stretch."""
         from allworlds.engines.kernel.stretch import Stretch
 
         if job.memory not in self._opened:
-            with Path(job.memory).open("r+b") as file:
-                memory = mmap.mmap(file.fileno(), Stretch.size(job.edges))
-            if hasattr(mmap, "MADV_DONTFORK"):  # a copy made by the explorer must not write here
-                memory.madvise(mmap.MADV_DONTFORK)
+            memory = _mapped(job.memory, Stretch.size(job.edges))
             self._opened[job.memory] = Stretch(memory, job.edges)
-        return self._opened[job.memory]
+        return cast("Stretch", self._opened[job.memory])
+
+    def tree(self, job: PlayTree | PlaySegments) -> TreeMemory:
+        """The memory of a tree."""
+        from allworlds.engines.kernel.tree_memory import TreeMemory
+
+        if job.memory not in self._opened:
+            self._opened[job.memory] = TreeMemory(_mapped(job.memory, TreeMemory.size()))
+        return cast("TreeMemory", self._opened[job.memory])
+
+
+def _mapped(path: str, size: int) -> mmap.mmap:
+    with Path(path).open("r+b") as file:
+        memory = mmap.mmap(file.fileno(), size)
+    if hasattr(mmap, "MADV_DONTFORK"):  # a copy made by the explorer must not write here
+        memory.madvise(mmap.MADV_DONTFORK)
+    return memory
 
 
 class LibraryPlayer:
-    """A player's side of stretches, for a shared library: compiled code plays them.
+    """A player's side of stretches and trees, for a shared library: compiled code plays them.
 
     Args:
         explorer: loaded here.
         beat: see :func:`allworlds.judging.episode.play`.
+
+    Attributes:
+        native: the explorer, as compiled code calls it.
     """
 
     def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
         from allworlds.engines.kernel.batches import NativePlayer
 
         addresses, state = explorer.library.addresses(), explorer.state()
-        self._native = NativePlayer(addresses, state, explorer.handed(), beat)
+        self.native = NativePlayer(addresses, state, explorer.handed(), beat)
+        self._states = addresses["clone"], addresses["new"]
+        self._copying: CopyingPlayer | None = None
         self._memories = OpenedMemories()
         self._threads = threads_now()
 
-    def play(self, job: PlayStretch) -> StretchResult:
-        """Play all runs of a stretch."""
-        stretch = self._memories.stretch(job)
-        size = self._native.play(stretch, job.runs, job.order, job.policy, again=job.again)
+    def play(self, job: PlayStretch | PlayTree | PlaySegments) -> StretchResult:
+        """Play all runs of a stretch, or of a chunk of a tree."""
+        size, last = self._played(job)
         left = threads_left(self._threads)
         self._threads += left
-        return StretchResult(size, left)
+        return StretchResult(size, left, last)
+
+    def _played(self, job: PlayStretch | PlayTree | PlaySegments) -> tuple[int, bool]:
+        """The number of bytes, and whether a tree ends here."""
+        if isinstance(job, PlayStretch):
+            stretch = self._memories.stretch(job)
+            whole = (stretch, job.runs, job.order, job.policy)
+            return self.native.play(*whole, again=job.again), False
+        if self._copying is None:
+            from allworlds.engines.kernel.chunks import CopyingPlayer
+
+            self._copying = CopyingPlayer(self.native, self._states)
+        memory = self._memories.tree(job)
+        if isinstance(job, PlayTree):
+            return self._copying.play(memory, job.request, job.chunk, job.runs)
+        return self._copying.play_again(memory, job.policy, job.roots), False

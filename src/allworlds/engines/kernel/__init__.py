@@ -13,6 +13,10 @@ lock only to start and to end, so that threads share the work.
     explorers, each behind the C interface of all explorers;
 ``native``, ``picking``, ``logs``, ``log_codes``, ``writing``, ``stretch``, ``batches``
     users' explorers, played in processes of their own, many runs at a time;
+``on_demand``, ``tree_player``, ``tree_judge``, ``tree_ends``, ``tree_records``
+    users' explorers that can be copied: a world is decided only where the robot looks;
+``chunks``, ``tree_memory``, ``tree_requests``
+    the door of these trees of runs, and their memory;
 ``demand_driven``, ``ways``, ``demand_tally``
     the demand-driven check of Algorithm 1: a world is decided only where the robot looks;
 ``schedules``, ``schedule_costs``

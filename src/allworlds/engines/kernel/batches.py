@@ -245,6 +245,17 @@ class NativePlayer:
             int64,
         )
 
+    @property
+    def beat(self) -> Any:
+        """The heartbeat."""
+        return self._beat
+
+    def handed(self, policy: str) -> tuple[Any, ...]:
+        """The explorer, percept, action, here, room and choices, as compiled code takes them."""
+        self._asked.policy = POLICIES[policy]
+        percept, action, here, sigma, *_ = self._arrays
+        return self._explorer, percept, action, here, len(sigma), self._asked
+
     def play(self, stretch: Stretch, count: int, order: int, policy: str, *, again: bool) -> int:
         """Play runs; return the number of bytes of their logs, or -1 if there is no room for them.
 
@@ -255,11 +266,9 @@ class NativePlayer:
             policy: answers its choices.
             again: whether they are played against records.
         """
-        self._asked.policy = POLICIES[policy]
         every = arange(count)
         native.shuffle(every, order)
-        percept, action, here, sigma, *_ = self._arrays
-        common = (self._explorer, percept, action, here, len(sigma), self._asked, stretch.heads)
+        common = (*self.handed(policy), stretch.heads)
         if again:
             said = (stretch.percepts, stretch.starts, every, stretch.logs, stretch.begins)
             return int(native.play_records(*common, *said, self._beat))
@@ -276,7 +285,21 @@ def _view(memory: Any) -> Any:
 
 def load_native() -> None:
     """Load or compile the code that native explorers need, but for the lighthouses."""
-    level = Level(
+    level = any_level()
+    with uncollected():
+        stretch = Stretch(mmap.mmap(-1, Stretch.size(level.edges)), level.edges)
+        unit = UnitJudge(level, (-1,), 1, stretch, stretch)
+        batch = unit.lay_out(0)
+        unit.judge(batch, 0)
+        unit.differing(batch, 0)
+        player = no_player()
+        for again in (False, True):
+            player.play(stretch, 0, 0, "fifo", again=again)
+
+
+def any_level() -> Level:
+    """A level whose maps have one edge."""
+    return Level(
         1,
         2,
         simple=False,
@@ -289,14 +312,10 @@ def load_native() -> None:
         budgets=(0, 0, 0),
         tables=tables(1, 0),
     )
-    with uncollected():
-        stretch = Stretch(mmap.mmap(-1, Stretch.size(level.edges)), level.edges)
-        unit = UnitJudge(level, (-1,), 1, stretch, stretch)
-        batch = unit.lay_out(0)
-        unit.judge(batch, 0)
-        unit.differing(batch, 0)
-        nothing = dict.fromkeys(("start", "step", "answer", "choose"), 0)
-        handed = [(ctypes.c_int32 * length)() for length in (3, 2, 1, 1, 1, 1, 1)]
-        player = NativePlayer(nothing, 0, handed, bytearray(16))
-        for again in (False, True):
-            player.play(stretch, 0, 0, "fifo", again=again)
+
+
+def no_player() -> NativePlayer:
+    """A player without an explorer, which can play no run."""
+    nothing = dict.fromkeys(("start", "step", "answer", "choose"), 0)
+    handed = [(ctypes.c_int32 * length)() for length in (3, 2, 1, 1, 1, 1, 1)]
+    return NativePlayer(nothing, 0, handed, bytearray(16))

@@ -22,41 +22,78 @@ NODE = DARTS.bit_length() - 1
 @inner
 def folds(world, log, fold):
     """Whether no dart of the folded log is open; the log is that of a directional lighthouse."""
-    fold.parent[0] = fold.linked[0] = 0
-    fold.open = world.degree[world.start]
-    at, nodes = 0, 1
+    begin_fold(world, fold)
     for step in range(log.cost):
-        entered = log.arrived[step]
-        leaving = world.alpha[entered]
-        if fold.linked[at] >> leaving & 1:
-            to = _root(fold, fold.link[at << NODE | leaving])
-            if to and world.marks[entered]:
-                _merge(world, fold, to, 0)
-                to = 0
-        elif not world.marks[entered]:
-            to = nodes
-            nodes += 1
-            fold.parent[to], fold.linked[to] = to, 0
-            fold.open += world.degree[entered]
-            _lead(fold, at, leaving, to, entered)
-        else:
-            to = 0
-            if fold.linked[0] >> entered & 1:
-                fold.link[at << NODE | leaving] = 0
-                fold.linked[at] |= 1 << leaving
-                fold.open -= 1
-                _merge(world, fold, at, fold.link[entered])
-            else:
-                _lead(fold, at, leaving, 0, entered)
+        fold_step(world, fold, log.arrived[step])
         if fold.open == 0:
             return True
-        at = to
     return False
+
+
+@inner
+def begin_fold(world, fold):
+    """Begin with the node of v0 alone."""
+    fold.parent[0] = fold.linked[0] = fold.node = fold.changes = 0
+    fold.open = world.degree[world.start]
+    fold.nodes = 1
+
+
+@inner
+def fold_step(world, fold, entered):
+    """Fold one step more: the robot arrives by the dart, along an edge that has been decided.
+
+    There must be an open dart; else all is known, and a log is not folded any further.
+    """
+    leaving, at = world.alpha[entered], fold.node
+    if fold.linked[at] >> leaving & 1:
+        to = _root(fold, fold.link[at << NODE | leaving])
+        if to and world.marks[entered]:
+            _merge(world, fold, to, 0)
+            to = 0
+    elif not world.marks[entered]:
+        to = fold.nodes
+        fold.nodes += 1
+        fold.parent[to], fold.linked[to] = to, 0
+        fold.open += world.degree[entered]
+        _lead(fold, at, leaving, to, entered)
+    else:
+        to = 0
+        if fold.linked[0] >> entered & 1:
+            _remember(fold, at)
+            fold.link[at << NODE | leaving] = 0
+            fold.linked[at] |= 1 << leaving
+            fold.open -= 1
+            _merge(world, fold, at, fold.link[entered])
+        else:
+            _lead(fold, at, leaving, 0, entered)
+    fold.node = to
+
+
+@inner
+def unfold(fold, changes):
+    """Take back all but the first changes; links of darts that lead nowhere then are not read."""
+    while fold.changes > changes:
+        fold.changes -= 1
+        change = fold.changes
+        v = fold.changed[change]
+        fold.linked[v], fold.parent[v] = fold.linked_before[change], fold.parent_before[change]
+
+
+@inlined
+def _remember(fold, v):
+    """Note what is to be taken back at a node that changes."""
+    change = fold.changes
+    fold.changed[change] = v
+    fold.linked_before[change], fold.parent_before[change] = fold.linked[v], fold.parent[v]
+    fold.changes = change + 1
 
 
 @inlined
 def _lead(fold, v, leaving, w, entered):
     """Join two darts whose other ends were unknown."""
+    _remember(fold, v)
+    if w == 0:
+        _remember(fold, w)
     fold.link[v << NODE | leaving], fold.link[w << NODE | entered] = w, v
     fold.linked[v] |= 1 << leaving
     fold.linked[w] |= 1 << entered
@@ -81,6 +118,8 @@ def _merge(world, fold, v, w):
             # The older node stays, so that v0 is always a root.
             v, w = w, v
         if v != w:
+            _remember(fold, v)
+            _remember(fold, w)
             fold.parent[v] = w
             both = fold.linked[v] & fold.linked[w]
             more = fold.linked[v] & ~both

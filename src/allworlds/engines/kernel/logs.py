@@ -96,8 +96,13 @@ def _note(reader, at, world, dart):
     if at + 4 > reader.room:
         reader.strange += 1
     else:
-        sensed = world.degree[dart] | world.marks[dart] << 8 | (world.bearing[dart] + 1) << 16
-        put_entry(reader.percepts + at, 0, sensed)
+        put_entry(reader.percepts + at, 0, percept_of(world, dart))
+
+
+@inlined
+def percept_of(world, dart):
+    """The percept on arriving by the dart, in three bytes."""
+    return world.degree[dart] | world.marks[dart] << 8 | (world.bearing[dart] + 1) << 16
 
 
 @inlined

@@ -199,17 +199,17 @@ def _play(explorer, handed, asked, heads, known, order, logs, begins, beat):
                 cost += 1
             elif kind == CHECKPOINT and shown <= head[RUN_BUDGET]:
                 shown += 1
-                at, due = _publish(explorer, handed, logs, at, SHOWN, due)
+                at, due = publish(explorer, handed, logs, at, SHOWN, due)
                 if due[0] < 0:
                     break
             else:
-                at, due = _end(explorer, handed, kind, logs, at, due)
+                at, due = end(explorer, handed, kind, logs, at, due)
                 break
             action[0] = action[1] = 0
             call_step(explorer[STEP], explorer[STATE], explorer[SENSED], explorer[ACTED])
         at += 1
     beat[1] = 0
-    _write(explorer, logs, due)
+    write(explorer, logs, due)
     return at
 
 
@@ -308,10 +308,10 @@ def _begin(explorer, action, asked, head, beat):
 
 
 @inlined
-def _end(explorer, handed, kind, logs, at, due):
+def end(explorer, handed, kind, logs, at, due):
     """Write the end of the log, with an answer or without; return its place, and what is due."""
     if kind == ANSWER_READY:
-        at, due = _publish(explorer, handed, logs, at, ANSWERED, due)
+        at, due = publish(explorer, handed, logs, at, ANSWERED, due)
         if due[0] >= 0:
             at -= 1
     elif kind == CHECKPOINT:
@@ -330,7 +330,7 @@ NOTHING_DUE = (int64(-1), int64(0), int64(0))
 
 
 @inlined
-def _publish(explorer, handed, logs, at, what, due):
+def publish(explorer, handed, logs, at, what, due):
     """Write a published map; return the place behind it, and the address of the map that is due.
 
     If the map does not fit, STRANGE is written, and no map is due.
@@ -348,7 +348,7 @@ def _publish(explorer, handed, logs, at, what, due):
             explorer[HERE],
         )
     )
-    _write(explorer, logs, due)
+    write(explorer, logs, due)
     if darts < 1 or darts > MOST_PUBLISHED or here[0] < 0 or here[0] > 255:
         logs[at] = STRANGE
         return at, NOTHING_DUE
@@ -357,7 +357,7 @@ def _publish(explorer, handed, logs, at, what, due):
 
 
 @inner
-def _write(explorer, logs, due):
+def write(explorer, logs, due):
     """Write the pending map's darts; mark the log STRANGE if one of them is no byte."""
     at, room, darts = due
     if at < 0:

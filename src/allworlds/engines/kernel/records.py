@@ -24,6 +24,10 @@ of an unfolded log, and so the darts of a world times the traversals of its budg
 FOLDED = LONG // 16
 """Room for the nodes of an unfolded log: more than the traversals of the largest budget."""
 
+CHANGES = 4 * FOLDED
+"""Room for the changes of a log that is being folded: at most two a step, and two for each node
+that becomes a part of another one."""
+
 NONE = -1
 """The entry for no dart, no bearing, no number told."""
 
@@ -218,14 +222,21 @@ LOG = dtype(
 
 FOLD = dtype(
     [
-        # How many darts lead nowhere.
+        # How many darts lead nowhere; the robot's node, and how many nodes there are.
         ("open", int64),
+        ("node", int64),
+        ("nodes", int64),
         # By nodes: the set of darts that lead somewhere, and the node that it has been merged with.
         ("linked", int64, FOLDED),
         ("parent", int64, FOLDED),
         # By darts, ``DARTS`` for each node: the node that one of that set leads to.
         ("link", int64, FOLDED * DARTS),
         ("todo", int64, 2 * LONG),
+        # The changes of nodes so far, with what stood there before.
+        ("changes", int64),
+        ("changed", int64, CHANGES),
+        ("linked_before", int64, CHANGES),
+        ("parent_before", int64, CHANGES),
     ]
 )
 """A log that is being folded."""
@@ -233,10 +244,11 @@ FOLD = dtype(
 JUDGED = dtype(
     [
         # Of the checkpoints so far: the laws that they break, as a set; whether there was one,
-        # and t at the last.
+        # and t at the last; how many were embedded without an earlier S.
         ("broken", int64),
         ("shown", int64),
         ("t", int64),
+        ("anew", int64),
         # The S that was shown last, if it is known how it is embedded: its darts (0: it is not),
         # how many of them lead somewhere, sigma and alpha, and the darts of the world, as a set.
         # The embedding stands in ``to``.

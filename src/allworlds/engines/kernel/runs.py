@@ -95,7 +95,7 @@ def examine(
             return True
         settle(world, g)
         n = world.vertices
-        _count_world(world, counts)
+        count_world(world, counts)
         call_with(job.lighthouse, world)
         if world.place == NONE:
             counts[n, LEFT_OUT] += 1
@@ -103,14 +103,14 @@ def examine(
         while world.place != NONE:
             counts[n, RUNS] += 1
             beat[0] = job.number
-            bound = _bound(job, bounds, met)
+            bound = bound_of(world, bounds, met)
             if bound == UNDEFINED:
+                job.undefined = 1
                 return True
-            law = _run(job, explorer, budgets[n], bound, beat)
-            _count_run(job, law, counts, most_expensive)
+            law = judged_run(job, explorer, budgets[n], bound, beat)
+            count_run(world, job.log.cost, job.log.checkpoints, law, counts, most_expensive)
             if law:
-                _note(world, law, row)
-                _blame(world, least, row)
+                blame(world, law, least, row)
             if job.number < len(listed):
                 _list(world, job.log, law, job.number, listed)
             job.number += 1
@@ -119,7 +119,8 @@ def examine(
 
 
 @inlined
-def _count_world(world, counts):
+def count_world(world, counts):
+    """Add a world to the tally."""
     n, kinds = world.vertices, doubled(world)
     counts[n, WORLDS] += 1
     counts[n, LOOP_EDGE] += kinds & 1
@@ -127,9 +128,8 @@ def _count_world(world, counts):
 
 
 @inlined
-def _bound(job, bounds, met):
-    """The largest legal cost of this run."""
-    world = job.world
+def bound_of(world, bounds, met):
+    """The largest legal cost of this run, which is noted as met; UNDEFINED if it has no value."""
     n, d0, largest = world.vertices, 0, 0
     if bounds.shape[1] > 1:
         d0 = world.degree[0]
@@ -137,13 +137,11 @@ def _bound(job, bounds, met):
         for dart in range(world.darts):
             largest = max(largest, world.degree[dart])
     met[n, d0, largest] = 1
-    if bounds[n, d0, largest] == UNDEFINED:
-        job.undefined = 1
     return bounds[n, d0, largest]
 
 
 @inner
-def _run(job, explorer, budget, bound, beat):
+def judged_run(job, explorer, budget, bound, beat):
     """Play and judge a run; return the first law that it breaks, or 0."""
     world, log, judged = job.world, job.log, job.judged
     judged.broken = judged.shown = judged.known = 0
@@ -169,16 +167,17 @@ def _run(job, explorer, budget, bound, beat):
 
 
 @inlined
-def _count_run(job, law, counts, most_expensive):
-    n, log = job.world.vertices, job.log
-    more_expensive = log.cost > counts[n, LARGEST]
-    if more_expensive or (log.cost == counts[n, LARGEST] and is_less(job.world, most_expensive, n)):
-        _note(job.world, law, most_expensive[n])
-    counts[n, TRAVERSALS] += log.cost
-    if job.world.place == 0:
-        counts[n, TRAVERSALS_ROOTED] += log.cost
-    counts[n, LARGEST] = max(counts[n, LARGEST], log.cost)
-    counts[n, CHECKPOINTS] += log.checkpoints
+def count_run(world, cost, checkpoints, law, counts, most_expensive):
+    """Add a run to the tally, and note it if it is the most expensive one so far."""
+    n = world.vertices
+    more_expensive = cost > counts[n, LARGEST]
+    if more_expensive or (cost == counts[n, LARGEST] and is_less(world, most_expensive, n)):
+        _note(world, law, most_expensive[n])
+    counts[n, TRAVERSALS] += cost
+    if world.place == 0:
+        counts[n, TRAVERSALS_ROOTED] += cost
+    counts[n, LARGEST] = max(counts[n, LARGEST], cost)
+    counts[n, CHECKPOINTS] += checkpoints
 
 
 @inner
@@ -191,8 +190,9 @@ def _note(world, law, row):
 
 
 @inner
-def _blame(world, least, row):
+def blame(world, law, least, row):
     """Keep a run that breaks a law, if it is among the least."""
+    _note(world, law, row)
     if not is_greater(least, row):
         encode_unrooted(world, row, 3 + 2 * world.darts)
         keep_least_of_kind(least, row, 2 + 2 * world.darts)

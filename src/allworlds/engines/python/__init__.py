@@ -12,6 +12,8 @@
     all runs of a unit; **the** loop of the exhaustive check;
 ``play``, ``second_play``, ``comparison``, ``in_process``
     a user's explorer, which plays every run twice, and the comparison of both plays;
+``partial_world``
+    a world that is decided where the robot looks;
 ``tour``
     hash seeds and address layouts of the players of both plays, in turn;
 ``tally``

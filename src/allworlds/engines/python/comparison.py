@@ -34,6 +34,20 @@ def overruled(outcome: Outcome, first: Log, second: Log) -> Outcome:
     return replace(outcome, violation=difference, detail=detail)
 
 
+COPIES = (
+    "it went on from copies of its state, and from its start it goes as before: does a copy leave "
+    "something out, or share memory with what it was copied from?"
+)
+
+
+def copies_blamed(outcome: Outcome, first: Log, second: Log) -> Outcome:
+    """The outcome of a first play, if the second one differs since it was one of copies."""
+    difference = difference_of(first, second)
+    seen = difference.seen if difference else "the second walk or answer differs"
+    detail = side_by_side(first, second)
+    return replace(outcome, violation=nondeterministic(f"{seen}; {COPIES}"), detail=detail)
+
+
 def _may_be_overruled(violation: Violation | None) -> bool:
     """Whether nondeterminism has precedence over this law, as over an unrepeated crash."""
     if violation is None or violation.law in LOST:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import MutableSequence
 from dataclasses import dataclass
+from typing import Any
 
 from allworlds.explorers import Subject
 from allworlds.inputs import show
@@ -109,18 +110,16 @@ class Referee:
             again = self.verdict(canonical, outcome.episode, outcome.bound)
             if again and again.law == violation.law:
                 violation = again
-        return Finding(
-            self.explorer,
-            violation.law,
+        return self._found(
             canonical,
             place,
-            self.rules,
-            outcome.choices,
-            outcome.episode.transcript,
-            violation.expected,
-            violation.seen,
-            outcome.detail,
-            violation.step,
+            law=violation.law,
+            choices=outcome.choices,
+            transcript=outcome.episode.transcript,
+            expected=violation.expected,
+            seen=violation.seen,
+            detail=outcome.detail,
+            step=violation.step,
             machine=isinstance(outcome.episode.ending, Fault) and outcome.episode.ending.machine,
             hash_seed=outcome.hash_seed,
             output=outcome.output,
@@ -129,19 +128,20 @@ class Referee:
     def lost(self, world: World, place: int, fault: Fault) -> Finding:
         """The finding of a run that has killed its process, so that its walk is not known."""
         canonical = canonical_world(world)
-        return Finding(
-            self.explorer,
-            fault.law,
+        return self._found(
             canonical,
             place,
-            self.rules,
-            (),
-            Transcript(canonical.first),
-            fault.expected,
-            fault.seen,
+            law=fault.law,
+            transcript=Transcript(canonical.first),
+            expected=fault.expected,
+            seen=fault.seen,
             traced=False,
             machine=fault.machine,
         )
+
+    def _found(self, world: World, place: int, **told: Any) -> Finding:
+        told |= {"options": self.rules.recorded, "under": self.rules}
+        return Finding(version=1, explorer=self.explorer, world=world, at=place, **told)
 
 
 class Examiner(Referee):

@@ -27,7 +27,13 @@ class InProcessPlayers:
     _logs: list[Log] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self._runner = ExplorerRunner(self.subject.player())
+        second = self.subject.second_player()
+        self._runner = ExplorerRunner(self.subject.player(), second=second)
+
+    @property
+    def copies(self) -> bool:
+        """Whether the second play is one of copies."""
+        return self.subject.copies
 
     def play_runs(
         self,
@@ -48,9 +54,10 @@ class InProcessPlayers:
         if logs:
             yield logs
 
-    def send_records(self, records: Sequence[Record], policy: str) -> None:
+    def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
         """Take records that are played once more."""
-        self._logs = self._runner.play_records(records, policy, secrets.randbits(64))
+        order = secrets.randbits(64)
+        self._logs = self._runner.play_records(records, policy, order, plain=plain)
 
     def receive_logs(self) -> list[Log]:
         """The logs of the records that were sent."""

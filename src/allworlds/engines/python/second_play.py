@@ -19,6 +19,10 @@ A failure that the machine may have caused is tried once more in fresh processes
 believed: a run that has killed its process, or that crashed, or was silent, in one of its plays
 alone.
 
+An explorer that is silent only after other runs, and was so again, would be silent in each process
+after some runs, and each silence takes the whole time-out.  So its unit, and with it the job, ends
+with that finding.
+
 :class:`PlayedTwice` alone decides what two plays that differ mean.  The compiled engine
 (:mod:`allworlds.engines.compiled.stretches`) compares whole stretches byte by byte, and gives the
 runs that differ, or break a law, to it.
@@ -29,12 +33,15 @@ from __future__ import annotations
 import secrets
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import islice
 from random import Random
 from typing import Generic, NamedTuple, Protocol, TypeVar
 
+from allworlds.document import replace
+from allworlds.engines.isolation.jobs import Unsettled
 from allworlds.engines.python.comparison import (
+    copies_blamed,
     difference_of,
     differing_or_first,
     ending_in_words,
@@ -88,8 +95,15 @@ class Players(Protocol):
         A run that has killed its process twice has one log, with that fault.
         """
 
-    def send_records(self, records: Sequence[Record], policy: str) -> None:
-        """Begin to play these once more, in another order, without a world."""
+    def send_records(self, records: Sequence[Record], policy: str, *, plain: bool = False) -> None:
+        """Begin to play these once more, in another order, without a world.
+
+        If ``plain``, each is played from its start, as in the first play, and not by copies.
+        """
+
+    @property
+    def copies(self) -> bool:
+        """Whether an explorer goes on from copies of itself in the second play."""
 
     def receive_logs(self) -> list[Log]:
         """Return the logs of the records that were sent, in their order."""
@@ -231,6 +245,7 @@ class PlayedTwice:
     players: Players
     earlier: EarlierPlays[_Play] = field(default_factory=EarlierPlays)
     _belated: list[tuple[OneRun, Outcome | LostRun]] = field(default_factory=list)
+    _silent_after_others: str = ""
     _window: int = FEW
     _again: int = 0
     _seed: int | None = None
@@ -247,13 +262,23 @@ class PlayedTwice:
         while window := list(islice(runs, self._window)):
             began = time.monotonic()
             yield (after := window[-1].number + 1), self.tally(unit, window)
+            yield from self.ended_if_silent_after_others(after)
             slow = time.monotonic() - began > REPORT_EVERY / 2
             self._window = max(FEW, self._window // 2) if slow else min(MANY, self._window * 2)
         if after == start:
             yield after, self.engine.tally()
 
+    def ended_if_silent_after_others(self, after: int) -> Iterator[tuple[int, Tally]]:
+        """Yield an empty part and raise Unsettled if a run was silent after others, twice.
+
+        The part before is handed over when there is another one.
+        """
+        if self._silent_after_others:
+            yield after, self.engine.tally()
+            raise Unsettled(f"the explorer keeps a state: {self._silent_after_others}")
+
     def tally(self, unit: UnitOfRuns, window: Sequence[NumberedRun]) -> Tally:
-        """The tally of these runs of a unit."""
+        """The tally of these runs of a unit; it ends with one that is silent after others."""
         tally = self.engine.tally()
         placed = {}
         for run in window:
@@ -269,6 +294,9 @@ class PlayedTwice:
                 self.engine.count_outcome(self._referee, one.world, one.place, outcome, tally)
             elif matters(one):
                 tally.find(self.finding(one, outcome))
+            if isinstance(outcome, LostRun) and outcome.law == "timeout" and not outcome.machine:
+                self._silent_after_others = outcome.seen
+                break
         for one, outcome in self._belated:
             if matters(one):
                 tally.find(self.finding(one, outcome))
@@ -330,6 +358,8 @@ class PlayedTwice:
                     yield play.one, replace(outcome, violation=nondeterministic(OTHER_CHOICES))
                 elif may_be_the_machine(play.log, second) and matters(play.one):
                     doubtful.append(play)
+                elif self._copies_differ(play, second):
+                    yield play.one, copies_blamed(outcome, play.log, second)
                 elif self._may_go_by_seed and difference_of(play.log, second):
                     unlike.append(_Unlike(play, second, seed, outcome))
                 else:
@@ -374,6 +404,14 @@ class PlayedTwice:
                 yield each.play.one, settled
             elif isinstance(settled, LostRun) or settled.violation is not None:
                 self._belated.append((each.play.one, settled))
+
+    def _copies_differ(self, play: _Play, second: Log) -> bool:
+        """Whether the second play differs since it was one of copies: without them it does not."""
+        if not self.players.copies or difference_of(play.log, second) is None:
+            return False
+        self.players.send_records([play.record], self._policy, plain=True)
+        (log,) = self.players.receive_logs()
+        return difference_of(play.log, log) is None
 
     def _repeats(self, play: _Play, seed: int, before: Log) -> bool:
         """Whether the record is played as before, with that hash seed and other addresses."""

@@ -5,31 +5,23 @@ from __future__ import annotations
 from bisect import insort
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Annotated, Any, NamedTuple, Self
 
+from allworlds.document import replace
 from allworlds.engines.units.kept_form import Form
 from allworlds.judging import Finding, Rules
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
     """A finding with what its own document leaves out, but without the rules."""
-    return {
-        **finding.to_json(),
-        "place": finding.place,
-        "machine": finding.machine,
-        "traced": finding.traced,
-    }
+    return {**finding.to_json(), "machine": finding.machine, "traced": finding.traced}
 
 
 def finding_from_record(document: Mapping[str, Any]) -> Finding:
     """The finding of :func:`finding_to_record`'s document, but for its rules."""
-    return replace(
-        Finding.from_json(document),
-        place=document["place"],
-        machine=document["machine"],
-        traced=document["traced"],
-    )
+    found = Finding.from_json(document)
+    return replace(found, machine=document["machine"], traced=document["traced"])
 
 
 class AtRun(NamedTuple):
@@ -158,7 +150,7 @@ class Tally:
 
     def under(self, rules: Rules) -> Self:
         """Return the tally under the rules of the job, which are not kept with each finding."""
-        self.findings = [replace(found, rules=rules) for found in self.findings]
+        self.findings = [replace(found, under=rules) for found in self.findings]
         return self
 
     @property

@@ -221,8 +221,7 @@ class Dask:
             if isinstance(error, InputError):
                 raise
             raise InputError(
-                f"dask {show(address)}: no scheduler answers there "
-                f"({type(error).__name__}); {_LEGAL}"
+                f"dask {show(address)}: no scheduler answers there: {_why(error)}; {_LEGAL}"
             ) from None
         watch = ClusterWatch(self._client, self._cluster)
         await watch.look()
@@ -240,6 +239,16 @@ class Dask:
         return came
 
 
+def _why(error: Exception) -> str:
+    """The reason why no scheduler answers, in a few words."""
+    match error:
+        case TimeoutError():
+            return f"it is silent for {PATIENCE:g} s"
+        case OSError():
+            return error.strerror or "there is no connection"
+    return "this is no address"
+
+
 async def _greet(address: str) -> None:
     """Raise InputError unless a scheduler answers.
 
@@ -250,10 +259,9 @@ async def _greet(address: str) -> None:
         said = await _identity(address)
     except (OSError, ValueError, TypeError):
         raise
-    except Exception as error:  # noqa: BLE001  # whatever others have sent
+    except Exception:  # noqa: BLE001  # whatever others have sent
         raise InputError(
-            f"dask {show(address)}: what answers there is no scheduler "
-            f"({type(error).__name__}); {_LEGAL}"
+            f"dask {show(address)}: what answers there is no scheduler; {_LEGAL}"
         ) from None
     if (kind := said.get("type")) in ("Worker", "Nanny"):
         raise InputError(

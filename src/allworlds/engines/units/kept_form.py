@@ -138,7 +138,14 @@ def _by_fields(kind: Any) -> Form | None:
         values = taken(told, dict[str, Any], WHAT)
         if values.keys() != forms.keys():
             raise InputError(f"{WHAT}: the keys are {', '.join(forms)}, not {show([*values])}")
-        return kind(**{name: form.read(values[name]) for name, form in forms.items()})
+        given = {name: form.read(values[name]) for name, form in forms.items()}
+        if document:
+            given = {
+                key.attribute: given[key.name]
+                for key in keys_of(kind)
+                if key.attribute in kind.__struct_fields__
+            }
+        return kind(**given)
 
     if document:
         return Form(plain, read)

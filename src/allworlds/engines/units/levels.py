@@ -114,6 +114,11 @@ def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
     return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
 
 
+def is_counted(extent: Extent | None) -> bool:
+    """Whether the worlds of an extent are counted beforehand, and not at most so many."""
+    return extent is None or source_of(extent) is not None
+
+
 def level_size(extent: Extent, edges: int) -> int:
     """The number of all rooted maps of the level; under a condition without a source at most."""
     return sum(cells_of_level(extent, edges).values())

@@ -8,14 +8,16 @@ from allworlds.evidence.bench.rounds import BenchReport
 from allworlds.reports import (
     Block,
     Cell,
+    Headline,
     Section,
     Shown,
     ToldFacts,
     ToldResult,
     ToldTable,
-    interruption,
+    so_far,
 )
 from allworlds.version import host
+from allworlds.words import plural
 
 
 def bench_telling(report: BenchReport) -> ToldResult:
@@ -38,14 +40,14 @@ def bench_telling(report: BenchReport) -> ToldResult:
         f"Python {made.python}, numba {made.numba}"
     )
     facts = [
-        *interruption(complete=report.complete),
         ("rounds", f"{report.rounds}, in turns; medians"),
         ("machine", machine),
         ("commit", report.commit or "unknown"),
         ("memory", f"{report.peak_mb} MB at most"),
     ]
     blocks: list[Block] = [ToldTable(header, rows, "Side by side"), ToldFacts(facts)]
-    return ToldResult("allworlds self bench", "", report, None, [Section("seen", "", blocks)])
+    head = so_far(report, Headline("MEASURED", plural(report.rounds, "round")))
+    return ToldResult("allworlds self bench", "", report, head, [Section("seen", "", blocks)])
 
 
 def _times(ratio: float) -> str:

@@ -18,14 +18,12 @@ from statistics import median
 from typing import Annotated
 
 from allworlds.document import (
-    AllRows,
     Aside,
     Document,
     Figure,
     Meta,
     Natural,
     Positive,
-    Report,
     Seconds,
     Some,
     Text,
@@ -35,20 +33,34 @@ from allworlds.document import (
 from allworlds.engines import (
     ENGINES,
     WALKED_FROM,
+    AskedListener,
     Examiner,
     Job,
     Limits,
     Listener,
+    RowsReport,
     Scope,
     Silent,
     Tally,
     gather,
 )
 from allworlds.explorers import load
-from allworlds.inputs import InputError, a_text, an_integer, at_most, show
+from allworlds.inputs import (
+    EFFORT,
+    SCOPE,
+    InputError,
+    Option,
+    Taken,
+    a_text,
+    an_integer,
+    answers,
+    at_most,
+    integer_of,
+    show,
+)
 from allworlds.judging import Rules, default_step_budget, paper_bound
 from allworlds.maps import Extent, MapClass, prefixes, rooted_maps, source_for
-from allworlds.outcome import Facts, until_interrupted
+from allworlds.outcome import until_interrupted
 from allworlds.world import Directional, World
 
 REFERENCE = "kernel"
@@ -92,9 +104,9 @@ class Contender:
 class RateSpread(Document):
     """Median, smallest and largest value of a figure over the rounds."""
 
-    median: Figure
-    lowest: Figure
-    highest: Figure
+    median: Annotated[Figure, about("over the rounds")]
+    lowest: Annotated[Figure, about("of a round")]
+    highest: Annotated[Figure, about("of a round")]
 
     @classmethod
     def over(cls, values: Sequence[float], digits: int) -> RateSpread:
@@ -131,7 +143,7 @@ class Ratio(Document):
     ratio: Annotated[RateSpread, about("the rate of the one divided by that of the other")]
 
 
-class BenchReport(Report):
+class BenchReport(RowsReport):
     """Report of 'bench'.
 
     All contenders of one run.
@@ -139,18 +151,14 @@ class BenchReport(Report):
 
     commit: Annotated[Text | None, about("of the sources; null outside a checkout")]
     edges: Annotated[int, Meta(ge=4, le=10), about("the level of the compiled engines")]
-    complete: AllRows
-    rounds: Positive = computed(lambda report: len(report.contenders[0].seconds))
+    rounds: Annotated[Positive, about("that were measured")] = computed(
+        lambda report: len(report.contenders[0].seconds)
+    )
     peak_mb: Annotated[Natural, about("the largest memory that the process has had")]
     contenders: Annotated[Some[Measured], about("the reference first")]
     ratios: Annotated[tuple[Ratio, ...], about("the reference to each other one")] = computed(
         lambda report: _ratios(*report.contenders)
     )
-
-    @property
-    def facts(self) -> Facts:
-        """Whether every round was measured."""
-        return Facts(interrupted=not self.complete)
 
 
 def _ratios(reference: Measured, *others: Measured) -> tuple[Ratio, ...]:
@@ -167,46 +175,82 @@ def _ratios(reference: Measured, *others: Measured) -> tuple[Ratio, ...]:
     )
 
 
-def bench(
-    *,
-    edges: int = 7,
-    rounds: int = 3,
-    peers: Sequence[str] = (),
-    listener: Listener | None = None,
-) -> BenchReport:
-    """Measure the engines of this package and other programs, side by side.
+def _level(given: int) -> int:
+    if not 4 <= (edges := an_integer("edges", given)) <= 10:
+        raise InputError(f"edges = {show(edges)}; a benchmark takes 4 up to 10")
+    return edges
 
-    Args:
-        edges: the level m that the compiled engines do.
-        rounds: how often each contender takes its turn.
-        peers: ``NAME=COMMAND``, or ``NAME@M=COMMAND`` for a program that does another level.
-        listener: is told of the progress.
+
+def _rounds(given: int) -> int:
+    if (rounds := an_integer("rounds", given)) < 1:
+        raise InputError(f"rounds = {show(rounds)} is not positive")
+    at_most("rounds", rounds, MOST_ROUNDS)
+    return rounds
+
+
+def _peers(given: Sequence[str]) -> tuple[str, ...]:
+    if isinstance(given, str):
+        raise InputError(f"peers = {show(given)} is not a list of NAME=COMMAND")
+    return tuple(given)
+
+
+class BenchRequest(AskedListener):
+    """Request of ``self bench``: who is measured, and how often."""
+
+    edges: Annotated[
+        Taken[int, int],
+        Option(
+            SCOPE,
+            "M",
+            "The number of edges of the worlds for the compiled engines.",
+            parse=integer_of,
+        ),
+    ] = Taken(_level, 7)
+    rounds: Annotated[
+        Taken[int, int],
+        Option(
+            EFFORT,
+            "R",
+            "The number of rounds; each contender runs once in a round.",
+            parse=integer_of,
+        ),
+    ] = Taken(_rounds, 3)
+    peers: Annotated[
+        Taken[Sequence[str], tuple[str, ...]],
+        Option(
+            SCOPE,
+            "NAME[@M]=COMMAND",
+            "Another program that walks every world with M edges (default: those of --edges); "
+            "repeatable.",
+            "peer",
+            repeated=True,
+        ),
+    ] = Taken(_peers, ())
+
+
+@answers(BenchRequest)
+def bench(request: BenchRequest) -> BenchReport:
+    """Measure the engines of this package and other programs, side by side.
 
     Raises:
         InputError: naming the offending option, or the peer that failed.
         KeyboardInterrupt: if the user interrupts before the first round is over.
     """
-    if isinstance(peers, str):
-        raise InputError(f"peers = {show(peers)} is not a list of NAME=COMMAND")
-    if not 4 <= (edges := an_integer("edges", edges)) <= 10:
-        raise InputError(f"edges = {show(edges)}; a benchmark takes 4 up to 10")
-    if an_integer("rounds", rounds) < 1:
-        raise InputError(f"rounds = {show(rounds)} is not positive")
-    at_most("rounds", rounds, MOST_ROUNDS)
+    edges, rounds, peers = request.edges, request.rounds, request.peers
     contenders = [*own_contenders(edges), *(peer(text, edges) for text in peers)]
     for contender in contenders[: -len(peers) or None]:
         # Compiling and loading is not what is measured.
         _warm(contender)
-    heard = listener or Silent()
+    heard = request.listener
     heard.stage("bench", rounds * len(contenders), "turns")
-    finished, complete = until_interrupted(_round(contenders, heard) for _ in range(rounds))
+    finished, ending = until_interrupted(_round(contenders, heard) for _ in range(rounds))
     if not finished:
         raise KeyboardInterrupt
     taken = zip(contenders, zip(*finished, strict=True), strict=True)
     return BenchReport(
         commit=commit(),
         edges=edges,
-        complete=complete,
+        ending=ending,
         peak_mb=resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024,
         contenders=tuple(contender.measured(seconds) for contender, seconds in taken),
     )

@@ -20,7 +20,13 @@ from allworlds.explorers import load
 from allworlds.judging import default_step_budget, paper_bound, play
 from allworlds.maps import CombinatorialMap, Dart, Labelled, MapClass, project, rooted_maps
 from allworlds.outcome import Verdict
-from allworlds.studies.ambiguity import SearchResult, search, twins
+from allworlds.studies.ambiguity import (
+    REQUIREMENTS,
+    SearchResult,
+    has_model_without,
+    search,
+    twins,
+)
 from allworlds.studies.check import check
 from allworlds.studies.run import run
 from allworlds.studies.worst import EverySchedule, Planned, WorstReport, WrongTest, worst
@@ -107,9 +113,7 @@ def worst_rows(means: Means, edges: int) -> WorstReport:
     Raises:
         Unfinished: where a count or a replay disagrees.
     """
-    report = worst(edges=edges, workers=means.workers)
-    if not report.complete:
-        raise KeyboardInterrupt
+    report = worst(edges=edges, workers=means.workers).uninterrupted()
     if not report.agrees:
         raise Unfinished("the worst cases are not those of their replays")
     return report
@@ -223,19 +227,32 @@ def no_twins_with_a_direction(_: Means, *, edges: int) -> Found:
 
 
 def no_twins_by_smt(_: Means, *, edges: int) -> Found:
-    """Ask z3 for different worlds that look alike; as a control with the position alone."""
-    result, control = _searched("directional", edges), _searched("position", edges)
+    """Ask z3 for different worlds that look alike.
+
+    Controls: each formula with one of its two requirements left out, which must have a model; and
+    the same question with the position alone, where there are twins.
+    """
+    with TemporaryDirectory(prefix="allworlds-claims-") as directory:
+        result = _searched("directional", edges, directory)
+        for level, left_out in product(result.levels, REQUIREMENTS):
+            if not has_model_without(level.formula, left_out):
+                name = level.formula.name
+                raise Unfinished(f"{name} has no model even without this: {left_out}")
+    with TemporaryDirectory(prefix="allworlds-claims-") as directory:
+        control = _searched("position", edges, directory)
     if control.pair is None or not twins(*control.pair).twins:
         raise Unfinished("the solver finds no twins where only the position is marked")
-    seen = {"pairs of sizes": len(result.levels), "twins without a direction": 1}
+    seen = {
+        "pairs of sizes": len(result.levels),
+        "models with one requirement left out": len(result.levels) * len(REQUIREMENTS),
+        "twins without a direction": 1,
+    }
     return Found(truth(result.status == "unsat"), seen)
 
 
-def _searched(lighthouse: str, edges: int) -> SearchResult:
-    with TemporaryDirectory(prefix="allworlds-claims-") as directory:
-        result = search(lighthouse=lighthouse, vertices=edges + 1, edges=edges, out=directory)
-    if result.interrupted:
-        raise KeyboardInterrupt
+def _searched(lighthouse: str, edges: int, out: str) -> SearchResult:
+    found = search(lighthouse=lighthouse, vertices=edges + 1, edges=edges, out=out)
+    result = found.uninterrupted()
     if result.status == "unknown" or result.vacuous:
         raise Unfinished(f"the search has no answer: {result.status}")
     return result

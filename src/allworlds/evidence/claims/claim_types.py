@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -63,6 +64,19 @@ class ProgramFault:
     reason: str
 
 
+@dataclass(frozen=True, slots=True)
+class InternalError:
+    """An error of this program, by which nothing is known of the sentence.
+
+    Attributes:
+        reason: the error in a line.
+        traceback: where it was raised.
+    """
+
+    reason: str
+    traceback: str
+
+
 class Unfinished(RuntimeError):
     """Raised where another part of this program gives no answer, which is this program's fault."""
 
@@ -91,7 +105,7 @@ Check: TypeAlias = Callable[..., Found | NotChecked]
 
 Checks: TypeAlias = Mapping[str, Check]
 
-Outcome: TypeAlias = Found | NotChecked | ProgramFault
+Outcome: TypeAlias = Found | NotChecked | ProgramFault | InternalError
 """The outcome of a claim, as the ledger keeps it."""
 
 
@@ -101,11 +115,14 @@ def truth(holds: object) -> Truth:
 
 
 def found_by(check: Check, means: Means, bounds: Mapping[str, Any]) -> Outcome:
-    """The outcome of a claim's function, or the fault of this program that it met."""
+    """The outcome of a claim's function, or the fault or error of this program that it met."""
     try:
         return check(means, **bounds)
     except FAULTS as fault:
         return ProgramFault(str(fault))
+    except Exception as error:  # noqa: BLE001  # of one claim: the others are checked all the same
+        reason = "".join(traceback.format_exception_only(error)).strip()
+        return InternalError(reason, traceback.format_exc())
 
 
 def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:

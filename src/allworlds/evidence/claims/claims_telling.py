@@ -17,8 +17,8 @@ from allworlds.reports import (
     ToldResult,
     ToldTable,
     Words,
-    interruption,
     scene_of,
+    so_far,
 )
 from allworlds.words import number, plural
 
@@ -32,14 +32,15 @@ VERDICTS = {
     1: ("REFUTED", "refuted"),
     3: ("INCONCLUSIVE", "inconclusive"),
     4: ("VACUOUS", "vacuous"),
-    130: ("INTERRUPTED", "inconclusive"),
+    70: ("ERROR", "error"),
+    130: ("INCONCLUSIVE", "inconclusive"),
 }
 """The word, and the verdict whose colour it has, by the exit code."""
 
 
 def claims_telling(report: ClaimsReport) -> ToldResult:
     """A row for each claim; for a single claim, and on a page for each, also the details."""
-    facts = interruption(complete=report.complete)
+    facts = []
     for one in report.claims:
         if one.standing in ("unexpected", "vacuous"):
             facts.append(("DIFFERS", f"{one.id}: {'; '.join(one.differences)}"))
@@ -76,7 +77,7 @@ def _heading(section: str) -> str:
     return "Beyond the paper" if section == "ours" else f"Section {section}"
 
 
-def _headline(report: ClaimsReport) -> Headline:
+def _headline(report: ClaimsReport) -> Headline | None:
     """The verdict, and the number of claims with each outcome."""
     standings = Counter(one.standing for one in report.claims)
     checked = [one for one in report.claims if one.standing == "as-expected"]
@@ -87,15 +88,19 @@ def _headline(report: ClaimsReport) -> Headline:
         parts.append(f"{number(held)} {'holds' if held == 1 else 'hold'}")
     if refuted:
         parts.append(f"{number(refuted)} {'is' if refuted == 1 else 'are'} refuted, as expected")
-    if standings["unexpected"]:
-        parts.append(f"{number(standings['unexpected'])} not as expected")
+    errors = sum(one.verdict == "error" for one in report.claims)
+    if unexpected := standings["unexpected"] - errors:
+        parts.append(f"{number(unexpected)} not as expected")
+    if errors:
+        parts.append(f"{number(errors)} ended in an error of this program")
     if standings["vacuous"]:
         parts.append(f"{number(standings['vacuous'])} vacuous")
     if standings["not-checked"]:
         parts.append(f"{number(standings['not-checked'])} not checked ({_needed(report)})")
     word, verdict = VERDICTS[int(report.exit_code)]
     said = f"{plural(len(report.claims), 'claim')}: {', '.join(parts)}"
-    return Headline(word, said, verdict)
+    told = Headline(word, said, verdict)
+    return so_far(report, told if report.claims else None)
 
 
 def _needed(report: ClaimsReport) -> str:
@@ -152,7 +157,8 @@ def _details(one: CheckedClaim) -> list[tuple[str, str]]:
     ]
     if one.standing == "not-checked":
         return [*told, ("reason", one.told)]
-    told.append(("witnesses", _listed(one.witnesses)))
+    if one.witnesses:
+        told.append(("witnesses", _listed(one.witnesses)))
     if one.figures:
         told.append(("figures", _listed(one.figures)))
     if one.told:

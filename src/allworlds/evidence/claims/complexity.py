@@ -24,7 +24,7 @@ from allworlds.evidence.claims.passes import PassWalked, every_run, pass_bound
 from allworlds.inputs import INSTALL
 from allworlds.judging import paper_bound, printed_bound
 from allworlds.maps import MapClass, cycle, rooted_maps
-from allworlds.outcome import Exit, Verdict
+from allworlds.outcome import Verdict
 from allworlds.studies.check import check
 from allworlds.studies.compare import compare
 from allworlds.studies.worst import EverySchedule
@@ -271,9 +271,7 @@ def order_of_the_bound(_: Means, *, edges: int) -> Found:
 def order_is_reached(means: Means, *, family: str, to: int, growing: float) -> Found:
     """The cost in a family in which n grows like m: between the last two sizes like m^3 or more."""
     report = compare("algorithm1", family=family, to=to, worlds=2, places=1, workers=means.workers)
-    if report.exit_code == Exit.INTERRUPTED:
-        raise KeyboardInterrupt
-    rows = report.rows
+    rows = report.uninterrupted().rows
     shares = [row.mean / (row.edges**2 * row.vertices) for row in rows]
     shorter, longer = rows[-2:]
     last = log(longer.mean / shorter.mean) / log(longer.edges / shorter.edges)

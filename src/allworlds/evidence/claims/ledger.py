@@ -8,12 +8,24 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated, Literal, TypeAlias, cast
 
-from allworlds.document import EXIT_CODE, AllRows, Aside, Positive, Report, about, computed, one_of
-from allworlds.engines import Listener, Silent
+from typing_extensions import override
+
+from allworlds.document import (
+    EXIT_CODE,
+    Aside,
+    ExitCode,
+    Natural,
+    Positive,
+    about,
+    computed,
+    one_of,
+)
+from allworlds.engines import AskedListener, AskedWorkers, Listener, RowsReport
 from allworlds.evidence.claims.claim_types import (
     Budget,
     Check,
     Found,
+    InternalError,
     Means,
     NotChecked,
     Outcome,
@@ -23,16 +35,27 @@ from allworlds.evidence.claims.claim_types import (
     found_by,
 )
 from allworlds.evidence.claims.manifest import BUDGETS, Claim, Sentence, manifest
-from allworlds.inputs import InputError, a_path, an_integer, show
-from allworlds.outcome import Exit, Facts, until_interrupted
+from allworlds.inputs import (
+    EFFORT,
+    SCOPE,
+    InputError,
+    Option,
+    Taken,
+    a_path,
+    answers,
+    show,
+)
+from allworlds.outcome import Exit, until_interrupted
 from allworlds.world import World
 
-Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked"]
+Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked", "error"]
 Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]
 
 
 def _verdict(one: CheckedClaim) -> Seen:
     """The verdict in a word; ``vacuous`` if a witness is missing or zero."""
+    if one.error:
+        return "error"
     if one.truth is None:
         return "not-checked"
     if one.disagreement:
@@ -51,6 +74,8 @@ def _standing(one: CheckedClaim) -> Standing:
 
 def _differences(one: CheckedClaim) -> tuple[str, ...]:
     """Each difference from the expected outcome. An unchecked claim has none."""
+    if one.error:
+        return (f"an error of this program: {one.error}",)
     if one.truth is None:
         return ()
     if one.disagreement:
@@ -75,17 +100,20 @@ class CheckedClaim(Sentence):
 
     ``truth`` is the verdict of its function, None if nothing was checked; checking took
     ``seconds``. Each of the ``worlds`` has its caption. A ``disagreement`` within this program
-    refutes a claim, whatever is expected of it.
+    refutes a claim, whatever is expected of it; an ``error`` of this program leaves it open.
     """
 
-    verdict: Annotated[Seen, about("the verdict found; `vacuous`: a witness never occurred")] = (
-        computed(_verdict)
-    )
+    verdict: Annotated[
+        Seen,
+        about(
+            "the verdict found; `vacuous`: a witness never occurred; `error`: this program failed"
+        ),
+    ] = computed(_verdict)
     standing: Annotated[
         Standing, about("whether verdict, witnesses and figures are as expected")
     ] = computed(_standing)
     witnesses: Annotated[
-        dict[str, int], about("how often each case occurred that the sentence is about")
+        dict[str, Natural], about("how often each case occurred that the sentence is about")
     ]
     expected_witnesses: Annotated[dict[str, Positive], about("how often it must occur")]
     figures: Annotated[dict[str, Shown], about("the numbers that the sentence names, as found")]
@@ -93,24 +121,29 @@ class CheckedClaim(Sentence):
     differences: Annotated[
         tuple[str, ...], about("the differences from the expected outcome, in words")
     ] = computed(_differences)
-    told: Annotated[str, about("the refutation, an explanation, or why it was not checked")]
+    told: Annotated[
+        str, about("the refutation, an explanation, why it was not checked, or a traceback")
+    ]
     worlds: Annotated[tuple[World, ...], about("worlds that show it")]
     captions: Aside[tuple[str, ...]]
     truth: Aside[Truth | None]
     disagreement: Aside[str]
+    error: Aside[str]
     seconds: Aside[float]
 
 
-class ClaimsReport(Report):
+class ClaimsReport(RowsReport):
     """Report of 'claims'.
 
     The ledger, as far as it was made.
     """
 
-    complete: AllRows
     exit_code: Annotated[
-        Exit,
-        one_of(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED),
+        ExitCode,
+        one_of(
+            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
+            Exit.INTERRUPTED,
+        ),
     ] = EXIT_CODE
     budget: Annotated[Budget, about("how much was done")]
     required: Annotated[tuple[str, ...], about("the claims that had to be checked")]
@@ -119,15 +152,33 @@ class ClaimsReport(Report):
     ]
 
     @property
-    def facts(self) -> Facts:
-        """Whether each claim is as expected, the required ones were checked, and none is empty."""
-        standings = {one.standing for one in self.claims}
-        return Facts(
-            interrupted=not self.complete,
-            refuted="unexpected" in standings,
-            undecided=bool(self.missed),
-            vacuous="vacuous" in standings or standings <= {"not-checked"},
-        )
+    def _standings(self) -> set[str]:
+        return {one.standing for one in self.claims}
+
+    @property
+    @override
+    def agrees(self) -> bool:
+        return not any(one.error for one in self.claims)
+
+    @property
+    @override
+    def refuted(self) -> bool:
+        return "unexpected" in self._standings
+
+    @property
+    @override
+    def undecided(self) -> bool:
+        return bool(self.missed)
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return "vacuous" in self._standings or self._standings <= {"not-checked"}
+
+    @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"claim_seconds": [one.seconds for one in self.claims]}
 
     @property
     def missed(self) -> list[str]:
@@ -139,42 +190,61 @@ class ClaimsReport(Report):
         ]
 
 
-def claims(
-    *,
-    only: Iterable[str] = (),
-    budget: str = "quick",
-    require: Iterable[str] = (),
-    proofs: str | Path | None = None,
-    workers: int = 1,
-    listener: Listener | None = None,
-) -> ClaimsReport:
-    """Check sentences of the paper, and further ones of this project, each on its scope.
+def _budget(given: object) -> Budget:
+    if given not in BUDGETS:
+        raise InputError(f"budget {show(given)} is not one of {', '.join(BUDGETS)}")
+    return cast("Budget", given)
 
-    Args:
-        only: ids of claims (default: all of them).
-        budget: ``quick`` (below a minute) or ``full`` (below half an hour).
-        require: ids of claims that must be checked: one that cannot be is exit code 3.
-        proofs: the folder with the certificates and the proofs in Coq (default: that of the clone
-            from which this runs, or in which one stands); without it the claims that rest on these
-            alone are not checked.
-        workers: processes, or threads.
-        listener: is told of the progress.
+
+class ClaimsRequest(AskedListener, AskedWorkers):
+    """Request of ``paper claims``: which of them, and how much of each."""
+
+    only: Annotated[
+        Taken[Iterable[str], tuple[str, ...]],
+        Option(SCOPE, "ID", "Only this claim; may be repeated.", repeated=True),
+    ] = Taken(lambda given: _named("only", given), ())
+    require: Annotated[
+        Taken[Iterable[str], tuple[str, ...]],
+        Option(
+            SCOPE,
+            "ID",
+            "A claim that must be checked, else the exit code is 3; may be repeated.",
+            repeated=True,
+        ),
+    ] = Taken(lambda given: _named("require", given), ())
+    proofs: Annotated[
+        Taken[str | Path | None, Path | None],
+        Option(
+            SCOPE,
+            "DIR",
+            "The folder 'proofs' of the sources: certificates, and with --budget full and an "
+            "installed Coq the proofs (default: that of the clone of the sources; without one "
+            "their claims are not checked).",
+        ),
+    ] = Taken(lambda given: proofs_of_clone() if given is None else _folder(given), None)
+    budget: Annotated[
+        Taken[str, Budget],
+        Option(
+            EFFORT,
+            "quick|full",
+            "How much is checked: quick is less than a minute, full less than half an hour.",
+        ),
+    ] = Taken(_budget, "quick")
+
+
+@answers(ClaimsRequest)
+def claims(request: ClaimsRequest) -> ClaimsReport:
+    """Check sentences of the paper, and further ones of this project, each on its scope.
 
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    if budget not in BUDGETS:
-        raise InputError(f"budget {show(budget)} is not one of {', '.join(BUDGETS)}")
-    if an_integer("workers", workers) < 1:
-        raise InputError(f"workers = {workers}; legal is 1 or more")
-    chosen, required = _named("only", only), _named("require", require)
+    chosen, required = request.only, request.require
     wanted = [c for c in manifest() if not chosen or c.id in {*chosen, *required}]
-    folder = proofs_of_clone() if proofs is None else _folder(proofs)
-    means = Means(workers, folder, cast("Budget", budget))
-    listener = listener or Silent()
-    listener.stage("claims", len(wanted), "claims")
-    entries, complete = until_interrupted(_entries(wanted, means, listener))
-    return ClaimsReport(complete=complete, budget=means.budget, required=required, claims=entries)
+    means = Means(request.workers, request.proofs, request.budget)
+    request.listener.stage("claims", len(wanted), "claims")
+    entries, ending = until_interrupted(_entries(wanted, means, request.listener))
+    return ClaimsReport(ending=ending, budget=means.budget, required=required, claims=entries)
 
 
 def _entries(wanted: Sequence[Claim], means: Means, listener: Listener) -> Iterator[CheckedClaim]:
@@ -195,7 +265,13 @@ def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
 def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
     """The claim with the outcome found on its scope."""
     scope = claim.scopes[budget]
-    shown = found if isinstance(found, Found) else Found("refuted", {}, told=found.reason)
+    match found:
+        case Found():
+            shown = found
+        case InternalError():
+            shown = Found("refuted", {}, told=found.traceback)
+        case _:
+            shown = Found("refuted", {}, told=found.reason)
     return CheckedClaim(
         id=claim.id,
         section=claim.section,
@@ -211,8 +287,9 @@ def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0)
         told=shown.told,
         worlds=tuple(picture.world for picture in shown.pictures),
         captions=tuple(picture.caption for picture in shown.pictures),
-        truth=None if isinstance(found, NotChecked) else shown.verdict,
+        truth=None if isinstance(found, NotChecked | InternalError) else shown.verdict,
         disagreement=found.reason if isinstance(found, ProgramFault) else "",
+        error=found.reason if isinstance(found, InternalError) else "",
         seconds=seconds,
     )
 
@@ -222,10 +299,17 @@ def _named(option: str, names: Iterable[str]) -> tuple[str, ...]:
     given = (names,) if isinstance(names, str) else tuple(names)
     for name in given:
         if name not in legal:
-            near = get_close_matches(str(name), legal, 3, 0.4)
-            hint = f"; near it are {', '.join(near)}" if near else ""
-            raise InputError(f"{option} {show(name)} is no claim{hint}")
+            raise InputError(f"{option} {show(name)} is no claim{_hint(option, str(name), legal)}")
     return given
+
+
+def _hint(option: str, name: str, legal: Sequence[str]) -> str:
+    """Words about a name that is no claim: several in one text, or one that is nearly right."""
+    several = [part.strip() for part in name.split(",")]
+    if len(several) > 1 and set(several) <= {*legal}:
+        return f"; claims are named one by one: {' '.join(f'--{option} {c}' for c in several)}"
+    near = get_close_matches(name, legal, 3, 0.4)
+    return f"; near it are {', '.join(near)}" if near else ""
 
 
 def proofs_of_clone() -> Path | None:

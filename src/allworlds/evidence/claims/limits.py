@@ -23,9 +23,7 @@ def best_of_all(_: Means, *, edges: int) -> Found:
 
     Each strategy is followed in each world.
     """
-    report = optimum(edges=edges)
-    if not report.complete:
-        raise KeyboardInterrupt
+    report = optimum(edges=edges).uninterrupted()
     if report.exit_code != Exit.ANSWERED:
         raise Unfinished(f"the optimum ended with exit code {report.exit_code}")
     best = [row.optimum or 0 for row in report.rows]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
@@ -25,11 +25,15 @@ class Canvas:
         axes: of matplotlib.
         map: what is drawn.
         layout: where it lies.
+        name: ``map-0`` in the first axes of a figure.  A file has the path of each edge, and of
+            the beginning of each dart, under an id, ``map-0-edge-3`` and ``map-0-dart-3``.
     """
 
     axes: Any
     map: CombinatorialMap
     layout: Layout
+    name: str
+    _named: set[str] = field(default_factory=set)
 
     @classmethod
     def of(cls, axes: Any, map_: CombinatorialMap, root: Dart) -> Canvas:
@@ -38,19 +42,19 @@ class Canvas:
         left, top, width, height = drawn.box(24)
         axes.set(xlim=(left, left + width), ylim=(top + height, top), aspect="equal")
         axes.set_axis_off()
-        return cls(axes, map_, drawn)
+        return cls(axes, map_, drawn, f"map-{axes.figure.axes.index(axes)}")
 
     def edges(self, darts: Iterable[Dart], **style: Any) -> None:
         """Draw the edges of these darts, each from end to end."""
         for dart in darts:
-            self._path(self.layout.ways[dart], **style)
+            self._path(self.layout.ways[dart], gid=self._id(f"edge-{dart}"), **style)
 
     def stubs(self, darts: Iterable[Dart], **style: Any) -> None:
         """Draw the beginnings of these darts."""
         for dart in darts:
             start, end = self.layout.ways[dart][0], self.layout.stub(dart)
             xs, ys = zip(*(_xy(point) for point in (start, end)), strict=True)
-            self.axes.plot(xs, ys, **style)
+            self.axes.plot(xs, ys, gid=self._id(f"dart-{dart}"), **style)
 
     def vertices(self, vertices: Iterable[int], *, fill: str, ink: str = INK) -> None:
         """Draw these vertices with their names."""
@@ -78,6 +82,13 @@ class Canvas:
         box = {"boxstyle": "round,pad=0.15", "facecolor": PAPER, "edgecolor": "none"}
         at = _xy(self.layout.label(dart))
         self.axes.text(*at, text, ha="center", va="center", fontsize=7, bbox=box, zorder=7, **style)
+
+    def _id(self, what: str) -> str | None:
+        """The id of a path; None if another one has it, drawn below."""
+        if what in self._named:
+            return None
+        self._named.add(what)
+        return f"{self.name}-{what}"
 
     def _path(self, way: Sequence[complex], **style: Any) -> None:
         """The path of an edge: straight, then a parabola for each point between, then straight."""

@@ -12,6 +12,7 @@ from typing import Annotated
 from allworlds.document import (
     EXIT_CODE,
     Aside,
+    ExitCode,
     Natural,
     Report,
     Some,
@@ -114,7 +115,7 @@ class Figure(Report):
         lambda figure: _verdict(figure.drawn)
     )
     exit_code: Annotated[
-        Exit,
+        ExitCode,
         one_of(
             *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
             Exit.INTERRUPTED,

@@ -141,7 +141,7 @@ class Holes:
 
     def _panel(self, axes: Any, family: str, scale: str) -> None:
         highest = 0.0
-        for explorer in self.growth.explorers:
+        for explorer in self.growth.names:
             rows = [row for row in self._rows(family) if row.explorer == explorer]
             means = [row.mean for row in rows]
             highest = max([highest, *means])

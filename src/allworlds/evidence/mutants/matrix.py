@@ -6,19 +6,19 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import Annotated, Any, Literal, TypeAlias
 
+from typing_extensions import override
+
 from allworlds.document import (
-    AllRows,
     Different,
     Document,
     Natural,
     Positive,
-    Report,
     Text,
     about,
     computed,
     replace,
 )
-from allworlds.engines import Listener, Silent
+from allworlds.engines import AskedListener, Listener, RowsReport
 from allworlds.evidence.mutants.enumerators import BROKEN_ENUMERATORS, BrokenEnumerator
 from allworlds.evidence.mutants.errands import (
     WEAK_TASK_JUDGES,
@@ -34,7 +34,16 @@ from allworlds.evidence.mutants.explorers import (
 from allworlds.evidence.mutants.judges import WEAK_JUDGES, WeakJudge
 from allworlds.evidence.mutants.learners import WRONG_LEARNERS, WrongLearner
 from allworlds.explorers import in_process_subject
-from allworlds.inputs import InputError, an_integer, show
+from allworlds.inputs import (
+    SCOPE,
+    InputError,
+    Option,
+    Taken,
+    an_integer,
+    answers,
+    integer_of,
+    show,
+)
 from allworlds.judging import (
     LAWS,
     Answered,
@@ -56,7 +65,7 @@ from allworlds.maps import (
     rooted_maps_by_permutations,
     source_for,
 )
-from allworlds.outcome import Facts, until_interrupted
+from allworlds.outcome import until_interrupted
 from allworlds.protocol import Choices
 from allworlds.studies.check import check
 from allworlds.world import Directional, World, lighthouse_named
@@ -77,7 +86,7 @@ class Kill(Document):
     """
 
     mutant: Annotated[Text, about("its name")]
-    kind: MutantKind
+    kind: Annotated[MutantKind, about("its kind")]
     breaks: Annotated[Text, about("its mistake")]
     killed_by: Annotated[
         str | None, about("the law or the check that killed it; null: it survived")
@@ -94,14 +103,13 @@ class Kill(Document):
         return bool(self.killed_by) != bool(self.equivalent)
 
 
-class KillMatrix(Report):
+class KillMatrix(RowsReport):
     """Report of 'mutants'.
 
     The fate of every mutant within a bound.
     """
 
     edges: Annotated[Positive, about("at most so many")]
-    complete: AllRows
     mutants: Annotated[Natural, about("how many there are")] = computed(
         lambda matrix: len(matrix.kill_matrix)
     )
@@ -111,31 +119,41 @@ class KillMatrix(Report):
     ] = computed(lambda matrix: tuple(k.mutant for k in matrix.kill_matrix if not k.as_it_should))
 
     @property
-    def facts(self) -> Facts:
-        """Whether a mutant survived that must not."""
-        return Facts(interrupted=not self.complete, refuted=bool(self.survivors))
+    @override
+    def refuted(self) -> bool:
+        return bool(self.survivors)
 
 
-def mutants(*, edges: int = LARGEST_LEVEL, listener: Listener | None = None) -> KillMatrix:
-    """Try every mutant on every world with at most ``edges`` edges.
+def _level(given: int) -> int:
+    if not 1 <= (edges := an_integer("edges", given)) <= LARGEST_LEVEL:
+        raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
+    return edges
 
-    Args:
-        edges: the bound.
-        listener: is told of the progress.
+
+class MutantsRequest(AskedListener):
+    """Request of ``self mutants``: the bound."""
+
+    edges: Annotated[
+        Taken[int, int],
+        Option(SCOPE, "M", "Try worlds with at most M edges (1 to 4).", parse=integer_of),
+    ] = Taken(_level, LARGEST_LEVEL)
+
+
+@answers(MutantsRequest)
+def mutants(request: MutantsRequest) -> KillMatrix:
+    """Try every mutant on every world within the bound.
 
     Raises:
         InputError: for a bound that is not 1, 2, 3 or 4.
 
     Cost: seconds for 3 edges; every equivalent mutant is run to the bound.
     """
-    if not 1 <= (edges := an_integer("edges", edges)) <= LARGEST_LEVEL:
-        raise InputError(f"edges = {show(edges)}; mutants are tried up to 1..{LARGEST_LEVEL} edges")
-    heard = listener or Silent()
+    edges, heard = request.edges, request.listener
     explorers = (_wrong(), WRONG_ERRANDS, EQUIVALENT_EXPLORERS)
     tables = (*explorers, WEAK_JUDGES, WEAK_TASK_JUDGES, BROKEN_ENUMERATORS)
     heard.stage("mutants", sum(map(len, tables)), "mutants")
-    kills, complete = until_interrupted(_told(_kills(edges), heard))
-    return KillMatrix(edges=edges, complete=complete, kill_matrix=kills)
+    kills, ending = until_interrupted(_told(_kills(edges), heard))
+    return KillMatrix(edges=edges, ending=ending, kill_matrix=kills)
 
 
 def _wrong() -> tuple[WrongExplorer | WrongLearner, ...]:

@@ -11,7 +11,7 @@ from allworlds.reports import (
     ToldFacts,
     ToldResult,
     ToldTable,
-    interruption,
+    so_far,
 )
 from allworlds.words import plural
 
@@ -22,8 +22,7 @@ def mutants_telling(matrix: KillMatrix) -> ToldResult:
     killed = sum(bool(kill.killed_by) for kill in matrix.kill_matrix)
     text = f"{plural(matrix.mutants, 'mutant')}, {killed} killed, "
     text += f"{len(equivalent)} equivalent, worlds with at most {plural(matrix.edges, 'edge')}"
-    facts = interruption(complete=matrix.complete)
-    facts += [("survivor", name) for name in matrix.survivors]
+    facts = [("survivor", name) for name in matrix.survivors]
     blocks: list[Block] = [ToldFacts(facts)] if facts else []
     for kind in ("explorer", "judge", "enumerator"):
         kills = [k for k in matrix.kill_matrix if k.kind == kind and not k.equivalent]
@@ -44,12 +43,11 @@ def mutants_telling(matrix: KillMatrix) -> ToldResult:
     )
 
 
-def _headline(matrix: KillMatrix, text: str) -> Headline:
+def _headline(matrix: KillMatrix, text: str) -> Headline | None:
+    told = Headline("ALL KILLED", text, "holds")
     if matrix.survivors:
-        return Headline("SURVIVORS", text, "refuted")
-    if matrix.complete:
-        return Headline("ALL KILLED", text, "holds")
-    return Headline("TRIED", text, "inconclusive")
+        told = Headline("SURVIVORS", text, "refuted")
+    return so_far(matrix, told if matrix.kill_matrix else None)
 
 
 def _row(kill: Kill) -> list[Cell]:

@@ -66,6 +66,7 @@ _FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
 """The types that each function returns and takes."""
 
 _OPTIONAL: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "clone": (None, (_ADDRESS, _ADDRESS)),
     "choose": (None, (_ADDRESS, _ADDRESS, _ADDRESS)),
     "quotient": (_INTEGER, (_ADDRESS, _INTEGER, *(_ADDRESS,) * 5)),
 }
@@ -112,6 +113,7 @@ class Library:
         self.start, self.step = functions["start"], functions["step"]
         self.answer = functions["answer"]
         self.choose, self.quotient = (self._optional(name) for name in ("choose", "quotient"))
+        self.clone = self._optional("clone")
         self.chooses = self.choose is not None
         version = functions["version"]()
         if version != INTERFACE_VERSION:
@@ -145,8 +147,9 @@ class Library:
         return function
 
     def addresses(self) -> dict[str, int]:
-        """The addresses of the functions of an episode, by name; 0 for a missing ``choose``."""
-        functions = {name: getattr(self, name) for name in ("start", "step", "answer", "choose")}
+        """The addresses of the functions of episodes, by name; 0 for one that is missing."""
+        names = ("new", "start", "step", "answer", "choose", "clone")
+        functions = {name: getattr(self, name) for name in names}
         return {
             name: (ctypes.cast(function, _ADDRESS).value or 0) if function else 0
             for name, function in functions.items()

@@ -40,5 +40,6 @@ def _whose(finding: Finding) -> str:
             f"The bound 'two-vertices' is {paper}; with two traversals for each test of a "
             f"hypothesis, and the search among the darts of the start. {sums}, with those {value}."
         )
-    owner = "the explorer's own" if name == rules.own_bound else "the one that was asked for"
+    own = rules.the_bound == rules.own_bound
+    owner = "the explorer's own" if own else "the one that was asked for"
     return f"The bound is {owner}: {name}, which is {value} in a world with {world}."

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import field
+from dataclasses import KW_ONLY, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from allworlds.document import Different, Document, IfAny, Positive, Text, about
 from allworlds.explorers import Subject
@@ -18,14 +18,18 @@ from allworlds.inputs import (
     Taken,
     a_text,
     an_integer,
+    as_json,
+    fields_of,
+    given_again,
     integer_of,
     one_of,
     show,
+    told_by,
     values_of,
 )
 from allworlds.judging.episode import default_step_budget
-from allworlds.judging.laws.bounds import Bound, bound_named, paper_bound
-from allworlds.judging.laws.law_table import LAWS, JudgedLaw, Setting
+from allworlds.judging.laws.bounds import NO_BOUND, Bound, bound_named, paper_bound
+from allworlds.judging.laws.law_table import LAWS, TASK, JudgedLaw, Setting
 from allworlds.judging.tasks import ENTRY_POINTS, MAP, TASKS, Task, task_named
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
@@ -51,10 +55,10 @@ def _policy(given: object) -> str:
     return policy
 
 
-def _bound(given: object) -> str | None:
-    if given is None:
-        return None
-    return bound_named(given if isinstance(given, str) else str(an_integer("bound", given))).name
+def _bound(given: object) -> Bound | None:
+    if given is None or isinstance(given, Bound):
+        return given
+    return bound_named(given if isinstance(given, str) else str(an_integer("bound", given)))
 
 
 def _laws(given: object) -> tuple[str, ...] | None:
@@ -84,7 +88,10 @@ def _step_budget(given: object) -> int | None:
 
 
 class AskedRules(Request):
-    """The part of a request that says how runs are played and judged."""
+    """The part of a request that says how runs are played and judged.
+
+    Each field that stands for another value, where nothing is given, follows from those before it.
+    """
 
     task: Annotated[
         Taken[str | Task, Task],
@@ -93,25 +100,33 @@ class AskedRules(Request):
             "TASK",
             f"What counts as done: {one_of(TASKS)}, or path/to/file.py:judge, a function of the "
             "world, the transcript and the answer that returns None or what is wrong.",
+            told=Annotated[
+                IfAny[Text | None],
+                about("what counted as done; where it is left out, the map"),
+            ],
         ),
     ] = Taken(task_named, MAP)
-
     policy: Annotated[
         Taken[str, str],
         Option(
             RULES,
             "POLICY",
             f"Who answers the explorer's choices: {one_of([*POLICIES, SEEDED])}.",
+            told=Annotated[Text, about("who answered the explorer's choices")],
         ),
     ] = Taken(_policy, DEFAULT_POLICY)
     bound: Annotated[
-        Taken[str | int | None, str | None],
+        Taken[str | int | Bound | None, Bound | None],
         Option(
             RULES,
             "BOUND",
             "Largest number of traversals: paper (the sum of the paper's bounds (1) and (2)), "
             "two-vertices, none, or an expression over n, m, d0, D, d, g, paper with + - * // **, "
             "min, max (default: the explorer's own, else the lighthouse's).",
+            told=Annotated[
+                Text,
+                about("the bound on the traversals; `none` where the law was not checked"),
+            ],
         ),
     ] = Taken(_bound, None)
     laws: Annotated[
@@ -121,6 +136,10 @@ class AskedRules(Request):
             "LAWS",
             f"Of {', '.join(LAWS)}, with commas (default: all that apply).",
             parse=law_names,
+            told=Annotated[
+                Different[JudgedLaw],
+                about("the laws that were checked; `task` where the task is none of them"),
+            ],
         ),
     ] = Taken(_laws, None)
     step_budget: Annotated[
@@ -130,6 +149,10 @@ class AskedRules(Request):
             "B",
             "More traversals break the law 'budget' (default: 8 x the bound paper + 100).",
             parse=integer_of,
+            told=Annotated[
+                Positive | None,
+                about("the largest legal number of traversals; null: default"),
+            ],
         ),
     ] = Taken(_step_budget, None)
 
@@ -151,6 +174,8 @@ class AskedRules(Request):
 class Rules(AskedRules, kw_only=False):
     """The rules by which a run is played and judged, in any world.
 
+    A bound, or laws, that are named and are what would be checked anyway are None here.
+
     Attributes:
         lighthouse: the kind of lighthouse.
         promised: whether the worlds keep a promise, such as planarity, that can make an explorer
@@ -159,18 +184,24 @@ class Rules(AskedRules, kw_only=False):
     """
 
     lighthouse: Taken[GivenLighthouse, LighthouseKind] = Taken(lighthouse_kind, Directional.kind)
-    promised: bool = field(default=False, kw_only=True)
-    own_bound: str | None = field(default=None, kw_only=True)
+    _: KW_ONLY
+    promised: bool = False
+    own_bound: Taken[str | Bound | None, Bound | None] = Taken(_bound, None)
 
     def __post_init__(self) -> None:
         for law in self.laws or ():
             if not LAWS[law].applies(self._setting):
                 raise InputError(f"law {law!r} {LAWS[law].idle}")
-        if self._names_an_idle_bound:
-            raise InputError(
-                f"bound {show(self.bound)} has no effect without the law 'bound'; the laws are "
-                f"{', '.join(self.laws or ())}"
-            )
+        if self.bound == self.default_bound:
+            vars(self)["bound"] = None
+        if self.laws is not None:
+            if "bound" not in self.laws and self.bound not in (None, NO_BOUND):
+                raise InputError(
+                    f"bound {show(str(self.bound))} has no effect without the law 'bound'; the "
+                    f"laws are {', '.join(self.laws)}"
+                )
+            usual, named = self._usual_laws, tuple(law for law in LAWS if law in self.laws)
+            vars(self)["laws"] = None if named == usual else named
 
     @property
     def kind(self) -> type[Lighthouse]:
@@ -186,45 +217,40 @@ class Rules(AskedRules, kw_only=False):
     @cached_property
     def the_bound(self) -> Bound:
         """The bound on traversals; no bound if that law is not checked."""
-        return self._named_bound if "bound" in self.applying else bound_named("none")
+        return self._named_bound if "bound" in self.applying else NO_BOUND
 
     @property
-    def default_bound(self) -> str:
+    def default_bound(self) -> Bound:
         """The bound where none is named; those that are known are about the task map."""
-        return (self.own_bound or self.kind.default_bound) if self.task.is_map else "none"
-
-    @cached_property
-    def _brought(self) -> Bound:
-        return bound_named(self.own_bound or "none")
+        if not self.task.is_map:
+            return NO_BOUND
+        return self.own_bound or bound_named(self.kind.default_bound)
 
     @property
     def _named_bound(self) -> Bound:
-        return bound_named(self.default_bound if self.bound is None else self.bound)
-
-    @property
-    def _names_an_idle_bound(self) -> bool:
-        named = self.bound not in (None, "none", self.default_bound)
-        return named and self.laws is not None and "bound" not in self.laws
+        return self.default_bound if self.bound is None else self.bound
 
     @property
     def _setting(self) -> Setting:
         return Setting(
             folds=self.kind.folds and not self.promised,
-            bounded=self._named_bound.name != "none",
+            bounded=self._named_bound != NO_BOUND,
             maps=self.task.is_map,
         )
+
+    @property
+    def _usual_laws(self) -> tuple[str, ...]:
+        return tuple(name for name, law in LAWS.items() if law.applies(self._setting))
 
     @cached_property
     def applying(self) -> tuple[str, ...]:
         """The laws that are checked, in the order of precedence."""
-        if self.laws is not None:
-            return tuple(law for law in LAWS if law in self.laws)
-        return tuple(name for name, law in LAWS.items() if law.applies(self._setting))
+        return self._usual_laws if self.laws is None else self.laws
 
     @property
     def judged(self) -> tuple[str, ...]:
         """The laws that are checked, with the task where it is no law by itself."""
-        return self.applying if self.task.is_map else ("task", *self.applying)
+        return self.applying if self.task.is_map else (TASK, *self.applying)
 
     def budget(self, map_: CombinatorialMap) -> int:
         """The largest legal number of traversals in a world."""
@@ -238,8 +264,9 @@ class Rules(AskedRules, kw_only=False):
         if self.step_budget is not None:
             return self.step_budget
         usual = default_step_budget(paper_bound(vertices, edges))
-        if self._brought.variables <= {"n", "m"}:
-            return max(usual, self._brought.value(vertices, edges, 0, 0, 0, 0) or 0)
+        brought = self.own_bound or NO_BOUND
+        if brought.variables <= {"n", "m"}:
+            return max(usual, brought.value(vertices, edges, 0, 0, 0, 0) or 0)
         return usual
 
     def choices(self, name: str, script: Sequence[int] = ()) -> Choices:
@@ -248,58 +275,34 @@ class Rules(AskedRules, kw_only=False):
 
     def arguments(self, script: Sequence[int] = ()) -> list[str]:
         """The options of ``run`` that give these rules, and these answers to the first choices."""
-        given: list[str] = [] if self.task.is_map else ["--task", self.task.name]
-        if self.policy != DEFAULT_POLICY:
-            given += ["--policy", self.policy]
-        if any(script) or (script and self.policy != DEFAULT_POLICY):
-            given += ["--choices", ",".join(map(str, script))]
-        if self.bound and self.bound != self.default_bound:
-            given += ["--bound", self.bound]
-        if self.step_budget is not None:
-            given += ["--step-budget", str(self.step_budget)]
-        alike = Rules(self.lighthouse, task=self.task, bound=self.bound, own_bound=self.own_bound)
-        if self.applying != alike.applying:
-            given += ["--laws", ",".join(self.applying)]
-        return given
+        answered = any(script) or (script and self.policy != DEFAULT_POLICY)
+        choices = ["--choices", ",".join(map(str, script))] if answered else []
+        return [*given_again(AskedRules, self), *choices]
 
     @property
+    def told(self) -> dict[str, Any]:
+        """The options as they took effect, by the keys of documents."""
+        effective = {
+            "task": None if self.task.is_map else self.task,
+            "bound": self.the_bound,
+            "laws": self.judged,
+            "lighthouse": self.lighthouse,
+        }
+        return told_by(AskedRules, self) | {key: as_json(each) for key, each in effective.items()}
+
+    @cached_property
     def recorded(self) -> RecordedRules:
         """The options as they stand in a finding."""
-        return RecordedRules(
-            policy=self.policy,
-            bound=self.the_bound.name,
-            step_budget=self.step_budget,
-            laws=self.applying,
-            task=None if self.task.is_map else self.task.name,
-            task_digest=self.task.code.digest if self.task.code else None,
-        )
+        told = {key: value for key, value in self.told.items() if key != "lighthouse"}
+        return RecordedRules(**told, task_digest=self.task.code.digest if self.task.code else None)
 
 
-class RecordedRules(Document, forbid_unknown_fields=False):
+class RecordedRules(Document, of=AskedRules, forbid_unknown_fields=False):
     """Options of a run.
 
-    How it was played and judged.
+    How it was played and judged. An option that is left out where it is read has its default.
     """
 
-    policy: Annotated[Text, about("who answered the explorer's choices; else `fifo`")] = (
-        DEFAULT_POLICY
-    )
-    bound: Annotated[
-        Text | None,
-        about(
-            "the bound on the traversals; `none` where the law was not checked; else the "
-            "explorer's own, or the lighthouse's"
-        ),
-    ] = None
-    step_budget: Annotated[
-        Positive | None, about("the largest legal number of traversals; null: default")
-    ] = None
-    laws: Annotated[
-        Different[JudgedLaw] | None, about("those that were checked; else all that apply")
-    ] = None
-    task: Annotated[
-        IfAny[Text | None], about("what counted as done; where it is left out, the map")
-    ] = None
     task_digest: Annotated[
         IfAny[Text | None], about("SHA-256 of the judge's file, where it is the user's")
     ] = None
@@ -312,23 +315,16 @@ class RecordedRules(Document, forbid_unknown_fields=False):
         Raises:
             InputError: naming the offending option.
         """
-        bound, laws, task = self.bound, self.laws, task_named(self.task or MAP)
-        if task.code and self.task_digest not in (None, task.code.digest):
-            raise InputError(f"task {show(task.name)} has another text now than is recorded")
-        if laws is not None:
-            default = (own_bound or world.lighthouse.default_bound) if task.is_map else "none"
-            if (default if bound is None else bound) == "none":
-                laws = tuple(law for law in laws if law != "bound")
+        told = {field.name: getattr(self, field.name) for field in fields_of(AskedRules)}
+        bare = Rules(kind_of(world.lighthouse), task=told["task"] or MAP, own_bound=own_bound)
+        code = bare.task.code
+        if code and self.task_digest not in (None, code.digest):
+            raise InputError(f"task {show(bare.task.name)} has another text now than is recorded")
+        if told["laws"] is not None:
+            laws = {*told["laws"]} - {TASK}
+            if (told["bound"] or str(bare.default_bound)) == str(NO_BOUND):
+                laws -= {"bound"}
             elif "bound" not in laws:
-                bound = None
-        if not task.is_map:
-            laws = laws or None
-        return Rules(
-            kind_of(world.lighthouse),
-            task=task,
-            policy=self.policy,
-            bound=bound,
-            laws=laws,
-            step_budget=self.step_budget,
-            own_bound=own_bound,
-        )
+                told["bound"] = None
+            told["laws"] = laws if laws or bare.task.is_map else None
+        return replace(bare, **{**told, "task": bare.task})

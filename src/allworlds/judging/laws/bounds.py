@@ -7,7 +7,7 @@ import operator
 import re
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache
 from typing import Any
@@ -60,7 +60,7 @@ def two_vertices_bound(vertices: int, edges: int, degree: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """A bound, with its value for every world.
+    """A bound, with its value for every world; bounds of the same name are equal.
 
     Attributes:
         name: in the words of the user.
@@ -69,8 +69,11 @@ class Bound:
     """
 
     name: str
-    value: Callable[[int, int, int, int, int, int], int | None]
+    value: Callable[[int, int, int, int, int, int], int | None] = field(compare=False)
     variables: frozenset[str]
+
+    def __str__(self) -> str:
+        return self.name
 
     def __reduce__(self) -> tuple[Callable[[str], Bound], tuple[str]]:
         # Compiled expressions do not pickle; their texts do.
@@ -83,6 +86,9 @@ class Bound:
         genus = map_.genus if "g" in self.variables else 0
         degrees = (map_.degree_at[start], max(map_.degrees))
         return self.value(map_.vertex_count, map_.edge_count, *degrees, diameter, genus)
+
+
+NO_BOUND = Bound("none", lambda *_: None, frozenset())
 
 
 def bound_named(text: str) -> Bound:
@@ -100,8 +106,8 @@ def bound_named(text: str) -> Bound:
     if text == "two-vertices":
         variables = frozenset({"n", "m", "d0"})
         return Bound(text, lambda n, m, d0, *_: two_vertices_bound(n, m, d0), variables)
-    if text == "none":
-        return Bound(text, lambda *_: None, frozenset())
+    if text == NO_BOUND.name:
+        return NO_BOUND
     try:
         # Python would take other letters that look like n and m for n and m, and 1_0 for 10.
         plain = text.isascii() and not re.search("[0-9]_", text)

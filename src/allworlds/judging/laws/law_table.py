@@ -172,7 +172,12 @@ ASKED = {law: LAWS[law].asks if law in LAWS else ALWAYS[law] for law in PRECEDEN
 """What each law asks, in the order of precedence."""
 
 LawName: TypeAlias = Annotated[str, one_of(*PRECEDENCE)]
-JudgedLaw: TypeAlias = Annotated[str, one_of(*LAWS)]
+
+TASK = "task"
+JUDGED = (*LAWS, TASK)
+"""The laws of finished runs, and the one that a task is by itself."""
+
+JudgedLaw: TypeAlias = Annotated[str, one_of(*JUDGED)]
 
 
 OF_CHECKPOINTS = ("invariant-1", "invariant-2", "variant")

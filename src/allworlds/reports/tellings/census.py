@@ -8,10 +8,12 @@ from allworlds.reports.telling import (
     ToldFacts,
     ToldResult,
     ToldTable,
-    interruption,
+    so_far,
 )
+from allworlds.reports.tellings.scope import finished, gate_told, maps_words, places_told
 from allworlds.studies.ambiguity import AmbiguityCensus
-from allworlds.words import counted, number, plural
+from allworlds.words import number, plural
+from allworlds.world import Position
 
 
 def census_telling(census: AmbiguityCensus) -> ToldResult:
@@ -28,24 +30,22 @@ def census_telling(census: AmbiguityCensus) -> ToldResult:
         for row in census.rows
     ]
     scope = (
-        f"maps with {_marked(census)}, up to isomorphism; ambiguous are those from which no "
-        f"motion tells another world of the class {census.map_class}"
+        f"{maps_words(census)}, with {_marked(census)}, up to isomorphism; ambiguous are those "
+        f"from which no motion tells another world of the class {census.extent.map_class}"
     )
-    facts = [*interruption(complete=census.complete, stopped=census.stopped), ("scope", scope)]
+    facts = [("scope", scope), *places_told(census.places)]
     if not census.whole:
         text = (
-            f"of the shard {census.shard} alone, which may hold some members of a class and not "
-            "others: classes and counts are told by the merge of all shards"
+            f"{census.portion}: it may hold some members of a class and not others; classes and "
+            "counts are told by the merge of all shards"
         )
         facts.append(("shard", text))
-    elif census.gate is None:
-        facts.append(("gate", f"absent: no source counts the maps that are {census.where}"))
-    elif census.gate.agrees:
-        facts.append(("gate", f"no rooted map was forgotten: {counted(census.source)}"))
-    table = ToldTable(header, rows, "Marked worlds")
+    if census.agrees:
+        facts += gate_told(census, "rooted map", census.source, rows=bool(rows))
+    table = ToldTable(header, rows, "Marked worlds by size")
     return ToldResult(
         "allworlds ambiguity census",
-        f"class {census.map_class}",
+        f"class {census.extent.map_class}",
         census,
         _headline(census),
         [Section("seen", "", [table, ToldFacts(facts)])],
@@ -53,22 +53,34 @@ def census_telling(census: AmbiguityCensus) -> ToldResult:
 
 
 def _marked(census: AmbiguityCensus) -> str:
-    if census.lighthouse == "position":
-        return "one marked vertex"
-    return f"a lighthouse {census.lighthouse} in them"
+    kind = census.request.lighthouse
+    return "one marked vertex" if str(kind) == Position.kind else f"a lighthouse {kind} in them"
 
 
-def _headline(census: AmbiguityCensus) -> Headline:
-    wrong = [row for row in census.rows if row.rooted != row.counted]
-    if census.whole and census.gate is not None and wrong:
+def _headline(census: AmbiguityCensus) -> Headline | None:
+    if not census.agrees:
         told = [
             f"with {plural(row.edges, 'edge')} {plural(row.rooted, 'rooted map')} "
             f"{'was' if row.rooted == 1 else 'were'} met, but {census.source} counts {row.counted}"
-            for row in wrong
+            for row in census.rows
+            if not row.agrees(whole=census.whole)
         ]
         return Headline("MISMATCH", "; ".join(told), "error")
+    done = _found(census) if census.rows else None
+    return so_far(census, done)
+
+
+def _found(census: AmbiguityCensus) -> Headline:
+    """The headline of the finished levels."""
     all_ = plural(sum(row.marked_worlds for row in census.rows), "marked world")
+    scope = finished(census, census.rows[-1].edges)
+    if census.places:
+        scope += f" ({census.places})"
     if not census.whole:
-        return Headline("SHARD", f"{all_} of the shard {census.shard}")
+        return Headline("SHARD", f"{all_} {scope}, of the shard {census.portion}")
+    if census.empty:
+        return Headline("VACUOUS", f"there is no world {scope}", "vacuous")
     ambiguous = sum(row.ambiguous_worlds or 0 for row in census.rows)
-    return Headline("AMBIGUOUS", f"{number(ambiguous)} of {all_}")
+    if not ambiguous:
+        return Headline("TOLD APART", f"{all_} {scope}: motions tell each from every other")
+    return Headline("AMBIGUOUS", f"{number(ambiguous)} of {all_} {scope}")

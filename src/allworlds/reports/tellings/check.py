@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from allworlds.engines import Given, Row, Sample, Shard
+from allworlds.engines import Given, Row, Sample, Shard, tried_places
 from allworlds.judging import Finding, checked_laws
-from allworlds.maps import Extent, source_of
+from allworlds.maps import source_of
 from allworlds.outcome import Disagreed, Verdict
 from allworlds.reports.telling import (
     Block,
@@ -25,6 +25,7 @@ from allworlds.reports.telling import (
 )
 from allworlds.reports.tellings.finding import finding_section
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
+from allworlds.reports.tellings.scope import SAID, of_the_class, options_told, places_told
 from allworlds.studies.check import (
     CheckReport,
     Guess,
@@ -89,7 +90,7 @@ def size_table(report: CheckReport) -> ToldTable:
         shown = Shown(most if fewest == most else between, between)
         played = [row.worlds, row.runs, *([row.episodes] if every else []), row.traversals]
         rows.append([edges, shown, *played, row.max_cost, row.bound])
-    return ToldTable(header, rows, "Finished levels", keys=2)
+    return ToldTable(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
 
 
 def _by_size(report: CheckReport, sampled: bool) -> dict[tuple[int, ...], Row]:
@@ -111,7 +112,8 @@ def verdict_of(report: CheckReport) -> Headline:
         f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
         f"{plural(report.tally.traversals, 'traversal')}"
     )
-    if report.verdict is Verdict.HOLDS and not report.runs:
+    where = "drawn worlds" if isinstance(report.asked.coverage, Sample) else "finished levels"
+    if report.verdict in (Verdict.HOLDS, Verdict.NOT_REFUTED) and not report.runs:
         said = f"{done} fall to this shard, which is finished and has nothing to check"
         return Headline("EMPTY", said, "vacuous")
     match report.verdict:
@@ -119,9 +121,9 @@ def verdict_of(report: CheckReport) -> Headline:
             text = f"{done}: no law is broken{_in_shard(report)}"
         case Verdict.REFUTED:
             first = report.findings[0]
-            text = f"law {first.law} is broken; {done} in finished levels"
+            text = f"law {first.law} is broken; {done} in {where}"
         case Verdict.INCONCLUSIVE:
-            text = f"{report.ending.reason}; in finished levels no law is broken ({done})"
+            text = f"{report.ending.reason}; in {where} no law is broken ({done})"
         case Verdict.VACUOUS:
             text = "a witness is missing" if report.runs else "the scope holds no run"
         case Verdict.ERROR:
@@ -140,19 +142,15 @@ def _in_shard(report: CheckReport) -> str:
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts. A text without a name continues the one before."""
     scope, rules = report.asked, report.asked.rules
-    bounds = scope.extent
-    limits = [f"at most {plural(bounds.edges, 'edge')}"] if bounds.edges else []
-    if isinstance(scope.coverage, Sample) and scope.coverage.min_edges > 1:
-        limits = [f"{scope.coverage.min_edges} to {plural(scope.extent.levels[-1], 'edge')}"]
-    if bounds.vertices:
-        limits += [f"at most {plural(bounds.vertices, 'vertex', 'vertices')}"]
+    least = scope.coverage.min_edges if isinstance(scope.coverage, Sample) else 1
     shard = f", shard {scope.portion}" if isinstance(scope.portion, Shard) else ""
     what = (
-        f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} of the class "
-        f"{bounds.map_class}{_condition(bounds)} with {' and '.join(limits)}{shard}; "
-        f"{_schedules(report)}"
+        f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} "
+        f"{of_the_class(scope.extent, least)}{shard}; {_schedules(report)}"
     )
     words = [("explorer", f"{report.explorer}, {report.engine} engine"), ("scope", what)]
+    words += places_told(tried_places(rules.lighthouse, scope.extent))
+    words += options_told(report, CHECK_SAID)
     if not report.complete and not isinstance(scope.coverage, Sample):
         finished = ", ".join(map(str, report.levels)) or "none"
         words.append(("", f"NOT complete: finished levels (edges): {finished}"))
@@ -180,13 +178,15 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     return words
 
 
-def _condition(extent: Extent) -> str:
-    return f", {extent.where.name}," if extent.where else ""
+CHECK_SAID = (*SAID, "task", "laws", "schedules", "min_edges", "runs", "max_findings", "engine")
+"""The fields of the request of which the scope, and other facts, tell."""
 
 
 def _which(report: CheckReport) -> str:
-    some = isinstance(report.asked.coverage, Sample | Given)
-    return "one start and marker" if some else "every start and marker"
+    if isinstance(report.asked.coverage, Sample | Given):
+        return "one start and marker"
+    some = tried_places(report.asked.rules.lighthouse, report.extent)
+    return "every start and the places told below" if some else "every start and marker"
 
 
 def _maps(report: CheckReport) -> str:
@@ -200,13 +200,14 @@ def _maps(report: CheckReport) -> str:
 
 def _corpus(past: UserCorpus) -> str:
     return "; ".join(
-        f"{len(names)} {what}" + (f" ({', '.join(names)})" if names else "")
-        for what, names in (
-            ("past findings reproduced", past.reproduced),
-            *([("still refuted, but beyond the scope", past.beyond)] if past.beyond else []),
-            ("fixed and kept", past.fixed),
-            ("written", past.written),
+        told + (f" ({', '.join(names)})" if names else "")
+        for told, names in (
+            (f"{plural(len(past.reproduced), 'past finding')} reproduced", past.reproduced),
+            (f"{len(past.beyond)} still refuted, but beyond the scope", past.beyond),
+            (f"{len(past.fixed)} fixed and kept", past.fixed),
+            (f"{len(past.written)} written", past.written),
         )
+        if names or names is not past.beyond
     )
 
 
@@ -263,8 +264,9 @@ def _estimate(guess: TimeEstimate) -> ToldResult:
     if guess.seconds is None or guess.rate is None:
         head = Headline("estimate", _TOO_LONG, "inconclusive")
         return ToldResult("allworlds check", guess.explorer, guess, head, [])
-    worlds = f"{about(guess.worlds)} world{'' if guess.worlds == 1 else 's'}"
-    text = f"{duration(guess.seconds)} for {worlds}: a guess"
+    most = "" if guess.counted else "at most "
+    worlds = f"{most}{about(guess.worlds)} world{'' if guess.worlds == 1 else 's'}"
+    text = f"{most}{duration(guess.seconds)} for {worlds}: a guess"
     of = f"{plural(guess.sampled, 'world')} of the last level, {number(round(guess.rate))} a second"
     blocks: list[Block] = [fact("sample", of), *([_larger(guess)] if guess.larger else [])]
     head = Headline("estimate", text, "inconclusive")
@@ -279,7 +281,8 @@ _TOO_LONG = "no world of the last level was finished in time: this takes very lo
 def _larger(estimate: TimeEstimate) -> ToldTable:
     """Estimated duration with more edges."""
     guesses: list[TimeEstimate | Guess] = [estimate, *estimate.larger]
-    header = ("edges", "worlds", "engine", "sampled", "a second", "takes")
+    worlds, takes = ("worlds", "takes") if estimate.counted else ("worlds <=", "takes <=")
+    header = ("edges", worlds, "engine", "sampled", "a second", takes)
     rows = [
         (
             guess.edges,

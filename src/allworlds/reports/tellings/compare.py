@@ -16,6 +16,7 @@ from allworlds.reports.telling import (
 )
 from allworlds.reports.tellings.finding import finding_section
 from allworlds.reports.tellings.growth import growth_telling
+from allworlds.reports.tellings.scope import SAID, explorers_told, maps_words, options_told
 from allworlds.reports.tellings.single_run import run_section
 from allworlds.reports.world_rows import rows_of_worlds
 from allworlds.studies.compare import ComparedRow, Comparison, Growth
@@ -93,11 +94,8 @@ def _rows(report: Comparison) -> ToldTable:
 
 def _facts(report: Comparison) -> list[tuple[str, str]]:
     """Named facts beside the table."""
-    words = [
-        ("explorer", f"{each.name} under {each.lighthouse}, bound {each.bound}")
-        for each in report.explorers
-    ]
-    words.append(("scope", _scope(report)))
+    scope = f"one world: {report.member.told}" if report.member else maps_words(report)
+    words = [*explorers_told(report), ("scope", scope), *options_told(report, SAID)]
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))
     if report.rows:
@@ -110,7 +108,7 @@ def _facts(report: Comparison) -> list[tuple[str, str]]:
         world = f"sigma={[*map_.sigma]} alpha={[*map_.alpha]}"
         if map_.edge_count > _SHOWN:
             world = "in the document"
-        words.append(("differ most", f"in a world with {where}: {costs}; {world}"))
+        words.append(("difference", f"most in a world with {where}: {costs}; {world}"))
     return words
 
 
@@ -130,20 +128,6 @@ def _verdict(report: Comparison) -> str:
     if not report.rows:
         return "there is no world in which every explorer has a place"
     return f"no law is broken in {plural(runs, 'run')}"
-
-
-def _scope(report: Comparison) -> str:
-    if report.family:
-        return f"one world: {report.family}"
-    limits = [
-        f"at most {plural(limit, *words)}"
-        for limit, words in (
-            (report.edges, ("edge",)),
-            (report.vertices, ("vertex", "vertices")),
-        )
-        if limit is not None
-    ]
-    return f"every rooted map of the class {report.map_class} with {' and '.join(limits)}"
 
 
 def _in_all(report: Comparison, name: str) -> str:

@@ -8,10 +8,11 @@ from allworlds.reports.telling import (
     ToldFacts,
     ToldResult,
     ToldTable,
-    interruption,
+    so_far,
 )
+from allworlds.reports.tellings.scope import finished, gate_told, maps_words
 from allworlds.studies.count import Census
-from allworlds.words import counted, plural
+from allworlds.words import plural
 
 
 def count_telling(census: Census) -> ToldResult:
@@ -25,26 +26,31 @@ def count_telling(census: Census) -> ToldResult:
         ]
         for row in census.rows
     ]
-    table = ToldTable(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "Maps")
-    facts = interruption(complete=census.complete, stopped=census.stopped)
-    total = sum(row.rooted for row in census.rows)
-    found = f"{plural(total, 'rooted map')} of the class {census.map_class}"
-    headline = Headline("COUNTED", found)
-    if census.gate is None:
-        facts.append(("gate", f"absent: no source counts the maps that are {census.where}"))
-    elif census.gate.agrees:
-        facts.append(("gate", f"no map was forgotten: {counted(census.gate.source)}"))
-    else:
-        wrong = [_mismatch(census, i) for i, row in enumerate(census.rows) if not row.agrees]
-        headline = Headline("MISMATCH", "; ".join(wrong), "error")
+    table = ToldTable(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "Maps by size")
+    facts = [("scope", maps_words(census))]
+    if census.agrees:
+        facts += gate_told(census, "map", census.source, rows=bool(rows))
     sections = [Section("seen", "", [table, ToldFacts(facts)])]
-    return ToldResult("allworlds count", f"class {census.map_class}", census, headline, sections)
+    subject = f"class {census.extent.map_class}"
+    return ToldResult("allworlds count", subject, census, _headline(census), sections)
+
+
+def _headline(census: Census) -> Headline | None:
+    if not census.agrees:
+        wrong = [_mismatch(census, i) for i, row in enumerate(census.rows) if not row.agrees]
+        return Headline("MISMATCH", "; ".join(wrong), "error")
+    if census.complete and census.whole and census.empty:
+        return Headline("VACUOUS", "there is no such map", "vacuous")
+    done = None
+    if census.rows:
+        total = plural(sum(row.rooted for row in census.rows), "rooted map")
+        done = Headline("COUNTED", f"{total} {finished(census, census.rows[-1].edges)}")
+    return so_far(census, done)
 
 
 def _mismatch(census: Census, i: int) -> str:
     row = census.rows[i]
-    assert census.gate is not None
     return (
         f"with {plural(row.edges, 'edge')} {row.by_vertices} were enumerated, but "
-        f"{census.gate.source} counts {row.counted}"
+        f"{census.source} counts {row.counted}"
     )

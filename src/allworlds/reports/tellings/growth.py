@@ -14,6 +14,7 @@ from allworlds.reports.telling import (
     ToldTable,
 )
 from allworlds.reports.tellings.finding import finding_section
+from allworlds.reports.tellings.scope import SAID, explorers_told, options_told
 from allworlds.reports.world_rows import rows_of_worlds
 from allworlds.studies.compare import LEVEL, Exponent, Growth, Shape
 from allworlds.words import number, plural
@@ -30,11 +31,11 @@ def growth_telling(report: Growth) -> ToldResult:
     blocks.append(ToldFacts(_facts(report)))
     return ToldResult(
         "allworlds compare",
-        ", ".join(report.explorers),
+        ", ".join(report.names),
         report,
         Headline(report.verdict.value.upper(), _verdict(report), report.verdict.value),
-        [*findings, Section("seen", "Scope", blocks)],
-        rows=lambda: rows_of_worlds(report.in_worlds(), report.explorers[0], report.by),
+        [*findings, Section("seen", "What was compared", blocks)],
+        rows=lambda: rows_of_worlds(report.in_worlds(), report.names[0], report.by or "run"),
     )
 
 
@@ -59,7 +60,7 @@ def _table(report: Growth) -> ToldTable:
 
 
 def _ratios(report: Growth) -> ToldTable:
-    (first, *_) = short_names(report.explorers)
+    (first, *_) = short_names(report.names)
     rows: list[list[Cell]] = [
         [
             *(one.family, one.edges, one.explorer, one.worlds),
@@ -111,7 +112,14 @@ def _verdict(report: Growth) -> str:
 
 
 def _facts(report: Growth) -> list[tuple[str, str]]:
-    words = []
+    shard = "" if report.whole else f", shard {report.portion}"
+    asked = report.request
+    scope = (
+        f"families {', '.join(report.families)} up to {plural(asked.to, 'edge')}, "
+        f"{plural(asked.worlds, 'seed')} of each size from seed {asked.seed} on, at most "
+        f"{plural(asked.places, 'place')} of the lighthouse in each world{shard}"
+    )
+    words = [*explorers_told(report), ("scope", scope), *options_told(report, GROWTH_SAID)]
     if report.rows:
         drawn = max(row.seeds for row in report.rows)
         words += [
@@ -127,8 +135,12 @@ def _facts(report: Growth) -> list[tuple[str, str]]:
         ]
     if report.rows:
         member = report.rows[-1].members[-1].name
-        words.append(("again", f"allworlds run {report.explorers[0]} --family {member}"))
+        words.append(("again", f"allworlds run {report.names[0]} --family {member}"))
     if report.left_out:
         left = plural(report.left_out, "world")
         words.append(("left out", f"{left} without a place for the lighthouse"))
     return words
+
+
+GROWTH_SAID = (*SAID, "to", "worlds", "places")
+"""The fields of the request of which the facts tell."""

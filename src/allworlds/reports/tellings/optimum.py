@@ -12,7 +12,7 @@ from allworlds.reports.telling import (
     ToldFacts,
     ToldResult,
     ToldTable,
-    interruption,
+    so_far,
 )
 from allworlds.studies.optimum import OptimumReport, OptimumRow
 from allworlds.words import plural
@@ -28,7 +28,7 @@ def optimum_telling(report: OptimumReport) -> ToldResult:
     names = [*report.rows[0].explorers] if report.rows else []
     rows = [_row(row, names) for row in report.rows]
     table = ToldTable(["edges", "runs", "optimum", *names], rows, "Traversals in the worst world")
-    facts = [*interruption(complete=report.complete, stopped=report.stopped), ("optimum", MEANING)]
+    facts = [("optimum", MEANING)]
     if all(row.agrees for row in report.rows):
         text = "each strategy was followed in every world, and costs what was found"
         facts.append(("replay", text))
@@ -36,16 +36,17 @@ def optimum_telling(report: OptimumReport) -> ToldResult:
     return ToldResult("allworlds optimum", "every explorer", report, _headline(report), sections)
 
 
-def _headline(report: OptimumReport) -> Headline:
+def _headline(report: OptimumReport) -> Headline | None:
     wrong = next((row for row in report.rows if not row.agrees), None)
     if wrong is not None:
         return Headline("MISMATCH", _mismatch(wrong), "error")
-    if not report.rows:
-        return Headline("NOTHING", "there is no row")
-    last = report.rows[-1]
-    found = plural(last.optimum if last.optimum is not None else last.at_least, "traversal")
-    more = "" if last.optimum is not None else " or more"
-    return Headline("OPTIMUM", f"{found}{more}, with {plural(last.edges, 'edge')}")
+    done = None
+    if report.rows:
+        last = report.rows[-1]
+        found = plural(last.optimum if last.optimum is not None else last.at_least, "traversal")
+        more = "" if last.optimum is not None else " or more"
+        done = Headline("OPTIMUM", f"{found}{more}, with {plural(last.edges, 'edge')}")
+    return so_far(report, done)
 
 
 def _row(row: OptimumRow, names: Iterable[str]) -> list[Cell]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from allworlds.engines import WHOLE
+from allworlds.engines import tried_places
 from allworlds.reports.telling import (
     Cell,
     Headline,
@@ -12,12 +12,13 @@ from allworlds.reports.telling import (
     ToldFacts,
     ToldResult,
     ToldTable,
-    interruption,
+    so_far,
 )
 from allworlds.reports.tellings.finding import finding_section, headline_of
 from allworlds.reports.tellings.most_expensive import most_expensive_sections
+from allworlds.reports.tellings.scope import gate_told, maps_words, options_told, places_told
 from allworlds.studies.worst import WorstReport
-from allworlds.words import counted, number, plural, size
+from allworlds.words import number, plural, size
 from allworlds.world import code_of
 
 
@@ -27,9 +28,7 @@ def worst_telling(report: WorstReport) -> ToldResult:
     On a page also cost against bound, and the walk that attains each row's worst cost.
     """
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
-    left = interruption(complete=report.complete, stopped=report.stopped)
-    facts = ToldFacts([*left, *_facts(report)])
-    seen = Section("seen", "What was searched", [_table(report), facts])
+    seen = Section("seen", "What was searched", [_table(report), ToldFacts(_facts(report))])
     cells = [SizeCost(row.edges, row.vertices, row.worst, row.bound) for row in report.rows]
     return ToldResult(
         "allworlds worst",
@@ -55,16 +54,19 @@ def _rows(report: WorstReport) -> ToldTable:
     return ToldTable(header, rows)
 
 
-def _headline(report: WorstReport) -> Headline:
+def _headline(report: WorstReport) -> Headline | None:
     if report.findings:
         return Headline("REFUTED", headline_of(report.findings[0]), "refuted")
     if not report.agrees:
         return Headline("MISMATCH", _mismatch(report), "error")
-    if not report.rows:
-        return Headline("NOTHING", "there is no run", "vacuous")
-    most = max(report.rows, key=lambda row: row.worst)
-    said = f"{plural(most.worst, 'traversal')}, with {size(most.edges, most.vertices)}"
-    return Headline("WORST" if report.complete else "SO FAR", said)
+    if report.complete and not report.rows:
+        return Headline("VACUOUS", "there is no run", "vacuous")
+    done = None
+    if report.rows:
+        most = max(report.rows, key=lambda row: row.worst)
+        said = f"{plural(most.worst, 'traversal')}, with {size(most.edges, most.vertices)}"
+        done = Headline("WORST", said)
+    return so_far(report, done)
 
 
 def _table(report: WorstReport) -> ToldTable:
@@ -84,27 +86,28 @@ def _table(report: WorstReport) -> ToldTable:
 def _facts(report: WorstReport) -> list[tuple[str, str]]:
     """The scope of the numbers, and the sources they were compared with, as named texts."""
     words = _paper(report, _WAYS[report.transit]) if report.transit else _of_runs(report)
+    words += options_told(report, SAID)
     if not report.agrees or report.findings:
         return words
-    if report.gate is None:
-        text = f"absent: no source counts the maps that are {report.where}"
-    else:
-        text = f"no world was forgotten: {counted(report.gate.source)}"
-    if report.gate is not None and report.shard != str(WHOLE):
-        text = f"of the shard {report.shard} alone; the merge of all shards compares counts"
+    words += gate_told(report, "world", report.source, rows=bool(report.rows))
     again = "by the python engine" if report.transit else "again"
-    return [*words, ("gate", text), ("replay", f"every worst cost was attained {again}")]
+    return [*words, ("replay", f"every worst cost was attained {again}")] if report.rows else words
+
+
+SAID = ("edges", "map_class", "where", "lighthouse", "transit")
+"""The fields of the request of which other words tell."""
 
 
 def _of_runs(report: WorstReport) -> list[tuple[str, str]]:
     """Method for an explorer whose runs were played."""
     schedules = "every schedule" if report.schedules == "all" else "the one schedule"
     scope = (
-        f"{schedules} of {report.explorer} in {_maps(report)}, "
-        f"at every place of the lighthouse {report.lighthouse}"
+        f"{schedules} of {report.explorer} in {maps_words(report)}, "
+        f"at every place of the lighthouse {report.rules.lighthouse}"
     )
     costs = "worst: of all episodes; best: the largest cost of the cheapest schedule of a run"
-    return [("scope", scope), ("costs", costs)]
+    places = places_told(tried_places(report.rules.lighthouse, report.extent))
+    return [("scope", scope), *places, ("costs", costs)]
 
 
 def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
@@ -112,7 +115,9 @@ def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
     tests = sum(row.tests or 0 for row in report.rows)
     wrong = sum(row.wrong_tests or 0 for row in report.rows)
     verdict = "all rejected" if not wrong else f"{number(wrong)} CONFIRMED"
-    scope = f"every schedule of algorithm1 in {_maps(report)}, from every vertex; transit on {way}"
+    scope = (
+        f"every schedule of algorithm1 in {maps_words(report)}, from every vertex; transit on {way}"
+    )
     costs = (
         "worst: the most expensive schedule of the most expensive world; best: the largest cost "
         "of the cheapest schedule of a world"
@@ -125,12 +130,6 @@ def _paper(report: WorstReport, way: str) -> list[tuple[str, str]]:
 
 
 _WAYS = {"shortest": "a shortest path", "simple": "any simple path"}
-
-
-def _maps(report: WorstReport) -> str:
-    where = f", {report.where}," if report.where else ""
-    most = plural(report.edges, "edge")
-    return f"every map of the class {report.map_class}{where} with at most {most}"
 
 
 def _mismatch(report: WorstReport) -> str:

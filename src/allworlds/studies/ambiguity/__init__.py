@@ -41,6 +41,7 @@ if TYPE_CHECKING:
         CensusRequest as CensusRequest,
         ClassRequest as ClassRequest,
         SearchRequest as SearchRequest,
+        TwinsRequest as TwinsRequest,
     )
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,
@@ -52,6 +53,10 @@ if TYPE_CHECKING:
         AmbiguityClass as AmbiguityClass,
         class_of as class_of,
         projection_of as projection_of,
+    )
+    from allworlds.studies.ambiguity.smt.controls import (
+        REQUIREMENTS as REQUIREMENTS,
+        has_model_without as has_model_without,
     )
     from allworlds.studies.ambiguity.smt.result import SearchResult as SearchResult
     from allworlds.studies.ambiguity.smt.solvers import SolversDisagree as SolversDisagree

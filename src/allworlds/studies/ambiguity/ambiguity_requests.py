@@ -1,19 +1,23 @@
-"""Requests of ``ambiguity census``, ``class`` and ``search``."""
+"""Requests of ``ambiguity twins``, ``class``, ``census`` and ``search``."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import KW_ONLY
 from pathlib import Path
 from typing import Annotated
 
+from allworlds.document import Text, about
 from allworlds.engines import AskedCluster, AskedDirectory, AskedListener, AskedShard, AskedTime
 from allworlds.inputs import (
     EFFORT,
     OUTPUT,
     SCOPE,
+    Argument,
     InputError,
     Option,
+    Request,
     Taken,
     integer_of,
     one_of,
@@ -22,8 +26,10 @@ from allworlds.inputs import (
 )
 from allworlds.maps import AskedClass, AskedExtent
 from allworlds.world import (
+    LIGHTHOUSE,
     LIGHTHOUSES,
     OWN,
+    WORLD,
     AskedWhere,
     GivenLighthouse,
     LighthouseKind,
@@ -43,7 +49,12 @@ class CensusRequest(
 
     lighthouse: Annotated[
         Taken[GivenLighthouse, LighthouseKind],
-        Option(SCOPE, "KIND", f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}."),
+        Option(
+            SCOPE,
+            "KIND",
+            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, or {OWN}.",
+            told=Annotated[Text, about("`KIND[:key=value,...]`")],
+        ),
     ] = Taken(lighthouse_kind, Position.kind)
 
 
@@ -61,10 +72,21 @@ class AskedMembers(AskedClass):
     ] = DEFAULT_LIMIT
 
 
-class ClassRequest(AskedMembers, kw_only=False):
+class ClassRequest(AskedListener, AskedMembers, kw_only=False):
     """Request of ``ambiguity class``: a world, and how many members are listed."""
 
-    world: Annotated[World, "with a position lighthouse, or a directional one (then it is alone)"]
+    world: Annotated[World | str, WORLD]
+    _: KW_ONLY
+    lighthouse: Annotated[GivenLighthouse, LIGHTHOUSE] = Position.kind
+
+
+class TwinsRequest(Request, kw_only=False):
+    """Request of ``ambiguity twins``: the two worlds."""
+
+    a: Annotated[World | str, Argument("", "A", WORLD.help)]
+    b: Annotated[World | str, Argument("", "B", "Another one.")]
+    _: KW_ONLY
+    lighthouse: Annotated[GivenLighthouse, LIGHTHOUSE] = Position.kind
 
 
 def motion_list(text: str) -> tuple[int, ...]:

@@ -10,33 +10,33 @@ from typing import Annotated, Any
 from typing_extensions import override
 
 from allworlds.document import (
-    AllRows,
     Aside,
-    Bounded,
     Document,
-    Gate,
+    Edges,
     IfAny,
     Natural,
     Positive,
-    Report,
-    Text,
     WhichShard,
-    Why,
     about,
     computed,
-    key,
     replace,
     taken,
 )
 from allworlds.engines import (
+    GATE,
     WHOLE,
     Form,
     LevelUnit,
     ReadyEngine,
     Sweep,
     SweptLevel,
+    SweptReport,
+    ToldGate,
+    TriedPlaces,
     from_kept,
     here_or,
+    told_scope,
+    tried_places,
 )
 from allworlds.inputs import answers
 from allworlds.maps import (
@@ -47,9 +47,8 @@ from allworlds.maps import (
     Quotient,
     class_size,
     is_ambiguous,
-    source_name,
 )
-from allworlds.outcome import Completed, Ending, Facts
+from allworlds.outcome import Ending
 from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.ambiguity_requests import CensusRequest
 from allworlds.studies.ambiguity.marked_code import is_least_rooting
@@ -69,7 +68,7 @@ class CensusRow(Document):
     independent source. A shard may hold some members of a class and not others.
     """
 
-    edges: Positive
+    edges: Edges
     marked_worlds: Annotated[Natural, about("maps with one marked vertex, up to isomorphism")]
     ambiguous_worlds: Annotated[
         Natural | None, about("marked maps with a twin in the class of maps; null: of a shard")
@@ -85,36 +84,28 @@ class CensusRow(Document):
     rooted: Aside[int]
     counted: Aside[int]
 
-
-def _gate(census: AmbiguityCensus) -> Gate | None:
-    """Whether as many rooted maps were met as the source counts; of a shard no more than these."""
-    if not census.source:
-        return None
-    if census.whole:
-        agrees = all(row.rooted == row.counted for row in census.rows)
-    else:
-        agrees = all(row.rooted <= row.counted for row in census.rows)
-    return Gate(source=census.source, agrees=agrees)
+    def agrees(self, *, whole: bool) -> bool:
+        """Whether as many rooted maps were met as the source counts; of a shard at most so many."""
+        return self.rooted == self.counted if whole else self.rooted <= self.counted
 
 
-class AmbiguityCensus(Report):
+class CensusScope(Document, of=CensusRequest):
+    """The scope of a census."""
+
+    places: TriedPlaces
+    shard: WhichShard
+
+
+class AmbiguityCensus(SweptReport):
     """Report of 'ambiguity census'.
 
     Every level of a class of maps; twins are looked for inside the class only.
     """
 
-    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    edges: Bounded
-    vertices: Bounded
-    where: Annotated[IfAny[Text | None], about("what besides is true of the maps")] = None
-    lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")] = Position.kind
-    shard: WhichShard = str(WHOLE)
-    gate: Annotated[
-        Gate | None,
-        about("the comparison of the rooted maps with an independent source; null: there is none"),
-    ] = computed(_gate)
-    complete: AllRows = True
-    stopped: Why = None
+    scope: Annotated[CensusScope, about("what was classified")] = computed(
+        lambda c: told_scope(CensusScope, c.request, places=c.places, shard=str(c.portion))
+    )
+    gate: ToldGate = GATE
     rows: Annotated[tuple[CensusRow, ...], about("one a number of edges, ascending")]
     pair: Annotated[
         IfAny[tuple[World, ...]],
@@ -124,22 +115,21 @@ class AmbiguityCensus(Report):
         IfAny[tuple[tuple[Natural, ...], ...]],
         about("of that pair: for each world the class of each dart"),
     ] = ()
-    source: Aside[str]
 
     @property
-    def whole(self) -> bool:
-        """Whether this is the whole census, and no shard of one."""
-        return self.shard == str(WHOLE)
+    def places(self) -> str:
+        """The places of the lighthouse that were tried, in words."""
+        return tried_places(self.request.lighthouse, self.extent)
 
     @property
-    def facts(self) -> Facts:
-        """Whether the source agrees, and there was anything to be counted."""
-        return Facts.of_rows(
-            self.complete,
-            self.stopped,
-            disagrees=self.gate is not None and not self.gate.agrees,
-            vacuous=self.whole and not any(row.marked_worlds for row in self.rows),
-        )
+    @override
+    def agrees(self) -> bool:
+        return not self.source or all(row.agrees(whole=self.whole) for row in self.rows)
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return not any(row.marked_worlds for row in self.rows)
 
 
 @answers(CensusRequest)
@@ -207,20 +197,11 @@ class CensusSweep(Sweep["Met | SensedParts", AmbiguityCensus]):
 
     @override
     def report(self, ending: Ending) -> AmbiguityCensus:
-        extent = self.extent
         return AmbiguityCensus(
-            map_class=extent.map_class,
-            edges=extent.edges,
-            vertices=extent.vertices,
-            shard=str(self.portion),
-            complete=isinstance(ending, Completed),
-            stopped=ending.stopped,
+            **self.ended(ending),
             rows=tuple(self._rows),
-            where=extent.where.name if extent.where else None,
-            lighthouse=str(self.kind),
             pair=self._smallest.worlds if self._smallest else (),
             bisimulation=(self._smallest and self._smallest.bisimulation) or (),
-            source=source_name(extent),
         )
 
 

@@ -34,7 +34,7 @@ from allworlds.protocol import Percept
 from allworlds.studies.ambiguity.ambiguity_requests import ClassRequest
 from allworlds.studies.ambiguity.lifting import lifts
 from allworlds.studies.ambiguity.marked_code import LeastRooting, least_rooting
-from allworlds.world import Directional, Position, World
+from allworlds.world import Directional, Position, World, a_world
 
 
 class SensedQuotient(Document):
@@ -96,9 +96,10 @@ def projection_of(world: World) -> Projection:
 
 @answers(ClassRequest)
 def class_of(request: ClassRequest) -> AmbiguityClass:
-    """The complete ambiguity class of a world.
+    """The complete ambiguity class of a world, with a position lighthouse, or a directional one.
 
-    The class of maps is the universe: only members that belong to it count.
+    Under the latter it is alone.  The class of maps is the universe: only members that belong to
+    it count.
 
     Raises:
         InputError: for another lighthouse, under which a class can be infinite; for a world
@@ -107,7 +108,8 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
 
     Cost: O(k m) for each of the at most k ``limit`` lifts.
     """
-    world, limit, universe = request.world, request.limit, request.map_class
+    limit, universe = request.limit, request.map_class
+    world = a_world(request.world, request.lighthouse)
     _checked(world, limit, universe)
     quotient, classes = projection_of(world)
     size = class_size(quotient)
@@ -132,7 +134,7 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
         found = inside
     others = sorted(code for code in found if code != own.code)
     listed = tuple(_placed(world, code) for code in (own.code, *others))
-    return AmbiguityClass(
+    made = AmbiguityClass(
         world=world,
         map_class=universe,
         size=size,
@@ -141,11 +143,12 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
         worlds=listed,
         quotient=SensedQuotient.of(quotient),
     )
+    if made.notice:
+        request.listener.notice(made.notice)
+    return made
 
 
 def _checked(world: World, limit: int, universe: MapClass) -> None:
-    if not isinstance(world, World):
-        raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
     if not isinstance(world.lighthouse, Position | Directional):
         raise InputError(
             f"under the lighthouse {world.lighthouse.kind} no class is made, which without a mark "

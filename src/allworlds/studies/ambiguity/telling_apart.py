@@ -15,10 +15,11 @@ from allworlds.document import (
     computed,
     narrowed,
 )
-from allworlds.inputs import InputError, show
+from allworlds.inputs import InputError, answers
 from allworlds.maps import Dart, Disagreement, Labelled, carries, classes_of_union, numbering
 from allworlds.protocol import Move, Percept
-from allworlds.world import World, flaw, kind_of
+from allworlds.studies.ambiguity.ambiguity_requests import TwinsRequest
+from allworlds.world import World, a_world, flaw, kind_of
 
 Relation: TypeAlias = Literal["same", "same-map", "different"]
 """``different``: two maps, or two places of the lighthouse."""
@@ -68,7 +69,8 @@ class ComparedWorlds(Report):
     ] = UNSET
 
 
-def twins(a: World, b: World) -> ComparedWorlds:
+@answers(TwinsRequest)
+def twins(request: TwinsRequest) -> ComparedWorlds:
     """Decide whether any motion can tell the worlds apart, with a proof that has been checked.
 
     Raises:
@@ -77,9 +79,7 @@ def twins(a: World, b: World) -> ComparedWorlds:
 
     Cost: O(m log m) where no motion can; else as many steps as pairs of darts are met.
     """
-    for world in (a, b):
-        if not isinstance(world, World):
-            raise InputError(f"{show(world)} is no World; World.from_json makes one")
+    a, b = (a_world(world, request.lighthouse) for world in (request.a, request.b))
     kinds = [world.lighthouse.kind for world in (a, b)]
     if kinds[0] != kinds[1]:
         raise InputError(

@@ -5,9 +5,10 @@ from __future__ import annotations
 import hashlib
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
+from allworlds.document import replace
 from allworlds.engines import (
     LOST,
     Limits,
@@ -123,4 +124,4 @@ class Confirmation:
         if "remark" in told:
             return None, str(told["remark"])
         again = finding_from_record(told["finding"])
-        return replace(again, rules=self.scope.rules, minimal=found.minimal), ""
+        return replace(again, under=self.scope.rules, minimal=found.minimal), ""

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import replace
 from typing import Any
 
 from typing_extensions import override
 
+from allworlds.document import replace
 from allworlds.engines import (
     ENGINES,
     EngineKind,
@@ -23,6 +23,7 @@ from allworlds.engines import (
     SweptLevel,
     Tally,
     engine_for,
+    is_counted,
     subject_of,
     why_not_compiled,
 )
@@ -90,7 +91,9 @@ def estimate(request: EstimateRequest) -> TimeEstimate:
             job, chosen = _job(replace(heard, edges=extent.edges))
             more = estimated(job, chosen)
             larger = (more, *extrapolated(job, (guess, more)))
-    return TimeEstimate(explorer=job.subject.name, larger=larger, **guess.to_json())
+    counted = is_counted(job.scope.extent)
+    first = {name: getattr(guess, name) for name in guess.__struct_fields__}
+    return TimeEstimate(explorer=job.subject.name, larger=larger, counted=counted, **first)
 
 
 def _job(request: EstimateRequest, keep: int = 1) -> tuple[Job, EngineKind]:
@@ -211,12 +214,12 @@ class CheckSweep(TallySweep[CheckReport]):
     @override
     def report(self, ending: Ending) -> CheckReport:
         report = CheckReport(
+            **self.ended(ending, self.scope.extent),
             explorer=self.job.subject.name,
             engine=self._engine.name,
             asked=self.scope,
             tally=self._tally,
             levels=tuple(self._levels),
-            ending=ending,
             cells=tuple(self._gate),
             past=self._corpus,
             symmetry=self._engine.symmetry(self.scope, self.job.subject),

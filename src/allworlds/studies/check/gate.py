@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated
 
-from allworlds.document import Document, Natural, Positive, Text, about
+from allworlds.document import Document, Edges, Natural, Text, Vertices, about
 from allworlds.engines import Tally
 from allworlds.explorers import Subject
 from allworlds.judging import Task
@@ -15,8 +15,8 @@ from allworlds.maps import Extent, named_map, source_of
 class GateCell(Document):
     """One comparison of the count gate."""
 
-    edges: Positive
-    vertices: Positive
+    edges: Edges
+    vertices: Vertices
     enumerated: Annotated[Natural, about("rooted maps that were visited")]
     counted: Annotated[Natural, about("those that there are")]
     source: Annotated[Text, about("says who")]

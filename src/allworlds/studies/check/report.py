@@ -3,41 +3,46 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
+
+from typing_extensions import override
 
 from allworlds.document import (
     EXIT_CODE,
     Aside,
-    Bounded,
     Different,
     Document,
+    Edges,
     IfAny,
     Natural,
     Positive,
-    Report,
     Text,
+    Vertices,
     WhichShard,
     about,
     computed,
-    key,
-    one_of,
 )
-from allworlds.engines import EngineName, Given, Sample, Scope, Shard, Tally
+from allworlds.engines import (
+    EndedReport,
+    EngineName,
+    Given,
+    Portion,
+    Sample,
+    Scope,
+    Shard,
+    SweptExit,
+    Tally,
+    TriedPlaces,
+    told_scope,
+    tried_places,
+)
 from allworlds.explorers import files_of_explorer
-from allworlds.judging import Finding, JudgedLaw
-from allworlds.maps import MapClass, source_of
-from allworlds.outcome import (
-    Completed,
-    Disagreed,
-    Ending,
-    Exit,
-    Facts,
-    Interrupted,
-    Stopped,
-    Verdict,
-)
+from allworlds.judging import Finding
+from allworlds.maps import Extent, source_of
+from allworlds.outcome import Completed, Verdict
 from allworlds.studies.check.gate import GateCell
 from allworlds.studies.check.known_findings import CorpusReport, UserCorpus
+from allworlds.studies.check.requests import CheckRequest
 from allworlds.world import files_of_condition
 
 
@@ -47,35 +52,19 @@ class SampleReport(Document):
     edges: Annotated[Positive, about("at most so many")]
     min_edges: Annotated[Positive, about("at least so many")]
     runs: Annotated[Positive, about("how many worlds were drawn")]
-    seed: Annotated[int, about("from which")]
+    seed: Annotated[Natural, about("from which")]
 
 
 Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the merge of all shards"]
 """The state of the count gate."""
 
 
-class CheckedScope(Document):
+class CheckedScope(Document, of=CheckRequest):
     """The scope of a check: every option that its counts and its verdict depend on."""
 
-    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    edges: Bounded
-    vertices: Bounded
-    where: Annotated[IfAny[Text | None], about("what besides is true of the maps")]
-    lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")]
-    task: Annotated[
-        IfAny[Text | None], about("what counted as done; where it is left out, the map")
-    ]
+    places: TriedPlaces
     shared_file: Annotated[
         IfAny[str], about("the explorer's file, where judges load code from it, too: see trust")
-    ]
-    policy: Annotated[Text, about("who answered the explorer's choices")]
-    schedules: Annotated[Literal["one", "all"], about("the policy's, or every sequence of choices")]
-    laws: Annotated[Different[JudgedLaw], about("the laws that were checked")]
-    bound: Annotated[
-        Text, about("the bound on the traversals; `none` where the law was not checked")
-    ]
-    step_budget: Annotated[
-        Positive | None, about("the largest legal number of traversals; null: default")
     ]
     shard: WhichShard
     sample: Annotated[SampleReport | None, about("of `fuzz`: how the worlds were drawn")]
@@ -95,8 +84,8 @@ class CheckedScope(Document):
 class CheckRow(Document):
     """Counts and costs of the worlds of one size."""
 
-    edges: Positive
-    vertices: Positive
+    edges: Edges
+    vertices: Vertices
     worlds: Annotated[Natural, about("rooted maps")]
     runs: Annotated[Natural, about("worlds x places of the lighthouse")]
     episodes: Annotated[Natural, about("runs x schedules")]
@@ -108,26 +97,19 @@ class CheckRow(Document):
     bound: Annotated[int | None, about("the largest bound of a run; null without a bound")]
 
 
-class CheckReport(Report):
+class CheckReport(EndedReport):
     """Report of 'check' and of 'fuzz'.
 
     What a check has seen, and what follows from it.
 
     ``asked`` is what was to be checked, ``tally`` holds the counts of the finished levels and the
-    smallest findings, ``ending`` tells how the check came to its end, ``cells`` are the
-    comparisons of the count gate.
+    smallest findings, ``cells`` are the comparisons of the count gate.
     """
 
     verdict: Annotated[Verdict, about("about this scope alone")] = computed(
         lambda report: report.judged
     )
-    exit_code: Annotated[
-        Exit,
-        one_of(
-            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
-            Exit.INTERRUPTED,
-        ),
-    ] = EXIT_CODE
+    exit_code: SweptExit = EXIT_CODE
     explorer: Annotated[Text, about("its name")]
     engine: Annotated[EngineName, about("the engine that ran")]
     scope: Annotated[CheckedScope, about("what was checked")] = computed(
@@ -173,12 +155,18 @@ class CheckReport(Report):
         about("ascending by (edges, vertices, canonical code, place, choices)"),
     ] = computed(lambda report: tuple(report.tally.findings))
     asked: Aside[Scope]
+    request: Aside[Any]
+    extent: Aside[Extent]
     tally: Aside[Tally]
     levels: Aside[tuple[int, ...]]
-    ending: Aside[Ending]
     cells: Aside[tuple[GateCell, ...]] = ()
     past: Aside[UserCorpus | None] = None
     symmetry: Aside[str] = ""
+
+    @property
+    @override
+    def portion(self) -> Portion:
+        return self.asked.portion
 
     @property
     def complete(self) -> bool:
@@ -186,40 +174,26 @@ class CheckReport(Report):
         return isinstance(self.ending, Completed) and not isinstance(self.asked.coverage, Sample)
 
     @property
-    def interrupted(self) -> bool:
-        """Whether the user interrupted the check."""
-        return isinstance(self.ending, Interrupted)
+    @override
+    def agrees(self) -> bool:
+        return all(cell.agrees for cell in self.cells)
 
     @property
-    def facts(self) -> Facts:
-        """The facts that decide the exit code and the verdict."""
-        ending, coverage = self.ending, self.asked.coverage
-        nothing = not self.tally.runs and not isinstance(self.asked.portion, Shard)
-        empty_sample = isinstance(coverage, Sample) and nothing
-        lacking = isinstance(ending, Completed) and bool(ending.missing)
-        return Facts(
-            disagrees=isinstance(ending, Disagreed) or not all(c.agrees for c in self.cells),
-            interrupted=self.interrupted,
-            refuted=bool(self.tally.findings),
-            undecided=isinstance(ending, Stopped) or empty_sample,
-            vacuous=nothing or lacking,
-        )
+    @override
+    def refuted(self) -> bool:
+        return bool(self.tally.findings)
+
+    @property
+    @override
+    def empty(self) -> bool:
+        lacking = isinstance(self.ending, Completed) and self.ending.missing
+        return not self.tally.runs or bool(lacking)
 
     @property
     def judged(self) -> Verdict:
         """The verdict; for a sample it is never 'holds'."""
         sampled = isinstance(self.asked.coverage, Sample)
         return self.facts.sample_verdict if sampled else self.facts.verdict
-
-    def uninterrupted(self) -> CheckReport:
-        """This report, for callers that can do nothing with half a check.
-
-        Raises:
-            KeyboardInterrupt: if it was interrupted; ``check`` has kept that to itself.
-        """
-        if self.interrupted:
-            raise KeyboardInterrupt
-        return self
 
     def checked_scope(self) -> CheckedScope:
         """The scope of the check, and how much of it was done."""
@@ -231,30 +205,19 @@ class CheckReport(Report):
         match coverage:
             case Sample():
                 gate = "absent"
-                sample = SampleReport(
-                    edges=extent.levels[-1],
-                    min_edges=coverage.min_edges,
-                    runs=coverage.runs,
-                    seed=coverage.seed,
-                )
+                sample = told_scope(SampleReport, self.request)
             case Given():
                 gate = "absent"
             case Shard() if source_of(extent) is not None:
                 gate = "deferred to the merge of all shards"
-        return CheckedScope(
-            map_class=extent.map_class,
+        return told_scope(
+            CheckedScope,
+            self.request,
+            rules,
             edges=extent.edges,
-            vertices=extent.vertices,
-            where=extent.where.name if extent.where else None,
-            lighthouse=str(rules.lighthouse),
-            task=None if rules.task.is_map else rules.task.name,
+            places=tried_places(rules.lighthouse, extent),
             shared_file=shared_file(self.explorer, self.asked),
-            policy=rules.policy,
-            schedules=self.asked.schedules,
-            laws=rules.applying,
-            bound=rules.the_bound.name,
-            step_budget=rules.step_budget,
-            shard=str(self.asked.portion),
+            shard=str(self.portion),
             sample=sample,
             given=len(coverage.worlds) if isinstance(coverage, Given) else None,
             symmetry=self.symmetry or None,

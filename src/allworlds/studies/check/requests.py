@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated
 
+from allworlds.document import Bounded, about
 from allworlds.engines import (
     AskedCluster,
     AskedDirectory,
@@ -14,7 +15,17 @@ from allworlds.engines import (
     Limits,
 )
 from allworlds.explorers import AskedExplorer, Subject
-from allworlds.inputs import EFFORT, RULES, InputError, Option, Taken, an_integer, integer_of, show
+from allworlds.inputs import (
+    EFFORT,
+    RULES,
+    SCOPE,
+    InputError,
+    Option,
+    Taken,
+    an_integer,
+    integer_of,
+    show,
+)
 from allworlds.judging import AskedRules, Rules
 from allworlds.maps import DEFAULT_EDGES, AskedClass, AskedExtent, Extent
 from allworlds.protocol import Schedule, a_schedule
@@ -48,10 +59,23 @@ def _max_findings(given: object) -> int:
 class EstimateRequest(AskedCluster, ManyRuns, AskedShard, AskedWhere, AskedExtent):
     """Which check is meant, and with what effort: that is done, or its time guessed."""
 
+    edges: Annotated[
+        int | None,
+        Option(
+            SCOPE,
+            "M",
+            f"At most M edges (default, unless --vertices is given: {DEFAULT_EDGES}).",
+            parse=integer_of,
+            told=Bounded,
+        ),
+    ] = None
     schedules: Annotated[
         Taken[str, Schedule],
         Option(
-            RULES, "one|all", "all: every sequence of choices, for an explorer that takes choices."
+            RULES,
+            "one|all",
+            "all: every sequence of choices, for an explorer that takes choices.",
+            told=Annotated[Schedule, about("the policy's, or every sequence of choices")],
         ),
     ] = Taken(a_schedule, "one")
     engine: Annotated[str, Option(EFFORT, "auto|python|kernel", "Which engine.")] = "auto"

@@ -7,7 +7,7 @@ from dataclasses import fields
 from typing import Any
 
 from allworlds.explorers import Subject, content_digest, subject_known
-from allworlds.inputs import meant
+from allworlds.inputs import as_json, meant
 from allworlds.judging import AskedRules, Rules
 
 
@@ -19,7 +19,7 @@ def parameters_of(request: object, rules: Rules) -> dict[str, Any]:
 def rules_record(rules: Rules) -> dict[str, Any]:
     """Record of those rules that may come from the explorer."""
     names = ("lighthouse", "step_budget", "promised", "own_bound")
-    return {name: getattr(rules, name) for name in names} | {"lighthouse": str(rules.lighthouse)}
+    return {name: as_json(getattr(rules, name)) for name in names}
 
 
 def rules_known(request: object, told: Mapping[str, Any]) -> Rules:

@@ -10,6 +10,7 @@ from random import Random
 from typing import Annotated, Any, TypeAlias
 
 from allworlds.document import (
+    Aside,
     Document,
     Figure,
     Natural,
@@ -63,7 +64,10 @@ COUNTABLE = 16
 
 Largest: TypeAlias = Annotated[Positive, about("of the largest worlds")]
 Doer: TypeAlias = Annotated[EngineName, about("the engine that would run it")]
-ToBeTried: TypeAlias = Annotated[Natural, about("rooted maps that are to be tried")]
+ToBeTried: TypeAlias = Annotated[
+    Natural,
+    about("rooted maps that are to be tried; under a condition without a source at most so many"),
+]
 Sampled: TypeAlias = Annotated[
     Natural,
     about("rooted maps of the last level that were tried for this; 0: the rate is a guess"),
@@ -98,6 +102,8 @@ class TimeEstimate(Report):
     """Estimate.
 
     How long a check will take: what `check --estimate` writes.
+
+    ``counted`` tells that the worlds were counted, and are not at most so many.
     """
 
     explorer: Annotated[Text, about("its name")]
@@ -108,6 +114,7 @@ class TimeEstimate(Report):
     rate: Rate
     seconds: Takes = computed(_seconds)
     larger: Annotated[tuple[Guess, ...], about("the same check with more edges")]
+    counted: Aside[bool] = True
 
 
 def _plays(job: Job, engine: EngineKind) -> str:

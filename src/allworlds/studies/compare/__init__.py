@@ -6,10 +6,12 @@ the explorers has no place is left out for all.  Of a growing family a few membe
 drawn from seeds, and isomorphic ones count once; every member has a name that gives it back
 (``allworlds run greedy --family torus:6x6 --seed 1``).
 
-``compare_request``
+``compare_request``, ``compare_keywords``
     what is asked for;
 ``contestants``, ``side_by_side``
     explorers that are run in the same worlds, and how they share the units of a job;
+``contest_report``
+    what the reports of all of them have in common;
 ``contest``, ``comparison``
     the runs in every world of a class, and what they have shown;
 ``growing_families``, ``climb``, ``growth``
@@ -42,6 +44,7 @@ if TYPE_CHECKING:
         compare as compare,
         compared as compared,
     )
+    from allworlds.studies.compare.contest_report import ContestReport as ContestReport
     from allworlds.studies.compare.contestants import Contestant as Contestant
     from allworlds.studies.compare.growing_families import Member as Member
     from allworlds.studies.compare.growth import (

@@ -9,9 +9,7 @@ from random import Random
 
 from typing_extensions import override
 
-from allworlds.document import UNSET
 from allworlds.engines import (
-    WHOLE,
     CostTally,
     GivenWorlds,
     Shard,
@@ -21,7 +19,7 @@ from allworlds.engines import (
 )
 from allworlds.inputs import InputError, an_integer, show
 from allworlds.maps import CombinatorialMap, Extent, MapClass, edges_of
-from allworlds.outcome import Completed, Disagreed, Ending
+from allworlds.outcome import Ending
 from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.contestants import Contest, Contestant
 from allworlds.studies.compare.growing_families import FORMS, LEAST, Member, distinct, members_of
@@ -58,21 +56,18 @@ def growing(contestants: Sequence[Contestant], request: CompareRequest, to: int)
         raise InputError(f"class {show(request.map_class.value)} has no effect on worlds that grow")
     if not contestants:
         raise InputError("compare with to takes an explorer at least, not none")
-    families = request.family
-    if not families:
+    if not request.family:
         raise InputError(f"compare with to takes a family at least: {FORMS}")
-    numbers = {
-        "to": to,
-        "worlds": WORLDS if request.worlds is None else request.worlds,
-        "seed": SEED if request.seed is None else request.seed,
+    usual = {"worlds": WORLDS, "seed": SEED, "places": PLACES}
+    numbers = {"to": to} | {
+        name: default if (given := getattr(request, name)) is None else given
+        for name, default in usual.items()
     }
-    places = PLACES if request.places is None else request.places
     for option, least in (("to", LEAST), ("worlds", 1), ("places", 1), ("seed", 0)):
-        given = {**numbers, "places": places}[option]
-        if an_integer(option, given) < least:
-            raise InputError(f"{option} = {show(given)} is less than {least}")
-    named = families.split(",") if isinstance(families, str) else families
-    ladders = {family: members_of(family, **numbers) for family in dict.fromkeys(named)}
+        if an_integer(option, numbers[option]) < least:
+            raise InputError(f"{option} = {show(numbers[option])} is less than {least}")
+    request, places = replace(request, **numbers), numbers.pop("places")
+    ladders = {family: members_of(family, **numbers) for family in request.family or ()}
     return GrowingWorlds(contestants, ladders, request, partial(drawn_places, most=places))
 
 
@@ -145,8 +140,8 @@ class GrowingWorlds(Contest[Growth]):
             mine = replace(size, maps=dict(one for n, one in numbered if n in self._mine))
             number += len(size.maps)
             edges = max((m.edge_count for m in mine.maps.values()), default=1)
-            worlds = len(mine.maps) * len(self.contestants)
-            yield SweptLevel(edges, worlds, self._units(mine), mine)
+            runs = sum(unit.runs for unit in self._units(size))
+            yield SweptLevel(edges, runs, self._units(mine), mine)
 
     def _units(self, size: _Size) -> Iterator[UnitOfOne]:
         """A unit for each contestant and world, with the places of the lighthouse that are run."""
@@ -181,16 +176,10 @@ class GrowingWorlds(Contest[Growth]):
     @override
     def report(self, ending: Ending) -> Growth:
         return Growth(
-            complete=isinstance(ending, Completed | Disagreed),
-            explorers=tuple(self.names),
+            **self.contest(ending),
             families=self._families,
-            shard=UNSET if self.portion == WHOLE else str(self.portion),
             rows=tuple(self._rows),
             left_out=self._left_out,
-            stopped=ending.stopped,
-            findings=tuple(self.findings),
-            by=self.request.by or "run",
-            disagreement=ending.reason if isinstance(ending, Disagreed) else "",
         )
 
     def _row(self, one: Contestant, size: _Size, tally: CostTally) -> Iterator[GrowRow]:

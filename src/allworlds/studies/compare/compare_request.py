@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any, Literal, TypeAlias
 
+from allworlds.document import Natural, Positive, Some, Text, about
 from allworlds.engines import AskedCluster, AskedDirectory, AskedShard
 from allworlds.explorers import ExplorersWords
-from allworlds.inputs import OUTPUT, SCOPE, InputError, Named, Option, Taken, integer_of, show
+from allworlds.inputs import (
+    OUTPUT,
+    SCOPE,
+    InputError,
+    Named,
+    Option,
+    Taken,
+    a_text,
+    integer_of,
+    show,
+)
 from allworlds.maps import FORMS, AskedExtent
 from allworlds.studies.check import ManyWorlds
 from allworlds.world import HOLES, AskedWhere
@@ -22,17 +33,24 @@ def _by(given: str | None) -> By | None:
     raise InputError(f"by {show(given)} is not one of world, run")
 
 
-class CompareRequest(AskedDirectory, AskedCluster, ManyWorlds, AskedShard, AskedWhere, AskedExtent):
-    """Explorers, and the worlds in which they are compared.
+def _families(given: object) -> tuple[str, ...] | None:
+    """The names of families, each once."""
+    if given is None:
+        return None
+    names = given.split(",") if isinstance(given, str) else given
+    if not isinstance(names, Iterable):
+        raise InputError(f"family = {show(given)} is neither a name nor a list of names")
+    return tuple(dict.fromkeys(a_text("family", name) for name in names))
+
+
+class AskedContestWorlds(AskedWhere, AskedExtent):
+    """The worlds in which explorers are compared.
 
     Without ``to`` these are all worlds of a class, or one of a family.
     """
 
-    explorers: Annotated[
-        Sequence[str | Callable[..., Any]], Named(ExplorersWords, "names or generator functions")
-    ] = ()
     family: Annotated[
-        str | Sequence[str] | None,
+        Taken[str | Sequence[str] | None, tuple[str, ...] | None],
         Option(
             SCOPE,
             "F[,F...]",
@@ -40,8 +58,12 @@ class CompareRequest(AskedDirectory, AskedCluster, ManyWorlds, AskedShard, Asked
             "lattice, torus, strip, dense (without 10% of its edges), cubic, regular:D, random "
             "(twice as many edges as vertices), bouquet, lollipop:D, prism, thick:D, cover, "
             "corridor.",
+            told=Annotated[
+                Some[Text] | None,
+                about("the families; with `to` null one, of which one world; null: a class"),
+            ],
         ),
-    ] = None
+    ] = Taken(_families, None)
     holes: Annotated[str | None, HOLES] = None
     seed: Annotated[
         int | None,
@@ -51,11 +73,23 @@ class CompareRequest(AskedDirectory, AskedCluster, ManyWorlds, AskedShard, Asked
             "The seed for worlds drawn from a family; with --to of the first world of a size, the "
             "others have the next ones [default: 0; with --to 1].",
             parse=integer_of,
+            told=Annotated[
+                Natural | None,
+                about("of the world of a family, or of the first of each size; null: a class"),
+            ],
         ),
     ] = None
     to: Annotated[
         int | None,
-        Option(SCOPE, "M", "Worlds of the families up to M edges.", parse=integer_of),
+        Option(
+            SCOPE,
+            "M",
+            "Worlds of the families up to M edges.",
+            parse=integer_of,
+            told=Annotated[
+                Positive | None, about("the most edges of worlds that grow; null: they do not")
+            ],
+        ),
     ] = None
     worlds: Annotated[
         int | None,
@@ -64,6 +98,9 @@ class CompareRequest(AskedDirectory, AskedCluster, ManyWorlds, AskedShard, Asked
             "K",
             "With --to: seeds of each size; isomorphic worlds count once [default: 10].",
             parse=integer_of,
+            told=Annotated[
+                Positive | None, about("seeds of each size; null: worlds that do not grow")
+            ],
         ),
     ] = None
     places: Annotated[
@@ -74,8 +111,25 @@ class CompareRequest(AskedDirectory, AskedCluster, ManyWorlds, AskedShard, Asked
             "With --to: places of the lighthouse in each world; of more, such as the directions "
             "of a marker, P are drawn by the seed [default: 8].",
             parse=integer_of,
+            told=Annotated[
+                Positive | None,
+                about("at most so many places in a world; null: worlds that do not grow"),
+            ],
         ),
     ] = None
+
+
+class CompareRequest(AskedDirectory, AskedCluster, ManyWorlds, AskedShard, AskedContestWorlds):
+    """Explorers, and the worlds in which they are compared."""
+
+    explorers: Annotated[
+        Sequence[str | Callable[..., Any]],
+        Named(
+            ExplorersWords,
+            "names, as on the command line, or generator functions; two or more, with ``to`` one "
+            "or more.",
+        ),
+    ] = ()
     by: Annotated[
         Taken[str | None, By | None],
         Option(

@@ -7,30 +7,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Annotated
 
-from allworlds.document import (
-    EXIT_CODE,
-    UNSET,
-    AllRows,
-    AnyShard,
-    Aside,
-    Document,
-    Figure,
-    Natural,
-    Positive,
-    Report,
-    Some,
-    Text,
-    about,
-    computed,
-    key,
-    one_of,
-)
-from allworlds.engines import Limits, SingleRun, single_run
-from allworlds.judging import Finding
-from allworlds.maps import MapClass
-from allworlds.outcome import Exit, Facts, Verdict
-from allworlds.studies.compare.compare_request import By
-from allworlds.studies.compare.contestants import Contestant
+from typing_extensions import override
+
+from allworlds.document import Aside, Document, Edges, Figure, Natural, Positive, Vertices, about
+from allworlds.engines import SingleRun, single_run
+from allworlds.studies.compare.contest_report import ContestReport
+from allworlds.studies.compare.growing_families import Member
 from allworlds.studies.compare.in_world import InWorld
 from allworlds.world import World
 
@@ -49,32 +31,11 @@ class InMap:
         return Fraction(self.total, self.runs)
 
 
-class Compared(Document):
-    """An explorer of a comparison, with the rules of its runs."""
-
-    name: Annotated[Text, about("the explorer's")]
-    lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")]
-    policy: Annotated[Text, about("who answered its choices")]
-    bound: Annotated[
-        Text, about("the bound on its traversals; `none` where the law was not checked")
-    ]
-
-
-def _compared(contestant: Contestant) -> Compared:
-    rules = contestant.rules
-    return Compared(
-        name=contestant.name,
-        lighthouse=str(rules.lighthouse),
-        policy=rules.policy,
-        bound=rules.the_bound.name,
-    )
-
-
 class ComparedRow(Document):
     """Costs in the worlds of one size. The first explorer is compared with each other one."""
 
-    edges: Positive
-    vertices: Positive
+    edges: Edges
+    vertices: Vertices
     worlds: Annotated[
         Positive, about("rooted maps in which every explorer's lighthouse has a place")
     ]
@@ -102,66 +63,30 @@ class DifferMost(Document):
     costs: Annotated[dict[str, Figure], about("for each explorer its mean over the places")]
 
 
-class Comparison(Report):
+class Comparison(ContestReport):
     """Report of 'compare'.
 
     Explorers side by side in the same worlds.
 
-    ``all_counted`` tells that an independent source counts the worlds that were enumerated; the
-    contestants were run under ``limits``; ``in_worlds`` holds the runs in each world if rows
-    are wanted ``by`` them.
+    ``member`` is the one world, if they were run in one of a family; ``all_counted`` tells that an
+    independent source counts the worlds that were enumerated; ``in_worlds`` holds the runs in each
+    world if rows are wanted by them.
     """
 
-    verdict: Annotated[Verdict, about("whether a run of any explorer broke a law")] = computed(
-        lambda report: report.facts.verdict
-    )
-    exit_code: Annotated[
-        Exit,
-        one_of(
-            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
-            Exit.INTERRUPTED,
-        ),
-    ] = EXIT_CODE
-    complete: AllRows
-    explorers: Annotated[Some[Compared], about("in the order in which they were named")] = computed(
-        lambda report: tuple(map(_compared, report.contestants))
-    )
-    family: Annotated[Text | None, about("the one world, with its seed; null: a class of worlds")]
-    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    edges: Annotated[Positive | None, about("at most so many; null: not bounded, or a family")]
-    vertices: Annotated[Positive | None, about("at most so many; null: not bounded, or a family")]
-    shard: AnyShard = UNSET
     rows: Annotated[
         tuple[ComparedRow, ...], about("one for each (edges, vertices) of the finished levels")
     ]
     differ_most: Annotated[
         DifferMost | None, about("null: nothing was compared, or nothing differs")
     ]
-    stopped: Annotated[str | None, about("why it is not complete; null: it is, or by the user")]
-    findings: Annotated[
-        tuple[Finding, ...], about("the smallest of each explorer that broke a law")
-    ]
+    member: Aside[Member | None]
     all_counted: Aside[bool]
-    contestants: Aside[tuple[Contestant, ...]]
-    by: Aside[By | None] = None
     in_worlds: Aside[tuple[InWorld, ...]] = ()
-    limits: Aside[Limits]
 
     @property
-    def facts(self) -> Facts:
-        """Whether the source counts these worlds, and a run breaks a law."""
-        return Facts.of_rows(
-            self.complete,
-            self.stopped,
-            disagrees=not self.all_counted,
-            refuted=bool(self.findings),
-            vacuous=self.shard is UNSET and not self.rows,
-        )
-
-    @property
-    def names(self) -> list[str]:
-        """The names of the explorers."""
-        return [explorer.name for explorer in self.explorers]
+    @override
+    def agrees(self) -> bool:
+        return self.all_counted
 
     def walks(self) -> Iterator[SingleRun]:
         """A run of each explorer in the world that differs most, at the first place."""
@@ -169,7 +94,7 @@ class Comparison(Report):
             return
         for contestant in self.contestants:
             world = contestant.first_world(self.differ_most.world.map)
-            yield single_run(contestant.subject, world, contestant.rules, (), self.limits)
+            yield single_run(contestant.subject, world, contestant.rules, (), self.request.limits)
 
 
 def rounded(value: Fraction) -> float:

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from inspect import signature
 from itertools import groupby
-from pathlib import Path
-from typing import Any, TypedDict, Unpack, overload
+from typing import Any, Unpack, overload
 
 from typing_extensions import override
 
-from allworlds.document import UNSET
 from allworlds.engines import (
     WHOLE,
     CostTally,
@@ -26,12 +23,12 @@ from allworlds.engines import (
     UnitOfRuns,
     level_size,
 )
-from allworlds.inputs import InputError, ensure_takes, show
-from allworlds.judging import Task
-from allworlds.maps import CombinatorialMap, Condition, Extent
-from allworlds.outcome import Completed, Disagreed, Ending, Stopped
+from allworlds.inputs import InputError, show, takes_fields
+from allworlds.maps import CombinatorialMap, Extent
+from allworlds.outcome import Ending, Stopped
 from allworlds.studies.check import GateCell, count_gate
 from allworlds.studies.compare.climb import GrowingWorlds, growing
+from allworlds.studies.compare.compare_keywords import CompareKeywords, SameWorldsKeywords
 from allworlds.studies.compare.compare_request import CompareRequest
 from allworlds.studies.compare.comparison import (
     ComparedRow,
@@ -51,48 +48,7 @@ from allworlds.studies.compare.growing_families import Member, form_of
 from allworlds.studies.compare.growth import Growth
 from allworlds.studies.compare.in_world import InWorld
 from allworlds.studies.compare.side_by_side import CostsOfAll, UnitOfOne
-from allworlds.world import GivenLighthouse, World
-
-
-class SameWorldsOptions(TypedDict, total=False):
-    """The fields of :class:`CompareRequest` for worlds that do not grow.
-
-    They are listed again here, because types have no other way to describe a list of explorers of
-    any length.
-    """
-
-    edges: int | None
-    vertices: int | None
-    map_class: str
-    where: str | Condition | None
-    family: str | Sequence[str] | None
-    holes: str | None
-    seed: int | None
-    lighthouse: GivenLighthouse | None
-    task: str | Task
-    policy: str
-    bound: str | int | None
-    laws: Iterable[str] | None
-    step_budget: int | None
-    answer_timeout: float
-    start_timeout: float
-    workers: int
-    time_limit: float | None
-    memory: int | None
-    shard: tuple[int, int] | Portion | None
-    run: str | Path | None
-    dask: str | None
-    dask_timeout: float
-    listener: Listener | None
-    by: str | None
-
-
-class CompareOptions(SameWorldsOptions, total=False):
-    """All fields of :class:`CompareRequest` but the explorers."""
-
-    to: int | None
-    worlds: int | None
-    places: int | None
+from allworlds.world import World
 
 
 @overload
@@ -101,33 +57,28 @@ def compare(
     to: int,
     worlds: int | None = ...,
     places: int | None = ...,
-    **options: Unpack[SameWorldsOptions],
+    **options: Unpack[SameWorldsKeywords],
 ) -> Growth: ...
 @overload
 def compare(
-    *explorers: str | Callable[..., Any], **options: Unpack[SameWorldsOptions]
+    *explorers: str | Callable[..., Any], **options: Unpack[SameWorldsKeywords]
 ) -> Comparison: ...
 @overload
 def compare(
-    *explorers: str | Callable[..., Any], **options: Unpack[CompareOptions]
+    *explorers: str | Callable[..., Any], **options: Unpack[CompareKeywords]
 ) -> Comparison | Growth: ...
+@takes_fields(CompareRequest, several="explorers")
 def compare(
-    *explorers: str | Callable[..., Any], **options: Unpack[CompareOptions]
+    *explorers: str | Callable[..., Any], **options: Unpack[CompareKeywords]
 ) -> Comparison | Growth:
     """Run explorers in the same worlds, judge every run, and compare what they walk.
 
     With ``to`` the worlds grow: of each family a few members of each size are run, and how the
     cost grows is fitted; then one explorer is enough.
 
-    Args:
-        explorers: names (see :func:`allworlds.explorers.loading.load`) or generator functions; two
-            or more.
-        options: the worlds, and how runs are judged; see :class:`CompareRequest`.
-
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    ensure_takes("compare", signature(CompareRequest), **options)
     return compared(CompareRequest(explorers=explorers, **options))
 
 
@@ -152,9 +103,10 @@ def _contest(
         only = show(contestants[0].name) if contestants else "none"
         raise InputError(f"compare takes two explorers at least, not {only}")
     edges, vertices = request.edges, request.vertices
-    family, holes = request.family, request.holes
-    if family is not None:
-        if not isinstance(family, str) or all(form_of(each) for each in family.split(",")):
+    families, holes = request.family, request.holes
+    if families is not None:
+        family = ",".join(families)
+        if all(map(form_of, families)):
             raise InputError(
                 f"family {show(family)} names no world: give a size, as in lattice:3x4, for one "
                 "world, or --to M for worlds that grow up to M edges"
@@ -163,7 +115,8 @@ def _contest(
             raise InputError(f"family {show(family)} is one world; it takes no edges or vertices")
         if request.where is not None:
             raise InputError(f"family {show(family)} is one world; where has no effect on it")
-        return SameWorlds(contestants, request, Member(family, holes, request.seed or 0))
+        seed = request.seed or 0
+        return SameWorlds(contestants, replace(request, seed=seed), Member(family, holes, seed))
     if holes is not None:
         raise InputError(f"holes {holes} has no effect without a family")
     if edges is None and vertices is None:
@@ -203,8 +156,7 @@ class SameWorlds(Contest[Comparison]):
         map_ = member.map() if member else None
         extent = Extent(request.map_class, map_.edge_count) if map_ else request.extent
         super().__init__(contestants, request, extent, every=map_ is None)
-        self._family, self._map = (member.told if member else ""), map_
-        self._member = member.name if member else ""
+        self._map, self._member = map_, member
         self._rows: list[ComparedRow] = []
         self._gate: list[GateCell] = []
         self._most: _Apart | None = None
@@ -222,8 +174,11 @@ class SameWorlds(Contest[Comparison]):
     def levels(self) -> Iterator[SweptLevel]:
         map_, levels = self._map, self.bounds.levels
         for edges in levels[-1:] if map_ else levels:
-            size = 1 if map_ else level_size(self.bounds, edges)
-            yield SweptLevel(edges, size * len(self.contestants), self._units(edges))
+            if map_:
+                size = sum(len(self._placed(one)) for one in self.contestants)
+            else:
+                size = level_size(self.bounds, edges) * len(self.contestants)
+            yield SweptLevel(edges, size, self._units(edges))
 
     def _units(self, edges: int) -> Iterator[UnitOfOne]:
         for number, one in enumerate(self.contestants):
@@ -234,9 +189,14 @@ class SameWorlds(Contest[Comparison]):
         if self._map is None:
             return one.scope(self.bounds, self.portion).units(edges)
         mine = not isinstance(self.portion, Shard) or self.portion.index == 0
-        places = enumerate(one.rules.kind.places(self._map, 0))
-        given = tuple((World(self._map, lighthouse, 0), place) for place, lighthouse in places)
+        given = self._placed(one)
         return [GivenWorlds(given)] if given and mine else []
+
+    def _placed(self, one: Contestant) -> tuple[tuple[World, int], ...]:
+        """The one world, with every place of a contestant's lighthouse."""
+        assert self._map is not None
+        places = enumerate(one.rules.kind.places(self._map, 0))
+        return tuple((World(self._map, lighthouse, 0), place) for place, lighthouse in places)
 
     @override
     def finish(self, level: SweptLevel, total: CostsOfAll) -> Ending | None:
@@ -251,24 +211,13 @@ class SameWorlds(Contest[Comparison]):
 
     @override
     def report(self, ending: Ending) -> Comparison:
-        bounds = (None, None) if self._map else (self.bounds.edges, self.bounds.vertices)
-        agree = not isinstance(ending, Disagreed) and all(cell.agrees for cell in self._gate)
         return Comparison(
-            complete=isinstance(ending, Completed | Disagreed),
-            family=self._family or None,
-            map_class=self.bounds.map_class,
-            edges=bounds[0],
-            vertices=bounds[1],
-            shard=UNSET if self.portion == WHOLE else str(self.portion),
+            **self.contest(ending),
             rows=tuple(self._rows),
             differ_most=self._differ_most(),
-            stopped=ending.stopped,
-            findings=tuple(self.findings),
-            all_counted=agree,
-            contestants=self.contestants,
-            by=self.request.by,
+            member=self._member,
+            all_counted=all(cell.agrees for cell in self._gate),
             in_worlds=tuple(self._in_worlds),
-            limits=self.request.limits,
         )
 
     def _differ_most(self) -> DifferMost | None:
@@ -290,7 +239,8 @@ class SameWorlds(Contest[Comparison]):
             for one, costs in zip(self.contestants, found, strict=True):
                 bound = one.rules.the_bound.of(map_, 0)
                 places = costs[key]
-                yield InWorld(map_, self._member, one.name, places, len(places), bound)
+                member = self._member.name if self._member else ""
+                yield InWorld(map_, member, one.name, places, len(places), bound)
 
     def _compare(self, costs: Sequence[Mapping[MapKey, InMap]]) -> list[MapKey]:
         """Add the rows of a level, and return the worlds in which every explorer has a place."""

@@ -155,6 +155,15 @@ class Contest(Sweep[CostsOfAll, Answer]):
             for found in tally.findings:
                 known.find(found)
 
+    def contest(self, ending: Ending) -> dict[str, Any]:
+        """Return the keywords of the report of any contest."""
+        return {
+            **self.ended(ending, self.bounds),
+            "findings": tuple(self.findings),
+            "contestants": self.contestants,
+            "by": self.request.by,
+        }
+
     def group(self, level: SweptLevel) -> int:  # noqa: ARG002  # all are one
         """The number of the group to which a level belongs."""
         return 0

@@ -7,28 +7,24 @@ from enum import StrEnum
 from math import fsum
 from typing import Annotated, TypeAlias
 
+from typing_extensions import override
+
 from allworlds.document import (
-    EXIT_CODE,
-    UNSET,
-    AllRows,
-    AnyShard,
     Aside,
     Document,
     Figure,
+    Meta,
     Natural,
     Pair,
     Positive,
-    Report,
     Some,
     Text,
     about,
     computed,
-    one_of,
 )
-from allworlds.judging import Finding
 from allworlds.maps import CombinatorialMap
-from allworlds.outcome import Exit, Facts, Verdict
-from allworlds.studies.compare.compare_request import By
+from allworlds.outcome import Verdict
+from allworlds.studies.compare.contest_report import ContestReport
 from allworlds.studies.compare.growing_families import member_named
 from allworlds.studies.compare.in_world import InWorld
 from allworlds.studies.compare.intervals import (
@@ -161,32 +157,18 @@ class Exponent(Document):
     farthest: Annotated[Positive, about("edges of the size that is farthest from the law")] = (
         computed(lambda one: one.fit.farthest)
     )
-    distance: Annotated[float, about("of that size: 0.1 is a tenth above the law")] = computed(
-        lambda one: round(one.fit.distances[one.fit.farthest], 3)
+    distance: Annotated[float, Meta(ge=-1), about("of that size: 0.1 is a tenth above the law")] = (
+        computed(lambda one: round(one.fit.distances[one.fit.farthest], 3))
     )
     fit: Aside[PowerLaw]
 
 
-class Growth(Report):
+class Growth(ContestReport):
     """Report of 'compare --to'.
 
     Explorers in worlds that grow.
     """
 
-    verdict: Annotated[Verdict, about("whether a run broke a law")] = computed(
-        lambda report: report.facts.sample_verdict
-    )
-    exit_code: Annotated[
-        Exit,
-        one_of(
-            *(Exit.HOLDS, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERNAL),
-            Exit.INTERRUPTED,
-        ),
-    ] = EXIT_CODE
-    complete: AllRows
-    explorers: Annotated[Some[Text], about("in the order in which they were named")]
-    families: Annotated[Some[Text], about("likewise")]
-    shard: AnyShard = UNSET
     rows: Annotated[tuple[GrowRow, ...], about("one for each family, size and explorer")]
     exponents: Annotated[
         tuple[Exponent, ...], about("one for each family and explorer with two sizes or more")
@@ -195,25 +177,12 @@ class Growth(Report):
         tuple[CostRatio, ...], about("one for each family, size and explorer but the first")
     ] = computed(lambda report: tuple(_ratios(report)))
     left_out: Annotated[Natural, about("members in which a lighthouse had no place")] = 0
-    stopped: Annotated[str | None, about("why it is not complete; null: it is, or by the user")] = (
-        None
-    )
-    findings: Annotated[
-        tuple[Finding, ...], about("the smallest of each explorer in each family")
-    ] = ()
-    disagreement: Aside[str] = ""
-    by: Aside[By] = "run"
+    families: Aside[tuple[str, ...]]
 
     @property
-    def facts(self) -> Facts:
-        """Whether a run breaks a law."""
-        return Facts.of_rows(
-            self.complete,
-            self.stopped,
-            disagrees=bool(self.disagreement),
-            refuted=bool(self.findings),
-            vacuous=self.shard is UNSET and not self.rows,
-        )
+    @override
+    def judged(self) -> Verdict:
+        return self.facts.sample_verdict
 
     def in_worlds(self) -> Iterator[InWorld]:
         """The runs in each world, row by row.
@@ -230,7 +199,7 @@ class Growth(Report):
 
 def _exponents(report: Growth) -> Iterator[Exponent]:
     for family in report.families:
-        for name in report.explorers:
+        for name in report.names:
             rows = [r for r in report.rows if (r.family, r.explorer) == (family, name)]
             fit = power_law({row.edges: row.means for row in rows})
             if fit is not None:
@@ -238,7 +207,7 @@ def _exponents(report: Growth) -> Iterator[Exponent]:
 
 
 def _ratios(report: Growth) -> Iterator[CostRatio]:
-    first = {(r.family, r.edges): r for r in report.rows if r.explorer == report.explorers[0]}
+    first = {(r.family, r.edges): r for r in report.rows if r.explorer == report.names[0]}
     for row in report.rows:
         beside = first.get((row.family, row.edges))
         if beside is None or beside is row:

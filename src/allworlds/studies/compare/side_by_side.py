@@ -12,7 +12,14 @@ from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any, Self
 
-from allworlds.engines import CostEngine, CostTally, PartialResult, Transport, UnitOfRuns
+from allworlds.engines import (
+    CostEngine,
+    CostTally,
+    GivenWorlds,
+    PartialResult,
+    Transport,
+    UnitOfRuns,
+)
 from allworlds.judging import Rules
 
 
@@ -27,6 +34,11 @@ class UnitOfOne:
     def key(self) -> str:
         """Key of the unit in a run directory: ``NUMBER/KEY``."""
         return f"{self.number}/{self.unit.key}"
+
+    @property
+    def runs(self) -> int:
+        """The number of its runs, if they are those of given worlds."""
+        return len(self.unit.worlds) if isinstance(self.unit, GivenWorlds) else 0
 
 
 @dataclass(slots=True)

@@ -12,34 +12,30 @@ from typing_extensions import override
 
 from allworlds.document import (
     UNSET,
-    AllRows,
-    AnyShard,
     Aside,
-    Bounded,
     Document,
-    Gate,
-    IfAny,
+    Edges,
     Natural,
-    Positive,
-    Report,
-    Text,
     UnsetType,
-    Why,
+    WhichShard,
     about,
     computed,
-    key,
 )
 from allworlds.engines import (
+    GATE,
     WHOLE,
     LevelUnit,
     ReadyEngine,
     Sweep,
     SweptLevel,
+    SweptReport,
+    ToldGate,
     here_or,
+    told_scope,
 )
 from allworlds.inputs import answers
-from allworlds.maps import Extent, MapClass, automorphisms, source_name, source_of
-from allworlds.outcome import Completed, Ending, Facts
+from allworlds.maps import Extent, MapClass, automorphisms, source_of
+from allworlds.outcome import Ending
 from allworlds.studies.count.count_request import CountRequest
 
 TOLD_EVERY = 1000
@@ -55,7 +51,7 @@ class CountRow(Document):
     ``counted`` holds the rooted maps by vertices according to the independent source.
     """
 
-    edges: Positive
+    edges: Edges
     rooted: Annotated[Natural, about("rooted maps")]
     unrooted: Annotated[
         Natural | None,
@@ -84,39 +80,33 @@ class CountRow(Document):
         return self.by_vertices == {n: count for n, count in self.counted.items() if count}
 
 
-class Census(Report):
+class CountedScope(Document, of=CountRequest):
+    """The scope of a count."""
+
+    shard: WhichShard
+
+
+class Census(SweptReport):
     """Report of 'count'.
 
     Every level of a class, counted.
     """
 
-    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    edges: Bounded
-    vertices: Bounded
-    shard: AnyShard = UNSET
-    where: Annotated[IfAny[Text | None], about("what besides is true of the maps")]
-    gate: Annotated[
-        Gate | None,
-        about("the comparison of every row with an independent source; null: there is none"),
-    ] = computed(
-        lambda c: (
-            Gate(source=c.source, agrees=all(row.agrees for row in c.rows)) if c.source else None
-        )
+    scope: Annotated[CountedScope, about("what was counted")] = computed(
+        lambda c: told_scope(CountedScope, c.request, shard=str(c.portion))
     )
-    complete: AllRows
-    stopped: Why = None
+    gate: ToldGate = GATE
     rows: Annotated[tuple[CountRow, ...], about("one a number of edges, ascending")]
-    source: Aside[str]
 
     @property
-    def facts(self) -> Facts:
-        """Whether the source agrees, and there was anything to be counted."""
-        return Facts.of_rows(
-            self.complete,
-            self.stopped,
-            disagrees=self.gate is not None and not self.gate.agrees,
-            vacuous=self.shard is UNSET and not any(row.rooted for row in self.rows),
-        )
+    @override
+    def agrees(self) -> bool:
+        return all(row.agrees for row in self.rows)
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return not any(row.rooted for row in self.rows)
 
 
 @answers(CountRequest)
@@ -152,18 +142,7 @@ class CountSweep(Sweep["Counted", Census]):
 
     @override
     def report(self, ending: Ending) -> Census:
-        extent = self.extent
-        return Census(
-            map_class=extent.map_class,
-            edges=extent.edges,
-            vertices=extent.vertices,
-            shard=UNSET if self.portion == WHOLE else str(self.portion),
-            complete=isinstance(ending, Completed),
-            stopped=ending.stopped,
-            rows=tuple(self._rows),
-            source=source_name(extent),
-            where=extent.where.name if extent.where else None,
-        )
+        return Census(**self.ended(ending), rows=tuple(self._rows))
 
 
 @dataclass(slots=True)

@@ -23,6 +23,7 @@ from allworlds.engines import (
     Transport,
     gather,
     players_for,
+    shards_of,
     subject_of,
     workers_for,
 )
@@ -78,12 +79,22 @@ def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
 
 
 class FuzzSweep(TallySweep[CheckReport]):
-    """The sweep of a sample. It is one level, of which every finished part is reported."""
+    """The sweep of a sample. It is one level, of which every finished part is reported.
+
+    Args:
+        request: what was asked for.
+        scope: the worlds and the rules.
+        subject: the explorer.
+        shards: the number of parts that are joined, if they were done apart.
+    """
 
     verb, asked = "fuzz", FuzzRequest
 
-    def __init__(self, request: FuzzRequest, scope: Scope, subject: Subject) -> None:
+    def __init__(
+        self, request: FuzzRequest, scope: Scope, subject: Subject, shards: int = 1
+    ) -> None:
         super().__init__(request, scope, subject)
+        self._shards = max(shards, shards_of(self.portion))
         self._tally = self.empty()
 
     @override
@@ -91,13 +102,14 @@ class FuzzSweep(TallySweep[CheckReport]):
     def known(cls, identity: Identity, portion: Portion, listener: Listener) -> FuzzSweep:
         request = cls.asked_then(identity, portion, listener)
         rules = rules_known(request, identity.parameters)
-        return cls(request, scope_of(request, rules), subject_of_record(identity.explorer))
+        subject = subject_of_record(identity.explorer)
+        return cls(request, scope_of(request, rules), subject, identity.shards)
 
     @override
     def levels(self) -> Iterable[SweptLevel]:
         sample, edges = self.scope.coverage, self.request.edges
         assert isinstance(sample, Sample)
-        yield SweptLevel(edges, sample.runs, batches(sample))
+        yield SweptLevel(edges, sample.runs, batches(sample, self._shards))
 
     @override
     def begin(self) -> None:
@@ -139,12 +151,12 @@ class FuzzSweep(TallySweep[CheckReport]):
     @override
     def report(self, ending: Ending) -> CheckReport:
         return CheckReport(
+            **self.ended(ending, self.scope.extent),
             explorer=self.job.subject.name,
             engine="python",
             asked=self.scope,
             tally=self._tally,
             levels=(),
-            ending=ending,
         )
 
 

@@ -15,8 +15,8 @@ from allworlds.maps import (
     Extent,
     Gluing,
     MapClass,
-    NamedCondition,
     lattice,
+    narrowing,
     random_map,
     rooted_code,
 )
@@ -35,18 +35,20 @@ DEAD_ENDS = 5
 """The number of histories under a condition that may come to nothing."""
 
 
-def batches(sample: Sample) -> Iterator[Batch]:
-    """The sample in pieces, or a range of them for a shard.
+def batches(sample: Sample, shards: int) -> Iterator[Batch]:
+    """The sample in pieces, or its part for a shard: run numbers, dealt out evenly.
 
     They do not depend on the number of workers.
+
+    Args:
+        sample: the whole, or the part of a shard.
+        shards: the number of parts, each of which is cut by itself.
     """
-    pieces, first = -(-sample.runs // BATCH), 0
-    if isinstance(sample.portion, Shard):
-        index, count = sample.portion.index, sample.portion.count
-        first, pieces = index * pieces // count, (index + 1) * pieces // count
-    for piece in range(first, pieces):
-        last = min((piece + 1) * BATCH, sample.runs)
-        yield Batch(sample.seed, piece * BATCH, last, sample.min_edges)
+    parts = [sample.portion.index] if isinstance(sample.portion, Shard) else range(shards)
+    for part in parts:
+        first, end = (at * sample.runs // shards for at in (part, part + 1))
+        for begin in range(first, end, BATCH):
+            yield Batch(sample.seed, begin, min(begin + BATCH, end), sample.min_edges)
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +111,7 @@ Generator = Callable[[int, Random], CombinatorialMap]
 def _generators(extent: Extent) -> tuple[Generator, ...]:
     """The generators of an extent; of a condition with a name its own histories alone."""
     map_class, where = extent.map_class, extent.where
-    if isinstance(where, NamedCondition):
+    if narrowing(where):
         return (glued(map_class, where),)
     return GENERATORS.get(map_class, (glued(map_class),))
 

@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 import shlex
+from dataclasses import KW_ONLY
 from pathlib import Path
 from typing import Annotated, Literal, overload
 
 from allworlds.document import Positive, Report, Text, about, computed, one_of
 from allworlds.explorers import INTERFACE_VERSION, LANGUAGES, Language, header_text, templates
-from allworlds.inputs import InputError, a_path, show
+from allworlds.inputs import (
+    OUTPUT,
+    Argument,
+    InputError,
+    Option,
+    Request,
+    a_path,
+    one_of as one_of_these,
+    show,
+    takes_fields,
+)
 
 
 class Skeleton(Report):
@@ -48,31 +59,31 @@ class Header(Report):
     header: Annotated[Text, about("`allworlds.h`")]
 
 
-@overload
-def init(directory: str | Path, *, lang: str = "python") -> Skeleton: ...
-@overload
-def init(*, header: Literal[True]) -> Header: ...
-@overload
-def init(
-    directory: str | Path | None = ..., *, lang: str | None = ..., header: bool = ...
-) -> Skeleton | Header: ...
-def init(
-    directory: str | Path | None = None, *, lang: str | None = None, header: bool = False
-) -> Skeleton | Header:
-    """Write a skeleton of an explorer, its test and a workflow into a directory.
+class InitRequest(Request, kw_only=False):
+    """Request of ``init``: a skeleton, or the header."""
 
-    The directory may be there already, with other files in it; no file is overwritten.
+    directory: Annotated[
+        str | Path | None,
+        Argument("", "[DIR]", "The directory of the skeleton; no file in it is overwritten."),
+    ] = None
+    _: KW_ONLY
+    lang: Annotated[
+        str | None, Option(OUTPUT, "LANG", f"{one_of_these(LANGUAGES)} [default: python].")
+    ] = None
+    header: Annotated[
+        bool,
+        Option(
+            OUTPUT,
+            "",
+            "Print instead the C header of native explorers, which includes their manual.",
+        ),
+    ] = False
 
-    Args:
-        directory: need not exist yet.
-        lang: one of :data:`~allworlds.explorers.LANGUAGES`; None (default) for ``python``.
-        header: hand back the C header of native explorers instead; nothing is written.
 
-    Raises:
-        InputError: if both or neither are asked for, there is no skeleton in that language, one of
-            its files is there already (then nothing is written), or a file cannot be written.
-    """
-    if header:
+def begun(request: InitRequest) -> Skeleton | Header:
+    """Answer a request of ``init``."""
+    directory, lang = request.directory, request.lang
+    if request.header:
         if directory is not None or lang is not None:
             given = "directory" if directory is not None else "lang"
             raise InputError(f"init writes a skeleton or tells the header, not both: {given} given")
@@ -102,3 +113,26 @@ def init(
                 f"file {show(str(file))} cannot be written: {error.strerror}"
             ) from None
     return Skeleton(directory=folder, lang=lang, files=tuple(texts))
+
+
+@overload
+def init(directory: str | Path, *, lang: str = "python") -> Skeleton: ...
+@overload
+def init(*, header: Literal[True]) -> Header: ...
+@overload
+def init(
+    directory: str | Path | None = ..., *, lang: str | None = ..., header: bool = ...
+) -> Skeleton | Header: ...
+@takes_fields(InitRequest, answered=begun)
+def init(
+    directory: str | Path | None = None, *, lang: str | None = None, header: bool = False
+) -> Skeleton | Header:
+    """Write a skeleton of an explorer, its test and a workflow into a directory.
+
+    The directory may be there already, with other files in it; no file is overwritten.
+
+    Raises:
+        InputError: if both or neither are asked for, there is no skeleton in that language, one of
+            its files is there already (then nothing is written), or a file cannot be written.
+    """
+    return begun(InitRequest(directory, lang=lang, header=header))

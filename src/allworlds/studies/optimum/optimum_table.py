@@ -10,18 +10,19 @@ from typing import Annotated
 from typing_extensions import override
 
 from allworlds.document import (
-    AllRows,
     Document,
+    Edges,
     Natural,
     Positive,
-    Report,
     Why,
     about,
     computed,
 )
 from allworlds.engines import (
+    STOPPED,
     LevelUnit,
     ReadyEngine,
+    RowsReport,
     Sweep,
     SweptLevel,
     ThisThread,
@@ -33,7 +34,7 @@ from allworlds.engines import (
 from allworlds.explorers import BUILT_IN
 from allworlds.inputs import InputError, an_integer, answers, show
 from allworlds.maps import CombinatorialMap, Dart, Extent, MapClass
-from allworlds.outcome import Completed, Ending, Facts
+from allworlds.outcome import Ending
 from allworlds.studies.check import check
 from allworlds.studies.optimum.fewest_traversals import Search
 from allworlds.studies.optimum.in_every_world import most_expensive
@@ -86,7 +87,7 @@ def minimax(
 class OptimumRow(Document):
     """The worlds with one number of edges, which the explorer knows."""
 
-    edges: Positive
+    edges: Edges
     runs: Annotated[Positive, about("worlds with every bearing")]
     optimum: Annotated[
         Natural | None,
@@ -113,24 +114,19 @@ class OptimumRow(Document):
         return self.replayed == self.optimum
 
 
-class OptimumReport(Report):
+class OptimumReport(RowsReport):
     """Report of 'optimum'.
 
     The optimum by the number of edges, beside the worst costs of the built-in explorers.
     """
 
-    complete: AllRows
-    stopped: Why = None
+    stopped: Why = STOPPED
     rows: Annotated[tuple[OptimumRow, ...], about("by the number of edges")]
 
     @property
-    def facts(self) -> Facts:
-        """Whether each strategy does what the search says, and every optimum was found."""
-        return Facts.of_rows(
-            self.complete,
-            self.stopped,
-            disagrees=not all(row.agrees for row in self.rows),
-        )
+    @override
+    def agrees(self) -> bool:
+        return all(row.agrees for row in self.rows)
 
 
 @answers(OptimumRequest)
@@ -176,11 +172,7 @@ class OptimumSweep(Sweep["OptimumRows", OptimumReport]):
 
     @override
     def report(self, ending: Ending) -> OptimumReport:
-        return OptimumReport(
-            complete=isinstance(ending, Completed),
-            stopped=ending.stopped,
-            rows=tuple(self._rows.rows),
-        )
+        return OptimumReport(ending=ending, rows=tuple(self._rows.rows))
 
 
 @dataclass(slots=True)

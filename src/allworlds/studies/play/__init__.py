@@ -5,6 +5,10 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.play.playing import Play as Play, play as play
+    from allworlds.studies.play.playing import (
+        Play as Play,
+        PlayRequest as PlayRequest,
+        play as play,
+    )
 else:
     open_door(__name__)

@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import KW_ONLY
 from typing import Annotated, TypeAlias
 
 from allworlds.document import Report, about
-from allworlds.inputs import InputError, show
+from allworlds.inputs import SCOPE, Option, Request, answers, integer_of
 from allworlds.protocol import Action, Percept, Transcript
-from allworlds.world import GivenLighthouse, IllegalAction, World, world_named
+from allworlds.world import (
+    LIGHTHOUSE,
+    WORLD,
+    Directional,
+    GivenLighthouse,
+    IllegalAction,
+    World,
+    a_world,
+)
 
 Player: TypeAlias = Callable[[Percept, str], Action | None]
 """A player: given the percept, and the fault of the last action (empty if there is none),
@@ -26,30 +35,36 @@ class Play(Report):
     transcript: Annotated[Transcript, about("the actions and percepts; for a page only the start")]
 
 
-def play(
-    world: World | str,
-    *,
-    lighthouse: GivenLighthouse = "directional",
-    seed: int | None = None,
-    player: Player = lambda *_: None,
-) -> Play:
-    """Let a player walk in the world, action by action.
+class PlayRequest(Request, kw_only=False):
+    """Request of ``play``: a world, and who walks in it."""
 
-    Args:
-        world: map, lighthouse and start; or what a WORLD may be on the command line.
-        lighthouse: the kind of a world that is given as a text and names none.
-        seed: of a world of a family, by default 0: ``play("random:8", seed=3)``.
-        player: by default it ends the game at once.
+    world: Annotated[World | str, WORLD]
+    _: KW_ONLY
+    lighthouse: Annotated[GivenLighthouse, LIGHTHOUSE] = Directional.kind
+    seed: Annotated[
+        int | None,
+        Option(
+            SCOPE,
+            "S",
+            "The seed of a WORLD of a family: random:8 with --seed 3 is one for a class-room.",
+            parse=integer_of,
+        ),
+    ] = None
+    player: Annotated[
+        Player,
+        "takes a percept and the fault of the last action, and returns the next action, or None to "
+        "end the game; by default it ends the game at once",
+    ] = lambda *_: None
+
+
+@answers(PlayRequest)
+def play(request: PlayRequest) -> Play:
+    """Let a player walk in the world, action by action.
 
     Raises:
         InputError: if there is no such world.
     """
-    if isinstance(world, str):
-        world = world_named(world, lighthouse, seed)
-    elif seed is not None:
-        raise InputError(f"seed = {show(seed)} has no effect on a world that is given")
-    if not isinstance(world, World):
-        raise InputError(f"world = {show(world)} is no World; World.from_json makes one")
+    world, player = a_world(request.world, request.lighthouse, request.seed), request.player
     state, percept, steps, refused = world.initial, world.first, [], ""
     while (action := player(percept, refused)) is not None:
         try:

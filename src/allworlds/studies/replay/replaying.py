@@ -5,7 +5,17 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Annotated, Literal
 
-from allworlds.document import EXIT_CODE, Aside, Report, Text, about, computed, key, one_of
+from allworlds.document import (
+    EXIT_CODE,
+    Aside,
+    ExitCode,
+    Report,
+    Text,
+    about,
+    computed,
+    key,
+    one_of,
+)
 from allworlds.engines import (
     SingleRun,
     single_run,
@@ -42,7 +52,7 @@ class Replay(Report):
             "but single runs cannot show that a `nondeterministic` explorer was mended"
         ),
     ] = computed(lambda replay: replay.outcome_now)
-    exit_code: Annotated[Exit, one_of(Exit.ANSWERED, Exit.FIXED, Exit.INCONCLUSIVE)] = EXIT_CODE
+    exit_code: Annotated[ExitCode, one_of(Exit.ANSWERED, Exit.FIXED, Exit.INCONCLUSIVE)] = EXIT_CODE
     explorer: Annotated[Text, about("the explorer that ran")] = computed(
         lambda replay: replay.again.explorer
     )
@@ -99,7 +109,12 @@ def replay(request: ReplayRequest) -> Replay:
             "explorer, too"
         )
     kind = finding.world.lighthouse.kind
-    rules = replace(finding.rules, own_bound=subject.bound_under(kind))
+    rules = replace(
+        finding.rules,
+        own_bound=subject.bound_under(kind),
+        bound=finding.rules.the_bound,
+        laws=finding.rules.applying or None,
+    )
     script = finding.choices if same else ()
     for _ in range(TRIES if finding.law == "nondeterministic" else 1):
         again = single_run(subject, finding.world, rules, script, limits, finding.hash_seed)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar
+from typing import Annotated
 
 from allworlds.document import Report, Text, about
-from allworlds.outcome import Exit
 
 
 class WorldNames(Report):
@@ -13,8 +12,6 @@ class WorldNames(Report):
 
     The names that a WORLD can have; a capital letter stands for a number.
     """
-
-    exit_code: ClassVar[Exit] = Exit.ANSWERED
 
     maps: Annotated[tuple[Text, ...], about("small maps")]
     families: Annotated[tuple[Text, ...], about("families of maps, small or large")]

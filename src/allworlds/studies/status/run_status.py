@@ -7,18 +7,20 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds.document import (
+    Aside,
     Document,
+    Edges,
     Figure,
     Natural,
-    Positive,
     Report,
     Seconds,
     Text,
+    Vertices,
     WhichShard,
     about,
 )
-from allworlds.engines import ENDED, Silent, in_use, reading, shards_of
-from allworlds.inputs import a_path
+from allworlds.engines import ENDED, Silent, in_use, is_counted, reading, shards_of
+from allworlds.inputs import Argument, Request, a_path, answers, given_again
 from allworlds.lazy import loaded
 from allworlds.verbs import BY_NAME
 
@@ -35,8 +37,8 @@ class DoneOf(Document):
 class LargestCost(Document):
     """The largest cost so far, and the smallest size of a world with that cost."""
 
-    edges: Positive
-    vertices: Positive
+    edges: Edges
+    vertices: Vertices
     cost: Annotated[Natural, about("traversals")]
 
 
@@ -44,6 +46,9 @@ class Standing(Report):
     """Report of 'status'.
 
     The content of a run directory. Larger worlds take longer, so the time left is a guess.
+
+    ``counted`` tells that all worlds were counted beforehand; ``options`` are further options of
+    the job.
     """
 
     verb: Annotated[Text, about("the verb whose units these are")]
@@ -56,7 +61,13 @@ class Standing(Report):
         about("whether somebody adds to it now; if nobody does, whether anything is left to add"),
     ]
     units: Annotated[DoneOf, about("pieces of work")]
-    worlds: Annotated[DoneOf, about("rooted maps; of a shard `all` is about its part")]
+    worlds: Annotated[
+        DoneOf,
+        about(
+            "rooted maps, of `compare` once for each explorer, in a family runs; of a shard `all` "
+            "is about its part, under a condition without a source at most so many"
+        ),
+    ]
     rate: Annotated[
         Figure | None,
         about("worlds a second since somebody last began; null: none yet, or all are"),
@@ -67,15 +78,24 @@ class Standing(Report):
     ]
     worst: Annotated[LargestCost | None, about("the largest cost so far; null: there is none")]
     findings: Annotated[Natural, about("in the finished units")]
+    counted: Aside[bool] = True
+    options: Aside[tuple[str, ...]] = ()
 
 
-def status(run: str | Path) -> Standing:
+class StatusRequest(Request, kw_only=False):
+    """Request of ``status``: the run directory."""
+
+    run: Annotated[str | Path, Argument("", "DIR", "A run directory.")]
+
+
+@answers(StatusRequest)
+def status(request: StatusRequest) -> Standing:
     """Report the progress of a run directory, from every unit in it.
 
     Raises:
         InputError: if it is none, or is damaged.
     """
-    path = a_path("run", run)
+    path = a_path("run", request.run)
     running = in_use(path)
     with reading(path) as database:
         identity = database.identity
@@ -115,4 +135,10 @@ def status(run: str | Path) -> Standing:
         left_s=None if left is None else round(left, 1),
         worst=worst,
         findings=findings,
+        counted=is_counted(sweep.extent),
+        options=tuple(given_again(type(sweep.request), sweep.request, but=NAMED)),
     )
+
+
+NAMED = ("edges", "vertices", "map_class", "family", "to", "where", "lighthouse", "task")
+"""The fields of requests that the text of a status names by themselves."""

@@ -23,8 +23,8 @@ from allworlds.engines import (
 from allworlds.explorers import algorithm1, load
 from allworlds.inputs import InputError, an_integer, answers, show
 from allworlds.judging import Answered, AskedRules, default_step_budget, paper_bound, play
-from allworlds.maps import CombinatorialMap, Extent, MapClass, source_for
-from allworlds.outcome import Completed, Ending
+from allworlds.maps import CombinatorialMap, Extent, MapClass
+from allworlds.outcome import Ending
 from allworlds.studies.worst.any_explorer import RunsSweep, runs_asked
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
 from allworlds.studies.worst.worst_report import WorstReport, WorstRow, replayed_cost
@@ -161,18 +161,12 @@ class SchedulesSweep(Sweep["ScheduleCostsBySize", WorstReport]):
 
     @override
     def report(self, ending: Ending) -> WorstReport:
-        extent = self.extent
         return WorstReport(
-            map_class=extent.map_class,
-            edges=extent.levels[-1],
+            **self.ended(ending),
             transit=self._transit,
             schedules="all",
             symmetry=SYMMETRY,
-            shard=str(self.portion),
-            complete=isinstance(ending, Completed),
-            stopped=ending.stopped,
             rows=tuple(self._rows),
-            source=source_for(extent.map_class).name,
             disagreement=f"no map with {size(*self._missing[0])} was met" if self._missing else "",
             subject=self._subject,
             rules=self._rules,

@@ -30,7 +30,7 @@ from allworlds.engines import (
 )
 from allworlds.explorers import Subject
 from allworlds.judging import Finding
-from allworlds.maps import Extent, source_name, source_of
+from allworlds.maps import Extent, source_of
 from allworlds.outcome import Completed, Disagreed, Ending, Stopped
 from allworlds.protocol import Schedule
 from allworlds.studies.check import (
@@ -148,21 +148,14 @@ class RunsSweep(TallySweep[WorstReport]):
 
     @override
     def report(self, ending: Ending) -> WorstReport:
-        extent, scope = self.scope.extent, self.scope
         disagreement = ending.reason if isinstance(ending, Disagreed) else ""
         if disagreement:
             self.listener.notice(disagreement)
         return WorstReport(
-            map_class=extent.map_class,
-            edges=extent.levels[-1],
-            schedules=scope.schedules,
-            shard=str(self.portion),
-            complete=isinstance(ending, Completed | Disagreed),
-            stopped=ending.stopped,
+            **self.ended(ending),
+            schedules=self.scope.schedules,
             rows=tuple(self._rows),
             findings=tuple(self._findings),
-            where=extent.where.name if extent.where else None,
-            source=source_name(extent),
             disagreement=disagreement,
             subject=self.job.subject,
             rules=self.scope.rules,

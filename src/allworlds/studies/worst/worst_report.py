@@ -5,31 +5,38 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated
 
+from typing_extensions import override
+
 from allworlds.document import (
     EXIT_CODE,
-    AllRows,
     Aside,
     Document,
-    Gate,
-    IfAny,
+    Edges,
     Natural,
     Positive,
-    Report,
     Text,
+    Vertices,
     WhichShard,
-    Why,
     about,
     computed,
-    key,
-    one_of,
 )
-from allworlds.engines import WHOLE, Limits, SingleRun, single_run
+from allworlds.engines import (
+    GATE,
+    Limits,
+    SingleRun,
+    SweptExit,
+    SweptReport,
+    ToldGate,
+    TriedPlaces,
+    single_run,
+    told_scope,
+    tried_places,
+)
 from allworlds.explorers import Subject
-from allworlds.judging import Finding, Rules
-from allworlds.maps import MapClass
-from allworlds.outcome import Exit, Facts
+from allworlds.judging import AskedRules, Finding, Rules
 from allworlds.protocol import Schedule
 from allworlds.studies.worst.every_schedule import Transit
+from allworlds.studies.worst.worst_request import WorstRequest
 from allworlds.world import World
 
 
@@ -39,8 +46,8 @@ class WorstRow(Document):
     ``counted`` holds the rooted maps according to the independent source; None in a shard.
     """
 
-    edges: Positive
-    vertices: Positive
+    edges: Edges
+    vertices: Vertices
     worlds: Annotated[Positive, about("rooted maps")]
     worst: Annotated[Natural, about("the largest cost of a schedule")]
     best: Annotated[
@@ -73,73 +80,65 @@ class WorstRow(Document):
         return bool(self.wrong_tests) or (self.bound is not None and self.worst > self.bound)
 
 
-class WorstReport(Report):
+class WorstScope(Document, of=(WorstRequest, AskedRules)):
+    """The scope of a search for the worst case."""
+
+    places: TriedPlaces
+    schedules: Annotated[Schedule, about("one: the explorer takes no choices")]
+    symmetry: Annotated[
+        Text | None, about("why one world stands for every direction; null: each was tried")
+    ]
+    shard: WhichShard
+
+
+class WorstReport(SweptReport):
     """Report of 'worst'.
 
     The worst and best costs of an explorer, by size.
 
-    ``source`` is that of the counts; ``disagreement`` says what disagrees beside the rows, if
-    anything does; ``subject`` is who was run by the ``rules``.
+    ``disagreement`` says what disagrees beside the rows, if anything does; ``subject`` is who was
+    run by the ``rules``, under which ``schedules``; ``transit`` are the paths by which Algorithm 1
+    goes to the next edge, None of another explorer.
     """
 
-    exit_code: Annotated[
-        Exit,
-        one_of(
-            *(Exit.ANSWERED, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.DISAGREES),
-            Exit.INTERRUPTED,
-        ),
-    ] = EXIT_CODE
+    exit_code: SweptExit = EXIT_CODE
     explorer: Annotated[Text, about("its name")] = computed(lambda r: r.subject.name)
-    lighthouse: Annotated[Text, about("`KIND[:key=value,...]`")] = computed(
-        lambda r: str(r.rules.lighthouse)
+    scope: Annotated[WorstScope, about("what was searched")] = computed(
+        lambda r: told_scope(
+            WorstScope,
+            r.request,
+            r.rules,
+            edges=r.extent.edges,
+            transit=r.transit,
+            places=tried_places(r.rules.lighthouse, r.extent),
+            schedules=r.schedules,
+            symmetry=r.symmetry,
+            shard=str(r.portion),
+        )
     )
-    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    edges: Annotated[Positive, about("at most so many")]
-    where: Annotated[IfAny[Text | None], about("what besides is true of the maps")] = None
-    transit: Annotated[
-        Transit | None,
-        about("the paths by which Algorithm 1 goes to the next edge; null: another explorer"),
-    ] = None
-    schedules: Annotated[Schedule, about("one: the explorer takes no choices")]
-    symmetry: Annotated[
-        Text | None, about("why one world stands for every direction; null: each was tried")
-    ] = None
-    shard: WhichShard = str(WHOLE)
-    gate: Annotated[
-        Gate | None,
-        about(
-            "counts, of a shard left to the merge, and replays in the Python engine; null: no "
-            "source counts these maps"
-        ),
-    ] = computed(lambda r: Gate(source=r.source, agrees=r.agrees) if r.source else None)
-    complete: AllRows
-    stopped: Why = None
+    gate: ToldGate = GATE
     rows: Annotated[tuple[WorstRow, ...], about("one for each (edges, vertices), ascending")]
     findings: Annotated[
         tuple[Finding, ...], about("the smallest, if a run of another explorer broke a law")
     ] = ()
-    source: Aside[str]
-    disagreement: Aside[str] = ""
     subject: Aside[Subject]
     rules: Aside[Rules]
+    schedules: Aside[Schedule]
+    transit: Aside[Transit | None] = None
+    symmetry: Aside[str | None] = None
+    disagreement: Aside[str] = ""
 
     @property
+    @override
     def agrees(self) -> bool:
-        """Whether counts, as far as there are any, and replays agree with the search."""
         if self.disagreement:
             return False
         return bool(self.findings) or all(row.agrees for row in self.rows)
 
     @property
-    def facts(self) -> Facts:
-        """Whether counts, replays and engines agree, and whether a schedule breaks a law."""
-        return Facts.of_rows(
-            self.complete,
-            self.stopped,
-            disagrees=not self.agrees,
-            refuted=bool(self.findings) or any(row.refutes for row in self.rows),
-            vacuous=self.shard == str(WHOLE) and not self.rows,
-        )
+    @override
+    def refuted(self) -> bool:
+        return bool(self.findings) or any(row.refutes for row in self.rows)
 
     def walks(self) -> Iterator[SingleRun]:
         """The runs that attain each row's worst cost, played again; for Algorithm 1 those known."""

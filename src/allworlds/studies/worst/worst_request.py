@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, cast, get_args
 
+from allworlds.document import Positive, about
 from allworlds.engines import (
     AskedCluster,
     AskedDirectory,
@@ -46,6 +47,7 @@ class WorstRequest(
             "M",
             f"At most M edges (default: {DEFAULT_EDGES} of algorithm1, {OTHERS_EDGES} of others).",
             parse=integer_of,
+            told=Annotated[Positive, about("at most so many")],
         ),
     ] = None
     transit: Annotated[
@@ -55,5 +57,11 @@ class WorstRequest(
             "|".join(get_args(Transit)),
             "How Algorithm 1 goes to the next edge: on a shortest or on any simple path "
             "[default: simple].",
+            told=Annotated[
+                Transit | None,
+                about(
+                    "the paths by which Algorithm 1 goes to the next edge; null: another explorer"
+                ),
+            ],
         ),
     ] = Taken(_transit, None)

@@ -57,6 +57,9 @@ class Lighthouse(ABC):
         keys: what its JSON may hold besides ``kind``.
         asked: the types of those that are no attributes: they say which place is meant.
         code: where the class comes from, if it is the user's.
+        every_place_to: the largest number of edges of the maps in which :meth:`places` yields every
+            place; None: in all maps.
+        beyond: the places that it yields in larger ones, in words.
     """
 
     kind: ClassVar[str]
@@ -69,6 +72,15 @@ class Lighthouse(ABC):
     keys: ClassVar[tuple[str, ...]] = ("dart",)
     asked: ClassVar[Mapping[str, Any]] = {}
     code: ClassVar[UserCode | None] = None
+    every_place_to: ClassVar[int | None] = None
+    beyond: ClassVar[str] = ""
+
+    @classmethod
+    def tried_in_maps_of(cls, edges: int) -> str:
+        """The places that are tried in maps of up to so many edges, in words; empty: every one."""
+        if cls.every_place_to is None or edges <= cls.every_place_to:
+            return ""
+        return f"every place up to {cls.every_place_to} edges; beyond, {cls.beyond}"
 
     @property
     def written(self) -> str:

@@ -21,9 +21,6 @@ from allworlds.world.lighthouses.base import (
 )
 from allworlds.world.lighthouses.sensing import Sensing, Where
 
-ALL_CHOICES = 3
-"""The largest number of edges for which every choice of reference darts is a place."""
-
 
 @dataclass(frozen=True, slots=True)
 class Compass(ReferenceLighthouse):
@@ -39,10 +36,12 @@ class Compass(ReferenceLighthouse):
     kind: ClassVar[str] = "compass"
     sensing: ClassVar[Sensing] = Sensing(Where.EVERYWHERE, bearing=True)
     keys: ClassVar[tuple[str, ...]] = ("darts",)
+    every_place_to: ClassVar[int | None] = 3
+    beyond: ClassVar[str] = "the compass at the smallest dart of each vertex alone"
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Compass]:
-        """Every choice of reference darts up to three edges; beyond, the first choice only.
+        """Every choice of reference darts up to three edges; beyond, the first choice alone.
 
         Vertices and their darts come in canonical numbering from ``start``.  So in a map that
         is numbered so itself, the first choice is the smallest dart of each vertex.
@@ -50,7 +49,8 @@ class Compass(ReferenceLighthouse):
         around: dict[int, list[Dart]] = {}
         for dart in numbering(map_.sigma, map_.alpha, start):
             around.setdefault(map_.vertex_of[dart], []).append(dart)
-        wanted = None if map_.edge_count <= ALL_CHOICES else 1
+        assert cls.every_place_to is not None
+        wanted = None if map_.edge_count <= cls.every_place_to else 1
         for choice in islice(product(*around.values()), wanted):
             yield cls(tuple(sorted(choice)))
 

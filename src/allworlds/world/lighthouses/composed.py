@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from typing_extensions import override
 
@@ -129,8 +129,11 @@ def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> typ
         InvalidWorld: if they do not go together, with the reason.
     """
     check_together([*zip(names, kinds, strict=True)])
-    leaves = any(kind.leaves_marks for kind in kinds)
-    return type(Composed.__name__, (Composed,), {"kinds": kinds, "leaves_marks": leaves})
+    told: dict[str, Any] = {"leaves_marks": any(kind.leaves_marks for kind in kinds)}
+    for kind in kinds:
+        if kind.every_place_to is not None:
+            told |= {"every_place_to": kind.every_place_to, "beyond": kind.beyond}
+    return type(Composed.__name__, (Composed,), {"kinds": kinds, **told})
 
 
 def composed_from_json(parts: object, read: Callable[[object], Lighthouse]) -> Composed:

@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, TypeAlias
 
+from allworlds.document import Text, about
 from allworlds.inputs import SCOPE, InputError, Option, Request, Taken, a_text, one_of, show
 from allworlds.maps import CombinatorialMap, Dart
 from allworlds.protocol import UserCode, find_code
@@ -244,6 +245,7 @@ class AskedLighthouse(Request):
             "KIND",
             f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, {OWN}, or several with + between them "
             "(default: directional, or the one that a built-in explorer is written for).",
+            told=Annotated[Text, about("`KIND[:key=value,...]`")],
         ),
     ] = Taken(_lighthouse, None)
 

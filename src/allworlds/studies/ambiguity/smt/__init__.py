@@ -6,6 +6,8 @@
     a formula with names and meanings, and the two that are solved: one world, and twins;
 ``solvers``, ``cadical_child``
     who solves them;
+``controls``
+    the same formula with a part left out, which must have a model;
 ``decode``, ``witness``
     a model as two worlds, and what these must be whatever the formula says;
 ``rup``, ``lrat``

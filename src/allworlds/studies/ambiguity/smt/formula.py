@@ -116,12 +116,32 @@ class Formula:
         path.write_text("\n".join(lines) + "\n", encoding="ascii")
 
 
-def read_dimacs(path: Path) -> tuple[int, list[Clause]]:
-    """The number of variables and the clauses of a DIMACS file that :class:`Formula` wrote."""
-    variables, clauses = 0, []
+def read_dimacs(path: Path, leave_out: str = "") -> tuple[int, list[Clause]]:
+    """The number of variables and the clauses of a DIMACS file that :class:`Formula` wrote.
+
+    Args:
+        path: of the file.
+        leave_out: the section whose clauses are left out.
+
+    Raises:
+        ValueError: if there is no such section.
+    """
+    variables, clauses, section, found = 0, list[Clause](), "", False
     for line in path.read_text(encoding="ascii").splitlines():
         if line.startswith("p cnf "):
             variables = int(line.split()[2])
-        elif not line.startswith("c"):
+        elif line.startswith("c clauses "):
+            section = line.partition(": ")[2]
+            found = found or section == leave_out
+        elif not line.startswith("c") and not (leave_out and section == leave_out):
             clauses.append(tuple(map(int, line.split()[:-1])))
+    if leave_out and not found:
+        raise ValueError(f"{path} has no section {leave_out!r}")
     return variables, clauses
+
+
+def write_dimacs(path: Path, variables: int, clauses: Sequence[Clause]) -> None:
+    """Write clauses as a DIMACS file without comments."""
+    lines = [f"p cnf {variables} {len(clauses)}"]
+    lines += [" ".join(map(str, clause)) + " 0" for clause in clauses]
+    path.write_text("\n".join(lines) + "\n", encoding="ascii")

@@ -19,6 +19,10 @@ from allworlds.studies.ambiguity.smt.one_world import OneWorld, Size, one_world
 from allworlds.studies.ambiguity.smt.question import Question, Sensed, Sizes
 from allworlds.world import Sensing, Where
 
+ALIKE = "related darts sense the same"
+DIFFERENT = "the codes differ, and the first is the smaller one"
+"""The sections of the formula that say that the two worlds look alike, and that they differ."""
+
 
 @dataclass(frozen=True, slots=True)
 class Pair:
@@ -122,7 +126,7 @@ def _bisimulation(formula: Formula, pair: Pair) -> None:
                 for z in darts[1]:
                     formula.add(-image[x, z], -step[x, w], related[w, z])
                     formula.add(image[x, z], -step[x, w], -related[w, z])
-    formula.section("related darts sense the same")
+    formula.section(ALIKE)
     for x in darts[0]:
         for y in darts[1]:
             _sense_the_same(formula, pair, related[x, y], x, y)
@@ -161,7 +165,7 @@ def _smaller_code(formula: Formula, pair: Pair) -> None:
     equal = formula.block(
         "equal", (steps + len(marks) + 1,), "the two codes agree in everything before step t"
     )
-    formula.section("the codes differ, and the first is the smaller one")
+    formula.section(DIFFERENT)
     formula.add(equal[0])
     formula.add(-equal[steps + len(marks)])
     for t in range(steps):

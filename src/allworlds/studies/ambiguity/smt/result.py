@@ -5,22 +5,25 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, TypeAlias
 
+from typing_extensions import override
+
 from allworlds.document import (
     EXIT_CODE,
     Aside,
     Document,
+    ExitCode,
     Natural,
     Pair,
     Positive,
-    Report,
     Text,
     about,
     computed,
     narrowed,
     one_of,
 )
+from allworlds.engines import EndedReport
 from allworlds.maps import MapClass
-from allworlds.outcome import Exit, Facts
+from allworlds.outcome import Exit
 from allworlds.studies.ambiguity.smt.question import SEARCHED, Question, Sizes
 from allworlds.studies.ambiguity.smt.solvers import Status
 from allworlds.world import World
@@ -48,7 +51,7 @@ class Searched(Document):
     vertices: Annotated[Pair[Pair[Positive]], about("for each world the fewest and the most")] = (
         computed(lambda level: tuple((size.fewest, size.most) for size in level.sizes))
     )
-    status: Status
+    status: Annotated[Status, about("the solver's answer to this formula")]
     formula: Annotated[Path, about("the path of the DIMACS file")]
     proof: Annotated[Path | None, about("the path of the LRAT proof; null: there is none")]
     sizes: Aside[Sizes]
@@ -57,7 +60,7 @@ class Searched(Document):
     twins: Aside[Twins | None] = None
 
 
-class SearchResult(Report):
+class SearchResult(EndedReport):
     """Report of 'search'.
 
     If it was interrupted by the user, the status is `unknown`, or twins had been found before.
@@ -65,7 +68,7 @@ class SearchResult(Report):
 
     status: Annotated[Status, about("`sat`: a pair; `unsat`: there is none in the bounds")]
     exit_code: Annotated[
-        Exit, one_of(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED)
+        ExitCode, one_of(Exit.ANSWERED, Exit.INCONCLUSIVE, Exit.VACUOUS, Exit.INTERRUPTED)
     ] = EXIT_CODE
     pair: Annotated[Pair[World] | None, about("two worlds that look alike; null unless `sat`")] = (
         None
@@ -78,7 +81,9 @@ class SearchResult(Report):
         about("the path of the certificate; null: see [answers](ambiguity.md#answers)"),
     ] = None
     vacuous: Annotated[bool, about("not even one world exists within the bounds")] = False
-    lighthouse: Annotated[str, one_of(*SEARCHED)] = computed(lambda r: r.question.lighthouse)
+    lighthouse: Annotated[str, one_of(*SEARCHED), about("its kind")] = computed(
+        lambda r: r.question.lighthouse
+    )
     map_class: Annotated[MapClass, about("the class of maps")] = computed(
         lambda result: result.question.map_class, name="class"
     )
@@ -95,13 +100,18 @@ class SearchResult(Report):
     ] = computed(lambda r: tuple(same.pair for level in r.levels for same in level.same_map))
     notices: Annotated[tuple[Text, ...], about("sentences for the reader")]
     question: Aside[Question]
-    interrupted: Aside[bool] = False
 
     @property
-    def facts(self) -> Facts:
-        """Whether a solver has decided the question."""
-        return Facts(
-            interrupted=self.interrupted,
-            undecided=self.status == "unknown",
-            vacuous=self.vacuous,
-        )
+    @override
+    def undecided(self) -> bool:
+        return self.status == "unknown"
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return self.vacuous
+
+    @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"level_seconds": [level.seconds for level in self.levels]}

@@ -15,6 +15,7 @@ from typing import Any
 from allworlds.document import replace
 from allworlds.engines import Listener, Silent
 from allworlds.inputs import INSTALL, InputError, a_path, answers, at_most, show
+from allworlds.outcome import COMPLETED, Completed, Ending, ended
 from allworlds.studies.ambiguity.ambiguity_requests import SearchRequest
 from allworlds.studies.ambiguity.smt.decode import decoded
 from allworlds.studies.ambiguity.smt.formula import Formula, read_dimacs
@@ -102,14 +103,20 @@ class _TwinsSearch:
     listener: Listener = field(default_factory=Silent)
 
     def run(self) -> SearchResult:
-        try:
-            return self._answer()
-        except KeyboardInterrupt:
-            if self.best:
-                self.notices.append("interrupted before fewer vertices were tried")
-                return self._found(self.best, interrupted=True)
-            self.notices.append("interrupted; no answer follows from the sizes that are decided")
-            return self._result("unknown", interrupted=True)
+        results: list[SearchResult] = []
+
+        def answer() -> Ending:
+            results.append(self._answer())
+            return Completed()
+
+        ending = ended(answer)
+        if results:
+            return results[0]
+        if self.best:
+            self.notices.append("interrupted before fewer vertices were tried")
+            return self._found(self.best, ending)
+        self.notices.append("interrupted; no answer follows from the sizes that are decided")
+        return self._result("unknown", ending)
 
     def _answer(self) -> SearchResult:
         every = list(self.question.sizes())
@@ -198,20 +205,21 @@ class _TwinsSearch:
                     return twins
         return twins
 
-    def _found(self, twins: Twins, *, interrupted: bool = False) -> SearchResult:
+    def _found(self, twins: Twins, ending: Ending = COMPLETED) -> SearchResult:
         """The pair, written to a file with its bisimulation."""
         file = self.directory / "pair.json"
         file.write_text(json.dumps(twins.to_json()) + "\n", encoding="ascii")
         return self._result(
             "sat",
+            ending,
             certificate=file,
-            interrupted=interrupted,
             pair=twins.pair,
             bisimulation=twins.bisimulation,
         )
 
-    def _result(self, status: Status, **more: Any) -> SearchResult:
+    def _result(self, status: Status, ending: Ending = COMPLETED, **more: Any) -> SearchResult:
         return SearchResult(
+            ending=ending,
             question=self.question,
             status=status,
             directory=self.directory,

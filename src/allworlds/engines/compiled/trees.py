@@ -1,0 +1,200 @@
+"""Users' explorers that can be copied: the runs of a unit as one tree, walked twice.
+
+The first player walks a chunk of the tree and decides the worlds on the way. The referee judges it
+and cuts it into segments. The second player walks these, in another order, from copies of its
+own. With each chunk some runs of earlier ones are played from their start, without a copy.
+
+Where something is wrong with a chunk, the unit is played run by run
+(:mod:`allworlds.engines.compiled.stretches`), which finds the law that is broken.  If nothing is
+found so, a copy has gone another way than a run from its start.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterator
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+from allworlds.engines.compiled.stretches import (
+    AGREEMENT_EDGES,
+    DIFFERENT,
+    PlayedByStretches,
+    counts_of,
+)
+from allworlds.engines.compiled.tallies import tally_of
+from allworlds.engines.isolation.jobs import Unsettled
+from allworlds.engines.isolation.player_pair import PlayerPair
+from allworlds.engines.isolation.shared_logs import TreeMemoryPair
+from allworlds.engines.kernel.chunks import RunOfTree, UnitTree
+from allworlds.engines.kernel.on_demand import KINDS
+from allworlds.engines.kernel.rows import Rows
+from allworlds.engines.kernel.tree_memory import MOST_RUNS, MOST_SINGLES
+from allworlds.engines.kernel.tree_requests import TreeRequest
+from allworlds.engines.python.comparison import COPIES, nondeterministic
+from allworlds.engines.python.examiner import Outcome
+from allworlds.engines.python.run_counter import EnginesDisagree
+from allworlds.engines.python.runs_of_unit import LevelRuns, UnitOfRuns
+from allworlds.engines.python.second_play import EarlierPlays
+from allworlds.engines.python.tally import Tally
+from allworlds.engines.python.tour import SPELL
+
+COMPARED_EDGES = 4
+"""The largest m for which runs that are walked as a tree are also played by themselves."""
+
+MOST_GIVEN_UP = 3
+"""The number of units one after the other after which no more are walked as trees."""
+
+MOST_LOST = 2
+"""The number of times that a player may be lost in a tree, if it is not lost run by run."""
+
+
+class WalkedTree(NamedTuple):
+    """The outcome of a unit that was walked as a tree.
+
+    Attributes:
+        rows: of the whole unit; None if it was given up.
+        suspect: a run in which a copy perhaps went another way.
+        lost: whether a player was lost.
+    """
+
+    rows: Rows | None
+    suspect: RunOfTree | None = None
+    lost: bool = False
+
+
+@dataclass(slots=True)
+class PlayedByTrees:
+    """The engine with a user's explorer that perhaps can be copied.
+
+    Attributes:
+        stretches: the engine that plays run by run.
+    """
+
+    stretches: PlayedByStretches
+    _memory: TreeMemoryPair | None = None
+    _kept: EarlierPlays[RunOfTree] = field(default_factory=EarlierPlays)
+    _given_up: int = 0
+    _lost: int = 0
+
+    @property
+    def _players(self) -> PlayerPair:
+        return self.stretches.players
+
+    def parts(self, unit: UnitOfRuns, start: int = 0) -> Iterator[tuple[int, Tally]]:
+        """Yield the number of the next run and the tally since.
+
+        A tree yields its tally at its end.  In the smallest levels it is compared with single runs.
+        """
+        if start or not isinstance(unit, LevelRuns) or not self._can_walk(unit):
+            yield from self.stretches.parts(unit, start)
+            return
+        engine = self.stretches.engine
+        walking = self._walk(unit)
+        while True:
+            try:
+                next(walking)
+            except StopIteration as end:
+                walked: WalkedTree = end.value
+                break
+            yield 0, engine.tally()
+        tally = self._tally(unit, walked)
+        self._given_up = self._given_up + 1 if tally is None else 0
+        if tally is not None and unit.edges > COMPARED_EDGES:
+            yield tally.runs + tally.left_out, tally
+        else:
+            yield from self._run_by_run(unit, walked, tally)
+
+    def _run_by_run(
+        self, unit: LevelRuns, walked: WalkedTree, tally: Tally | None
+    ) -> Iterator[tuple[int, Tally]]:
+        """Yield the parts of the unit, run by run, and what they say of the tree.
+
+        Raises:
+            EnginesDisagree: if both count differently.
+            Unsettled: if players are lost in trees alone, again and again.
+        """
+        whole, number = self.stretches.engine.tally(), 0
+        for number, part in self.stretches.parts(unit):
+            whole.add(part)
+            yield number, part
+        if whole.findings or whole.remarks:
+            return
+        if tally is not None and counts_of(tally) != counts_of(whole):
+            raise EnginesDisagree(
+                f"runs of the unit {unit.key} by themselves, and as a tree, count differently: "
+                f"{counts_of(whole)} and {counts_of(tally)}"
+            )
+        if walked.lost:
+            self._lost += 1
+            if self._lost >= MOST_LOST:
+                raise Unsettled(
+                    f"{self._lost} players were lost while they went on from copies of the "
+                    "explorer, and none of them in single runs; mend the copying, or leave it out"
+                )
+        if walked.suspect:
+            found = self.stretches.engine.tally()
+            self._find_out_of_step(walked.suspect, found)
+            yield number, found
+
+    def _can_walk(self, unit: LevelRuns) -> bool:
+        """Whether the unit can be walked as a tree."""
+        if unit.edges <= AGREEMENT_EDGES or self._given_up >= MOST_GIVEN_UP:
+            return False
+        return self._players.in_trees and self.stretches.level(unit).lighthouse in KINDS
+
+    def _tally(self, unit: LevelRuns, walked: WalkedTree) -> Tally | None:
+        """The tally of a tree; None if it was given up, or a law is not broken in single runs."""
+        if walked.rows is None:
+            return None
+        engine = self.stretches.engine
+        tally = tally_of(walked.rows, unit, engine.scope, engine.keep)
+        if all(self.stretches.find(unit, broken, tally) for broken in walked.rows.broken):
+            return tally
+        return None
+
+    def _find_out_of_step(self, run: RunOfTree, tally: Tally) -> None:
+        """Find a run that goes another way from copies than from its start."""
+        one = self.stretches.placed(run.sigma, run.alpha, run.place)
+        for again, outcome in self.stretches.outcomes(one):
+            settled = outcome
+            if isinstance(outcome, Outcome) and outcome.violation is None:
+                settled = replace(outcome, violation=nondeterministic(f"{DIFFERENT}; {COPIES}"))
+            tally.find(self.stretches.finding(again, settled))
+
+    def _walk(self, unit: LevelRuns) -> Generator[None, None, WalkedTree]:
+        """Yield after each chunk of the tree of the unit; return the outcome."""
+        level, players = self.stretches.level(unit), self._players
+        memory = self._memory = self._memory or TreeMemoryPair()
+        request = TreeRequest(
+            level.edges,
+            level.limit,
+            level.simple,
+            level.planar,
+            level.lighthouse,
+            level.policy,
+            level.budgets,
+            unit.prefix,
+        )
+        keep = self.stretches.engine.keep
+        tree = UnitTree(level, request, keep, memory.first, memory.second, players.random)
+        while tree.next is not None:
+            # At first the second player changes soon.
+            most = MOST_RUNS if players.tour.complete else SPELL
+            played = memory.play(players, request, tree.next, most)
+            if played is None or played.size < 0:
+                return WalkedTree(None, lost=played is None)
+            singles = self._kept.draw(MOST_SINGLES)
+            runs = tree.judge(played.size, singles, last=played.last)
+            if runs is None or tree.undefined:
+                return WalkedTree(None)
+            again = memory.play_again(players, level.policy, tree.roots, runs + len(singles))
+            if again is None or again.size < 0:
+                return WalkedTree(None, lost=again is None)
+            differ = tree.difference()
+            if differ is not None:
+                self._kept.forget()
+                return WalkedTree(None, tree.run_at(differ))
+            for run in tree.kept():
+                self._kept.keep(run)
+            yield
+        return WalkedTree(tree.rows)

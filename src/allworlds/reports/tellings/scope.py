@@ -1,0 +1,93 @@
+"""Words for the scope of a report: the maps, the places of the lighthouse, further options."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TypeAlias
+
+from allworlds.engines import Shard, SweptReport, tried_places
+from allworlds.inputs import given_again
+from allworlds.maps import Extent
+from allworlds.studies.check import CheckReport
+from allworlds.studies.compare import ContestReport
+from allworlds.words import counted, plural
+
+OfWorlds: TypeAlias = SweptReport | CheckReport
+"""A report about the worlds of an extent."""
+
+SAID = (
+    *("edges", "vertices", "map_class", "where", "lighthouse", "policy", "bound"),
+    *("family", "holes", "seed"),
+)
+"""The fields of requests of which the words of a scope tell."""
+
+
+def of_the_class(extent: Extent, least: int = 1) -> str:
+    """``of the class maps, trees, with at most 3 edges``; the condition stands there, if any."""
+    where = f", {extent.where.name}," if extent.where else ""
+    most = extent.edges
+    limits = [f"at most {plural(most, 'edge')}"] if most else []
+    if most and least > 1:
+        limits = [f"{least} to {plural(most, 'edge')}"]
+    if extent.vertices:
+        limits.append(f"at most {plural(extent.vertices, 'vertex', 'vertices')}")
+    return f"of the class {extent.map_class}{where} with {' and '.join(limits)}"
+
+
+def maps_words(report: OfWorlds, every: str = "every rooted map") -> str:
+    """The maps that a report is about, or the shard of them."""
+    shard = f", shard {report.portion}" if isinstance(report.portion, Shard) else ""
+    return f"{every} {of_the_class(report.extent)}{shard}"
+
+
+def finished(report: SweptReport, last: int) -> str:
+    """The maps of the finished levels, if ``last`` is the number of edges of the last one."""
+    extent = report.extent
+    return of_the_class(extent if report.complete else replace(extent, edges=last))
+
+
+def places_told(places: str) -> list[tuple[str, str]]:
+    """A fact about the places of the lighthouse; none where every one was tried."""
+    return [("places", places)] if places else []
+
+
+def explorers_told(report: ContestReport) -> list[tuple[str, str]]:
+    """A fact about each explorer of a comparison, with its rules and its places."""
+    words = []
+    for one in report.contestants:
+        rules = one.rules
+        how = f"lighthouse {rules.lighthouse}, policy {rules.policy}, bound {rules.the_bound}"
+        words.append(("explorer", f"{one.name}: {how}"))
+        words += places_told(tried_places(rules.lighthouse, report.extent))
+    return words
+
+
+def options_told(report: OfWorlds, told: Iterable[str]) -> list[tuple[str, str]]:
+    """A fact about the options that were given, but those of these fields; none if there are none.
+
+    Args:
+        report: of the request with these options.
+        told: the fields of which other words tell.
+    """
+    given = given_again(type(report.request), report.request, but=told)
+    return [("options", " ".join(given))] if given else []
+
+
+def gate_told(report: OfWorlds, what: str, source: str, *, rows: bool) -> list[tuple[str, str]]:
+    """A fact about the count gate, where it agrees.
+
+    Args:
+        report: of a whole job or of a shard.
+        what: was counted, in the plural.
+        source: the independent source of the counts; empty if there is none.
+        rows: whether there is anything to compare.
+    """
+    if not source:
+        where = report.extent.where
+        return [("gate", f"absent: no source counts the maps that are {where}")]
+    if not report.whole:
+        return [("gate", f"of the shard {report.portion} alone; the merge of all shards compares")]
+    if not rows:
+        return [("gate", "no level was finished, so nothing was compared")]
+    return [("gate", f"no {what} was forgotten: {counted(source)}")]
