@@ -146,6 +146,7 @@ def advance(tables, stack, memory, room, width, depth, most):
                     continue
             elif t == 0:
                 keep_refuted(memory, stack.own[t], frame[t, LEFT])
+                room.numbers[1] += states
                 return NO, 0
             else:
                 keep_refuted(memory, stack.own[t], frame[t, LEFT])

@@ -11,7 +11,6 @@ from typing_extensions import override
 from allworlds.document import (
     Document,
     Edges,
-    IfAny,
     Natural,
     Positive,
     Why,
@@ -56,7 +55,7 @@ class OptimumRow(Document):
 
     edges: Edges
     loops: Annotated[
-        IfAny[Positive | None], about("the number of loops; only with a family of bouquets")
+        Positive | None, about("the number of loops; of bouquets; null: all worlds")
     ] = None
     runs: Annotated[Positive, about("worlds with every bearing")]
     optimum: Annotated[
@@ -68,12 +67,12 @@ class OptimumRow(Document):
         Natural | None, about("the strategy needs no more; null: there was no time to find one")
     ]
     information: Annotated[
-        IfAny[Natural | None],
-        about("with less the worlds cannot be told apart, as counting says; only with a family"),
+        Natural | None,
+        about("with less the worlds cannot be told apart, as counting says; null: not known"),
     ] = None
     cautious: Annotated[
-        IfAny[Natural | None],
-        about("the worst cost of cautious explorers; only with a family"),
+        Natural | None,
+        about("the worst cost of cautious explorers; null: not known"),
     ] = None
     replayed: Annotated[
         Natural | None,
