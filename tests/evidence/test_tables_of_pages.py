@@ -18,6 +18,7 @@ from evidence.write import (
     FOUR,
     PAPER,
     PLACES,
+    against_the_adversary,
     beside_algorithm_1,
     beside_the_bound,
     between,
@@ -29,6 +30,7 @@ from evidence.write import (
     ratios,
     small_worlds,
 )
+from small import slow
 
 
 def rows(page, name):
@@ -44,6 +46,12 @@ def test_every_table_that_a_page_marks_is_written():
     for page in (PAPER, EXPLORERS):
         marked = re.findall(r"<!-- ([\w ]+): written by", page.read_text(encoding="utf-8"))
         assert marked == [name for where, name, _ in PLACES if where == page]
+
+
+@pytest.mark.parametrize("far", [1, slow(2)])
+def test_the_table_of_the_adversary_is_that_of_its_runs(far):
+    *_, row = against_the_adversary(far, far)
+    assert rows(EXPLORERS, "adversary")[far + 1] == row
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 """Write the tables of the pages that are made from results.
 
 ``python tests/evidence/write.py`` writes ``docs/claims.md``, the table of worst cases in
-``docs/paper.md`` and the tables of ``docs/explorers.md``; it takes two minutes.
+``docs/paper.md`` and the tables of ``docs/explorers.md``; it takes three minutes.
 ``test_manifest.py`` and ``test_tables_of_pages.py`` compare.
 """
 
@@ -16,11 +16,13 @@ from math import fsum
 from pathlib import Path
 from typing import Any
 
-from allworlds import compare
+from allworlds import compare, run
 from allworlds.evidence.claims.manifest import SECTIONS, Claim, manifest
 from allworlds.judging import paper_bound
+from allworlds.maps import CorridorShape, usual_degree
 from allworlds.studies.compare.comparison import Comparison
 from allworlds.studies.compare.intervals import geometric_mean, mean_interval, power_law
+from allworlds.world import Adversary
 
 ROOT = Path(__file__).parents[2]
 CLAIMS, PAPER, EXPLORERS = (
@@ -203,6 +205,19 @@ def exponents() -> Iterator[str]:
         yield f"| {family} | {least}..{_largest(rows)} | {' | '.join(told)} |"
 
 
+def against_the_adversary(least: int = 1, most: int = 3) -> Iterator[str]:
+    """A row a size: what the explorers walk against the adversary of corridors, with the seed 1."""
+    yield f"| F | n | m | {COLUMNS} | at least | pairs excluded |"
+    yield f"|---|---:|---:|{'---:|' * len(FOUR)}---:|---:|"
+    for far in range(least, most + 1):
+        shape = CorridorShape(far, usual_degree(far))
+        made = [run(name, Adversary(shape, 1)).adversary for name in FOUR]
+        (excluded,) = {decided.excluded for decided in made if decided}
+        costs = " | ".join(f"{decided.cost:,}" for decided in made if decided)
+        sizes = f"{far} | {shape.hubs + 1} | {shape.edges}"
+        yield f"| {sizes} | {costs} | {shape.bound_of_testers:,} | {excluded:,} |"
+
+
 def _families() -> Iterator[tuple[str, list[dict[str, str]]]]:
     yield from growth().by_family(growth().read()).items()
 
@@ -248,6 +263,7 @@ PLACES: tuple[tuple[Path, str, Callable[[], Iterator[str]]], ...] = (
     (EXPLORERS, "large worlds", large_worlds),
     (EXPLORERS, "ratios", ratios),
     (EXPLORERS, "exponents", exponents),
+    (EXPLORERS, "adversary", against_the_adversary),
 )
 
 if __name__ == "__main__":

@@ -33,7 +33,7 @@ FIELDS = 7
 motions worth a try and the one that is tried, its undecided parts and the one that is tried."""
 
 
-class Tables(NamedTuple):
+class MinimaxTables(NamedTuple):
     """The places and what motions make of them.
 
     Attributes:

@@ -28,9 +28,9 @@ from allworlds.engines.kernel.minimax import (
     FIELDS,
     UNKNOWN,
     YES,
+    MinimaxTables,
     Room,
     Stack,
-    Tables,
     advance,
     begin,
     look_up,
@@ -74,7 +74,7 @@ class PlaceTable(NamedTuple):
     told_apart: Sequence[Sequence[int]]
 
 
-def tables_of(table: PlaceTable) -> Tables:
+def tables_of(table: PlaceTable) -> MinimaxTables:
     """The tables in memory, with which states are given up early."""
     degree = max(map(len, table.after))
     step = _rectangle(table.after, degree, int32)
@@ -87,7 +87,7 @@ def tables_of(table: PlaceTable) -> Tables:
         kind, limit = arange(percepts), array(table.told_apart)
         sketch, sketch_code, sketch_row = _sketches(step, code)
     half = random.default_rng(0).integers(0, 1 << 64, (len(step), 2), dtype=uint64)
-    made = Tables(
+    made = MinimaxTables(
         step=step,
         code=code,
         answer=array(table.answer, int32),
@@ -99,7 +99,7 @@ def tables_of(table: PlaceTable) -> Tables:
         sketch_row=sketch_row,
         random=concatenate([half, half[array(table.mirror)]], 1),
     )
-    return Tables(*map(ascontiguousarray, made))  # one signature for all worlds
+    return MinimaxTables(*map(ascontiguousarray, made))  # one signature for all worlds
 
 
 def _rectangle(rows: Sequence[Sequence[int]], width: int, kind: Any) -> Any:
@@ -142,7 +142,7 @@ class MinimaxSearch:
         states: the number of states looked into.
     """
 
-    def __init__(self, tables: Tables, width: int | None = None) -> None:
+    def __init__(self, tables: MinimaxTables, width: int | None = None) -> None:
         self._tables = tables
         places, degree = tables.step.shape
         self.width = min(width or degree, degree)
