@@ -23,6 +23,7 @@ from evidence.write import (
     beside_the_bound,
     between,
     claims_page,
+    corridors,
     exponents,
     growth,
     large_worlds,
@@ -61,6 +62,7 @@ def test_the_table_of_the_adversary_is_that_of_its_runs(far):
         (EXPLORERS, "large worlds", large_worlds),
         (EXPLORERS, "ratios", ratios),
         (EXPLORERS, "exponents", exponents),
+        (EXPLORERS, "corridors", corridors),
     ],
 )
 def test_a_table_of_kept_data_is_that_of_its_data(page, name, lines):

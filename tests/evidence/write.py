@@ -205,6 +205,20 @@ def exponents() -> Iterator[str]:
         yield f"| {family} | {least}..{_largest(rows)} | {' | '.join(told)} |"
 
 
+def corridors() -> Iterator[str]:
+    """A row a size: the mean costs in corridors with a drawn far matching, divided by m^2 n."""
+    yield f"| n | m | worlds | {COLUMNS} | (1)+(2) |"
+    yield f"|---:|---:|---:|{'---:|' * len(FOUR)}---:|"
+    rows = dict(_families())["corridor"]
+    for edges, same in growth().costs(rows, FOUR[0]).items():
+        (vertices,) = {int(row["vertices"]) for row in rows if int(row["edges"]) == edges}
+        means = [growth().costs(rows, name)[edges] for name in FOUR]
+        scale = edges**2 * vertices
+        told = " | ".join(f"{fsum(some) / len(some) / scale:.3f}" for some in means)
+        bound = paper_bound(vertices, edges) / scale
+        yield f"| {vertices} | {edges} | {len(same)} | {told} | {bound:.2f} |"
+
+
 def against_the_adversary(least: int = 1, most: int = 3) -> Iterator[str]:
     """A row a size: what the explorers walk against the adversary of corridors, with the seed 1."""
     yield f"| F | n | m | {COLUMNS} | at least | pairs excluded |"
@@ -263,6 +277,7 @@ PLACES: tuple[tuple[Path, str, Callable[[], Iterator[str]]], ...] = (
     (EXPLORERS, "large worlds", large_worlds),
     (EXPLORERS, "ratios", ratios),
     (EXPLORERS, "exponents", exponents),
+    (EXPLORERS, "corridors", corridors),
     (EXPLORERS, "adversary", against_the_adversary),
 )
 

@@ -2,7 +2,7 @@
 
 Each is checked in whole worlds, for every dart, and stands beside a false cousin: other out-darts,
 or a longer word, with which it fails.
-Source: docs/theory.md, 'Testers of home words'.
+Source: docs/research/lower-bounds.md, 'Testers of home words'.
 """
 
 from itertools import pairwise

@@ -15,7 +15,7 @@ explorer may show it when the robot is there again (:class:`~allworlds.protocol.
 an answer still depends on a second undecided dart, one of the two edges is fixed, that of the dart
 with fewer allowed pairs: all answers stay true, but the bound is not proved then.
 
-Source: ``docs/theory.md``, 'Testers of home words'.
+Source: ``docs/research/lower-bounds.md``, 'Testers of home words'.
 """
 
 from __future__ import annotations

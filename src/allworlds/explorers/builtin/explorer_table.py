@@ -54,8 +54,8 @@ class BuiltIn:
             the lighthouse's own.
         step_budget: the largest legal number of traversals, where the usual budget is too small
             for it.
-        tests_home_words: whether it crosses unknown edges only as a *tester* does: docs/theory.md,
-            'Testers of home words'.
+        tests_home_words: whether it crosses unknown edges only as a *tester* does:
+            docs/research/lower-bounds.md, 'Testers of home words'.
         about: a description, for a sentence of the page on the protocol.
     """
 

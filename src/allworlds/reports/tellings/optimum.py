@@ -69,9 +69,10 @@ def _size(row: OptimumRow) -> str:
 
 def _bounds(row: OptimumRow) -> str:
     """The optimum, or the bounds on both sides."""
-    if row.at_most is None:
+    most = row.cautious if row.at_most is None else row.at_most
+    if most is None:
         return f"{row.at_least} or more"
-    return str(row.optimum) if row.optimum is not None else f"{row.at_least} to {row.at_most}"
+    return str(row.optimum) if row.optimum is not None else f"{row.at_least} to {most}"
 
 
 def _optimum(row: OptimumRow) -> Cell:
